@@ -1,4 +1,4 @@
-//! Where a call from Python enters the engine: a defect comes out as an error, and Ctrl-C is seen.
+//! The boundary between Python and the engine: a defect becomes an error, and Ctrl-C is noticed.
 
 use crate::errors;
 use pyo3::prelude::*;
@@ -8,13 +8,13 @@ use std::sync::{Mutex, mpsc};
 use std::thread;
 use std::time::Duration;
 
-/// What the last defect was, and where; threads of a batch hand over neither.
+/// The last defect and its place; threads of a batch pass on neither.
 static DEFECT: Mutex<String> = Mutex::new(String::new());
 
-/// Time between two looks for Ctrl-C while others compute.
+/// Time between two checks for Ctrl-C while other threads compute.
 const LOOK_EVERY: Duration = Duration::from_millis(50);
 
-/// Keeps what a panic says for [`guarded`] instead of printing it.
+/// Stores the message of a panic for [`guarded`] instead of printing it.
 pub fn keep_defects() {
     panic::set_hook(Box::new(|info: &PanicHookInfo<'_>| {
         let place = info.location().map(|at| format!("{}:{}: ", at.file(), at.line())).unwrap_or_default();
@@ -31,11 +31,11 @@ pub fn guarded<T>(call: impl FnOnce() -> PyResult<T>) -> PyResult<T> {
     })
 }
 
-/// Lets Python see Ctrl-C and tells the progress callback how far the work is.
+/// Lets Python notice Ctrl-C and reports progress to the callback.
 pub struct Look(pub Option<Py<PyAny>>);
 
 impl Look {
-    /// Python's main thread alone sees Ctrl-C: it has to be the one that calls this.
+    /// Only Python's main thread notices Ctrl-C: it must call this.
     pub fn now(&self, done: f64) -> PyResult<()> {
         Python::attach(|py| {
             py.check_signals()?;
@@ -44,8 +44,8 @@ impl Look {
     }
 }
 
-/// Work on threads of its own, while the one that called looks for Ctrl-C and tells how much is done. The work is handed a
-/// function that takes how much that is, and says whether to go on.
+/// Runs work on other threads, while the calling thread checks for Ctrl-C and reports progress. The work gets a
+/// function that takes its progress and returns whether to continue.
 pub fn watched<T: Send>(
     py: Python<'_>,
     look: &Look,

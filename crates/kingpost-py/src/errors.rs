@@ -13,7 +13,7 @@ pub fn input(error: impl ToString) -> PyErr {
     KingpostError::new_err(error.to_string())
 }
 
-/// A defect of the engine, not of what it was given.
+/// A defect of the engine, not of its input.
 pub fn defect(what: &str) -> PyErr {
     KingpostError::new_err(format!(
         "the engine failed: {what}; this is a defect of Kingpost, please report it with the scenario"
@@ -24,7 +24,7 @@ pub fn scenario(error: EngineScenarioError) -> PyErr {
     variant(&error.clone(), error)
 }
 
-/// An error of a scenario under another message: that of a batch says which run it is of.
+/// An error of a scenario with another message: in a batch it also names the run.
 pub fn variant(message: &dyn ToString, error: EngineScenarioError) -> PyErr {
     let EngineScenarioError { file, line, column, field, found, allowed } = error;
     ScenarioError::new_err((message.to_string(), file, line, column, field, found, allowed))

@@ -1,7 +1,7 @@
 //! The Python module `kingpost._engine`: conversions and exceptions, nothing else.
 //!
-//! Arrays cross as NumPy arrays, structured text as JSON. The labelled, documented face is the
-//! Python package in `python/kingpost`.
+//! Arrays cross as NumPy arrays, structured text as JSON. The documented interface with labels is the Python package in
+//! `python/kingpost`.
 
 mod batch;
 mod boundary;
@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use serde_json::Value;
 use std::collections::HashMap;
 
-/// Overrides as they come from Python: a JSON list of `[name, value]`, in order.
+/// Overrides from Python: a JSON list of `[name, value]`, in order.
 fn overrides(json: &str) -> PyResult<Vec<(String, Value)>> {
     serde_json::from_str(json).map_err(|error| errors::input(format!("overrides: {error}")))
 }
@@ -34,7 +34,7 @@ fn read(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<
     boundary::guarded(|| Ok(read_with(text, file, overrides_json, files)?.to_json()))
 }
 
-/// Names of the files that a scenario stands on, as far as those that are given tell.
+/// Names of the files that a scenario needs, as far as the given files show.
 #[pyfunction]
 fn file_names(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Vec<String>> {
     boundary::guarded(|| {

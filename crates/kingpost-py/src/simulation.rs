@@ -16,7 +16,7 @@ pub type Vector<'py> = Bound<'py, PyArray1<f64>>;
 pub type Matrix<'py> = Bound<'py, PyArray2<f64>>;
 /// A matrix's name, entries, and for rows and columns their labels and their units.
 type Block<'py> = (String, Matrix<'py>, [Vec<String>; 2], [Vec<&'static str>; 2]);
-/// Steps between two looks for Ctrl-C.
+/// Steps between two checks for Ctrl-C.
 const STEPS_BETWEEN_SIGNALS: usize = 1_000;
 
 type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, String);
@@ -27,7 +27,7 @@ pub fn matrix(py: Python<'_>, data: Vec<f64>, rows: usize, columns: usize) -> Py
     data.into_pyarray(py).reshape([rows, columns])
 }
 
-/// One call at a time: a callback of a run, or another thread, is told so.
+/// One call at a time: a callback of a run, or another thread, gets an error.
 #[pyclass(module = "kingpost._engine", frozen)]
 pub struct Simulation {
     held: Mutex<Held>,
@@ -39,7 +39,8 @@ struct Held {
 }
 
 impl Simulation {
-    /// What a call does with the simulation. A defect leaves the lock poisoned: what stands behind it may be half done.
+    /// Runs a call on the simulation. A defect leaves the lock poisoned, because the simulation may be in an
+    /// inconsistent state.
     fn with<T>(&self, call: impl FnOnce(&mut Held) -> PyResult<T>) -> PyResult<T> {
         boundary::guarded(|| {
             let mut held = self.held.try_lock().map_err(|refused| match refused {
@@ -194,7 +195,7 @@ impl Simulation {
         })
     }
 
-    /// What has happened so far: time, element, what.
+    /// The events so far: time, element, what.
     fn events(&self) -> PyResult<Vec<(f64, String, String)>> {
         self.with(|held| {
             Ok(held
@@ -206,12 +207,12 @@ impl Simulation {
         })
     }
 
-    /// What a person should know of the rows so far: time, name and text of each, as JSON.
+    /// The warnings of the rows so far: time, name and text of each, as JSON.
     fn warnings_json(&self) -> PyResult<String> {
         self.with(|held| serde_json::to_string(&held.inner.warnings()).map_err(errors::input))
     }
 
-    /// How the limits held in the rows so far, as JSON.
+    /// The state of the limits over the rows so far, as JSON.
     fn limits_json(&self) -> PyResult<String> {
         self.with(|held| serde_json::to_string(&held.inner.limits()).map_err(errors::input))
     }
@@ -227,14 +228,14 @@ impl Simulation {
         })
     }
 
-    /// What a hand has set so far: time, input, value.
+    /// The user's moves so far: time, input, value.
     fn lever_moves(&self) -> PyResult<Vec<(f64, String, f64)>> {
         self.with(|held| {
             Ok(held.inner.lever_moves().into_iter().map(|one| (one.time_s, one.input, one.value)).collect())
         })
     }
 
-    /// What a hand has set so far as an operation, as JSON.
+    /// The user's moves so far as an operation, as JSON.
     fn operation_json(&self) -> PyResult<String> {
         self.with(|held| {
             let operation = held.scenario.operation_by_hand(&held.inner).map_err(errors::input)?;
@@ -305,7 +306,7 @@ impl Simulation {
         })
     }
 
-    /// The oscillations of bodies about the equilibrium nearby, as JSON: what the browser has.
+    /// The oscillations of bodies about the nearest equilibrium, as JSON, as in the browser.
     fn natural_modes_json(&self, py: Python<'_>) -> PyResult<String> {
         self.with(|held| {
             let found = py.detach(|| analysis::natural_modes(&held.inner)).map_err(errors::input)?;
@@ -313,7 +314,7 @@ impl Simulation {
         })
     }
 
-    /// Moves to an equilibrium: Newton's iterations, and the largest acceleration that is left.
+    /// Moves to an equilibrium; returns Newton's iterations and the largest remaining acceleration.
     fn settle(&self, py: Python<'_>) -> PyResult<(usize, f64)> {
         self.with(|held| {
             let found = py.detach(|| held.inner.settle()).map_err(errors::input)?;
@@ -329,7 +330,7 @@ impl Simulation {
         })
     }
 
-    /// The response to regular waves about rest, as JSON; of directions and frequencies as JSON.
+    /// The response to regular waves about rest, as JSON; directions and frequencies are given as JSON.
     fn wave_response_json(&self, py: Python<'_>, waves_json: &str) -> PyResult<String> {
         self.with(|held| {
             let waves = serde_json::from_str(waves_json).map_err(errors::input)?;

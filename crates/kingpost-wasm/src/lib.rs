@@ -31,7 +31,7 @@ impl Simulation {
         Ok(Self { scenario, inner })
     }
 
-    /// Takes `n` steps. When one diverges it is thrown, and the state stays before it.
+    /// Takes `n` steps. If one diverges, the error is thrown and the state is that before the step.
     pub fn step(&mut self, n: u32) -> Result<(), JsValue> {
         self.inner.step(n as usize).map_err(thrown::run)
     }
@@ -41,8 +41,8 @@ impl Simulation {
         self.inner.reset();
     }
 
-    /// The oscillations about the equilibrium that is nearest to where the simulation stands: coordinate, period and damping
-    /// ratio of each, the longest period first.
+    /// The oscillations about the equilibrium nearest to the present state: coordinate, period and damping ratio of
+    /// each, the longest period first.
     pub fn natural_modes_json(&self) -> Result<JsString, JsValue> {
         json(&analysis::natural_modes(&self.inner).map_err(thrown::input)?)
     }
@@ -57,7 +57,7 @@ impl Simulation {
         self.inner.settings().step_s
     }
 
-    /// What a row holds: a list of channels, each with its columns, their units, labels, offset and len.
+    /// The contents of a row: a list of channels, each with its columns, their units, labels, offset and len.
     pub fn channels_json(&self) -> Result<JsString, JsValue> {
         json(self.inner.channels())
     }
@@ -74,13 +74,12 @@ impl Simulation {
         self.inner.poses().into()
     }
 
-    /// Elevation of the sea now, m, at every crossing of the lines x and y, world, m: along the
-    /// first x first.
+    /// Elevation of the sea now, m, at every grid point of x and y, world, m: along the first x first.
     pub fn surface(&self, x: &[f64], y: &[f64]) -> Box<[f64]> {
         self.inner.surface(x, y).into()
     }
 
-    /// Amplitudes of the regular waves that the sea is the sum of, m; none in calm water.
+    /// Amplitudes of the regular waves that make up the sea, m; none in calm water.
     pub fn wave_amplitudes_m(&self) -> Box<[f64]> {
         self.inner.waves().iter().map(|wave| wave.amplitude_m).collect()
     }
@@ -96,22 +95,22 @@ impl Simulation {
         self.inner.wave_phasors([x_m, y_m], time_s).concat().into()
     }
 
-    /// Goes on in another sea of the same frequencies and directions.
+    /// Continues in another sea with the same frequencies and directions.
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), JsValue> {
         self.inner.set_waves(amplitudes_m, phases_rad).map_err(thrown::input)
     }
 
-    /// What a person should know of the rows so far: time, name and text of each.
+    /// The warnings of the rows so far: time, name and text of each.
     pub fn warnings_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.warnings())
     }
 
-    /// What happened in the run so far, in order of time, but for the `first` so many: time, element and what.
+    /// The events of the run so far in order of time, without the first `first`: time, element and what.
     pub fn events_json(&self, first: usize) -> Result<JsString, JsValue> {
         json(self.inner.events().get(first..).unwrap_or_default())
     }
 
-    /// The lines to draw beside the bodies: name, style, radius and number of points of each.
+    /// The lines to draw in addition to the bodies: name, style, radius and number of points of each.
     pub fn lines_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.lines())
     }
@@ -141,17 +140,17 @@ impl Simulation {
         self.inner.set_input(name, value).map_err(thrown::input)
     }
 
-    /// What a hand has set so far: time, input and value of each.
+    /// The user's moves so far: time, input and value of each.
     pub fn lever_moves_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.lever_moves())
     }
 
-    /// Parameters set since the run began: time and name of each. No replay has them.
+    /// Parameters set since the start of the run: time and name of each. A replay does not contain them.
     pub fn parameters_set_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.parameters_set())
     }
 
-    /// The scenario as it was steered: resolved, with what a hand has set as its operation.
+    /// The scenario with the user's moves: resolved, with the moves as its operation.
     pub fn replay_json(&self) -> Result<JsString, JsValue> {
         Ok(self.scenario.replay(&self.inner).map_err(thrown::input)?.to_json().into())
     }
@@ -162,7 +161,7 @@ impl Simulation {
         self.scenario.set_parameter(&mut self.inner, name, &value).map_err(thrown::input)
     }
 
-    /// What the model is: title, bodies with their shapes, joints, parameters, settings.
+    /// The description of the model: title, bodies with their shapes, joints, parameters, settings.
     pub fn model_json(&self) -> Result<JsString, JsValue> {
         json(&self.scenario.describe().map_err(thrown::scenario)?)
     }
@@ -183,8 +182,8 @@ impl Simulation {
     }
 }
 
-/// Names of the files that a scenario stands on, as a list, as far as those in `files_json` tell: to be asked until no new
-/// name comes.
+/// Names of the files that a scenario needs, as a list, as far as those in `files_json` show; repeat the call until no
+/// new name appears.
 #[wasm_bindgen]
 pub fn file_names(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<JsString, JsValue> {
     let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
@@ -192,7 +191,8 @@ pub fn file_names(text: &str, file: &str, overrides_json: &str, files_json: &str
     json(&names.map_err(thrown::scenario)?)
 }
 
-/// A scenario that is only read: resolved, as [`Simulation::resolved_json`], with its title and its description.
+/// Reads a scenario without building it: resolved, as [`Simulation::resolved_json`], with its title and its
+/// description.
 #[wasm_bindgen]
 pub fn resolved(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<JsString, JsValue> {
     let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;

@@ -1,4 +1,4 @@
-//! The engine's typed errors as plain objects: `kind` and `message`, and what else is known.
+//! The engine's typed errors as plain objects: `kind` and `message`, and further fields.
 
 use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::ScenarioError;
@@ -28,7 +28,7 @@ pub fn hydrostatics(error: HydrostaticsError) -> JsValue {
     }
 }
 
-/// A run that cannot go on.
+/// A run that cannot continue.
 pub fn run(error: RunError) -> JsValue {
     let (message, time_s) = (error.to_string(), error.time_s());
     let kind = match error {

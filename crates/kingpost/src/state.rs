@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Everything that the next step depends on. Snapshots are of numbers without derivatives.
+/// Everything that the next step depends on. Snapshots contain plain numbers, without derivatives.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State<S = f64> {
     /// Steps taken: the time is `steps * step size`.
@@ -17,14 +17,14 @@ pub struct State<S = f64> {
     pub d: Vec<S>,
     /// Modes of the elements, which change between steps only.
     pub m: Vec<i64>,
-    /// What the integrator carries from step to step.
+    /// The integrator's memory from step to step.
     pub memory: Vec<S>,
 }
 
 /// A snapshot that does not belong to this simulation.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum SnapshotError {
-    /// The bytes do not begin as a snapshot of this version does.
+    /// The bytes do not begin like a snapshot of this version.
     #[error("these bytes are not a Kingpost snapshot of version {allowed}")]
     Format {
         /// The version that can be read.
@@ -41,19 +41,19 @@ pub enum SnapshotError {
     /// It was taken from a run of another structure.
     #[error("the snapshot has {found} numbers in {part}, this simulation has {allowed}")]
     Shape {
-        /// Which part of the state.
+        /// The part of the state.
         part: &'static str,
         /// Numbers in the snapshot.
         found: u64,
         /// Numbers in this simulation.
         allowed: usize,
     },
-    /// Some of its bytes are not those that were written.
+    /// Some of its bytes have changed.
     #[error("the snapshot is damaged: its checksum is {found:016x}, that of its bytes {allowed:016x}")]
     Damaged {
         /// At its end.
         found: u64,
-        /// Of the bytes before it.
+        /// The checksum of the bytes before it.
         allowed: u64,
     },
     /// It ends too early or too late.
@@ -76,7 +76,7 @@ const HEADER: usize = MAGIC.len() + 1;
 const LEAD: usize = 2;
 const PARTS: [&str; 6] = ["q", "v", "s", "d", "memory", "m"];
 
-/// A number that stands for bytes: FNV-1a (Fowler, Noll & Vo). A byte that differs changes it.
+/// A digest of bytes: FNV-1a (Fowler, Noll & Vo). A different byte changes it.
 pub(crate) fn digest(bytes: &[u8]) -> u64 {
     let byte = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, byte)
@@ -91,7 +91,7 @@ impl<S: Copy> State<S> {
         [&mut self.q, &mut self.v, &mut self.s, &mut self.d, &mut self.memory]
     }
 
-    /// Takes over the numbers of another state; allocates nothing where that has the same shape.
+    /// Copies the numbers of another state; allocates nothing if it has the same shape.
     pub fn copy_from(&mut self, other: &Self) {
         self.steps = other.steps;
         for (part, other) in self.parts_mut().into_iter().zip(other.parts()) {
@@ -102,8 +102,8 @@ impl<S: Copy> State<S> {
 }
 
 impl State {
-    /// The state as bytes, little endian; [`State::restore`] gives back the same bits.
-    /// `fingerprint` says which setup it belongs to.
+    /// The state as bytes, little endian; [`State::restore`] gives back the same bits. `fingerprint` identifies the
+    /// setup.
     pub fn snapshot(&self, fingerprint: u64) -> Vec<u8> {
         let mut bytes = Vec::from(MAGIC);
         bytes.push(VERSION);

@@ -1,6 +1,6 @@
 //! ARCHITECTURE.md says what may import what; this holds the code to it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -189,6 +189,136 @@ fn a_module_with_a_folder_begins_in_its_mod_rs() {
     for path in files_below(&root().join("crates"), ".rs") {
         let folder = path.with_extension("");
         assert!(!folder.is_dir(), "{}: belongs into {}/mod.rs", path.display(), folder.display());
+    }
+}
+
+/// The types that a file of the engine defines, `type Output` and the like inside an `impl` left out.
+fn types_in(code: &str) -> BTreeSet<String> {
+    let defined = |line: &str| {
+        let line = line.strip_prefix("pub").map_or(line, |rest| rest.trim_start_matches(|c| c != ' ').trim_start());
+        ["struct ", "enum ", "trait ", "type "].iter().find_map(|kind| line.strip_prefix(kind)).map(word)
+    };
+    code.lines().filter_map(defined).collect()
+}
+
+/// A type of the schema and the type that is built from it share a name; no other two types do.
+#[test]
+fn two_types_of_the_engine_share_a_name_only_where_one_is_built_from_the_schema_of_the_other() {
+    let source = root().join("crates/kingpost/src");
+    let mut files = BTreeMap::<String, Vec<String>>::new();
+    for path in files_below(&source, ".rs") {
+        let place = path.strip_prefix(&source).expect("below the folder").to_string_lossy().into_owned();
+        types_in(&read(&path)).into_iter().for_each(|name| files.entry(name).or_default().push(place.clone()));
+    }
+    assert!(files.len() > 500 && files["Rope"].len() == 2, "{}", files.len());
+    for (name, files) in files {
+        let of_schema = files.iter().filter(|file| file.starts_with("scenario/schema/")).count();
+        assert!(files.len() == 1 || (files.len(), of_schema) == (2, 1), "{name}: {files:?}");
+    }
+}
+
+/// The path of a module, from `src` or from where a `use` stands.
+type ModulePath = Vec<String>;
+
+/// The paths of a `use`: `a::{b, c::d}` is `a::b` and `a::c::d`.
+fn paths_of_use(tree: &str) -> Vec<String> {
+    let Some((stem, inside)) = tree.trim().split_once('{') else {
+        return vec![tree.split(" as ").next().unwrap_or_default().trim().to_owned()];
+    };
+    let (mut depth, mut parts) = (0, vec![String::new()]);
+    for c in inside.trim_end().strip_suffix('}').expect("braces in pairs").chars() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        match parts.last_mut() {
+            Some(part) if depth > 0 || c != ',' => part.push(c),
+            _ => parts.push(String::new()),
+        }
+    }
+    let named = parts.iter().filter(|part| !part.trim().is_empty());
+    named.flat_map(|part| paths_of_use(&format!("{}{}", stem.trim(), part.trim()))).collect()
+}
+
+/// A path from `src`, of one that is written in a module.
+fn from_source(module: &ModulePath, path: &str) -> ModulePath {
+    path.split("::").map(str::trim).filter(|segment| !segment.is_empty()).fold(module.clone(), |mut at, segment| {
+        match segment {
+            "crate" => at.clear(),
+            "super" => drop(at.pop()),
+            "self" => {}
+            name => at.push(name.to_owned()),
+        }
+        at
+    })
+}
+
+/// The paths that a module's code names: those of its `use`, and others that begin with `crate` or `super`.
+fn named_paths(module: &ModulePath, code: &str) -> [Vec<ModulePath>; 2] {
+    let code = code.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
+    let lines: Vec<&str> = code.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+    let code = lines.join("\n");
+    let uses = code.split('\n').map(str::trim_start).collect::<Vec<_>>().join("\n");
+    let uses =
+        uses.split("use ").skip(1).filter_map(|rest| rest.split_once(';')).flat_map(|(tree, _)| paths_of_use(tree));
+    let is_path = |c: &char| c.is_alphanumeric() || *c == '_' || *c == ':';
+    let within = ["crate::", "super::"].into_iter().flat_map(|start| code.match_indices(start));
+    let within = within.filter(|(at, _)| !code[..*at].chars().next_back().is_some_and(|c| is_path(&c)));
+    let within = within.map(|(at, _)| code[at..].chars().take_while(is_path).collect::<String>());
+    [uses.map(|path| from_source(module, &path)).collect(), within.map(|path| from_source(module, &path)).collect()]
+}
+
+/// The module that a path leads to, through what modules on the way take from others.
+fn home(
+    mut path: ModulePath,
+    modules: &BTreeMap<ModulePath, String>,
+    taken: &BTreeMap<ModulePath, ModulePath>,
+) -> ModulePath {
+    for _ in 0..10 {
+        let depth = (0..=path.len()).rev().find(|&n| modules.contains_key(&path[..n])).unwrap_or_default();
+        let Some(source) = path.get(..=depth).and_then(|item| taken.get(item)) else { return path[..depth].to_vec() };
+        path = source.iter().chain(&path[depth + 1..]).cloned().collect();
+    }
+    path
+}
+
+/// Which file or folder uses which beside it, by the folder that both are in.
+fn uses_beside() -> BTreeMap<ModulePath, BTreeMap<String, BTreeSet<String>>> {
+    let source = root().join("crates/kingpost/src");
+    let module = |path: PathBuf| {
+        let place = path.strip_prefix(&source).expect("below the folder").with_extension("");
+        let segments = place.iter().map(|segment| segment.to_string_lossy().into_owned());
+        (segments.filter(|segment| segment != "mod" && segment != "lib").collect::<ModulePath>(), read(&path))
+    };
+    let modules: BTreeMap<ModulePath, String> = files_below(&source, ".rs").into_iter().map(module).collect();
+    let paths: Vec<_> = modules.iter().map(|(module, code)| (module, named_paths(module, code))).collect();
+    let mut taken = BTreeMap::new();
+    for (module, [uses, _]) in &paths {
+        let entry = |path: &ModulePath| Some(([module.as_slice(), &[path.last()?.clone()]].concat(), path.clone()));
+        taken.extend(uses.iter().filter_map(entry).filter(|(item, path)| item != path));
+    }
+    let mut found = BTreeMap::<_, BTreeMap<_, BTreeSet<_>>>::new();
+    for (module, [uses, within]) in paths {
+        for home in uses.into_iter().chain(within).map(|path| home(path, &modules, &taken)) {
+            let shared = module.iter().zip(&home).take_while(|(a, b)| a == b).count();
+            if let (Some(own), Some(other)) = (module.get(shared), home.get(shared)) {
+                let folder = found.entry(module[..shared].to_vec()).or_default();
+                folder.entry(own.clone()).or_default().insert(other.clone());
+            }
+        }
+    }
+    found
+}
+
+/// A folder's `mod.rs` is left out: it names the files beside it, and they may use what it holds.
+#[test]
+fn no_files_of_a_folder_use_each_other_in_a_circle() {
+    let found = uses_beside();
+    assert!(found[&vec!["dynamics".to_owned()]]["loads"].contains("restraint"), "{found:?}");
+    assert!(found[&vec!["scenario".to_owned()]]["build"].contains("error"), "by way of what mod.rs takes");
+    for (folder, mut uses) in found {
+        while let Some(done) = uses.iter().find(|(_, used)| !used.iter().any(|name| uses.contains_key(name))) {
+            let done = done.0.clone();
+            uses.remove(&done);
+        }
+        assert!(uses.is_empty(), "{}: {uses:?}", folder.join("/"));
     }
 }
 

@@ -22,22 +22,19 @@ pub struct Gradient {
 }
 
 impl Gradient {
-    /// Forgets what came after the first `entries` of the rows.
+    /// Drops everything after the first `entries` of the rows.
     fn keep(&mut self, entries: usize) {
         self.rows.truncate(entries);
         self.derivatives.iter_mut().for_each(|rows| rows.truncate(entries));
     }
 }
 
-/// Runs a scenario from start to end with the derivative of every result along every parameter (or
-/// path of a number) in `names`, exact for the scheme and step: they are the derivatives of the
-/// numbers that a run gives, not of the motion that it approximates. Only the time of an event moves
-/// with the motion's rates, and differs from the run's by the error of a step. `progress` hears the
-/// time and may stop the run by returning false: what is left are the rows until then, and the names
-/// that were reached.
+/// Runs a scenario from start to end with the derivative of every result along every parameter (or path of a number) in
+/// `names`, exact for the scheme and step: they are the derivatives of the computed numbers, not of the motion that
+/// these approximate. Only the derivative of an event's time follows from the rates of the motion, with the error of a
+/// step. `progress` gets the time and may stop the run by returning false: then the rows until that time remain.
 ///
-/// # Errors
-/// A name that no derivative follows: see [`Scenario::setup_along`]. Equations without D.
+/// # Errors A name along which there is no derivative: see [`Scenario::setup_along`]. Equations without D.
 pub fn gradient(
     scenario: &Scenario,
     names: &[&str],

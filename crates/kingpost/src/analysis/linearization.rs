@@ -1,6 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::elements::{Input, Kept, Situation};
+use crate::elements::{ElementState, Input, Situation};
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
@@ -12,28 +12,27 @@ use serde::Serialize;
 
 /// A and B about one state, and the rates there.
 ///
-/// The states x are small motions from the state: first the local coordinates of the free
-/// coordinates (m; rad, for a rotation in space the rotation vector in body axes), then their rates
-/// as in v, then the extra states of forces and drives. Held and prescribed coordinates are not
-/// among them; prescribed ones keep the motion that they have. Where there are closed loops all
-/// coordinates of the tree are, and motions mean something where J x vanishes, with J of
-/// [`MovingFrame::j`](crate::dynamics::moving_frame::MovingFrame::j): A takes them to such again
-/// where nothing moves or accelerates.
+/// The states x are small motions from the state: first the local coordinates of the free coordinates (m; rad, for a
+/// rotation in space the rotation vector in body axes), then their rates as in v, then the extra states of forces and
+/// drives. Held and prescribed coordinates are not states; prescribed ones keep their motion. With closed loops x
+/// contains all coordinates of the tree, and only motions with J x = 0 are possible, with J of
+/// [`MovingFrame::j`](crate::dynamics::moving_frame::MovingFrame::j); about a state at rest A maps such motions to such
+/// motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linearization {
-    /// Names of the states: `slew`, ..., `slew.rate`, ..., and what drives keep, as `luffing.wanted_length`.
+    /// Names of the states: `slew`, ..., `slew.rate`, ..., and the states of drives, as `luffing.wanted_length`.
     pub states: Vec<String>,
     /// SI unit of each state.
     pub units: Vec<&'static str>,
-    /// Whether each state only remembers how something moved, as an element [declares](crate::elements::Kept).
+    /// Whether each state is only a memory, as an element [declares](crate::elements::ElementState).
     pub remembers: Vec<bool>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
     /// Unit of each input.
     pub input_units: Vec<&'static str>,
-    /// A: rate of the row's state by the column's.
+    /// A: rate of the row's state per column's state.
     pub a: DMatrix<f64>,
-    /// B: rate of the row's state by the column's input.
+    /// B: rate of the row's state per column's input.
     pub b: DMatrix<f64>,
     /// The rates at the state itself; zero at an equilibrium.
     pub rates: Vec<f64>,
@@ -43,14 +42,14 @@ pub struct Linearization {
     pub moving: Vec<String>,
 }
 
-/// What a [`Linearization`] has beside its numbers, for other languages.
+/// The names and units of a [`Linearization`], for other languages.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LinearNames<'a> {
     /// Names of the states.
     pub states: &'a [String],
     /// SI unit of each state.
     pub units: &'a [&'static str],
-    /// Whether each state only remembers.
+    /// Whether each state is only a memory.
     pub remembers: &'a [bool],
     /// Names of the inputs.
     pub inputs: &'a [String],
@@ -61,21 +60,20 @@ pub struct LinearNames<'a> {
 }
 
 impl Linearization {
-    /// What it has beside its numbers.
+    /// Its names and units.
     pub fn names(&self) -> LinearNames<'_> {
         let Self { states, units, remembers, inputs, input_units, .. } = self;
         LinearNames { states, units, remembers, inputs, input_units, warning: self.warning() }
     }
 
-    /// What A does not say: where something moves as prescribed it is that of one instant, and a pair
-    /// of eigenvalues may seem to grow, or to be damped, by the forces of that motion alone.
+    /// A warning if something moves as prescribed: A then holds for one instant, and a pair of eigenvalues may seem to
+    /// grow, or to be damped, only because of that motion's forces.
     pub fn warning(&self) -> Option<String> {
         let names = self.moving.join(", ");
         let verbs = if self.moving.len() == 1 { "moves or accelerates" } else { "move or accelerate" };
         (!self.moving.is_empty()).then(|| {
             format!(
-                "{names} {verbs} as prescribed at {} s: this is that instant, as if it lasted; damping ratios and \
-                 growth may come from the prescribed motion alone",
+                "{names} {verbs} as prescribed at {} s: the matrices hold for that instant only; damping ratios and growth may come from the prescribed motion alone",
                 self.time_s
             )
         })
@@ -92,7 +90,7 @@ impl Linearization {
         DVector::from_column_slice(&self.rates[n..2 * n])
     }
 
-    /// Acceleration of each free coordinate by each: the block of A below its diagonal.
+    /// Acceleration of each free coordinate per free coordinate: the block of A below its diagonal.
     pub fn stiffness(&self) -> DMatrix<f64> {
         let n = self.free();
         self.a.view((n, 0), (n, n)).into_owned()
@@ -106,9 +104,9 @@ const RATE: &str = ".rate";
 #[derive(Clone, Debug)]
 pub struct Linearizer {
     tangent: Tangent,
-    states: Vec<Kept>,
+    states: Vec<ElementState>,
     inputs: Vec<Input>,
-    /// What each state is.
+    /// The kind of each state.
     along: Vec<Along>,
     /// The prescribed coordinates, with their names.
     prescribed: Vec<(usize, String)>,
@@ -124,7 +122,7 @@ impl Linearizer {
         Ok(Self::of_plant(Plant::new(setup.model, setup.world, setup.elements)))
     }
 
-    /// For simulations of what a plant is made of.
+    /// For simulations of this plant.
     pub fn of_plant(plant: Plant<Number>) -> Self {
         let inputs = plant.layout().inputs.clone();
         let (states, along) = states(&plant);
@@ -132,7 +130,7 @@ impl Linearizer {
         Self { tangent: Tangent::new(plant), states, inputs, along, prescribed }
     }
 
-    /// The same without the sea's waves, and with what is prescribed held.
+    /// The same without waves, and with prescribed coordinates held.
     pub fn at_rest(mut self) -> Self {
         self.tangent.set_situation(Situation::AtRest);
         self
@@ -148,7 +146,7 @@ impl Linearizer {
         &self.along
     }
 
-    /// A and B where a simulation of the scenario stands.
+    /// A and B at the present state of a simulation of the scenario.
     pub fn at(&mut self, simulation: &Simulation) -> Linearization {
         self.about(simulation.stage())
     }
@@ -205,14 +203,15 @@ fn prescribed(plant: &Plant<Number>) -> Vec<(usize, String)> {
     names.filter(|(i, _)| plant.model.modes[*i] == Mode::Prescribed).collect()
 }
 
-/// States of a plant with their names and units, and what each is: those of drives and forces stand behind the ledger's
+/// States of a plant with their names and units, and the kind of each: those of drives and forces follow the ledger's
 /// entries in s.
-fn states(plant: &Plant<Number>) -> (Vec<Kept>, Vec<Along>) {
+fn states(plant: &Plant<Number>) -> (Vec<ElementState>, Vec<Along>) {
     let (model, names, turns) = (&plant.model, plant.model.coordinate_names(), plant.model.turning_coordinates());
     let unit = |units: [&'static str; 2], i: usize| units[usize::from(turns[i])];
     let free = model.free_coordinates();
-    let positions = free.iter().map(|&i| (Kept::new(names[i].clone(), unit(["m", "rad"], i)), Along::Position(i)));
-    let rate = |&i: &usize| Kept::new(format!("{}{RATE}", names[i]), unit(["m/s", "rad/s"], i));
+    let positions =
+        free.iter().map(|&i| (ElementState::new(names[i].clone(), unit(["m", "rad"], i)), Along::Position(i)));
+    let rate = |&i: &usize| ElementState::new(format!("{}{RATE}", names[i]), unit(["m/s", "rad/s"], i));
     let rates = free.iter().map(|i| (rate(i), Along::Velocity(*i)));
     let extras = plant.layout().states.iter().cloned().enumerate();
     let extras = extras.map(|(i, state)| (state, Along::Extra(ledger::COUNT + i)));

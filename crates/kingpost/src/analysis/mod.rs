@@ -1,5 +1,5 @@
-//! What is known of a model without a run, and of a run beside its numbers: exact linearisation
-//! and gradients along parameters.
+//! Analysis of a model without a run, and of a run beyond its numbers: exact linearisation and gradients along
+//! parameters.
 
 #[cfg(not(target_family = "wasm"))]
 mod gradient;

@@ -1,4 +1,4 @@
-//! The oscillations that a model makes by itself about its equilibrium.
+//! The natural oscillations of a model about its equilibrium.
 
 use crate::simulation::{NoEquilibrium, Simulation};
 use core::f64::consts::TAU;
@@ -7,10 +7,11 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 use serde::Serialize;
 use thiserror::Error;
 
-/// An oscillation `exp(-zeta w t) cos(w_d t)` of small motions: of bodies, not of filters or of the water's memory alone.
+/// An oscillation `exp(-zeta w t) cos(w_d t)` of small motions: modes of bodies, not those of filters or of the water's
+/// memory only.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NaturalMode {
-    /// The coordinate with the largest share in the kinetic energy, each by itself.
+    /// The coordinate with the largest share of the kinetic energy, each taken by itself.
     pub coordinate: String,
     /// Time between two maxima, 2 pi / w_d, s.
     pub period_s: f64,
@@ -25,24 +26,25 @@ pub enum ModesError {
     #[error(transparent)]
     Settle(#[from] NoEquilibrium),
     /// The eigenvalues do not converge.
-    #[error("modes: found no eigenvalues in {MOST_ITERATIONS} iterations, allowed: rates whose sizes compare")]
+    #[error("modes: found no eigenvalues in {MOST_ITERATIONS} iterations, allowed: rates of comparable size")]
     NoEigenvalues,
 }
 
-/// Of the search for eigenvalues; it takes some three for each.
+/// Iterations of the search for eigenvalues; it takes about three for each.
 const MOST_ITERATIONS: usize = 20_000;
-/// Periods beyond this are drift, s.
+/// Longer periods count as drift, s.
 const LONGEST_PERIOD_S: f64 = 1e4;
-/// What coordinates and their rates take part in a mode of bodies at least.
+/// Smallest participation of coordinates and their rates in a mode of bodies.
 const LEAST_SHARE: f64 = 0.5;
-/// How far beside an eigenvalue the matrix of the inverse iteration is taken, as part of its modulus.
+/// Shift from the eigenvalue in the inverse iteration, as a share of its modulus.
 const BESIDE: f64 = 1e-9;
 
-/// The oscillations about the equilibrium that is nearest to where a simulation stands, the longest period first.
+/// The oscillations about the equilibrium nearest to the state of a simulation, the longest period first.
 ///
-/// The eigenvalues of A of [`Simulation::small_motions`], those of bodies by their participation factors: of the parts l_k x_k / l x of
-/// the states in a mode, with its left and right vector (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982),
-/// coordinates and their rates have half or more. The Python package's `modes` gives all modes, with their shapes.
+/// The eigenvalues of A of [`Simulation::small_motions`], of which the modes of bodies are those where coordinates and
+/// their rates have half or more of the participation factors l_k x_k / l x, with the left and right eigenvector l and
+/// x (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982). The Python package's `modes` gives all
+/// modes, with their shapes.
 ///
 /// ```
 /// // A pendulum of 2 m: 2 pi sqrt(L / g).
@@ -55,13 +57,12 @@ const BESIDE: f64 = 1e-9;
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 ///
-/// # Errors
-/// No equilibrium near, or rates of such different sizes that no eigenvalues are found.
+/// # Errors No equilibrium nearby, or rates of such different magnitudes that no eigenvalues are found.
 pub fn natural_modes(simulation: &Simulation) -> Result<Vec<NaturalMode>, ModesError> {
     let mut settled = simulation.clone();
     settled.settle()?;
     let coordinates = settled.coordinates();
-    // Of a matrix by rows, the entries of its diagonal.
+    // The diagonal entries of the matrix.
     let masses: Vec<f64> = settled.mass_matrix().into_iter().step_by(coordinates.len() + 1).collect();
     of_system(&coordinates, &masses, settled.small_motions())
 }
@@ -70,7 +71,7 @@ fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Res
     if masses.is_empty() {
         return Ok(Vec::new());
     }
-    // States in units in which rows of A are as large as its columns.
+    // Balances A: units of the states in which its rows and columns have equal size.
     let units = balance_parlett_reinsch(&mut a);
     let schur = Schur::try_new(a.clone(), f64::EPSILON, MOST_ITERATIONS).ok_or(ModesError::NoEigenvalues)?;
     let slowest = TAU / LONGEST_PERIOD_S;
@@ -84,7 +85,7 @@ fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Res
     Ok(modes)
 }
 
-/// The mode of an eigenvalue; `None` where bodies have little part in it.
+/// The mode of an eigenvalue; `None` if bodies participate little in it.
 fn mode(
     coordinates: &[String],
     masses: &[f64],
@@ -113,13 +114,13 @@ fn size(value: Complex<f64>) -> f64 {
     libm::hypot(value.re, value.im)
 }
 
-/// The vector of an eigenvalue, by inverse iteration beside it.
+/// The eigenvector of an eigenvalue, by inverse iteration with a shift.
 fn vector(a: &DMatrix<f64>, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
     let n = a.nrows();
     let beside = value * (1.0 + BESIDE);
     let shifted = DMatrix::from_fn(n, n, |i, j| Complex::from(a[(i, j)]) - if i == j { beside } else { Complex::ZERO });
     let factors = shifted.lu();
-    // Entries of different sizes, so that no vector is across them all.
+    // Different entries, so that the start is orthogonal to no eigenvector.
     let mut found = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
     for _ in 0..2 {
         found = factors.solve(&found)?;

@@ -1,8 +1,7 @@
 //! Many runs at once: variants of one scenario over lanes and threads.
 //!
-//! Variants of one structure go side by side in the [lanes](crate::scalar::Lanes) of SIMD
-//! registers, groups of them over threads. Every run has the bits that it would have alone,
-//! whatever stands beside it and whatever the number of threads.
+//! Variants with the same structure run in the [lanes](crate::scalar::Lanes) of SIMD registers, groups of them on
+//! threads. Every run gives the same bits as it would alone, whatever the other lanes and the number of threads.
 
 mod side_by_side;
 
@@ -19,27 +18,27 @@ use rayon::prelude::*;
 use serde_json::Value;
 use thiserror::Error;
 
-/// What is set over the scenario in one run: names of parameters or paths of fields, in order.
+/// The values that one run changes in the scenario: names of parameters or paths of fields, in order.
 pub type Variant = Vec<(String, Value)>;
 
 /// Why a batch did not run at all.
 #[derive(Clone, Debug, Error)]
 pub enum BatchError {
-    /// A variant that is no scenario.
+    /// A variant that is not a valid scenario.
     #[error("run {run}: {error}")]
     Variant {
         /// Which, from 0.
         run: usize,
-        /// What is wrong with it.
+        /// Its error.
         error: ScenarioError,
     },
-    /// Variants with other bodies, joints or points than the first: their rows would not compare.
+    /// Variants with other bodies, joints or points than the first: their rows would not match.
     #[error("run {run}: found other result channels than those of run 0, allowed: the same bodies, joints and points")]
     Channels {
         /// Which, from 0.
         run: usize,
     },
-    /// More numbers would be recorded than may be held.
+    /// More numbers would be recorded than are allowed.
     #[error(
         "{runs} runs: found {:.1} GB to be recorded, allowed: {:.1} GB; record less often (simulation.record_every_s), \
          or fewer runs at once",
@@ -73,8 +72,8 @@ pub struct Batch {
 /// What [`run`] may record, bytes.
 pub const MOST_BYTES: u64 = 4 << 30;
 
-/// Runs every variant of a scenario from start to end. `threads` 0 takes as many as the machine
-/// has. `progress` hears how many runs are done; it may stop the batch by returning false.
+/// Runs every variant of a scenario from start to end. `threads` 0 takes as many as the machine has. `progress` gets
+/// the number of finished runs; it may stop the batch by returning false.
 ///
 /// ```
 /// use kingpost::scenario::Files;
@@ -98,7 +97,7 @@ pub fn run(
     run_within(text, file, files, variants, threads, MOST_BYTES, progress)
 }
 
-/// The same as [`run`] where the rows of all runs may take so many bytes.
+/// The same as [`run`] with this limit for the rows of all runs, bytes.
 ///
 /// # Errors
 /// Those of [`run`].
@@ -118,15 +117,15 @@ pub fn run_within(
     })
 }
 
-/// Runs that are built, whatever they were built from; see [`run_built`].
+/// Built runs, whatever their source; see [`run_built`].
 pub trait Built: Sync {
     /// How many.
     fn count(&self) -> usize;
 
-    /// What a run is made of.
+    /// The setup of a run.
     fn setup(&self, run: usize) -> &Setup;
 
-    /// A text that runs share which may go side by side.
+    /// A text that is equal for runs that can share lanes.
     fn structure(&self, run: usize) -> &str;
 
     /// A run by itself, at its start.
@@ -134,11 +133,11 @@ pub trait Built: Sync {
         Simulation::new(self.setup(run).clone())
     }
 
-    /// The runs of a group side by side, as many as there are lanes at most; `None` where they cannot go together.
+    /// The runs of a group in lanes, at most as many as there are lanes; `None` if they cannot run together.
     fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>>;
 }
 
-/// The same as [`run`] for runs that are built.
+/// The same as [`run`] for built runs.
 ///
 /// # Errors
 /// A run whose channels are not those of the first.
@@ -174,7 +173,7 @@ fn run_all(
     Ok(Batch { channels, runs: runs.into_iter().map(|(_, run)| run).collect() })
 }
 
-/// An error where the rows of all runs would not fit.
+/// An error if the rows of all runs would not fit.
 fn check_memory(built: &impl Built, channels: &[Channel], allowed: u64) -> Result<(), BatchError> {
     let columns: usize = channels.iter().map(|channel| channel.columns.len()).sum();
     let rows = |run: usize| built.setup(run).settings.rows();
@@ -228,7 +227,7 @@ impl Built for Vec<Member> {
     fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>> {
         let scenarios: Vec<&Scenario> = group.iter().map(|&run| &self[run].scenario).collect();
         let setups: Vec<&Setup> = group.iter().map(|&run| &self[run].setup).collect();
-        // Where a number that decides how a run is made up differs, each goes alone.
+        // If a number that decides the structure differs, each runs alone.
         side_by_side(&scenarios, &setups).ok()
     }
 }
@@ -243,7 +242,7 @@ fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Resul
     variants.par_iter().enumerate().map(member).collect()
 }
 
-/// Runs that go side by side: of one structure, as many as there are lanes.
+/// Groups of runs with the same structure, at most as many as there are lanes.
 fn groups(built: &impl Built) -> Vec<Vec<usize>> {
     let mut by_structure: IndexMap<&str, Vec<usize>> = IndexMap::new();
     for run in 0..built.count() {
@@ -257,11 +256,11 @@ fn groups(built: &impl Built) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The runs of a group; `None` where `go_on` said no.
+/// The runs of a group; `None` if `go_on` returned false.
 fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let alone: Vec<Simulation> = group.iter().map(|&run| built.simulation(run)).collect();
     let Setup { settings, model, elements, .. } = built.setup(group[0]);
-    // The loops' projection takes as many iterations as each run needs: not the same in all lanes.
+    // The projection onto closed loops needs a different number of iterations in each lane.
     let alone_only = elements.iter().any(|element| element.declare().goes_alone);
     let fits =
         !alone_only && model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme);

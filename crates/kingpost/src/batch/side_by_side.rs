@@ -1,15 +1,13 @@
-//! Runs of one structure in the lanes of one simulation.
+//! Runs with the same structure in the lanes of one simulation.
 
 use crate::scalar::Lanes;
 use crate::simulation::{Recording, Run, RunError, Setup, Simulation};
 use crate::state::State;
 
-/// Runs what stands side by side in the lanes of a setup, each of which has its simulation in `alone`; `None` where
-/// `go_on` said no.
+/// Runs the lanes of a setup together; `alone` has the separate simulation of each. `None` if `go_on` returned false.
 ///
-/// The lanes step together; rows are written by each run's own simulation, which takes over its
-/// lane's state. Where one of them diverges, each goes on alone from its last row; one with a row that has no numbers ends
-/// before it.
+/// The lanes step together; each run's own simulation writes its rows from its lane's state. If one of them diverges,
+/// each continues alone from its last row; a run with a row that is not finite ends before it.
 pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let mut recording = Recording::new(*alone[0].settings(), alone[0].time_s());
     let mut rows = vec![Rows { written: Vec::new(), status: Ok(()) }; alone.len()];
@@ -54,7 +52,7 @@ fn one_by_one(
     alone.into_iter().zip(rows).map(finish).collect()
 }
 
-/// The rows of a run, and why no more are written.
+/// The rows of a run, and why it ended.
 #[derive(Clone)]
 struct Rows {
     written: Vec<f64>,
@@ -66,14 +64,14 @@ fn write_rows(simulations: &mut [Simulation], rows: &mut [Rows]) {
         let there = rows.written.len();
         simulation.write_row(&mut rows.written);
         rows.status = simulation.check_row(&rows.written[there..]);
-        // The first row stays, so that there is one.
+        // The first row is kept, so that there is one.
         if rows.status.is_err() && there > 0 {
             rows.written.truncate(there);
         }
     }
 }
 
-/// Takes over the numbers of one lane.
+/// Copies the numbers of one lane.
 fn take_lane(state: &mut State, together: &State<Lanes>, k: usize) {
     let lane = |from: &[Lanes], to: &mut [f64]| {
         to.iter_mut().zip(from).for_each(|(to, from)| *to = from.to_array()[k]);

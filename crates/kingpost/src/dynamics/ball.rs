@@ -1,10 +1,9 @@
 //! A spherical joint in the recursion: three equations about the ball.
 //!
-//! About the ball the joint's axes are `S = [I; 0]`, so that what it lets through is a force alone:
-//! with the articulated inertia `[J, C; C^T, L]` about the ball, only `L - C^T J^-1 C` remains of
-//! it (Featherstone 2008, sec. 7.2, with S taken about the joint).
+//! About the ball the joint's axes are `S = [I; 0]`, so the joint transmits only a force: with the articulated inertia
+//! `[J, C; C^T, L]` about the ball, only `L - C^T J^-1 C` remains of it (Featherstone 2008, sec. 7.2, with S taken
+//! about the joint).
 
-use super::Loads;
 use crate::model::{Link, Mode};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
@@ -38,19 +37,19 @@ impl<'a, S: Scalar> Ball<'a, S> {
         })
     }
 
-    /// What the ball lets through to the parent: articulated inertia and bias.
+    /// The articulated inertia and bias that the ball transmits to the parent.
     pub(super) fn transmitted(
         &self,
         inertia: &SpatialInertia<S>,
         bias: &Wrench<S>,
-        loads: &Loads<S>,
+        force: &[S],
     ) -> (SpatialInertia<S>, Wrench<S>) {
         if self.plan.mode != Mode::Free {
             return (*inertia, *bias);
         }
         let to_ball = Frame::translation(-self.position);
         let (about_ball, bias) = (inertia.to_parent(&to_ball), to_ball.wrench_to_parent(bias));
-        let (applied, inverse) = (self.moment(loads), about_ball.angular.inverse());
+        let (applied, inverse) = (self.moment(force), about_ball.angular.inverse());
         let yielding = about_ball.coupling.transpose() * (inverse.to_matrix() * about_ball.coupling);
         let linear = Symmetric3::from_upper(&(about_ball.linear.to_matrix() - yielding));
         let reduced = SpatialInertia { linear, ..SpatialInertia::default() };
@@ -61,22 +60,22 @@ impl<'a, S: Scalar> Ball<'a, S> {
         (reduced, carried)
     }
 
-    /// The moment applied in the joint.
-    fn moment(&self, loads: &Loads<S>) -> Vector3<S> {
-        self.in_root.rotation * Vector3::from_slice(&loads.force[self.plan.velocities..])
+    /// The moment applied in the joint, from the loads along all coordinates.
+    fn moment(&self, force: &[S]) -> Vector3<S> {
+        self.in_root.rotation * Vector3::from_slice(&force[self.plan.velocities..])
     }
 
-    /// Acceleration of the link, once what the parent and the velocities carry is known; writes that
-    /// of the joint's coordinates.
+    /// Acceleration of the link, from that of the parent and the velocity terms, `carried`; writes that of the joint's
+    /// coordinates.
     pub(super) fn accelerate(
         &self,
         inertia: &SpatialInertia<S>,
         bias: &Wrench<S>,
         carried: &Twist<S>,
-        loads: &Loads<S>,
+        force: &[S],
         v_dot: &mut [S],
     ) -> Twist<S> {
-        self.accelerate_under(self.moment(loads), inertia, bias, carried, v_dot)
+        self.accelerate_under(self.moment(force), inertia, bias, carried, v_dot)
     }
 
     /// The same under a moment applied in the joint.
@@ -100,7 +99,8 @@ impl<'a, S: Scalar> Ball<'a, S> {
         in_child.write_to(&mut v_dot[self.plan.velocities..]);
         *carried + self.twist(&in_child.0)
     }
-    /// What the ball lets through of a bias alone, without velocities and other loads.
+
+    /// The part of a bias that the ball transmits, without velocities and other loads.
     pub(super) fn passes(&self, inertia: &SpatialInertia<S>, bias: &Wrench<S>) -> Wrench<S> {
         if self.plan.mode != Mode::Free {
             return *bias;
@@ -112,7 +112,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         Frame::translation(self.position).wrench_to_parent(&Wrench { moment: Vector3::zero(), force })
     }
 
-    /// The acceleration that a bias alone makes; writes that of the joint's coordinates.
+    /// The acceleration due to a bias alone; writes that of the joint's coordinates.
     pub(super) fn respond(
         &self,
         inertia: &SpatialInertia<S>,

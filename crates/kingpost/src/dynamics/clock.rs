@@ -1,7 +1,7 @@
-//! When a law is evaluated.
+//! The time at which a law is evaluated.
 
-/// When a law is evaluated: the time, and the interval that is being stepped. At an edge the middle
-/// decides which piece of a law holds, so that no step mixes two pieces.
+/// The time at which a law is evaluated, and the interval of the step. At an edge the middle of the interval decides
+/// which piece of a law applies, so that no step mixes two pieces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
     /// Time, s.

@@ -1,44 +1,43 @@
-//! How links accelerate by their velocities alone.
+//! The acceleration of links due to their velocities alone.
 //!
-//! With every coordinate's acceleration at zero, the points of a link still accelerate: towards the
-//! axes that they turn about, and by Coriolis' term along slides. Splitting this known part off
-//! leaves the recursion linear in what is sought, with no velocity term in any articulated body.
+//! With every coordinate's acceleration at zero, the points of a link still accelerate: towards the axes that they turn
+//! about, and by Coriolis' term along slides. Without this known part the recursion is linear in the unknowns, with no
+//! velocity term in any articulated body.
 
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Twist, Vector3, hat};
 
-/// The acceleration of a link's points, root axes: `linear + gradient (x - origin)` at x, with the
-/// gradient `R'' R^T = hat(alpha) + hat(omega)^2`, the second derivative of a rotation matrix.
-/// Linear velocity does not enter.
+/// The acceleration of a link's points, root axes: `linear + gradient (x - origin)` at x, with the gradient `R'' R^T =
+/// hat(alpha) + hat(omega)^2`, the second derivative of a rotation matrix. It does not depend on linear velocity.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Drift<S> {
     /// Angular acceleration, rad/s^2.
     pub angular: Vector3<S>,
-    /// Of the origin of the link's frame, m/s^2.
+    /// Acceleration of the origin of the link's frame, m/s^2.
     pub linear: Vector3<S>,
     /// 1/s^2.
     pub gradient: Matrix3<S>,
 }
 
-/// How a link moves: what velocities alone say.
+/// The motion of a link, from velocities alone.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Motion<S> {
-    /// About the root's origin.
+pub(super) struct LinkMotion<S> {
+    /// Twist about the root's origin.
     pub twist: Twist<S>,
     /// Its points' acceleration with every coordinate's at zero.
     pub drift: Drift<S>,
 }
 
-impl<S: Scalar> Motion<S> {
-    /// Of a floating link: its origin's acceleration is a coordinate's.
+impl<S: Scalar> LinkMotion<S> {
+    /// For a floating link: the acceleration of its origin is that of a coordinate.
     #[inline]
     pub fn floating(twist: Twist<S>) -> Self {
         let drift = Drift { angular: Vector3::zero(), linear: Vector3::zero(), gradient: centripetal(twist.angular) };
         Self { twist, drift }
     }
 
-    /// Of a link that turns against this one with the twist `own`, about a pivot that moves with both: `way` leads from
-    /// this one's origin to it, `arm` from there to the link's origin.
+    /// For a link that turns relative to this one with the twist `own`, about a pivot that moves with both: `way` is
+    /// the vector from this one's origin to the pivot, `arm` from there to the link's origin.
     ///
     /// `alpha = alpha_p + omega_p x omega_own`, `a = a_p + G_p way + G arm`.
     #[inline]
@@ -50,7 +49,7 @@ impl<S: Scalar> Motion<S> {
         Self { twist, drift: Drift { angular, linear, gradient } }
     }
 
-    /// Of a link that slides on this one at a velocity; `way` leads from this one's origin to the link's.
+    /// For a link that slides on this one at a velocity; `way` is the vector from this one's origin to the link's.
     ///
     /// `a = a_p + G_p way + 2 omega_p x v_own`, Coriolis' term.
     #[inline]
@@ -92,7 +91,7 @@ mod tests {
             (0..steps).fold(Matrix3::identity(), |r, k| exp((omega + alpha * (dt * (f64::from(k) + 0.5))) * dt) * r)
         };
         let second = (turned(h) + turned(-h) - Matrix3::identity().scaled(2.0)).scaled(1.0 / (h * h));
-        let motion = Motion { drift: Drift { angular: alpha, ..Drift::default() }, ..Motion::default() };
+        let motion = LinkMotion { drift: Drift { angular: alpha, ..Drift::default() }, ..LinkMotion::default() };
         let own = Twist { angular: omega, linear: Vector3::zero() };
         let drift = motion.turned(&own, Vector3::zero(), Vector3::zero()).drift;
         // Second order in h, and rounding over h^2.

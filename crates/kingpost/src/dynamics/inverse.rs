@@ -1,7 +1,7 @@
-//! Inverse dynamics: the wrench that every joint carries, from given accelerations.
+//! Inverse dynamics: the wrench in every joint, from given accelerations.
 //!
-//! The recursive Newton-Euler algorithm (Featherstone 2008, ch. 5) over the bodies, none fused, so
-//! that the reaction of a lashed load is there as well.
+//! The recursive Newton-Euler algorithm (Featherstone 2008, ch. 5) over the bodies without fusing any, so that the
+//! reaction of a lashed load is found as well.
 
 use super::{Kinematics, Loads};
 use crate::model::{JointKind, Model};
@@ -13,7 +13,7 @@ use crate::spatial::{Twist, Vector3, Wrench};
 pub struct InverseDynamics<S = f64> {
     /// Rate of each body's twist, component by component, in body axes.
     pub acceleration: Vec<Twist<S>>,
-    /// What each body's joint carries to it, in body axes about its centre of mass.
+    /// The wrench that each body's joint transmits to it, in body axes about its centre of mass.
     pub joint_wrench: Vec<Wrench<S>>,
 }
 
@@ -24,8 +24,8 @@ impl<S: Scalar> InverseDynamics<S> {
         Self { acceleration: vec![Twist::zero(); n], joint_wrench: vec![Wrench::zero(); n] }
     }
 
-    /// Computes both from the accelerations `v_dot` of all coordinates; `bodies` is the kinematics
-    /// of `model.tree`. `loads.force` is not needed: it is what comes out, with the reactions.
+    /// Computes both from the accelerations `v_dot` of all coordinates; `bodies` is the kinematics of `model.tree`.
+    /// `loads.force` is not needed: it is part of the result.
     pub fn update(&mut self, model: &Model<S>, bodies: &Kinematics<S>, v: &[S], v_dot: &[S], loads: &Loads<S>) {
         for (i, node) in model.tree.nodes.iter().enumerate() {
             let twist = &bodies.twist[i];
@@ -71,8 +71,8 @@ impl<S: Scalar> InverseDynamics<S> {
         }
     }
 
-    /// The generalized force along each coordinate of v that the accelerations `v_dot` take: the
-    /// joint wrenches on the joints' axes, and what accelerates the rotors.
+    /// The generalized force along each coordinate of v for the accelerations `v_dot`: the joint wrenches projected on
+    /// the joints' axes, and the torques that accelerate the rotors.
     pub fn generalized_force(&self, model: &Model<S>, bodies: &Kinematics<S>, v_dot: &[S], out: &mut [S]) {
         for (i, node) in model.tree.nodes.iter().enumerate() {
             for at in (node.velocities..).take(node.kind.velocity_count()) {

@@ -4,7 +4,7 @@ use crate::model::{JointKind, Tree, joint::Floating};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist};
 
-/// Where the nodes of a tree are and how they move.
+/// Positions and velocities of the nodes of a tree.
 #[derive(Clone, Debug)]
 pub struct Kinematics<S = f64> {
     /// E(child/parent), by node.
@@ -13,10 +13,10 @@ pub struct Kinematics<S = f64> {
     pub world: Vec<Frame<S>>,
     /// Omega, by node: body components about the node's origin.
     pub twist: Vec<Twist<S>>,
-    /// The part of the twist that the node's own joint makes.
+    /// The part of the twist from the node's own joint.
     pub joint_twist: Vec<Twist<S>>,
-    /// That part's rate, component by component, at constant rates of the joint's coordinates: zero
-    /// but for joints whose columns turn.
+    /// That part's rate, component by component, at constant rates of the joint's coordinates: zero except for joints
+    /// with columns that are not constant.
     pub joint_drift: Vec<Twist<S>>,
     /// By coordinate of v: the twist per unit rate of the node whose joint owns it.
     pub columns: Vec<Twist<S>>,

@@ -1,8 +1,7 @@
-//! Kinematics of the fused links for the recursion, in the axes of each branch's root: one pass from the roots out.
+//! Kinematics of the fused links for the recursion, in the axes of each branch's root: one pass from the roots outward.
 //!
-//! Seen from one frame, twists of a branch add and inertias need no moving from link to
-//! link. The root's frame is near, so that lengths stay as small as the crane, however far the ship
-//! is from the world's origin.
+//! In one frame the twists of a branch can be added, and inertias need not be transformed from link to link. The root's
+//! frame is close, so lengths are no larger than the crane, however far the ship is from the world's origin.
 
 use super::moving_link::MovingLink;
 use crate::model::{Attachment, Carrier, LinkInertia, Model};
@@ -10,17 +9,16 @@ use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Twist, Vector3};
 use std::sync::OnceLock;
 
-/// Where the links are and how they move. "Root" is the link at the foot of a link's branch; its
-/// frame is at its centre of mass.
+/// Positions and velocities of the links. "Root" is the first link of a branch; its frame is at its centre of mass.
 #[derive(Clone, Debug)]
 pub struct LinkKinematics<S = f64> {
     /// A record a link.
     links: Vec<MovingLink<S>>,
     /// World frame of each root, at the root's own index; the identity elsewhere.
     root_in_world: Vec<Frame<S>>,
-    /// The inertias that are no rigid body's, by link, about the root's origin in its axes.
+    /// The inertias that are not those of rigid bodies, by link, about the root's origin in its axes.
     full: Vec<(usize, SpatialInertia<S>)>,
-    /// World frames of the bodies, each from when it was asked for first: ropes, hulls and the ledger ask for the same few.
+    /// World frames of the bodies, each stored when it is first needed: ropes, hulls and the ledger need the same few.
     body_frames: Vec<OnceLock<Frame<S>>>,
 }
 
@@ -77,7 +75,7 @@ impl<S: Scalar> LinkKinematics<S> {
         &self.links[link].motion.twist
     }
 
-    /// The same per unit rate of the link's own joint, where that has one axis; zero elsewhere.
+    /// The same per unit rate of the link's own joint, if it has one axis; else zero.
     #[inline]
     pub fn axis(&self, link: usize) -> &Twist<S> {
         &self.links[link].axis
@@ -89,7 +87,7 @@ impl<S: Scalar> LinkKinematics<S> {
         &self.links
     }
 
-    /// The inertias that are no rigid body's, by link, about the root's origin in its axes.
+    /// The inertias that are not those of rigid bodies, by link, about the root's origin in its axes.
     pub(super) fn full(&self) -> &[(usize, SpatialInertia<S>)] {
         &self.full
     }
@@ -108,7 +106,7 @@ impl<S: Scalar> LinkKinematics<S> {
         let body = &model.bodies[body];
         let Some(link) = body.link else { return body.in_link };
         let root = model.roots[link];
-        // A root stands in its own frame.
+        // A root is at the origin of its own frame.
         if root == link {
             self.root_in_world[root].times(&body.in_link)
         } else {

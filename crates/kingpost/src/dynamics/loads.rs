@@ -1,32 +1,32 @@
-//! What forces, drives and the water hand to the dynamics.
+//! The loads of forces, drives and water on the dynamics.
 
 use super::{LinkKinematics, Restraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 
-/// The paper's {F} (eq. 59), the motors, and what moves with the water.
+/// The paper's {F} (eq. 59), the motors, and added mass.
 #[derive(Clone, Debug)]
 pub struct Loads<S = f64> {
-    /// From outside on a body, in body axes about its centre of mass; a body may be named often.
+    /// Wrenches from outside on a body, in body axes about its centre of mass; a body may occur several times.
     pub wrenches: Vec<(usize, Wrench<S>)>,
-    /// Along each coordinate of v, N or N m, with its reaction on the parent.
+    /// Force along each coordinate of v, N or N m, with its reaction on the parent.
     pub force: Vec<S>,
-    /// Of each prescribed coordinate, m/s^2 or rad/s^2; ignored for others.
+    /// Acceleration of each prescribed coordinate, m/s^2 or rad/s^2; ignored for others.
     pub acceleration: Vec<S>,
     /// Inertia added to a body, in body axes about its centre of mass. Energy and momentum of the
     /// bodies do not contain it: to them it is a load from outside, its [reaction](Self::hand_over).
     pub added_inertia: Vec<(usize, SpatialInertia<S>)>,
-    /// Acceleration of free fall, world axes, m/s^2: every body's mass weighs, at its centre. A body's wrenches above do not
-    /// contain it.
+    /// Acceleration of free fall, world axes, m/s^2: it acts on every body's mass. The wrenches above do not contain
+    /// weight.
     pub gravity: Option<Vector3<S>>,
-    /// What elements hold, each at its own place.
+    /// The restraints of elements, each at its own index.
     pub restraints: Vec<Restraint<S>>,
-    /// Who does the work.
+    /// Power by source.
     pub power: Power<S>,
 }
 
-/// Power by who does it, W. Conservative loads are not here: they have potential energy.
+/// Power by source, W. Conservative loads are not included: they have potential energy.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Power<S = f64> {
     /// Motors, servos and prescribed motions.
@@ -43,7 +43,7 @@ impl<S: Scalar> Loads<S> {
         Self::with_room_for(model, 1)
     }
 
-    /// No loads, with room for so many wrenches on every body before memory must grow.
+    /// No loads, with memory for this number of wrenches on every body.
     pub fn with_room_for(model: &Model<S>, wrenches: usize) -> Self {
         Self {
             wrenches: Vec::with_capacity(wrenches * model.bodies.len()),
@@ -56,8 +56,8 @@ impl<S: Scalar> Loads<S> {
         }
     }
 
-    /// Adds a wrench on a body, given about the origin of its link's root in root axes (in the world,
-    /// where the body is fixed to it); on the world itself nothing is added.
+    /// Adds a wrench on a body, given about the origin of its link's root in root axes (in world axes, if the body is
+    /// fixed to the world); on the world itself nothing is added.
     pub fn add_on_link(
         &mut self,
         model: &Model<S>,
@@ -71,7 +71,7 @@ impl<S: Scalar> Loads<S> {
         self.wrenches.push((body, frame.wrench_to_child(in_root)));
     }
 
-    /// Puts all masses into a uniform field of this acceleration, world axes, m/s^2.
+    /// Adds a uniform gravity field with this acceleration, world axes, m/s^2.
     pub fn add_gravity(&mut self, acceleration: Vector3<S>) {
         self.gravity = Some(self.gravity.unwrap_or(Vector3::zero()) + acceleration);
     }
@@ -82,8 +82,8 @@ impl<S: Scalar> Loads<S> {
         self.gravity.map(|gravity| gravity * mass)
     }
 
-    /// Once accelerations are known: makes the added inertia I a wrench, `-(I a + nu x* I nu)`. `twist_and_rate` of a body
-    /// are nu and the spatial acceleration a, in body axes about its centre of mass.
+    /// Once accelerations are known: turns the added inertia I into a wrench, `-(I a + nu x* I nu)`. `twist_and_rate`
+    /// of a body are nu and the spatial acceleration a, in body axes about its centre of mass.
     pub fn hand_over(&mut self, twist_and_rate: impl Fn(usize) -> (Twist<S>, Twist<S>)) {
         for (body, added) in self.added_inertia.drain(..) {
             let (twist, rate) = twist_and_rate(body);
@@ -93,13 +93,13 @@ impl<S: Scalar> Loads<S> {
         }
     }
 
-    /// Takes all loads off.
+    /// Removes all loads.
     pub fn clear(&mut self) {
         self.clear_but_accelerations();
         self.acceleration.fill(S::ZERO);
     }
 
-    /// The same, for who writes every acceleration that is prescribed, or has none.
+    /// The same, for callers that write every prescribed acceleration, or have none.
     #[inline]
     pub fn clear_but_accelerations(&mut self) {
         self.wrenches.clear();
@@ -108,5 +108,16 @@ impl<S: Scalar> Loads<S> {
         self.gravity = None;
         self.restraints.iter_mut().for_each(|restraint| restraint.acts = false);
         self.power = Power::default();
+    }
+
+    /// Adds the loads of the active restraints, with their multipliers in the same order.
+    pub fn carry(&mut self, multipliers: &[S]) {
+        let Self { restraints, wrenches, force, .. } = self;
+        for (restraint, multiplier) in restraints.iter().filter(|restraint| restraint.acts).zip(multipliers) {
+            wrenches.extend(restraint.wrenches.iter().map(|(body, wrench)| (*body, *wrench * *multiplier)));
+            for (coordinate, load) in &restraint.along {
+                force[*coordinate] += *load * *multiplier;
+            }
+        }
     }
 }

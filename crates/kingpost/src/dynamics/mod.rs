@@ -1,11 +1,11 @@
-//! The equations of motion, M* q'' + N* q' = F*, twice on purpose.
+//! The equations of motion, M* q'' + N* q' = F*, in two forms on purpose.
 //!
-//! [`moving_frame`] builds E, B, B', M, D, M*, N* and F* block by block as the paper does: for
-//! teaching, for printing, and as the oracle. [`forward`] computes the same accelerations by
-//! recursion, in time linear in the number of bodies. Tests hold them equal.
+//! [`moving_frame`] builds E, B, B', M, D, M*, N* and F* block by block as in the paper: for teaching, for printing,
+//! and as a reference in tests. [`forward`] computes the same accelerations by recursion, in time linear in the number
+//! of bodies. Tests check that both agree.
 //!
-//! Closed loops are [`loops`]: multipliers over the recursion, and the bordered system as its oracle. What elements hold, a
-//! [`Restraint`] each, stands beside them.
+//! Closed loops are in [`loops`]: multipliers over the recursion, with the bordered system as reference. Temporary
+//! constraints of elements, each a [`Restraint`], are added to them.
 //!
 //! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
 

@@ -1,10 +1,10 @@
-//! One link of the recursion where it is: its place, its motion, its inertia, and what its drift takes.
+//! One link of the recursion: its position, its motion, its inertia, and the force of its drift.
 //!
-//! The kernels of the pass outward, one a joint. Each is compiled once for a parent that is its branch's root, whose frame
-//! is that of the root axes, and once for any other.
+//! The kernels of the outward pass, one per joint. Each is compiled once for a parent that is the root of the branch,
+//! whose frame is that of the root axes, and once for other parents.
 
 use super::ball::Ball;
-use super::drift::Motion;
+use super::drift::LinkMotion;
 use crate::model::joint::Floating;
 use crate::model::{Carrier, Link, LinkJoint, Moments};
 use crate::scalar::Scalar;
@@ -18,16 +18,16 @@ pub(super) struct MovingLink<S> {
     /// Twist about the root's origin per unit rate of the link's own joint, where that has one axis.
     pub axis: Twist<S>,
     /// Twist and drift.
-    pub motion: Motion<S>,
-    /// Inertia about the root's origin; none where that is no rigid body's.
+    pub motion: LinkMotion<S>,
+    /// Inertia about the root's origin; zero if it is not that of a rigid body.
     pub inertia: RigidInertia<S>,
-    /// What the drift takes, about the root's origin.
+    /// The wrench for the drift, about the root's origin.
     pub bias: Wrench<S>,
 }
 
-/// Where a joint is that a parent carries, root axes.
+/// The place of a joint on its parent, root axes.
 struct Seat<S> {
-    /// The link's axes where the coordinates are zero.
+    /// The link's axes with the coordinates at zero.
     rotation: Matrix3<S>,
     /// From the parent's origin to the joint, m.
     way: Vector3<S>,
@@ -66,8 +66,8 @@ impl<S: Scalar> Seat<S> {
 }
 
 impl<S: Scalar> MovingLink<S> {
-    /// At the root's origin and at rest, without inertia: what a root's frame stays, and an inertia that is no rigid body's.
-    /// The axis of a joint on the root stays, too.
+    /// At the root's origin and at rest, without inertia: the constant values for a root's frame, for an inertia that
+    /// is not that of a rigid body, and for the axis of a joint on the root.
     pub fn still(plan: &Link<S>) -> Self {
         let axis = match (plan.carrier, plan.joint) {
             (Carrier::Root(_), LinkJoint::Hinge) => Seat::on_root(plan).hinge(),
@@ -77,18 +77,18 @@ impl<S: Scalar> MovingLink<S> {
         Self {
             in_root: Frame::identity(),
             axis,
-            motion: Motion::default(),
+            motion: LinkMotion::default(),
             inertia: RigidInertia::default(),
             bias: Wrench::zero(),
         }
     }
 
-    /// On the world; its frame, `in_world`, is what its branch is seen from.
+    /// On the world; `in_world` is its frame and that of its branch.
     #[inline]
     pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S], in_world: &mut Frame<S>) {
         if plan.joint == LinkJoint::Floating {
             *in_world = Floating::relative(q);
-            self.motion = Motion::floating(Floating::twist(in_world, v));
+            self.motion = LinkMotion::floating(Floating::twist(in_world, v));
         } else {
             *in_world = self.stand_on_joint(plan, q, v);
         }
@@ -96,7 +96,7 @@ impl<S: Scalar> MovingLink<S> {
 
     #[inline(never)]
     fn stand_on_joint(&mut self, plan: &Link<S>, q: &[S], v: &[S]) -> Frame<S> {
-        let (world, z) = (Motion::default(), Vector3::new(S::ZERO, S::ZERO, S::ONE));
+        let (world, z) = (LinkMotion::default(), Vector3::new(S::ZERO, S::ZERO, S::ONE));
         let (arm, Frame { rotation, position }) = (plan.to_child, plan.placement);
         let turned = |rotation: Matrix3<S>| Frame { rotation, position: position + rotation * arm };
         match plan.joint {
@@ -151,7 +151,7 @@ impl<S: Scalar> MovingLink<S> {
 
     /// `R = R_seat Rz(angle)`.
     #[inline(always)]
-    fn hinge(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+    fn hinge(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation.turned_about_z(q[plan.positions].sin_cos());
         let arm = rotation * plan.to_child;
         self.in_root = Frame { rotation, position: seat.position + arm };
@@ -160,7 +160,7 @@ impl<S: Scalar> MovingLink<S> {
 
     /// `R = R_seat`.
     #[inline(always)]
-    fn slide(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+    fn slide(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let z = self.axis.linear;
         let arm = seat.rotation * plan.to_child + z * q[plan.positions];
         self.in_root = Frame { rotation: seat.rotation, position: seat.position + arm };
@@ -169,7 +169,7 @@ impl<S: Scalar> MovingLink<S> {
 
     /// `R = R_seat R(q)`.
     #[inline(never)]
-    fn ball(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+    fn ball(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation * Quaternion::from_slice(&q[plan.positions..]).to_matrix();
         let arm = rotation * plan.to_child;
         self.in_root = Frame { rotation, position: seat.position + arm };
@@ -177,11 +177,11 @@ impl<S: Scalar> MovingLink<S> {
         self.motion = parent.turned(&own, seat.way, arm);
     }
 
-    /// The inertia of a body about whose centre of mass the frame is, in root axes, and what the drift takes by Newton and
-    /// Euler: `f = m a, n = J alpha + omega x J omega`.
+    /// The inertia of a body with its frame at the centre of mass, in root axes, and the force for the drift by Newton
+    /// and Euler: `f = m a, n = J alpha + omega x J omega`.
     #[inline]
     pub fn take_central(&mut self, mass: S, moments: &Moments<S>) {
-        let Motion { twist, drift } = &self.motion;
+        let LinkMotion { twist, drift } = &self.motion;
         let (centre, moments) = (self.in_root.position, moments.rotated(&self.in_root.rotation));
         let force = drift.linear * mass;
         let about_centre = moments * drift.angular + twist.angular.cross(moments * twist.angular);
@@ -189,16 +189,16 @@ impl<S: Scalar> MovingLink<S> {
         self.inertia = RigidInertia::of_centre(mass, centre, &moments);
     }
 
-    /// The same of a floating body, which turns at a steady rate about its frame's origin, which is let go.
+    /// The same for a floating body, which turns at a steady rate about the origin of its frame.
     #[inline]
     pub fn take_rigid(&mut self, rigid: &RigidInertia<S>) {
-        let Motion { twist, drift } = &self.motion;
+        let LinkMotion { twist, drift } = &self.motion;
         let moment = twist.angular.cross(rigid.moments * twist.angular);
         self.bias = Wrench { moment, force: drift.gradient * rigid.first_moment };
         self.inertia = *rigid;
     }
 
-    /// The same of an inertia that is no rigid body's, which is returned.
+    /// The same for an inertia that is not that of a rigid body, which is returned.
     #[inline(never)]
     pub fn take_full(&mut self, full: &SpatialInertia<S>) -> SpatialInertia<S> {
         let full = full.to_parent(&self.in_root);
@@ -206,7 +206,7 @@ impl<S: Scalar> MovingLink<S> {
         full
     }
 
-    /// What the drift takes of an inertia in root axes by Kirchhoff's equations, `I a + v x* I v`.
+    /// The force for the drift of an inertia in root axes by Kirchhoff's equations, `I a + v x* I v`.
     #[inline]
     pub fn kirchhoff(&self, inertia: &SpatialInertia<S>) -> Wrench<S> {
         inertia.times(&self.spatial_drift()) + self.motion.twist.cross_momentum(&inertia.times(&self.motion.twist))

@@ -1,16 +1,15 @@
-//! Does every coordinate move some mass?
+//! Checks that every coordinate moves some mass.
 
 use super::ball::Ball;
 use super::{LinkKinematics, Loads, forward};
 use crate::model::{LinkJoint, Mode, Model};
 use crate::spatial::{SpatialInertia, Twist};
 
-/// A pivot of M* below this share of what the coordinate moves with its branch locked is rounding.
+/// A pivot of M* below this share of the coordinate's inertia with a locked branch is rounding.
 const SMALLEST_SHARE: f64 = 1e-13;
 
-/// A coordinate of v along which nothing is left to accelerate once the branch above it is free to
-/// give way, in time linear in the number of links; of several on a branch the outermost, which is
-/// what spoils the others. `None` where M* is positive definite.
+/// A coordinate of v that has no articulated inertia, found in time linear in the number of links; of several on a
+/// branch the outermost, which affects the others. `None` if M* is positive definite.
 pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> Option<usize> {
     let (loads, mut work) = (Loads::new(model), forward::Workspace::new(model));
     let mut v_dot = vec![0.0; v.len()];
@@ -36,7 +35,7 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
     None
 }
 
-/// Inertia of each link with everything that hangs on it, joints locked, root axes.
+/// Inertia of each link with its subtree and locked joints, root axes.
 fn locked_inertias(model: &Model, links: &LinkKinematics) -> Vec<SpatialInertia> {
     let nodes = &model.links.nodes;
     let mut locked: Vec<SpatialInertia> =
@@ -60,8 +59,7 @@ fn unit_twists() -> [Twist; 6] {
     })
 }
 
-/// Cholesky's pivots of the inertia over some directions with their rotors, each against the locked
-/// diagonal.
+/// Cholesky's pivots of the inertia over some directions with their rotors, each relative to the locked diagonal.
 fn first_small_pivot(free: &SpatialInertia, locked: &SpatialInertia, directions: &[(Twist, f64)]) -> Option<usize> {
     let n = directions.len();
     let mut l = vec![0.0; n * n];

@@ -1,15 +1,15 @@
-//! A constraint that an element holds while it acts: an inextensible rope, taut.
+//! A temporary constraint of an element: a taut inextensible rope.
 
-use super::{LinkKinematics, Loads};
+use super::LinkKinematics;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
 
-/// One equation phi(q) = 0 that acts one way: what it carries, its multiplier, is positive while it holds, and it lets go where
-/// that would be less.
+/// A one-sided constraint phi(q) = 0: its force, the multiplier, is positive while it holds, and it lets go when the
+/// force would become negative.
 ///
-/// Its row of J is given by what one unit of the multiplier puts on the bodies and along coordinates: `phi' = sum W . V +
-/// sum c q'`, by d'Alembert's principle.
+/// Its row of J is given by the loads of a unit multiplier on the bodies and along coordinates: `phi' = sum W . V + sum
+/// c q'`, by d'Alembert's principle.
 #[derive(Clone, Debug)]
 pub struct Restraint<S = f64> {
     /// The element that holds.
@@ -20,8 +20,8 @@ pub struct Restraint<S = f64> {
     pub residual: S,
     /// phi', m/s.
     pub rate: S,
-    /// phi'' where no body has a spatial acceleration, each point x moving by omega x x' alone, and no coordinate's rate
-    /// below changes, m/s^2.
+    /// phi'' with zero spatial acceleration of all bodies, where each point x accelerates by omega x x' only, and
+    /// constant rates of the coordinates below, m/s^2.
     pub drift: S,
     /// By body: the wrench of one unit, in body axes about its centre of mass.
     pub wrenches: Vec<(usize, Wrench<S>)>,
@@ -30,19 +30,19 @@ pub struct Restraint<S = f64> {
 }
 
 impl<S: Scalar> Restraint<S> {
-    /// Of an element of this name; it does not act yet.
+    /// The restraint of the element with this name; it does not act yet.
     pub fn new(name: &str) -> Self {
         let (name, wrenches, along) = (name.to_owned(), Vec::new(), Vec::new());
         Self { name, acts: false, residual: S::ZERO, rate: S::ZERO, drift: S::ZERO, wrenches, along }
     }
 
-    /// Takes off what it puts on the bodies.
+    /// Removes its loads on the bodies.
     pub fn clear(&mut self) {
         self.wrenches.clear();
         self.along.clear();
     }
 
-    /// Writes by link what one unit puts on it, about its root's origin in root axes.
+    /// Writes the load of a unit multiplier on each link, about its root's origin in root axes.
     pub(super) fn write_on_links(&self, model: &Model<S>, links: &LinkKinematics<S>, on: &mut Vec<(usize, Wrench<S>)>) {
         on.clear();
         for (body, wrench) in &self.wrenches {
@@ -58,18 +58,5 @@ impl<S: Scalar> Restraint<S> {
     pub fn times(&self, twist: impl Fn(usize) -> Twist<S>, rates: &[S]) -> S {
         let by_bodies = self.wrenches.iter().fold(S::ZERO, |sum, (body, wrench)| sum + wrench.dot(&twist(*body)));
         self.along.iter().fold(by_bodies, |sum, (coordinate, load)| sum + *load * rates[*coordinate])
-    }
-}
-
-impl<S: Scalar> Loads<S> {
-    /// Adds what the restraints that act carry, their multipliers in the same order.
-    pub fn carry(&mut self, multipliers: &[S]) {
-        let Self { restraints, wrenches, force, .. } = self;
-        for (restraint, multiplier) in restraints.iter().filter(|restraint| restraint.acts).zip(multipliers) {
-            wrenches.extend(restraint.wrenches.iter().map(|(body, wrench)| (*body, *wrench * *multiplier)));
-            for (coordinate, load) in &restraint.along {
-                force[*coordinate] += *load * *multiplier;
-            }
-        }
     }
 }

@@ -1,14 +1,14 @@
 //! The height of a point above the surface of the sea.
 
 use super::lines::place;
-use super::{Declaration, Element, Moment, Output, ShownWaves};
+use super::{Context, Declaration, Element, Output, ShownWaves};
 use crate::dynamics::Kinematics;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
-/// Shows z - zeta(x, y, t), m: the height z of a point over the elevation zeta of the incident waves at its place, over the
-/// still water where there are none; negative under water. (The air gap of DNV-OTG-13, without the waves that the ship
-/// itself makes or turns back, and with linear crests.)
+/// Outputs z - zeta(x, y, t), m: the height z of a point above the elevation zeta of the incident waves at that point,
+/// or above the still water where there are no waves; negative under water. (The air gap of DNV-OTG-13, without
+/// radiated and diffracted waves, and with linear crests.)
 #[derive(Clone, Debug)]
 pub struct AirGap<S = f64> {
     /// Name in the results.
@@ -28,7 +28,7 @@ impl<S: Scalar> Element<S> for AirGap<S> {
         Declaration { outputs, ..Declaration::default() }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let [x, y, z] = place(&self.point, at.model, at.links).0;
         let waves = at.world.waves.as_ref().filter(|_| at.situation.has_waves());
         out.push(z - waves.map_or(S::ZERO, |waves| waves.elevation_m([x, y], at.clock.time_s)));

@@ -1,14 +1,15 @@
-//! The wind as a ship reads it.
+//! The wind as a ship measures it.
 
-use super::{Declaration, Element, Moment, Output};
+use super::{Context, Declaration, Element, Output};
 use crate::scalar::Scalar;
 use crate::world::GustsAtHeight;
 
-/// Shows the wind over ground at its reference height: speed with gusts and mean speed, m/s, and the direction from where it
-/// blows, seen from a body: 0 from ahead, positive from starboard, from -pi to pi. Of the world, "ahead" is its x.
+/// Outputs the wind over ground at its reference height: speed with gusts and mean speed, m/s, and the direction that
+/// it comes from relative to a body: 0 from ahead, positive from starboard, from -pi to pi. Relative to the world,
+/// "ahead" is along x.
 #[derive(Clone, Debug)]
 pub struct Anemometer<S = f64> {
-    /// Label in the results: that of the body.
+    /// Label in the results: the body's name.
     pub label: String,
     /// The body; `None` is the world.
     pub body: Option<usize>,
@@ -32,7 +33,7 @@ impl<S: Scalar> Element<S> for Anemometer<S> {
         Declaration { outputs, ..Declaration::default() }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Some(wind) = &at.world.wind else {
             out.extend([S::ZERO; 3]);
             return;

@@ -1,13 +1,13 @@
 //! The clearance of a point from another point or from a solid.
 
-use super::contact::Solid;
+use super::contact::ContactSolid;
 use super::lines::place;
-use super::{Declaration, Element, Moment, Output};
+use super::{Context, Declaration, Element, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
-/// Shows how far a point is from a solid, m: d = |x - c|, c the nearest point of its surface; negative inside, where it is
-/// the way to the nearest face. The solid moves with its own axes; a sphere of radius 0 is a second point.
+/// Outputs the distance of a point x from a solid, m: d = |x - c|, with c the nearest point of its surface; negative
+/// inside, where it is the distance to the nearest face. A sphere of radius 0 stands for a second point.
 #[derive(Clone, Debug)]
 pub struct Clearance<S = f64> {
     /// Name in the results.
@@ -16,8 +16,8 @@ pub struct Clearance<S = f64> {
     pub point: Attachment<S>,
     /// The solid's centre and axes.
     pub place: Attachment<S>,
-    /// What the point is to stay clear of.
-    pub solid: Solid<S>,
+    /// The solid that the point stays clear of.
+    pub solid: ContactSolid<S>,
 }
 
 impl<S: Scalar> Element<S> for Clearance<S> {
@@ -31,7 +31,7 @@ impl<S: Scalar> Element<S> for Clearance<S> {
         Declaration { outputs, ..Declaration::default() }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (point, solid) = (place(&self.point, at.model, at.links), at.links.attachment_frame(at.model, &self.place));
         let (distance, _) = self.solid.distance(solid.rotation.transpose_times(point - solid.position));
         out.push(distance);

@@ -1,12 +1,12 @@
 //! Dry friction along one axis of a joint.
 
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
-/// Coulomb's law, made smooth about rest: `tau = -T v / sqrt(v^2 + v_s^2)`. Far above the smoothing
-/// speed v_s it is T; far below, it is viscous with the coefficient T / v_s, so that what should
-/// stick creeps. An explicit scheme needs steps well below v_s / T times the inertia that it moves.
+/// Coulomb's law, made smooth about rest: `tau = -T v / sqrt(v^2 + v_s^2)`. Far above the smoothing speed v_s it is T;
+/// far below, it is viscous with the coefficient T / v_s, so a joint that should stick creeps. An explicit scheme needs
+/// steps well below the moved inertia times v_s / T.
 #[derive(Clone, Copy, Debug)]
 pub struct CoulombFriction<S = f64> {
     /// Index in v.
@@ -18,7 +18,7 @@ pub struct CoulombFriction<S = f64> {
 }
 
 impl<S: Scalar> Element<S> for CoulombFriction<S> {
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         self.apply(at.v, loads);
     }
 }

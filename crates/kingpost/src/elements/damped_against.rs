@@ -1,10 +1,10 @@
-//! What a damped motion is relative to.
+//! The reference of a damped velocity.
 
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use crate::world::World;
 
-/// What the velocity is relative to that a damping is against.
+/// What the velocity of a damping is measured against.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DampedAgainst {
     /// The water at its surface, which a current moves: a hull's own friction and eddies.

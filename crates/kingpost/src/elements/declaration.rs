@@ -1,55 +1,55 @@
-//! What an element says of itself, once.
+//! What an element declares once.
 
 use super::DrawnLine;
 use serde::Serialize;
 
-/// What an element keeps, takes, gives and watches.
+/// The states, inputs, outputs and events of an element.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Declaration {
     /// Its continuous states.
-    pub states: Vec<Kept>,
+    pub states: Vec<ElementState>,
     /// Names of its discrete numbers.
     pub numbers: Vec<String>,
     /// Names of its modes.
     pub modes: Vec<String>,
-    /// What is set from outside.
+    /// The inputs, which are set from outside.
     pub inputs: Vec<Input>,
-    /// What it shows, in the order in which it writes them.
+    /// Its outputs, in the order in which it writes them.
     pub outputs: Vec<Output>,
-    /// The lines that a picture has of it, in the order in which it draws them.
+    /// The lines that views draw of it, in the order in which it writes them.
     pub lines: Vec<DrawnLine>,
     /// What it watches.
     pub events: Vec<Event>,
-    /// Its sampling period, s, where it samples: ticks are at whole multiples of it, the first where a run begins.
+    /// Its sampling period, s, if it samples: at whole multiples of it, first at the start of the run.
     pub period_s: Option<f64>,
-    /// Whether its states stay as they are while an equilibrium is sought: a hand has led them there.
+    /// Whether its states stay as they are while an equilibrium is sought, because a user has moved them there.
     pub keeps_states: bool,
     /// Whether it prescribes the motion of coordinates.
     pub prescribes: bool,
     /// Whether it may hold a constraint.
     pub holds: bool,
-    /// Whether runs of it are stepped one by one, not in lanes side by side: its law changes in each at a time of its own.
+    /// Whether runs with it are stepped one by one, not in lanes: its law changes in each run at a different time.
     pub goes_alone: bool,
-    /// The columns of a row that it [reads](super::Element::steer) at the start of every step, of the model or of any element.
+    /// The columns, of the model or of any element, that it [reads](super::Element::steer) at the start of every step.
     pub reads: Vec<String>,
-    /// The inputs of other elements that it sets there.
+    /// The inputs of other elements that it sets then.
     pub steers: Vec<String>,
 }
 
 /// A continuous state that an element keeps.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Kept {
-    /// Its name, behind that of its element.
+pub struct ElementState {
+    /// Its name, which follows the name of its element.
     pub name: String,
     /// SI unit.
     pub unit: &'static str,
-    /// Whether it only remembers how something moved, as water does by the waves that a hull has made, or a filter: what
-    /// moves by itself is then that something.
+    /// Whether it is only a memory of another motion, as radiated waves or a filter are. A mode of the model is then
+    /// named after the other motion.
     pub remembers: bool,
 }
 
-impl Kept {
-    /// A state with a life of its own.
+impl ElementState {
+    /// A state that is no memory.
     pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
         Self { name: name.into(), unit, remembers: false }
     }
@@ -60,7 +60,7 @@ impl Kept {
     }
 }
 
-/// A value that a hand or a controller sets from outside, held over each step.
+/// A value that a user or a controller sets from outside, constant over each step.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Input {
@@ -74,7 +74,7 @@ pub struct Input {
     pub upper: f64,
     /// The value at the start.
     pub value: f64,
-    /// The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` where a hand sets it.
+    /// The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` if the user sets it.
     pub signal: Option<String>,
 }
 
@@ -85,27 +85,27 @@ impl Input {
     }
 }
 
-/// A variable that an element shows. Those of the same name of several elements stand side by side in one.
+/// An output of an element. Outputs with the same name from several elements form one variable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
     /// Name in a data set.
     pub variable: &'static str,
     /// What it is.
     pub description: &'static str,
-    /// The dimension that tells the elements apart, `line` say.
+    /// The dimension along which the elements stand: `line`, for example.
     pub dimension: &'static str,
     /// The element's labels along it: its name, or one for each of its parts.
     pub labels: Vec<String>,
-    /// What a label has several numbers for.
+    /// The components of each label's value.
     pub components: Components,
-    /// SI unit: of each component, or of all.
+    /// SI unit of each component, or one for all.
     pub units: &'static [&'static str],
     /// Frame of the components.
-    pub frame: Frame,
+    pub frame: VectorFrame,
 }
 
 impl Output {
-    /// One number of an element that is called `name`.
+    /// One number of the element `name`.
     pub fn number(
         variable: &'static str,
         description: &'static str,
@@ -120,17 +120,17 @@ impl Output {
             labels: vec![name.to_owned()],
             components: Components::One,
             units: unit,
-            frame: Frame::None,
+            frame: VectorFrame::None,
         }
     }
 
-    /// A force and a moment of an element that is called `name`.
+    /// A force and a moment of the element `name`.
     pub fn wrench(
         variable: &'static str,
         description: &'static str,
         dimension: &'static str,
         name: &str,
-        frame: Frame,
+        frame: VectorFrame,
     ) -> Self {
         let components = Components::Wrench;
         Self { components, units: &WRENCH, frame, ..Self::number(variable, description, dimension, name, &["N"]) }
@@ -162,7 +162,7 @@ impl Output {
 /// Units of a force and a moment.
 pub const WRENCH: [&str; 6] = ["N", "N", "N", "N m", "N m", "N m"];
 
-/// What the numbers of one label are.
+/// The kind of a label's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Components {
     /// One number.
@@ -201,7 +201,7 @@ impl Components {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum Frame {
+pub enum VectorFrame {
     /// World axes.
     World,
     /// The body's own axes.
@@ -218,7 +218,7 @@ pub enum Frame {
     None,
 }
 
-/// Something that an element watches: its witness function changes sign.
+/// An event of an element: its witness function changes sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
     /// What happens, for the table of events.

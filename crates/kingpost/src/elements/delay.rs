@@ -1,9 +1,9 @@
-//! Values that arrive some ticks later.
+//! Values that arrive some samples later.
 
 use super::Own;
 use crate::scalar::Scalar;
 
-/// A delay of whole ticks: a ring in an element's discrete numbers, whose head is a mode.
+/// A delay of whole samples: a ring buffer in an element's discrete numbers, whose head is a mode.
 ///
 /// ```
 /// use kingpost::elements::{Delay, Own};
@@ -19,12 +19,12 @@ pub struct Delay {
     pub first_number: usize,
     /// The mode that says where the oldest value stands.
     pub mode: usize,
-    /// By how many ticks a value is late.
+    /// The delay, in samples.
     pub ticks: usize,
 }
 
 impl Delay {
-    /// Once a tick: takes a value, and gives the one of so many ticks ago.
+    /// Called once per sample: stores a value and returns the one from `ticks` samples ago.
     pub fn pass<S: Scalar>(&self, own: &mut Own<'_, S>, value: S) -> S {
         if self.ticks == 0 {
             return value;

@@ -1,6 +1,6 @@
 //! Viscous friction in a joint with one degree of freedom.
 
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -15,7 +15,7 @@ pub struct JointDamping<S = f64> {
 
 impl<S: Scalar> Element<S> for JointDamping<S> {
     /// Adds the friction and the heat that it makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = at.v[self.coordinate];
         let friction = self.damping * rate;
         loads.force[self.coordinate] -= friction;

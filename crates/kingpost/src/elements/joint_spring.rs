@@ -1,6 +1,6 @@
 //! A linear spring along one axis of a joint.
 
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -13,18 +13,18 @@ pub struct JointSpring<S = f64> {
     pub coordinate: usize,
     /// k, N m/rad or N/m.
     pub stiffness: S,
-    /// Where it is slack, rad or m.
+    /// Coordinate at which it has no force, rad or m.
     pub rest: S,
 }
 
 impl<S: Scalar> Element<S> for JointSpring<S> {
     /// Adds the spring's force.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         loads.force[self.coordinate] -= self.stiffness * (at.q[self.position] - self.rest);
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let stretch = at.q[self.position] - self.rest;
         self.stiffness * stretch * stretch * S::constant(0.5)
     }

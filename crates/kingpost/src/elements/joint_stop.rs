@@ -1,10 +1,10 @@
 //! A stop at the end of an axis' travel.
 
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
-/// Which way an axis can go no further.
+/// Which end of the travel a stop is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopSide {
     /// It stops coordinates below the limit.
@@ -13,17 +13,16 @@ pub enum StopSide {
     Upper,
 }
 
-/// A one-sided spring with damping that begins with the contact, so that the force does not jump:
-/// with the depth d beyond the limit, `F = k d (1 + a d')` back into the travel, and never less than
-/// 0 (Hunt & Crossley, *J. Appl. Mech.* 42, 1975, 440-445, with the exponent 1). What arrives at a
-/// small speed u leaves at about `u (1 - 2/3 a u)`.
+/// A one-sided spring whose damping grows with the depth, so that the force does not jump: at the depth d beyond the
+/// limit, `F = k d (1 + a d')` towards the travel, never less than 0 (Hunt & Crossley, *J. Appl. Mech.* 42, 1975,
+/// 440-445, with the exponent 1). After an impact at a small speed u the axis leaves at about `u (1 - 2/3 a u)`.
 #[derive(Clone, Copy, Debug)]
 pub struct JointStop<S = f64> {
     /// Index in q.
     pub position: usize,
     /// Index in v.
     pub coordinate: usize,
-    /// The side that it stands on.
+    /// Its end of the travel.
     pub side: StopSide,
     /// Where the contact begins, rad or m.
     pub limit: S,
@@ -33,8 +32,8 @@ pub struct JointStop<S = f64> {
     pub dissipation: S,
 }
 
-/// The force of a stop, `k d max(1 + a d', 0)`, N or N m, and the heat that it makes, W: what the
-/// force takes and the spring does not store, `k d d' max(a d', -1)`. `speed` is d'.
+/// The force of a stop, `k d max(1 + a d', 0)`, N or N m, and its heat, W: the power of the force less that stored in
+/// the spring, `k d d' max(a d', -1)`. `speed` is d'.
 #[inline]
 pub fn hunt_crossley<S: Scalar>(stiffness: S, dissipation: S, depth: S, speed: S) -> (S, S) {
     let elastic = stiffness * depth;
@@ -45,7 +44,7 @@ pub fn hunt_crossley<S: Scalar>(stiffness: S, dissipation: S, depth: S, speed: S
 
 impl<S: Scalar> Element<S> for JointStop<S> {
     /// Adds the stop's force, and the heat that it makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (outwards, depth) = (self.outwards(), self.depth(at.q));
         let (force, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, outwards * at.v[self.coordinate]);
         loads.force[self.coordinate] -= outwards * force;
@@ -53,7 +52,7 @@ impl<S: Scalar> Element<S> for JointStop<S> {
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let depth = self.depth(at.q);
         self.stiffness * depth * depth * S::constant(0.5)
     }

@@ -1,14 +1,14 @@
-//! Where everything that the elements declare stands: offsets, names, columns, all from here.
+//! The places of everything that the elements declare: offsets, names, columns.
 
-use super::{AnyElement, Crossing, Declaration, DrawnLine, Input, Kept, Output, Own};
+use super::{AnyElement, Crossing, Declaration, DrawnLine, ElementState, Input, Output, Own};
 use crate::scalar::Scalar;
 use core::ops::Range;
 use thiserror::Error;
 
-/// Where one element's entries stand.
+/// The places of one element's entries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Share {
-    /// In the states of all elements, which stand behind the ledger's in s.
+    /// In the states of all elements, which follow the ledger's in s.
     pub states: Range<usize>,
     /// In d.
     pub inputs: Range<usize>,
@@ -20,7 +20,7 @@ pub struct Share {
     pub has_own: bool,
     /// Its sampling period, s.
     pub period_s: Option<f64>,
-    /// Whether its states stay while an equilibrium is sought.
+    /// Whether its states stay unchanged while an equilibrium is sought.
     pub keeps_states: bool,
 }
 
@@ -48,7 +48,7 @@ pub struct Wire {
     pub input: usize,
 }
 
-/// An element that reads columns and sets inputs where a step begins.
+/// An element that reads columns and sets inputs at the start of a step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Steer {
     /// The element.
@@ -59,7 +59,7 @@ pub struct Steer {
     pub inputs: Vec<usize>,
 }
 
-/// An output of an element that samples: what a wire may come from.
+/// An output of a sampling element, from which a wire may come.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signal {
     /// Its flat column: `mru.measured_heave`.
@@ -72,25 +72,25 @@ pub struct Signal {
     pub output: usize,
 }
 
-/// An input asks for a signal that is not there, or whose element does not sample.
+/// An input names a signal that does not exist, or whose element does not sample.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("input {input}: found the signal {found:?}, allowed: {allowed}")]
 pub struct UnknownSignal {
     /// The input.
     pub input: String,
-    /// The name that it asks for.
+    /// The name that was given.
     pub found: String,
-    /// Those that there are.
+    /// The existing signals.
     pub allowed: String,
 }
 
-/// What all elements declare, placed.
+/// The declarations of all elements, with their places.
 ///
 /// s holds the ledger's entries, then each element's continuous states; d the table of inputs, then each element's
 /// discrete numbers; m each element's modes: always in the order of the elements.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
-    /// Entries of s before those of the elements.
+    /// Number of entries of s before those of the elements.
     pub ledger: usize,
     /// By element.
     pub shares: Vec<Share>,
@@ -99,7 +99,7 @@ pub struct Layout {
     /// The table of inputs with their first values.
     pub inputs: Vec<Input>,
     /// The continuous states by their full names, as `luffing.wanted_length`.
-    pub states: Vec<Kept>,
+    pub states: Vec<ElementState>,
     /// Names of the discrete numbers.
     pub numbers: Vec<String>,
     /// Names of the modes.
@@ -139,7 +139,7 @@ impl Layout {
         self.outputs.iter().filter(|(writer, _)| *writer == element).map(|(_, output)| output.len()).sum()
     }
 
-    /// Of these elements, behind so many entries of the ledger.
+    /// The layout of these elements after `ledger` entries of the ledger.
     pub fn new<S: Scalar>(elements: &[AnyElement<S>], ledger: usize) -> Self {
         let declared: Vec<Declaration> = elements.iter().map(|element| element.declare()).collect();
         let mut layout = Self { ledger, ..Self::default() };
@@ -161,7 +161,7 @@ impl Layout {
             });
             (input, number) = (input + declared.inputs.len(), number + declared.numbers.len());
             layout.names.push(name.to_owned());
-            let kept = |own: &Kept| Kept { name: full(&own.name), ..own.clone() };
+            let kept = |own: &ElementState| ElementState { name: full(&own.name), ..own.clone() };
             layout.states.extend(declared.states.iter().map(kept));
             layout.numbers.extend(declared.numbers.iter().map(full));
             layout.modes.extend(declared.modes.iter().map(full));
@@ -177,7 +177,7 @@ impl Layout {
         layout
     }
 
-    /// Wires inputs to signals, each pair by their names.
+    /// Connects inputs to signals, each pair by name.
     pub fn connect(&mut self, wires: &[(String, String)]) {
         for (name, signal) in wires {
             let input = self.inputs.iter_mut().find(|input| input.name == *name);
@@ -186,7 +186,7 @@ impl Layout {
         self.lay_wires();
     }
 
-    /// The inputs that take a signal which there is.
+    /// Finds the inputs that take an existing signal.
     fn lay_wires(&mut self) {
         let signals = self.signals();
         let wire = |(input, declared): (usize, &Input)| {
@@ -197,10 +197,9 @@ impl Layout {
         self.wires = self.inputs.iter().enumerate().filter_map(wire).collect();
     }
 
-    /// Whether every signal that an input asks for is there.
+    /// Checks that every signal named by an input exists.
     ///
-    /// # Errors
-    /// The first that is not.
+    /// # Errors The first that does not.
     pub fn check_signals(&self) -> Result<(), UnknownSignal> {
         let signals = self.signals();
         let unknown = |input: &Input| {
@@ -228,7 +227,7 @@ impl Layout {
         signals
     }
 
-    /// What sets an input, if it is not a hand: the signal that it takes, or the element that steers it.
+    /// What sets an input, if not the user: the signal that it takes, or the element that steers it.
     pub fn set_by(&self, input: usize) -> Option<&str> {
         let steered = || self.steers.iter().find(|steer| steer.inputs.contains(&input));
         self.inputs[input].signal.as_deref().or_else(|| Some(self.names[steered()?.element].as_str()))
@@ -250,7 +249,7 @@ impl Layout {
         self.ledger + start..self.ledger + end
     }
 
-    /// What an element keeps, of the whole state.
+    /// An element's own entries in the whole state.
     pub fn own<'a, S>(&self, element: usize, s: &'a mut [S], d: &'a mut [S], m: &'a mut [i64]) -> Own<'a, S> {
         let Share { numbers, modes, .. } = &self.shares[element];
         let (numbers, modes) = (&mut d[numbers.clone()], &mut m[modes.clone()]);
@@ -258,7 +257,7 @@ impl Layout {
     }
 }
 
-/// The elements that steer, with the inputs that there are.
+/// The elements that steer, with the inputs that exist.
 fn steers(declared: &[Declaration], inputs: &[Input]) -> Vec<Steer> {
     let of = |(element, declared): (usize, &Declaration)| {
         let place = |name: &String| inputs.iter().position(|input| input.name == *name);

@@ -1,16 +1,17 @@
-//! Where a ship in waves turns away from the heading that it began with.
+//! Warns of a ship in waves that turns away from its initial heading.
 
 use super::HOLD_IT;
 use super::watcher::{Extreme, Warning, Watcher, significant};
 use core::f64::consts::{PI, TAU};
 
-/// How far the mean heading may be from that at the start, degrees.
+/// Largest change of the mean heading from the start, degrees.
 const LARGEST_TURN_DEG: f64 = 5.0;
-/// Of the running average, s: of a yaw with waves of 15 s it leaves 2 %, and follows a slow turn within two minutes.
+/// Time constant of the running average, s: it reduces yaw in waves of 15 s to 2 %, and follows a slow turn within two
+/// minutes.
 const TIME_CONSTANT_S: f64 = 100.0;
 
-/// Watches the mean heading of a body in waves, `m' = (psi - m) / T` of its yaw without jumps at full turns: nothing in linear
-/// theory turns a free ship back, and one that turned met other waves than those it was meant to.
+/// Watches the mean heading of a body in waves, `m' = (psi - m) / T` of its yaw without jumps at full turns: in linear
+/// theory nothing turns a free ship back, and a ship that has turned meets waves from another direction than intended.
 ///
 /// ```
 /// use kingpost::elements::{MeanHeading, Watcher};
@@ -41,7 +42,7 @@ impl Watcher for MeanHeading {
         vec![format!("{}.yaw", self.body)]
     }
 
-    /// The average is that of a yaw that stands still between two rows.
+    /// For the average, yaw is constant between two rows.
     fn see(&mut self, time_s: f64, values: &[f64]) {
         let Some([before, mean, then_s]) = self.last else {
             (self.start_rad, self.last) = (values[0], Some([values[0], values[0], time_s]));

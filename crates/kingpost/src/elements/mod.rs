@@ -1,13 +1,14 @@
-//! What acts on the model or reads it: one contract, [`Element`], and one file for each kind.
+//! Everything that acts on the model or reads it: one contract, [`Element`], and one file for each kind.
 //!
-//! A new kind is one file here, its fields in `scenario/schema/` and one function in `scenario/build/`. What it keeps, takes
-//! and shows it [declares](Declaration); the [`Layout`] of all elements gives each its place in the state, in the
-//! results, in snapshots, in A and B. Nothing else names a kind.
+//! A new kind is one file here, its fields in `scenario/schema/` and one function in `scenario/build/`. It
+//! [declares](Declaration) its states, inputs and outputs; the [`Layout`] of all elements gives each its place in the
+//! state, in the results, in snapshots, in A and B. No other code names a kind.
 
 mod air_gap;
 mod anemometer;
 mod clearance;
 pub mod contact;
+mod context;
 mod coulomb_friction;
 mod damped_against;
 mod declaration;
@@ -25,7 +26,6 @@ mod joint_stop;
 mod layout;
 pub mod lines;
 mod mean_heading;
-mod moment;
 mod motion_reference_unit;
 pub mod operation;
 mod quadratic_damping;
@@ -42,9 +42,10 @@ pub use air_gap::AirGap;
 pub use anemometer::Anemometer;
 pub use clearance::Clearance;
 pub use contact::Contact;
+pub use context::{Context, Situation};
 pub use coulomb_friction::CoulombFriction;
 pub use damped_against::DampedAgainst;
-pub use declaration::{Components, Crossing, Declaration, Event, Frame, Input, Kept, Output, WRENCH};
+pub use declaration::{Components, Crossing, Declaration, ElementState, Event, Input, Output, VectorFrame, WRENCH};
 pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};
 pub use dynamic_positioning::DynamicPositioning;
@@ -58,7 +59,6 @@ pub use joint_stop::{JointStop, StopSide, hunt_crossley};
 pub use layout::{Layout, Share, Signal, Steer, UnknownSignal, Watched, Wire};
 pub use lines::{CatenaryLine, SpringLine};
 pub use mean_heading::MeanHeading;
-pub use moment::{Moment, Situation};
 pub use motion_reference_unit::MotionReferenceUnit;
 pub use operation::Operation;
 pub use quadratic_damping::QuadraticDamping;

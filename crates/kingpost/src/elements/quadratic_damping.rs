@@ -1,19 +1,19 @@
 //! Drag that grows with the square of the speed: of a hull's bilges in roll, of its sides in sway.
 
 use super::hull::HullFrame;
-use super::{DampedAgainst, Element, Moment};
+use super::{Context, DampedAgainst, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
-/// `F = -c |v| v` and `M = -c |omega| omega`, component by component in body axes, at a point whose
-/// velocity v is relative to the water or to the earth. A coefficient of drag C_d on the area A is c = rho C_d A / 2
-/// (Faltinsen, *Sea Loads*, 1990, ch. 6).
+/// `F = -c |v| v` and `M = -c |omega| omega`, component by component in body axes, at a point whose velocity v is
+/// relative to the water or to the earth. A drag coefficient C_d on the area A gives c = rho C_d A / 2 (Faltinsen, *Sea
+/// Loads*, 1990, ch. 6).
 #[derive(Clone, Copy, Debug)]
 pub struct QuadraticDamping<S = f64> {
     /// The body, and the point that the force acts at.
     pub place: HullFrame<S>,
-    /// What its velocity is relative to.
+    /// What the velocity is measured against.
     pub relative_to: DampedAgainst,
     /// c along x, y, z, N s^2/m^2.
     pub linear: Vector3<S>,
@@ -23,7 +23,7 @@ pub struct QuadraticDamping<S = f64> {
 
 impl<S: Scalar> Element<S> for QuadraticDamping<S> {
     /// Adds the drag, the heat that it makes, and the work of the current.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.relative_to.velocity(at.world));
         let wrench =
             Wrench { moment: against(self.angular, through.angular), force: against(self.linear, through.linear) };

@@ -1,11 +1,12 @@
-//! The answer to regular waves, by which the response of a whole model is found.
+//! The response of an element to regular waves, from which that of a whole model is found.
 
 use crate::dynamics::Kinematics;
 use crate::scalar::Scalar;
 use crate::sea::waves::Water;
 use crate::spatial::Twist;
 
-/// An element that regular waves act on in proportion to their amplitude, about rest: a hull with data of diffraction, say.
+/// An element that regular waves act on in proportion to their amplitude, about rest: a hull with diffraction data, for
+/// example.
 ///
 /// Its loads are up to six forces, each along a rate that is linear in the twists of the bodies. All amplitudes are complex,
 /// of phases `e^(-i w t)`.
@@ -16,14 +17,14 @@ pub trait RegularWaves<S: Scalar = f64> {
     /// The water that they are for.
     fn water(&self) -> Water;
 
-    /// Where it is and heads.
+    /// Its position and heading.
     fn place(&self, bodies: &Kinematics<S>) -> WavePlace<S>;
 
-    /// The rates that its forces act along, by the twists of all bodies.
+    /// The rates that its forces act along, from the twists of all bodies.
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6];
 
-    /// Its forces for each metre of amplitude of waves of a frequency (rad/s) that go to these directions (rad), with their
-    /// crest at its place: real and imaginary part of each.
+    /// Its forces per metre of wave amplitude, for waves of a frequency (rad/s) in these directions (rad) with a crest
+    /// at its position: real and imaginary part of each.
     fn amplitudes(&self, omega: f64, directions_rad: &[f64], heading: S) -> Vec<[[S; 2]; 6]>;
 }
 

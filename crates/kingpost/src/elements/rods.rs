@@ -1,20 +1,20 @@
-//! Rods without mass that stand for ropes: where they do what no rope does.
+//! Warns of massless rods that stand for ropes and push, which a rope cannot do.
 
 use super::watcher::{Extreme, Warning, Watcher, significant};
 use crate::model::Attachment;
 use crate::spatial::{Frame, Matrix3, Quaternion, Vector3};
 
-/// Of the largest force that a rod carries in the run: a push of less is rounding.
+/// Share of a rod's largest force in the run below which a push is rounding.
 const SMALLEST_PUSH: f64 = 1e-6;
-/// Where a rope would go slack, degrees from hanging.
+/// Swing at which a rope would go slack, degrees from hanging.
 const LARGEST_SWING_DEG: f64 = 90.0;
 
 /// How a rod pulls.
 #[derive(Clone, Copy, Debug, Default)]
 struct Pull {
-    /// The strongest push, N, negative, and when.
+    /// The largest push, N, negative, and its time.
     least: Extreme,
-    /// N, of pulls and pushes.
+    /// Largest absolute force, N.
     largest: f64,
 }
 
@@ -27,7 +27,7 @@ impl Pull {
     fn warning(&self, name: &str, what: &str) -> Option<Warning> {
         let Extreme { value, time_s } = self.least;
         let text = format!(
-            "{what} pushes with {} N, at {} s: a rope would go slack; from there on this run is not that of a load on a rope",
+            "{what} pushes with {} N, at {} s: a rope would go slack; from there on this run does not represent a load on a rope",
             significant(-value, 5),
             significant(time_s, 6)
         );
@@ -35,7 +35,8 @@ impl Pull {
     }
 }
 
-/// A load that swings to all sides about a joint off its centre, as on a rope: it should pull, and hang.
+/// A load that swings freely about a joint above its centre, as on a rope: the joint should pull and the load should
+/// hang.
 #[derive(Clone, Debug)]
 pub struct Pendant {
     joint: String,
@@ -49,7 +50,7 @@ pub struct Pendant {
 }
 
 impl Pendant {
-    /// Of a body by its joint; `up` points from the centre of mass to the joint, in body axes, of any length but 0.
+    /// For a body with this joint; `up` points from the centre of mass to the joint, in body axes, of any length but 0.
     pub fn new(joint: &str, body: &str, up: Vector3) -> Self {
         let up = up * (1.0 / up.norm());
         let (pull, swing) = (Pull::default(), Extreme::default());
@@ -91,7 +92,7 @@ impl Watcher for Pendant {
     }
 }
 
-/// A closed loop that is one distance.
+/// A closed loop with a single distance constraint.
 #[derive(Clone, Debug)]
 pub struct Rod {
     name: String,
@@ -99,7 +100,7 @@ pub struct Rod {
     pull: Pull,
 }
 
-/// Where a rod is tied to a body; to the world without one.
+/// An end of a rod, on a body or in the world.
 #[derive(Clone, Debug)]
 struct End {
     body: Option<String>,
@@ -107,7 +108,7 @@ struct End {
 }
 
 impl Rod {
-    /// A loop of this name, its attachments and the bodies that they are on.
+    /// For a loop with this name, its attachments and their bodies.
     pub fn new(name: &str, ends: [(&Attachment, Option<&str>); 2]) -> Self {
         let ends = ends.map(|(tie, body)| End { body: body.map(str::to_owned), in_body: tie.in_body });
         Self { name: name.to_owned(), ends, pull: Pull::default() }
@@ -123,7 +124,7 @@ impl End {
         self.body.as_ref().map_or_else(Vec::new, of)
     }
 
-    /// In the world, by the numbers of its columns.
+    /// Its frame in the world, from the values of its columns.
     fn frame(&self, values: &[f64]) -> Frame {
         if self.body.is_none() {
             return self.in_body;

@@ -1,31 +1,31 @@
 //! The free surface of a tank that is neither empty nor full.
 
 use super::hull::HullFrame;
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::sea::hull::BoxTank;
 use crate::spatial::{Vector3, Wrench};
 
-/// A box of liquid on a body, whose weight `rho g V` is part of the body's where the liquid lies upright.
+/// A box of liquid on a body. Its weight `rho g V` is part of the body's weight, with the liquid as in the upright
+/// body.
 ///
-/// The surface is level at once, so the liquid's centre goes from c0 to c(n), n the vertical in body axes
-/// ([`BoxTank::shift`]). What that adds to the weight is a moment alone, wherever the tank is, by the
-/// potential energy
+/// The surface is always level, so the liquid's centre moves from c0 to c(n), n being the vertical in body axes
+/// ([`BoxTank::shift`]). This adds only a moment, wherever the tank is, by the potential energy
 ///
 /// ```text
 /// U = rho g V n . (c - c0),      M = n x dU/dn = (c - c0) x (-rho g V n)
 /// ```
 ///
-/// for dU/dn = rho g V (c - c0): at constant volume the surface moves liquid along itself only.
+/// since dU/dn = rho g V (c - c0): at constant volume the liquid moves only along the surface.
 #[derive(Clone, Debug)]
 pub struct SlackTank<S = f64> {
     /// Name of the force in the scenario.
     pub name: String,
     /// The body, and the centre of the box; the box's axes are the body's.
     pub place: HullFrame<S>,
-    /// The box and how full it is.
+    /// The box and its filling.
     pub tank: BoxTank<S>,
     /// rho of the liquid, kg/m^3.
     pub density: S,
@@ -36,15 +36,15 @@ impl<S: Scalar> Element<S> for SlackTank<S> {
         &self.name
     }
 
-    /// Adds the moment of the liquid that has moved.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    /// Adds the moment of the shifted liquid.
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let vertical = self.vertical(at.model, at.links);
         let moment = vertical.cross(self.tank.shift(vertical)) * (self.density * at.world.gravity);
         loads.wrenches.push((self.place.body, Wrench { moment, force: Vector3::zero() }));
     }
 
-    /// Energy of the liquid less that where it lies upright, J: never positive.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    /// Energy of the liquid relative to the upright position, J: never positive.
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let vertical = self.vertical(at.model, at.links);
         vertical.dot(self.tank.shift(vertical)) * self.density * at.world.gravity
     }

@@ -1,32 +1,32 @@
-//! A soft hold: springs and dampers in the plane, as those that keep a model near its place in a wave basin.
+//! A soft hold: springs and dampers in the horizontal plane, like those that keep a model in position in a wave basin.
 
 use super::dynamic_positioning::Planar;
 use super::hull::HullFrame;
-use super::{Components, Declaration, Element, Frame, Moment, Output};
+use super::{Components, Context, Declaration, Element, Output, VectorFrame};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, Wrench};
 use core::f64::consts::TAU;
 
-/// Springs and dampers in surge, sway and yaw between a point of a body and its place in the world.
+/// Springs and dampers in surge, sway and yaw between a point of a body and a fixed position in the world.
 ///
-/// With d the way of the point from its place along the heading that is held and to port of it (m), and delta the heading
-/// beyond that, the short way (rad),
+/// With d the displacement of the point from its position along the held heading and to port of it (m), and delta the
+/// heading relative to the held one, the short way round (rad),
 ///
 /// ```text
 /// F = -k d - c d',      M = -k_psi delta - c_psi delta'
 /// ```
 ///
-/// F is horizontal. M is of yaw alone: with `delta' = g.omega` it acts along g, so that it does no work on roll and pitch, as
-/// the moments of linear theory ([`SeaAxes`](super::hull::SeaAxes)). `(k d^2 + k_psi delta^2) / 2` is stored,
-/// `c d'^2 + c_psi delta'^2` is heat; d' is relative to the earth.
+/// F is horizontal. M is a pure yaw moment: with `delta' = g.omega` it acts along g, so it does no work on roll and
+/// pitch, like the moments of linear theory ([`SeaAxes`](super::hull::SeaAxes)). `(k d^2 + k_psi delta^2) / 2` is
+/// stored, `c d'^2 + c_psi delta'^2` is heat; d' is relative to the earth.
 #[derive(Clone, Debug)]
 pub struct SoftHold<S = f64> {
     /// Name of the force in the scenario.
     pub name: String,
     /// The body, and the point that is held.
     pub place: HullFrame<S>,
-    /// Where the point is held: x and y of the world, m.
+    /// Position where the point is held: x and y of the world, m.
     pub position: [S; 2],
     /// Cosine and sine of the heading that is held.
     pub heading: [S; 2],
@@ -36,7 +36,7 @@ pub struct SoftHold<S = f64> {
     pub damping: Planar<S>,
 }
 
-/// How a body stands to its place.
+/// The deviation of a body from its position.
 struct Off<S> {
     /// d and delta.
     deviation: Planar<S>,
@@ -44,7 +44,7 @@ struct Off<S> {
     rate: Planar<S>,
     /// g, body axes.
     yaw: Vector3<S>,
-    /// From body to world axes.
+    /// Rotation from body to world axes.
     rotation: Matrix3<S>,
 }
 
@@ -54,10 +54,11 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let deviation = "surge and sway of a ship on a soft hold from its place, and its heading beyond the one held";
+        let deviation =
+            "surge and sway of a ship on a soft hold from its held position, and its heading relative to the held one";
         let planar = |variable, description, units| Output {
             components: Components::Planar,
-            frame: Frame::Heading,
+            frame: VectorFrame::Heading,
             units,
             ..Output::number(variable, description, "hold", &self.name, &["N"])
         };
@@ -68,8 +69,8 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
         Declaration { outputs, ..Declaration::default() }
     }
 
-    /// Adds the springs and the dampers, and the heat that these make.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    /// Adds the springs and the dampers, and the heat of the dampers.
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let off = self.off(at);
         let [surge, sway, yaw] = self.force(&off);
         let [cos, sin] = self.heading;
@@ -82,13 +83,13 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let each = self.stiffness.into_iter().zip(self.off(at).deviation);
         each.fold(S::ZERO, |sum, (k, off)| sum + k * off * off) * S::constant(0.5)
     }
 
     /// Both along the heading that the body has.
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let off = self.off(at);
         let (sin, cos) = off.deviation[2].sin_cos();
         for [surge, sway, yaw] in [off.deviation, self.force(&off)] {
@@ -102,8 +103,8 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
 }
 
 impl<S: Scalar> SoftHold<S> {
-    /// `k = m (2 pi / T)^2` and `c = 2 zeta m 2 pi / T` of a mass (kg, or kg m^2) that is to swing with the period T (s) and
-    /// the damping ratio zeta.
+    /// `k = m (2 pi / T)^2` and `c = 2 zeta m 2 pi / T` for a mass (kg, or kg m^2) that oscillates with the period T
+    /// (s) and the damping ratio zeta.
     ///
     /// ```
     /// use kingpost::elements::SoftHold;
@@ -115,7 +116,7 @@ impl<S: Scalar> SoftHold<S> {
         [mass * omega * omega, S::constant(2.0) * damping_ratio * mass * omega]
     }
 
-    fn off(&self, at: &Moment<'_, S>) -> Off<S> {
+    fn off(&self, at: &Context<'_, S>) -> Off<S> {
         let motion = self.place.motion(at);
         let (position, rotation) = (motion.frame.position, motion.frame.rotation);
         let [cos, sin] = self.heading;
@@ -124,7 +125,7 @@ impl<S: Scalar> SoftHold<S> {
         let velocity = rotation * motion.twist.linear;
         let [surge_rate, sway_rate] = along(velocity[0], velocity[1]);
         let [ahead, aside] = along(rotation.0[0][0], rotation.0[1][0]);
-        // The rate of yaw as an angle, of which the body's vertical has the third row.
+        // The rate of the yaw angle; the third row is the vertical in body axes.
         let [_, y, z] = rotation.row(2).0;
         let level = S::ONE / (y * y + z * z);
         let yaw = Vector3::new(S::ZERO, y * level, z * level);

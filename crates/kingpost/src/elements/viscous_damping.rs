@@ -1,18 +1,18 @@
-//! Damping in proportion to a body's rates: of a hull in the water, or the paper's in its place.
+//! Damping proportional to a body's rates: of a hull in the water, or as in the paper.
 
 use super::hull::HullFrame;
-use super::{DampedAgainst, Element, Moment};
+use super::{Context, DampedAgainst, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 
-/// `F = -c v` and `M = -zeta omega`, component by component in body axes at a point, v relative to the
-/// water or to the earth; and what a full 6x6 matrix adds, `(F, M) = -B (v, omega)`.
+/// `F = -c v` and `M = -zeta omega`, component by component in body axes at a point, with v relative to the water or to
+/// the earth; and the loads of a full 6x6 matrix, `(F, M) = -B (v, omega)`.
 #[derive(Clone, Debug)]
 pub struct ViscousDamping<S = f64> {
-    /// The damped body, and the point that the force acts at and whose velocity counts.
+    /// The damped body, and the point where the force acts and whose velocity is used.
     pub place: HullFrame<S>,
-    /// What that velocity is relative to.
+    /// What the velocity is measured against.
     pub relative_to: DampedAgainst,
     /// c along x, y, z, N s/m.
     pub linear: Vector3<S>,
@@ -24,7 +24,7 @@ pub struct ViscousDamping<S = f64> {
 
 impl<S: Scalar> Element<S> for ViscousDamping<S> {
     /// Adds the damping, the heat that it makes, and the work of the current.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.relative_to.velocity(at.world));
         let along = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
         let mut wrench =

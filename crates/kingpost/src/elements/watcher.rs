@@ -1,21 +1,21 @@
-//! What watches a run for what a person should know of it.
+//! Watchers: they look at a run and warn.
 
 use core::fmt::Debug;
 use serde::Serialize;
 
-/// What a person should know of a run.
+/// A warning of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Warning {
-    /// When it was so, s.
+    /// The time that it concerns, s.
     pub time_s: f64,
-    /// Whose it is: a joint, a closed loop, a body or an element.
+    /// What it concerns: a joint, a closed loop, a body or an element.
     pub name: String,
     /// What was so.
     pub text: String,
 }
 
-/// Sees every row of a run, and warns of what it saw: of a joint, a closed loop or an element.
+/// Sees every row of a run, and warns of a joint, a closed loop or an element.
 pub trait Watcher: Debug + Send + Sync + BoxedWatcher {
     /// The columns that it sees, as `slew.joint_position`.
     fn columns(&self) -> Vec<String>;
@@ -23,7 +23,7 @@ pub trait Watcher: Debug + Send + Sync + BoxedWatcher {
     /// Sees the numbers of those columns in a row, and its time.
     fn see(&mut self, time_s: f64, values: &[f64]);
 
-    /// What there is to warn of so far.
+    /// The warnings so far.
     fn warnings(&self) -> Vec<Warning>;
 }
 
@@ -48,10 +48,10 @@ impl Clone for AnyWatcher {
     }
 }
 
-/// The number that was largest in size, with its sign, and when.
+/// The value with the largest magnitude, with its sign, and its time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extreme {
-    /// 0 where nothing was seen.
+    /// 0 before any row was seen.
     pub value: f64,
     /// s.
     pub time_s: f64,
@@ -66,8 +66,8 @@ impl Extreme {
     }
 }
 
-/// A number as a person reads it: so many digits, without the zeros behind them; with a power of ten where it is very
-/// large or very small.
+/// A number for a reader: this many significant digits, without trailing zeros; with a power of ten if very large or
+/// very small.
 ///
 /// ```
 /// use kingpost::elements::significant;

@@ -12,36 +12,35 @@ use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityE
 use crate::spatial::{Frame, Vector3};
 use crate::world::World;
 
-/// Linear hydrodynamics about a draught that differs from the database's by more than this share of it
-/// are warned of.
+/// A warning is given if the draught differs from that of linear hydrodynamic data by more than this share.
 const LARGEST_DRAUGHT_CHANGE: f64 = 0.05;
-/// A bottom that comes out of the water before this heel or trim is warned of, deg.
+/// A warning is given if the bottom comes out of the water before this heel or trim, deg.
 const LARGEST_ANGLE_DEG: f64 = 3.0;
-/// A displacement that differs from the mass by more than this share of it is warned of.
+/// A warning is given if the displacement differs from the mass by more than this share.
 const LARGEST_PULL: f64 = 1e-3;
 
-/// A hull, its data, and where everything is.
-pub(super) struct Floating<'a> {
+/// A hull with its data, in the model at rest.
+pub(super) struct LoadedHull<'a> {
     pub(super) hull: &'a Hull,
     pub(super) database: &'a Database,
     pub(super) model: &'a Model,
     pub(super) at: &'a Kinematics,
     pub(super) world: &'a World,
-    /// All that are there.
+    /// All slack tanks of the model.
     pub(super) slack_tanks: &'a [&'a SlackTank],
-    /// What keeps loads from swinging.
+    /// The restraints that keep loads from swinging.
     pub(super) restraints: &'a Restraints,
 }
 
-/// What is under water, seen from the hull's origin in its axes.
+/// The part under water, in the hull's axes about its origin.
 struct Underwater {
     volume: f64,
     centre: Vector3,
     metacentric_radius: [f64; 2],
 }
 
-impl Floating<'_> {
-    /// An error where the whole hull displaces less than its weight.
+impl LoadedHull<'_> {
+    /// An error if the whole hull displaces less than its weight.
     pub(super) fn check_capacity(&self) -> Result<(), HydrostaticsError> {
         let Some(mesh) = self.mesh() else { return Ok(()) };
         let mass = self.carried_weight().mass;
@@ -53,7 +52,7 @@ impl Floating<'_> {
         Err(HydrostaticsError::Hull { force: self.hull.name.clone(), error })
     }
 
-    /// How it floats, if it does, and what a user should know of that.
+    /// Its floating position, if it floats, and warnings.
     pub(super) fn describe(&self) -> (Option<HullAfloat>, Vec<String>) {
         let (position, mesh) = (self.position(), self.mesh());
         let underwater = match &mesh {
@@ -86,7 +85,7 @@ impl Floating<'_> {
         self.world.water_density
     }
 
-    /// The mesh of its data, where there is one that is sound.
+    /// The mesh of its data, if there is a valid one.
     fn mesh(&self) -> Option<HullMesh> {
         let mesh = self.database.hull.mesh.as_ref()?;
         HullMesh::new(mesh.vertices_m.clone(), mesh.triangles.clone()).ok()
@@ -105,7 +104,7 @@ impl Floating<'_> {
         weight(self.model, self.at, &aboard(self.model, self.at, self.hull.frame.body, self.restraints))
     }
 
-    /// Centre of gravity, the liquid in slack tanks as it lies upright, hull axes, about the data's origin, m.
+    /// Centre of gravity with the liquid in slack tanks as in the upright hull, hull axes, from the data's origin, m.
     fn centre_of_gravity(&self) -> Vector3 {
         self.frame().inverse().point(self.carried_weight().centre)
     }
@@ -113,7 +112,7 @@ impl Floating<'_> {
     fn hanging(&self) -> Vec<HangingLoad> {
         let frame = self.frame();
         let axes = tangents(self.position().vertical).map(|t| frame.rotation * t);
-        // The vertical moves across the ship about the axis along it, and the other way round.
+        // Heel moves the vertical across the ship about its longitudinal axis; for trim it is the other way round.
         let [across, along] = axes;
         loads(self.model, self.at, self.hull.frame.body, self.restraints, [along, across])
     }
@@ -159,7 +158,7 @@ impl Floating<'_> {
         }
     }
 
-    /// Where a hull leaves what its linear data are about, and what is wrong with its stability.
+    /// Warnings of a hull outside the range of its linear data, and of its stability.
     fn warnings(&self, hull: &HullAfloat) -> Vec<String> {
         let mut warnings = if self.is_linear() { self.off_the_database(hull) } else { Vec::new() };
         let (body, draught) = (&hull.body, hull.draught_m);
@@ -174,7 +173,7 @@ impl Floating<'_> {
         }
         if (hull.displacement_kg - hull.mass_kg).abs() > LARGEST_PULL * hull.mass_kg {
             warnings.push(format!(
-                "{body}: it displaces {:.3} t and weighs {:.3} t: what else carries or pulls it is not in KG, GM and GZ",
+                "{body}: it displaces {:.3} t and weighs {:.3} t: other forces that carry or pull it are not in KG, GM and GZ",
                 hull.displacement_kg / 1000.0,
                 hull.mass_kg / 1000.0
             ));
@@ -185,7 +184,7 @@ impl Floating<'_> {
         warnings
     }
 
-    /// Whether any load on it is about the draught of its data, upright.
+    /// Whether any load on it is linear about the draught of its data, upright.
     fn is_linear(&self) -> bool {
         let Hull { hydrostatics, radiation, excitation, frame, .. } = self.hull;
         let added_mass = self.model.added_inertias.iter().any(|(body, _)| *body == frame.body);
@@ -198,8 +197,8 @@ impl Floating<'_> {
         let (body, draught, database) = (&hull.body, hull.draught_m, hull.database_draught_m);
         let change = (draught - database).abs() / database;
         let about = match self.database.hull.attitude {
-            Some(_) => "linear hydrodynamics are about the database's draught and attitude",
-            None => "linear hydrodynamics are about the database's draught, upright",
+            Some(_) => "linear hydrodynamics hold near the database's draught and attitude",
+            None => "linear hydrodynamics hold near the database's draught, upright",
         };
         if change > LARGEST_DRAUGHT_CHANGE {
             warnings.push(format!(
@@ -223,7 +222,7 @@ impl Floating<'_> {
         warnings
     }
 
-    /// GZ of the weight whose centre hanging loads raise along the vertical, with slack tanks level at each heel.
+    /// GZ with the centre of gravity raised by hanging loads, and with slack tanks level at each heel.
     fn righting_arm(
         &self,
         mesh: &HullMesh,
@@ -243,12 +242,12 @@ impl Floating<'_> {
     }
 }
 
-/// Of a vertical in hull axes, rad.
+/// Heel and trim for a vertical in hull axes, rad.
 fn heel_and_trim(vertical: Vector3) -> [f64; 2] {
     [libm::atan2(vertical[1], vertical[2]), libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2]))]
 }
 
-/// How far hanging loads raise the centre of gravity of all, for heel and for trim, m.
+/// Rise of the total centre of gravity by hanging loads, for heel and for trim, m.
 fn rise_of(hanging: &[HangingLoad], mass: f64) -> [f64; 2] {
     [0, 1].map(|k| {
         let moments = hanging.iter().map(|load| load.mass_kg * load.length_m * load.free_share[k]);
@@ -268,8 +267,7 @@ impl Underwater {
         })
     }
 
-    /// Of a hull whose sides stand upright about the waterplane of its data, and that hardly leans:
-    /// what it sinks by adds a strake of that area.
+    /// For a wall-sided hull with the waterplane of its data and small angles: sinkage adds a layer of that area.
     fn of_waterplane(database: &Database, position: &FloatingPosition) -> Option<Self> {
         let (hull, plane) = (&database.hull, &database.hull.waterplane);
         let ([x, y], [xx, _, yy]) = (plane.first_moments_m3, plane.second_moments_m4);

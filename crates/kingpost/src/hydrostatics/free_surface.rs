@@ -1,13 +1,13 @@
-//! Slack tanks: what their free surfaces take off the metacentric height.
+//! Slack tanks: the reduction of the metacentric height by their free surfaces.
 
-use super::floating::Floating;
+use super::floating::LoadedHull;
 use super::hanging::HangingLoad;
 use crate::elements::SlackTank;
 use crate::sea::hull::HullTank;
 use crate::spatial::{Matrix3, Vector3};
 use serde::Serialize;
 
-/// The free surface of a slack tank of a hull, or of what its joints carry without letting it hang.
+/// The free surface of a slack tank in a hull, or in a body that its joints carry without hanging.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FreeSurface {
@@ -15,18 +15,18 @@ pub struct FreeSurface {
     pub force: String,
     /// The body that the tank is in.
     pub body: String,
-    /// Of the liquid, kg; it is part of the body's mass.
+    /// Mass of the liquid, kg; it is part of the body's mass.
     pub liquid_kg: f64,
-    /// Height of the liquid's centre over the keel, as it stands, along the hull's z, m.
+    /// Height of the liquid's centre above the keel in the present position, along the hull's z, m.
     pub keel_to_liquid_m: f64,
-    /// What it takes off GM across the ship and along it, `rho i / M`, i the second moment of its surface as it
-    /// stands about its centroid and M the mass afloat, m (Barrass & Derrett, *Ship Stability for Masters and
-    /// Mates*, ch. on free surface).
+    /// Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
+    /// its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
+    /// surface).
     pub correction_m: [f64; 2],
 }
 
-impl Floating<'_> {
-    /// The tanks whose liquid heels with the hull, with their axes in its.
+impl LoadedHull<'_> {
+    /// The tanks whose liquid heels with the hull, with their axes in the hull's.
     pub(super) fn tanks(&self, hanging: &[HangingLoad]) -> Vec<(&SlackTank, HullTank)> {
         let to_hull = self.frame().rotation.transpose();
         let hull = self.model.carried(self.hull.frame.body);
@@ -43,7 +43,7 @@ impl Floating<'_> {
         self.slack_tanks.iter().filter(of_hull).map(|tank| (*tank, placed(tank))).collect()
     }
 
-    /// How far the liquid in tanks has moved the centre of gravity, hull axes, m.
+    /// Shift of the centre of gravity by the liquid in tanks, hull axes, m.
     pub(super) fn liquid_shift(&self, tanks: &[(&SlackTank, HullTank)], vertical: Vector3) -> Vector3 {
         let shift = tanks.iter().fold(Vector3::zero(), |sum, (_, tank)| sum + tank.shift(vertical));
         shift * (1.0 / self.carried_weight().mass)

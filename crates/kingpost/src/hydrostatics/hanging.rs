@@ -1,24 +1,23 @@
-//! Loads that hang freely, on a joint or a line: to the ship their weight acts where they hang from. Loads that stand on
-//! her deck: it acts where they are.
+//! Loads that hang freely on a joint or a line: their weight acts on the ship at the suspension point. Loads that stand
+//! on her deck: their weight acts where they are.
 
 use crate::dynamics::{Kinematics, LinkKinematics};
 use crate::elements::drives::{Brake, ControlledDrive, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
-use crate::elements::{CatenaryLine, Contact, Hull, JointSpring, Moment, Rope, SpringLine, of_kind};
+use crate::elements::{CatenaryLine, Contact, Context, Hull, JointSpring, Rope, SpringLine, of_kind};
 use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
 use serde::Serialize;
 
-/// What hangs on a joint, or on lines.
+/// A load that hangs on a joint, or on lines.
 ///
-/// A joint counts where the centre of all that it carries is below it, at least one of its rotations
-/// is free, and no spring, brake, servo or motor acts on that; and where no closed loop, cylinder or
-/// spring line is tied to what it carries, and it has no hull of its own.
+/// A load hangs on a joint if the centre of all that the joint carries is below it, at least one rotation is free, no
+/// spring, brake, servo or motor acts on that rotation, and no closed loop, cylinder, spring line or hull is attached
+/// to the bodies that it carries.
 ///
-/// Spring lines and ropes count where they end in one point of the ship, or are near legs of one rope, and carry a body that
-/// floats by its joint, and nothing else holds that: no water, loop, cylinder, contact or other line. Slack ropes carry nothing.
-/// Legs of one rope count where
-/// their ends are near each other; where one runs over a sheave, its end is the sheave's centre.
+/// A load hangs on spring lines or ropes if they start from one point of the ship, or are legs of one rope with ends
+/// close together, and carry a body with a floating joint that nothing else holds: no water, loop, cylinder, contact or
+/// other line. Slack ropes carry nothing. The end of a leg at a sheave is the sheave's centre.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HangingLoad {
@@ -26,23 +25,23 @@ pub struct HangingLoad {
     pub joint: String,
     /// The body under the joint.
     pub body: String,
-    /// Of the body and all that it carries, kg.
+    /// Mass of the body and all that it carries, kg.
     pub mass_kg: f64,
-    /// How far the centre of that is below the joint, m.
+    /// Distance of their centre below the joint, m.
     pub length_m: f64,
-    /// The share of that length by which the centre of gravity rises where the ship heels, and where it
-    /// trims: `|P u|^2`, with u the axis of heel or trim and P the projection on the joint's free axes.
-    /// Of a load that swings about one axis at an angle a to u it is `cos^2 a`.
+    /// The share of that length by which the effective centre of gravity rises, for heel and for trim: `|P u|^2`, with
+    /// u the axis of heel or trim and P the projection on the joint's free axes. For a load that swings about one axis
+    /// at an angle a to u it is `cos^2 a`.
     pub free_share: [f64; 2],
 }
 
-/// Which bodies and coordinates something keeps from swinging.
+/// The bodies and coordinates that something keeps from swinging.
 pub(super) struct Restraints {
     coordinates: Vec<usize>,
     bodies: Vec<usize>,
     /// Spring lines and the legs of ropes, by name.
     lines: Vec<(String, [Attachment; 2])>,
-    /// What loops, cylinders and mooring lines are tied to.
+    /// Bodies that loops, cylinders and mooring lines are attached to.
     tied: Vec<usize>,
     /// Hulls in the water.
     wet: Vec<usize>,
@@ -83,7 +82,7 @@ impl Restraints {
         }
     }
 
-    /// Whether a hull floats by itself: it hangs on nothing, and carries no other hull; no line or loop ties it to
+    /// Whether a hull floats alone: it hangs on nothing, carries no other hull, and no line or loop connects it to
     /// another body.
     pub(super) fn floats_alone(&self, model: &Model, hull: usize) -> bool {
         let own = model.carried(hull);
@@ -98,7 +97,7 @@ impl Restraints {
     }
 }
 
-/// What hangs on lines from one point of a ship.
+/// A load that hangs on lines from one point of a ship.
 pub(super) struct OnLine {
     line: String,
     bodies: Vec<usize>,
@@ -106,14 +105,14 @@ pub(super) struct OnLine {
     point: Vector3,
 }
 
-/// Ends of the legs of one rope that are closer than this share of the way to the load are one point: (spread / way)^2 is the
-/// share by which its load would swing about another length.
+/// Ends of the legs of one rope count as one point if they are closer together than this share of the distance to the
+/// load: the relative error of the pendulum length is (spread / distance)^2.
 const NARROW: f64 = 0.1;
 
-/// Ends of lines that are closer than this are one point, m.
+/// Ends of lines closer together than this count as one point, m.
 const ONE_POINT_M: f64 = 1e-6;
 
-/// The loads that hang on lines from a hull and what its joints carry.
+/// The loads that hang on lines from a hull and the bodies that its joints carry.
 pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<OnLine> {
     let ship = model.carried(hull);
     let point = |end: &Attachment| end.body.map(|body| at.world[body].point(end.in_body.position));
@@ -159,7 +158,7 @@ pub(super) struct Weight {
     pub(super) centre: Vector3,
 }
 
-/// Of some bodies together.
+/// The weight of several bodies together.
 pub(super) fn weight(model: &Model, at: &Kinematics, bodies: &[usize]) -> Weight {
     let mass: f64 = bodies.iter().map(|&body| model.bodies[body].mass).sum();
     let moment = |sum: Vector3, &body: &usize| sum + at.world[body].position * model.bodies[body].mass;
@@ -215,7 +214,8 @@ pub(super) fn aboard(model: &Model, at: &Kinematics, hull: usize, restraints: &R
     model.carried(hull).into_iter().chain(on_lines).chain(on_deck).collect()
 }
 
-/// Free bodies with what their joints carry that touch a hull, or what its joints carry, and that nothing else holds.
+/// Free bodies, with the bodies that their joints carry, that touch a hull or a body on it, and that nothing else
+/// holds.
 fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
     let ship = model.carried(hull);
     let is_free = |root: &usize| {
@@ -234,7 +234,7 @@ fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
     roots.map(|root| model.carried(root)).filter(stands).flatten().collect()
 }
 
-/// The bodies of the contacts that touch where the setup is.
+/// The bodies of the contacts that touch in the setup's position.
 fn touching(setup: &Setup) -> Vec<[Option<usize>; 2]> {
     at_rest(setup, |at| {
         let contacts = of_kind(&setup.elements).filter(|contact: &&Contact| contact.depth(at) > 0.0);
@@ -242,7 +242,7 @@ fn touching(setup: &Setup) -> Vec<[Option<usize>; 2]> {
     })
 }
 
-/// The ropes that pull where the setup is: a slack one carries nothing.
+/// The ropes that pull in the setup's position: a slack one carries nothing.
 fn taut(setup: &Setup) -> Vec<&Rope> {
     at_rest(setup, |at| {
         let pulls = |rope: &&Rope| (*rope).clone().tension_here(at) > 0.0;
@@ -250,14 +250,14 @@ fn taut(setup: &Setup) -> Vec<&Rope> {
     })
 }
 
-fn at_rest<R>(setup: &Setup, see: impl FnOnce(&Moment<'_>) -> R) -> R {
+fn at_rest<R>(setup: &Setup, see: impl FnOnce(&Context<'_>) -> R) -> R {
     let Setup { model, world, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
-    see(&Moment::at_rest(world, model, &links, (q, v)))
+    see(&Context::at_rest(world, model, &links, (q, v)))
 }
 
-/// Shares below are rounding.
+/// Smaller shares are rounding.
 const SMALLEST_SHARE: f64 = 1e-9;
 
 /// Unit vectors, at right angles, that span the axes about which a body turns freely, in the world.

@@ -1,16 +1,17 @@
-//! What a current does to the waves about a hull that its loads leave out.
+//! Warnings of effects of a current on the waves that the loads on a hull neglect.
 
-use super::floating::Floating;
-use crate::elements::hull::{Excitation, HullVelocity, Parts, SlowFrame};
+use super::floating::LoadedHull;
+use crate::elements::hull::{HullVelocity, SlowFrame, WaveExcitation, WaveForces};
 use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
 
-/// A change of the waves' lengths, or of the mean drift, that a current would make is warned of beyond this share.
+/// A warning is given if a current would change the wave lengths or the mean drift by more than this share.
 const LARGEST_CHANGE: f64 = 0.05;
-/// Least tanh(k h) of the waves, on average, that a formula for deep water is for.
+/// Smallest mean tanh(k h) of the waves for which a deep-water formula holds.
 const LEAST_DEEP: f64 = 0.98;
 
-impl Floating<'_> {
-    /// Of the waves' lengths in a current, of drift without a current's part, and of drift damping over a near bottom.
+impl LoadedHull<'_> {
+    /// Warnings of the wave lengths in a current, of drift without the effect of the current, and of drift damping in
+    /// shallow water.
     pub(super) fn current_warnings(&self) -> Vec<String> {
         let (Some(waves), Some(excitation)) = (&self.world.waves, &self.hull.excitation) else { return Vec::new() };
         let body = &self.model.bodies[self.hull.frame.body].name;
@@ -27,8 +28,8 @@ impl Floating<'_> {
         [x, y]
     }
 
-    /// Of (w - k.U)^2 = g k tanh(k h) at the frequency w at a fixed point, to first order in U: the length grows by U.e over
-    /// the group velocity.
+    /// From (w - k.U)^2 = g k tanh(k h) with the frequency w at a fixed point, to first order in U: the relative growth
+    /// of the length is U.e over the group velocity.
     fn length_warning(&self, waves: &WaveField) -> Option<String> {
         let [x, y] = self.current();
         let longer = |wave: &WaveComponent| {
@@ -38,7 +39,7 @@ impl Floating<'_> {
         let mean = of_energy(waves, longer);
         let words = || {
             format!(
-                "its waves have the lengths that they have in water that stands: a current of {:.2} m/s would make them {:.1} % {} \
+                "its waves have the lengths that they have without a current: a current of {:.2} m/s would make them {:.1} % {} \
                  at the same periods, on average (warned of beyond {:.0} %)",
                 libm::hypot(x, y),
                 100.0 * mean.abs(),
@@ -49,13 +50,13 @@ impl Floating<'_> {
         (mean.abs() > LARGEST_CHANGE).then(words)
     }
 
-    /// By what Aranha's formula gives for a hull at rest in the current.
+    /// From Aranha's formula for a hull at rest in the current.
     fn drift_warning(&self, waves: &WaveField) -> Option<String> {
         let [x, y] = self.current();
         let slow = SlowFrame::of(&self.frame());
         let [along, across, _] = slow.rotation().transpose_times(self.world.surface_current()).0;
-        let parts = Parts { froude_krylov: true, drift: true, drift_damping: true };
-        let mut excitation = Excitation::new(self.database, waves, parts);
+        let parts = WaveForces { froude_krylov: true, drift: true, drift_damping: true };
+        let mut excitation = WaveExcitation::new(self.database, waves, parts);
         let mut mean = |through_water: [f64; 2]| {
             let velocity = HullVelocity { through_water, over_ground: [0.0; 2] };
             let [surge, sway, ..] = excitation.mean_drift(waves, slow.heading, &velocity);
@@ -84,14 +85,14 @@ fn depth_warning(waves: &WaveField) -> Option<String> {
     let mean = of_energy(waves, |wave| libm::tanh(wave.wave_number_per_m * depth_m));
     let words = || {
         format!(
-            "its wave_drift_damping is by a formula for deep water, and tanh(k h) of its waves is {mean:.3} on average (warned of \
+            "its wave_drift_damping uses a formula for deep water, and tanh(k h) of its waves is {mean:.3} on average (warned of \
              below {LEAST_DEEP})"
         )
     };
     (mean < LEAST_DEEP).then(words)
 }
 
-/// The mean over the waves, each by its energy.
+/// The mean over the waves, weighted by energy.
 fn of_energy(waves: &WaveField, number: impl Fn(&WaveComponent) -> f64) -> f64 {
     let energy = |wave: &WaveComponent| wave.amplitude_m * wave.amplitude_m;
     let all: f64 = waves.components().map(energy).sum();

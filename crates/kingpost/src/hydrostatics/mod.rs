@@ -1,5 +1,5 @@
-//! How the hulls of a scenario float with the crane as it stands: draught, heel and trim at rest, the
-//! metacentric height with hanging loads where they hang from and free surfaces of slack tanks, righting arms.
+//! How the hulls of a scenario float with the crane in its present position: draught, heel and trim at rest, the
+//! metacentric height with hanging loads at their suspension points and free surfaces of slack tanks, righting arms.
 //!
 //! ```no_run
 //! # fn of(scenario: &kingpost::Scenario) -> Result<(), kingpost::hydrostatics::HydrostaticsError> {
@@ -29,18 +29,18 @@ use crate::scenario::{Scenario, ScenarioError, schema};
 use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
 use crate::simulation::{Setup, Simulation};
-use floating::Floating;
+use floating::LoadedHull;
 use hanging::Restraints;
 use serde::Serialize;
 use thiserror::Error;
 
-/// The hulls of a scenario, and what keeps them from being described.
+/// The hulls of a scenario, and warnings.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HydrostaticReport {
     /// One for each hull in the water.
     pub hulls: Vec<HullAfloat>,
-    /// What a user should know.
+    /// Warnings.
     pub warnings: Vec<String>,
 }
 
@@ -53,46 +53,46 @@ pub struct HullAfloat {
     pub force: String,
     /// The body that is the hull.
     pub body: String,
-    /// Of the hull and all that its joints carry, kg.
+    /// Mass of the hull and all that its joints carry, kg.
     pub mass_kg: f64,
-    /// Of the water that it displaces, kg.
+    /// Mass of the water that it displaces, kg.
     pub displacement_kg: f64,
     /// V, m^3.
     pub displacement_m3: f64,
-    /// Depth of the keel below the database's origin, m; that point is `draught_m` of the database
-    /// under the origin, in hull axes.
+    /// Depth of the keel below the database's origin, m; the keel is the point `draught_m` of the database below the
+    /// origin, in hull axes.
     pub draught_m: f64,
-    /// The draught that the database is for, m.
+    /// The draught of the database, m.
     pub database_draught_m: f64,
     /// To starboard, rad.
     pub heel_rad: f64,
     /// By the bow, rad.
     pub trim_rad: f64,
-    /// KB, m: all heights over the keel are along the hull's z.
+    /// KB, m: all heights above the keel are along the hull's z.
     pub keel_to_buoyancy_m: f64,
     /// BM, `I / V`, m.
     pub metacentric_radius_m: [f64; 2],
     /// KM, `KB + BM`, m.
     pub keel_to_metacentre_m: [f64; 2],
-    /// KG, m, with every load where it is, and the liquid in slack tanks.
+    /// KG, m, with every load and the liquid in slack tanks in their present position.
     pub keel_to_gravity_m: f64,
-    /// KG, m, with hanging loads at the joints that they hang from, and raised by what free surfaces take off GM.
+    /// KG, m, with hanging loads at their suspension points, plus the reduction of GM by free surfaces.
     pub fluid_keel_to_gravity_m: [f64; 2],
-    /// GM with every load where it is and as if it were fixed there, m.
+    /// GM with every load fixed in its present position, m.
     pub solid_metacentric_height_m: [f64; 2],
-    /// GM, m, with hanging loads at the joints that they hang from, less what free surfaces take off.
+    /// GM, m, with hanging loads at their suspension points, less the reduction by free surfaces.
     pub metacentric_height_m: [f64; 2],
-    /// The loads that hang.
+    /// The hanging loads.
     pub hanging: Vec<HangingLoad>,
     /// The free surfaces of slack tanks.
     pub free_surfaces: Vec<FreeSurface>,
     /// GZ to the side that the ship lists to; `None` without a mesh.
     pub righting_arm: Option<RightingArmCurve>,
-    /// Whether volume, KB and BM are of the mesh as it floats; else they are of the waterplane at the
-    /// database's draught, moved along the hull's z.
+    /// Whether volume, KB and BM are those of the floating mesh; else they follow from the waterplane at the database's
+    /// draught, moved along the hull's z.
     pub by_mesh: bool,
-    /// Whether the run's buoyancy, by which it rests so, is the mesh's; else it is linear, and the righting arms, which
-    /// are always the mesh's, rise through zero at a heel of their own.
+    /// Whether the buoyancy of the run, which gives this position, is the mesh's; else it is linear, and the righting
+    /// arms, which are always the mesh's, may pass through zero at another heel.
     pub rests_by_mesh: bool,
 }
 
@@ -113,7 +113,7 @@ pub enum HydrostaticsError {
 }
 
 impl Scenario {
-    /// How its hulls float where everything is at rest in still water, with the crane as a run begins.
+    /// How its hulls float at rest in still water, with the crane as at the start of a run.
     ///
     /// # Errors
     /// As [`Self::hydrostatic_report_at`].
@@ -121,9 +121,9 @@ impl Scenario {
         self.hydrostatic_report_at(&Simulation::new(self.setup()?))
     }
 
-    /// How its hulls float where a simulation of it would come to rest in still water, held and
-    /// prescribed coordinates where they stand now. A scenario that does not come to rest, or whose
-    /// water carries nothing, has no hulls here, and a warning that says so.
+    /// How its hulls float at the equilibrium of a simulation in still water, with held and prescribed coordinates at
+    /// their present values. For a scenario without equilibrium, or whose water carries nothing, the list of hulls is
+    /// empty and a warning says why.
     ///
     /// # Errors
     /// A hull whose weight is more than the whole hull displaces.
@@ -143,7 +143,7 @@ impl Scenario {
         let (now, restraints) = (kinematics(&model, &simulation.state().q), &restraints_at(&simulation.state().q));
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
-            let floating = Floating { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
+            let floating = LoadedHull { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
             report.warnings.extend(floating.current_warnings());
             match floating.check_capacity() {
                 Err(error) if restraints.floats_alone(&model, hull.frame.body) => return Err(error),
@@ -169,7 +169,7 @@ impl Scenario {
         let at_rest = kinematics(&model, &simulation.state().q);
         let restraints = &restraints_at(&simulation.state().q);
         for (hull, database) in hulls.into_iter().filter(|(hull, _)| !sunk.contains(&hull.name.as_str())) {
-            let floating = Floating { hull, database, model: &model, at: &at_rest, world, slack_tanks, restraints };
+            let floating = LoadedHull { hull, database, model: &model, at: &at_rest, world, slack_tanks, restraints };
             let (afloat, mut warnings) = floating.describe();
             if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));

@@ -3,14 +3,14 @@
 use crate::sea::hull::{HullMesh, HullTank, Loading, RightingArm, StabilityError};
 use serde::Serialize;
 
-/// A curve is sampled at every degree of heel to here, deg, and kept at every fifth.
+/// The curve is computed at every degree of heel up to this, deg, and given at every fifth.
 const LAST_KEPT_DEG: usize = 60;
 const KEPT_EVERY: usize = 5;
-/// Where the search for the vanishing angle ends, deg.
+/// Largest heel of the search for the vanishing angle, deg.
 const LAST_HEEL_DEG: usize = 90;
-/// A list below this is none, rad: the curve is of the side whose largest arm is the lesser.
+/// A list below this counts as upright, rad: the curve is then that of the side with the smaller largest arm.
 const UPRIGHT_RAD: f64 = 1e-6;
-/// Arms below this are none, m.
+/// Arms below this count as 0, m.
 const NO_ARM_M: f64 = 1e-9;
 /// Halvings of the degree in which an arm passes through zero.
 const HALVINGS: usize = 30;
@@ -26,25 +26,25 @@ pub enum Side {
     Starboard,
 }
 
-/// GZ over the heel to one side, at constant displacement, free to trim, with hanging loads where they hang from
+/// GZ over the heel to one side, at constant displacement, free to trim, with hanging loads at their suspension points
 /// and slack tanks level.
 ///
-/// Of a ship that lists, to the side of its list, where its arms are the lesser; of one that stands upright, to the side
-/// whose largest arm is the lesser, starboard where both are the same.
+/// For a listing ship it is to the side of the list, where the arms are smaller; for an upright ship to the side with
+/// the smaller largest arm, and to starboard if both are equal.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RightingArmCurve {
     /// Which way the ship heels.
     pub side: Side,
-    /// By angles of heel from 0 to 60 deg.
+    /// Points at heel angles from 0 to 60 deg.
     pub points: Vec<RightingArmPoint>,
-    /// Heel to that side at which the arm rises through zero, rad: the list, or the angle of loll. `None` where it
-    /// does not to 90 deg.
+    /// Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll. `None` if it does not
+    /// up to 90 deg.
     pub equilibrium_rad: Option<f64>,
-    /// The largest arm beyond that, m, and its heel, rad; a parabola through three angles a degree apart.
+    /// The largest arm beyond it, m, and its heel, rad, from a parabola through three angles one degree apart.
     pub largest: Option<LargestArm>,
-    /// Heel at which the arm falls through zero, rad; `None` where it does not to 90 deg. The range of positive
-    /// stability is from the equilibrium to there.
+    /// Heel at which the arm becomes negative, rad; `None` if it does not up to 90 deg. The range of positive stability
+    /// is from the equilibrium to this angle.
     pub vanishing_rad: Option<f64>,
 }
 
@@ -56,7 +56,7 @@ pub struct RightingArmPoint {
     pub heel_rad: f64,
     /// By the bow, rad.
     pub trim_rad: f64,
-    /// GZ, m: above 0 where it turns the ship back.
+    /// GZ, m: positive if it turns the ship back.
     pub arm_m: f64,
 }
 
@@ -71,7 +71,7 @@ pub struct LargestArm {
 }
 
 impl Side {
-    /// The side that a heel to starboard is to.
+    /// The side of a heel, positive to starboard.
     pub(super) fn of(heel_to_starboard_rad: f64) -> Self {
         if heel_to_starboard_rad < 0.0 { Self::Port } else { Self::Starboard }
     }
@@ -94,7 +94,7 @@ impl Side {
 }
 
 impl RightingArmCurve {
-    /// Of a hull that rests at this heel to starboard, rad.
+    /// For a hull that rests at this heel to starboard, rad.
     ///
     /// # Errors
     /// [`StabilityError`].
@@ -129,7 +129,7 @@ impl RightingArmCurve {
             degrees.map(|degrees| (degrees as f64).to_radians()).collect()
         };
         let mut points = at(&heels(0..=LAST_KEPT_DEG))?;
-        // A hull that finds no trim on its side has a curve to 60 deg nevertheless.
+        // If no trim is found at large heel, the curve still goes to 60 deg.
         points.extend(at(&heels(LAST_KEPT_DEG + 1..=LAST_HEEL_DEG)).unwrap_or_default());
         let positive = |point: &RightingArmPoint| point.arm_m > NO_ARM_M;
         let rise = (1..points.len()).find(|&i| !positive(&points[i - 1]) && positive(&points[i]));

@@ -1,16 +1,16 @@
-//! Where the waves' loads stand on data of another loading, or of too few directions.
+//! Warnings of wave data for another loading, or with too few directions.
 
-use super::floating::Floating;
+use super::floating::LoadedHull;
 use crate::spatial::{Frame, SpatialInertia};
 
-/// A loading that differs from that of the data's mean drift by more than this share is warned of.
+/// A warning is given if the loading differs from that of the data's mean drift by more than this share.
 const LARGEST_CHANGE: f64 = 0.05;
-/// Share of the waves' energy that may be too short for the data's directions.
+/// Share of the waves' energy that may be in waves too short for the data's directions.
 const MOST_UNRESOLVED: f64 = 0.1;
 
-impl Floating<'_> {
-    /// Of a hull that drifts: mass, KG and radii of gyration of the ship with what it carries, as it stands, against those
-    /// that the mean drift was computed for.
+impl LoadedHull<'_> {
+    /// Warnings of a drifting hull: mass, KG and radii of gyration of the ship with its cargo in its present position,
+    /// compared with those of the mean drift.
     pub(super) fn drift_warnings(&self, keel_to_gravity_m: f64) -> Vec<String> {
         let Some(of_data) = &self.database.mean_drift_loading else { return Vec::new() };
         let ([roll, pitch, yaw], data) = (self.radii_of_gyration(), of_data.radii_of_gyration_m);
@@ -26,15 +26,14 @@ impl Floating<'_> {
         let body = &self.model.bodies[self.hull.frame.body].name;
         let warning = |(what, unit, here, data): (&str, &str, f64, f64)| {
             format!(
-                "{body}: {what} {here:.4} {unit}, the database's mean drift is of {data:.4} {unit}: wave_drift is that of \
-                 another loading (warned of beyond {:.0} %)",
+                "{body}: {what} {here:.4} {unit}, the database's mean drift is for {data:.4} {unit}: wave_drift is that of another loading (warned of beyond {:.0} %)",
                 100.0 * LARGEST_CHANGE
             )
         };
         apart.map(warning).collect()
     }
 
-    /// About the centre of gravity of all, along the hull's axes, m.
+    /// Radii of gyration about the total centre of gravity, along the hull's axes, m.
     fn radii_of_gyration(&self) -> [f64; 3] {
         let weight = self.carried_weight();
         let centre = Frame { rotation: self.frame().rotation, position: weight.centre }.inverse();
@@ -48,7 +47,7 @@ impl Floating<'_> {
             let of_body = moments(body, &self.model.tree.nodes[body].inertia);
             sums = core::array::from_fn(|k| sums[k] + of_body[k]);
         }
-        // The share of the water is no part of the loading.
+        // Added mass is not part of the loading.
         for (body, added) in self.model.added_inertias.iter().filter(|(body, _)| bodies.contains(body)) {
             let of_water = moments(*body, added);
             sums = core::array::from_fn(|k| sums[k] - of_water[k]);
@@ -56,8 +55,8 @@ impl Floating<'_> {
         sums.map(|moment| libm::sqrt(moment / weight.mass))
     }
 
-    /// Between N directions of the circle a load is a sum of N / 2 harmonics; about a ship of half length R a wave of number k
-    /// has about k R of them.
+    /// With N directions on the circle a load has N / 2 harmonics; for a ship of half length R and a wave number k it
+    /// needs about k R of them.
     pub(super) fn direction_warnings(&self) -> Vec<String> {
         let Some(waves) = self.world.waves.as_ref().filter(|_| self.hull.excitation.is_some()) else {
             return Vec::new();
@@ -74,8 +73,8 @@ impl Floating<'_> {
         }
         let body = &self.model.bodies[self.hull.frame.body].name;
         vec![format!(
-            "{body}: {count} wave directions of its database resolve waves of {shortest_m:.1} m and more about its {length:.1} m: \
-             {:.1} % of the waves' energy is shorter, whose loads are rough at headings between the directions (warned of \
+            "{body}: {count} wave directions of its database resolve waves of {shortest_m:.1} m and longer for its length of {length:.1} m: \
+             {:.1} % of the waves' energy is in shorter waves, whose loads are inaccurate at headings between the directions (warned of \
              beyond {:.0} %)",
             100.0 * share,
             100.0 * MOST_UNRESOLVED

@@ -1,11 +1,11 @@
-//! Why a scheme cannot make a step.
+//! Errors of a step.
 
 use thiserror::Error;
 
-/// A step that a scheme cannot make. The state is as it was.
+/// An error of a scheme in a step. The state is unchanged.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum StepError {
-    /// Newton's method does not find the end of an implicit step.
+    /// Newton's method did not converge in an implicit step.
     #[error(
         "the implicit step that ends at {} s did not converge: after {iterations} iterations the rates \
          still change by {residual:.3e} of their size, allowed: {allowed:e}; a smaller step may help",
@@ -14,20 +14,20 @@ pub enum StepError {
     NotConverged {
         /// End of the step, s.
         time_s: f64,
-        /// The last change of the rates, over their size.
+        /// The last relative change of the rates.
         residual: f64,
-        /// What it may be.
+        /// What is allowed.
         allowed: f64,
         /// Iterations made.
         iterations: usize,
     },
-    /// Error control asks for steps that are too small to get anywhere.
+    /// Error control reduced the step below the smallest one.
     #[error(
         "the step size collapsed at {} s: the tolerances ask for less than {step_s:.3e} s, allowed: at least {least_s:.3e} s",
         shown(*time_s)
     )]
     Collapsed {
-        /// Begin of the step, s.
+        /// Start of the step, s.
         time_s: f64,
         /// The step that was refused, s.
         step_s: f64,

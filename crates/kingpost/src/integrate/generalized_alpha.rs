@@ -1,12 +1,12 @@
 //! The generalized-alpha method.
 
-use super::newton::{Newton, Place, RotationBy};
+use super::newton::{ImplicitStage, Newton, RotationBy};
 use super::{Interval, Sizes, Stage, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// Newmark's rule over algorithmic accelerations `a`, which follow the true ones `v'` a little late
-/// (Chung & Hulbert 1993; on the group Bruls, Cardona & Arnold 2012, eqs. 13-15):
+/// Newmark's rule over algorithmic accelerations `a`, which follow the true ones `v'` with a small lag (Chung & Hulbert
+/// 1993; on the group Bruls, Cardona & Arnold 2012, eqs. 13-15):
 ///
 /// ```text
 /// (1 - alpha_m) a1 + alpha_m a0 = (1 - alpha_f) v1' + alpha_f v0'
@@ -16,12 +16,11 @@ use crate::state::State;
 /// gamma = 1/2 + alpha_f - alpha_m,     beta = (gamma + 1/2)^2 / 4
 /// ```
 ///
-/// Order 2, stable at any step on linear oscillations. `rho` is the part of an oscillation that a
-/// step leaves of what is far faster than it: 1 none is damped, 0 all is gone at once.
+/// Order 2, stable at any step on linear oscillations. `rho` is the factor by which one step reduces oscillations much
+/// faster than the step: 1 is no damping, 0 removes them at once.
 ///
-/// The state's memory holds the lag `(a - v') / h` of each velocity and extra state, which is
-/// smooth where `v'` jumps, as at the edges of a motor's history, and where the step changes. Extra
-/// states take the rule of v.
+/// The state's memory holds the lag `(a - v') / h` of each velocity and extra state, which stays smooth when `v'`
+/// jumps, as at the edges of a motor's history, and when the step changes. Extra states follow the rule of v.
 #[derive(Clone, Debug)]
 pub struct GeneralizedAlpha<S = f64> {
     rule: Rule,
@@ -29,7 +28,7 @@ pub struct GeneralizedAlpha<S = f64> {
     rates: Vec<S>,
     /// Algorithmic rates at the start.
     a0: Vec<S>,
-    /// The part of those at the end that does not depend on the end.
+    /// The part of the algorithmic rates at the end that does not depend on the end.
     a1: Vec<S>,
     newton: Newton<S>,
 }
@@ -90,7 +89,7 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         accumulate(&mut newton.xi_start, h, &state.v);
         accumulate(&mut newton.xi_start, h * h * (0.5 - rule.beta), &a0[..n]);
         accumulate(&mut newton.xi_start, h * h * rule.beta, &a1[..n]);
-        let place = Place {
+        let place = ImplicitStage {
             time_s: interval.end_s,
             interval,
             xi_slope: h * h * rule.beta * rule.slope(),
@@ -106,7 +105,7 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         Ok(())
     }
 
-    /// Rates at the start, algorithmic ones, and what is known of those at the end.
+    /// Rates and algorithmic rates at the start, and the known part of those at the end.
     fn begin<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &State<S>) {
         let (rule, h) = (self.rule, interval.end_s - interval.start_s);
         let State { q, v, s, d, m, memory, .. } = state;

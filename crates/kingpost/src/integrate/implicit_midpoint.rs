@@ -1,6 +1,6 @@
 //! The implicit midpoint rule.
 
-use super::newton::{Newton, Place, RotationBy};
+use super::newton::{ImplicitStage, Newton, RotationBy};
 use super::{Interval, Sizes, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -12,12 +12,11 @@ use crate::state::State;
 /// v1 = v0 + h v'(t0 + h/2, qm, vm, sm),   s1 = s0 + h s'(t0 + h/2, qm, vm, sm)
 /// ```
 ///
-/// `xi` is `h vm`, on rotations the vector of the Cayley transform of `h vm`: about `vm` by
-/// `2 atan(h |vm| / 2)`. Symmetric, order 2, stable at any step on linear oscillations. Quadratic
-/// invariants of v are kept to rounding (Hairer, Lubich & Wanner, *Geometric Numerical
-/// Integration*, 2006, theorem IV.2.1), and with the Cayley transform a free body keeps its
-/// angular momentum in the world as well: `J (w1 - w0) = h (J wm) x wm` is
-/// `R1 J w1 = R0 J w0` (Simo & Wong 1991, Austin, Krishnaprasad & Wang 1993).
+/// `xi` is `h vm`, on rotations the vector of the Cayley transform of `h vm`: about `vm` by `2 atan(h |vm| / 2)`.
+/// Symmetric, order 2, stable at any step on linear oscillations. Quadratic invariants of v are conserved to rounding
+/// (Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2006, theorem IV.2.1), and with the Cayley transform
+/// the angular momentum of a free body in the world is conserved as well: `J (w1 - w0) = h (J wm) x wm` is `R1 J w1 =
+/// R0 J w0` (Simo & Wong 1991, Austin, Krishnaprasad & Wang 1993).
 #[derive(Clone, Debug)]
 pub struct ImplicitMidpoint<S = f64> {
     newton: Newton<S>,
@@ -49,7 +48,7 @@ impl<S: Scalar> ImplicitMidpoint<S> {
         newton.s_start.copy_from_slice(&state.s);
         newton.xi_start.fill(S::ZERO);
         accumulate(&mut newton.xi_start, 0.5 * h, &state.v);
-        let place = Place {
+        let place = ImplicitStage {
             time_s: interval.start_s + 0.5 * h,
             interval,
             xi_slope: 0.25 * h * h,

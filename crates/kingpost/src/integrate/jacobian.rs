@@ -1,15 +1,15 @@
-//! How the rates depend on positions, velocities and extra states.
+//! Derivatives of the rates with respect to positions, velocities and extra states.
 
 use super::{Sizes, Stage, System, largest};
 use crate::scalar::Scalar;
 
-/// Displacement (rad, m) and change of rate (rad/s, m/s) for differences, times one and the size of
-/// what is changed: the root of the rounding unit, where the error of a forward difference is least
-/// (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006, section 8.1).
+/// Displacement (rad, m) and change of rate (rad/s, m/s) of forward differences, times one plus the magnitude of the
+/// changed number: the square root of the rounding unit, where the error is smallest (Nocedal & Wright, *Numerical
+/// Optimization*, 2nd ed., 2006, section 8.1).
 const DIFFERENCE: f64 = 1.5e-8;
 
-/// Derivatives of the rates r: v', and behind it the active s'. Each matrix by columns, entry (i, j) at
-/// `j * rows + i`; with the working memory to take differences.
+/// Derivatives of the rates r: v', then the active s'. Each matrix is stored by columns, entry (i, j) at `j * rows +
+/// i`; with the working memory for differences.
 #[derive(Clone, Debug)]
 pub struct Jacobian<S = f64> {
     /// Rows of each matrix: entries of v, and active entries of s.
@@ -41,7 +41,7 @@ impl<S: Scalar> Rates<S> {
         Self { v_dot: vec![S::ZERO; sizes.velocities], s_dot: vec![S::ZERO; sizes.extras] }
     }
 
-    /// Those that a Jacobian has rows of.
+    /// The rates that are rows of a Jacobian.
     fn rows(&self, passive: usize) -> impl Iterator<Item = S> {
         self.v_dot.iter().chain(&self.s_dot[passive..]).copied()
     }
@@ -59,7 +59,7 @@ impl<S: Scalar> Jacobian<S> {
         Self { rows, passive: sizes.passive, by_xi, by_v, by_s, xi, q, v, s, here, moved }
     }
 
-    /// The same by xi and v alone, of v' alone.
+    /// The same for v' only, with respect to xi and v.
     pub fn of_motion(sizes: Sizes) -> Self {
         Self::new(Sizes { passive: sizes.extras, ..sizes })
     }
@@ -69,7 +69,7 @@ impl<S: Scalar> Jacobian<S> {
         [&self.by_xi, &self.by_v, &self.by_s]
     }
 
-    /// The same, to be written.
+    /// The same, mutable.
     pub(super) fn parts_mut(&mut self) -> [&mut [S]; 3] {
         [&mut self.by_xi, &mut self.by_v, &mut self.by_s]
     }
@@ -106,7 +106,7 @@ impl<S: Scalar> Jacobian<S> {
     }
 }
 
-/// A change of a number that the number can hold without rounding.
+/// A change that can be added to a number without rounding.
 fn step_from<S: Scalar>(x: S) -> S {
     let step = S::constant(DIFFERENCE * (1.0 + largest(&[x])));
     (x + step) - x

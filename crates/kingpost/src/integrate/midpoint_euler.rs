@@ -1,5 +1,5 @@
-//! Forward Euler with the midpoint rate in Rodrigues' formula: the paper's next step for the
-//! rotation update.
+//! Forward Euler with the midpoint rate in Rodrigues' formula: the improvement of the rotation update that the paper
+//! proposes.
 
 use super::{Interval, Sizes, Stage, System, accumulate};
 use crate::scalar::Scalar;

@@ -61,19 +61,19 @@ pub struct Sizes {
     pub velocities: usize,
     /// Length of s.
     pub extras: usize,
-    /// Of s the first ones, which no rate depends on: integrals that are carried along.
+    /// Number of the first entries of s, on which no rate depends: integrals that are carried along.
     pub passive: usize,
 }
 
 impl Sizes {
-    /// Of s the last ones, which rates depend on.
+    /// Number of the last entries of s, on which rates depend.
     pub fn active(self) -> usize {
         self.extras - self.passive
     }
 }
 
-/// What a scheme integrates: `q' = v` on the group, `v' = f`, `s' = g`. Time is no scalar `S`: all
-/// lanes of a scalar, and a number and its derivatives, step together.
+/// The system that a scheme integrates: `q' = v` on the group, `v' = f`, `s' = g`. Time is a plain number: all lanes,
+/// and a number and its derivatives, step together.
 pub trait System<S: Scalar = f64> {
     /// Lengths of the arrays.
     fn sizes(&self) -> Sizes;
@@ -82,14 +82,14 @@ pub trait System<S: Scalar = f64> {
     /// are the stage's.
     fn rates(&mut self, at: Stage<'_, S>, v_dot: &mut [S], s_dot: &mut [S]);
 
-    /// The evaluations since the last call belong to the step, whatever trials follow.
+    /// Marks the evaluations since the last call as part of the step, whatever trials follow.
     fn accept(&mut self) {}
 
-    /// The evaluations since then do not: they were a trial that the step does not take.
+    /// Marks the evaluations since then as a rejected trial.
     fn reject(&mut self) {}
 
-    /// Brings q and v back to where what ties the system together holds; returns whether anything does. The same q and v,
-    /// under loads that leave the inertia alone, come back to the same bits.
+    /// Projects q and v back onto the constraints; returns whether there are any. The same q and v, under loads that do
+    /// not change the inertia, give the same bits.
     fn close(&mut self, _q: &mut [S], _v: &mut [S]) -> bool {
         false
     }
@@ -104,17 +104,17 @@ pub trait System<S: Scalar = f64> {
     /// threes: x, y, z of one rotation, one after another.
     fn is_rotation_rate(&self, coordinate: usize) -> bool;
 
-    /// Whether the acceleration of a coordinate follows from the state. It does not where the
-    /// coordinate is held, or moves as it is given over time.
+    /// Whether the acceleration of a coordinate follows from the state. It does not if the coordinate is held or
+    /// prescribed over time.
     fn is_free(&self, _coordinate: usize) -> bool {
         true
     }
 
-    /// Writes the derivatives of v' and of the active s' by xi, v and the active s at a stage that stands at
-    /// `q = retract(base, xi)`, at its time and with its d. The columns of coordinates that are not free may stay zero.
+    /// Writes the derivatives of v' and of the active s' by xi, v and the active s at a stage with `q = retract(base,
+    /// xi)`, its time and its d. The columns of coordinates that are not free may stay zero.
     ///
-    /// This default takes differences, which cost an evaluation a column; a system that can carry
-    /// derivatives through its equations gives exact columns instead.
+    /// This default takes differences, which cost one evaluation per column; a system that can carry derivatives
+    /// through its equations gives exact columns instead.
     fn jacobian(&mut self, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>)
     where
         Self: Sized,
@@ -123,7 +123,7 @@ pub trait System<S: Scalar = f64> {
     }
 }
 
-/// Where the right-hand side is evaluated.
+/// The point at which the right-hand side is evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage<'a, S = f64> {
     /// Time, s.
@@ -150,7 +150,7 @@ fn accumulate<S: Scalar>(sum: &mut [S], k: f64, b: &[S]) {
     }
 }
 
-/// The largest size of an entry, of all lanes; not a number where an entry is not.
+/// The largest absolute value of an entry, over all lanes; NaN if an entry is NaN.
 fn largest<S: Scalar>(values: &[S]) -> f64 {
     let largest = Cell::new(0.0_f64);
     let keep = |x: f64| {

@@ -1,6 +1,6 @@
 //! Newmark's method.
 
-use super::newton::{Newton, Place, RotationBy};
+use super::newton::{ImplicitStage, Newton, RotationBy};
 use super::{Interval, Sizes, Stage, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -58,7 +58,7 @@ impl<S: Scalar> Newmark<S> {
         newton.xi_start.fill(S::ZERO);
         accumulate(&mut newton.xi_start, h, v);
         accumulate(&mut newton.xi_start, h * h * (0.5 - *beta), a0);
-        let place = Place {
+        let place = ImplicitStage {
             time_s: interval.end_s,
             interval,
             xi_slope: h * h * *beta,

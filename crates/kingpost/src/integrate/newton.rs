@@ -1,4 +1,4 @@
-//! Newton's method for the rates at a stage that they lead to themselves.
+//! Newton's method for the rates of an implicit stage, which depends on those rates.
 
 use super::linear::Factors;
 use super::{Interval, Jacobian, Sizes, Stage, StepError, System, accumulate, largest};
@@ -6,30 +6,30 @@ use crate::scalar::Scalar;
 use crate::state::State;
 use core::ops::Range;
 
-/// Iterations until a step is given up.
+/// Largest number of iterations of a step.
 const MOST_ITERATIONS: usize = 50;
 
-/// The last change of the rates, over their size, that a solution may have.
+/// Largest relative change of the rates in the last iteration of a solution.
 const ALLOWED: f64 = 1e-9;
 
-/// Changes below this, over the size of the rates, are near rounding.
+/// Relative changes below this are near rounding.
 const SMALL: f64 = 1e-12;
 
-/// The change that is expected next where the iteration ends: rounding.
+/// The iteration ends if the next relative change is expected to be below this: rounding.
 const ROUNDING: f64 = 1e-16;
 
-/// A change by more than this part of the one before asks for new derivatives.
+/// A change larger than this share of the previous one calls for new derivatives.
 const SLOW: f64 = 0.25;
 
-/// Positions count with this part of their size over the step in the size of the rates: then a
-/// system at rest, whose rates are rounding, converges as well.
+/// The magnitude of the rates includes this share of the positions over the step, so that a system at rest, whose rates
+/// are rounding, converges too.
 const REST: f64 = 1e-3;
 
-/// Added to the size of s, so that extra states at zero converge as well.
+/// Added to the magnitude of s, so that extra states at zero converge too.
 const SMALLEST_EXTRA: f64 = 1e-9;
 
-/// Numbers of the memory before the derivatives: whether there are any, the iterations with new ones,
-/// and those beyond since.
+/// Numbers of the memory before the derivatives: whether there are any, the iterations with new ones, and the
+/// additional ones since.
 const HEAD: usize = 3;
 
 /// How local coordinates move a rotation.
@@ -37,14 +37,15 @@ const HEAD: usize = 3;
 pub(super) enum RotationBy {
     /// The exponential: `xi` is the rotation vector.
     Exponential,
-    /// The Cayley transform: the angle is `2 atan` of half the length; here of half a step, so
-    /// that the angle is `atan` of the length.
+    /// The Cayley transform: the angle is `2 atan` of half the length; here for half a step, so the angle is `atan` of
+    /// the length.
     HalfCayley,
 }
 
-/// A stage by the rates there: `xi = xi_start + xi_slope v'`, `v = v_start + slope v'`, `s = s_start + slope s'`.
+/// A stage as a function of its rates: `xi = xi_start + xi_slope v'`, `v = v_start + slope v'`, `s = s_start + slope
+/// s'`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct ImplicitStage {
     pub(super) time_s: f64,
     pub(super) interval: Interval,
     /// s^2.
@@ -54,7 +55,7 @@ pub(super) struct Place {
     pub(super) rotation: RotationBy,
 }
 
-/// The unknown stage, and the memory to find it.
+/// The unknown stage, with the working memory.
 #[derive(Clone, Debug)]
 pub(super) struct Newton<S> {
     /// Given: the constant parts of xi, v and s.
@@ -71,8 +72,8 @@ pub(super) struct Newton<S> {
     s: Vec<S>,
     /// `xi` before the Cayley transform.
     linear: Vec<S>,
-    /// Rates where the stage stands, and what they and the rates sought differ by: of s first, whose equations
-    /// are of order one whatever its unit.
+    /// Rates at the stage, and their difference from the unknown rates: s first, whose equations are of order one
+    /// whatever its unit.
     v_dot_here: Vec<S>,
     s_dot_here: Vec<S>,
     change: Vec<S>,
@@ -80,16 +81,16 @@ pub(super) struct Newton<S> {
     s_guess: Vec<S>,
     jacobian: Jacobian<S>,
     factors: Factors<S>,
-    kept: Kept,
+    kept: KeptDerivatives,
 }
 
-/// What is known of derivatives that were taken in a step before.
+/// Information on derivatives from an earlier step.
 #[derive(Clone, Copy, Debug, Default)]
-struct Kept {
+struct KeptDerivatives {
     known: bool,
-    /// Iterations of the step in which they were new.
+    /// Number of iterations in the step in which they were new.
     least: usize,
-    /// Iterations beyond those, in the steps since.
+    /// Number of additional iterations in the steps since.
     beyond: usize,
 }
 
@@ -116,7 +117,7 @@ impl<S: Scalar> Newton<S> {
             s_guess: of_s(),
             jacobian: Jacobian::new(sizes),
             factors: Factors::new(unknowns),
-            kept: Kept::default(),
+            kept: KeptDerivatives::default(),
         }
     }
 
@@ -125,11 +126,11 @@ impl<S: Scalar> Newton<S> {
         HEAD + self.jacobian.parts().iter().map(|part| part.len()).sum::<usize>()
     }
 
-    /// Takes up the derivatives that the state's memory holds.
+    /// Reads the derivatives from the state's memory.
     pub(super) fn recall(&mut self, memory: &[S]) {
         let (head, mut derivatives) = memory.split_at(HEAD);
         let [known, least, beyond] = [0, 1, 2].map(|i| head[i].value());
-        self.kept = Kept { known: known != 0.0, least: least as usize, beyond: beyond as usize };
+        self.kept = KeptDerivatives { known: known != 0.0, least: least as usize, beyond: beyond as usize };
         for part in self.jacobian.parts_mut() {
             let (own, rest) = derivatives.split_at(part.len());
             part.copy_from_slice(own);
@@ -137,9 +138,9 @@ impl<S: Scalar> Newton<S> {
         }
     }
 
-    /// Leaves them in the state's memory.
+    /// Writes them to the state's memory.
     pub(super) fn keep(&self, memory: &mut [S]) {
-        let Kept { known, least, beyond } = self.kept;
+        let KeptDerivatives { known, least, beyond } = self.kept;
         let (head, mut derivatives) = memory.split_at_mut(HEAD);
         head.copy_from_slice(&[f64::from(known), least as f64, beyond as f64].map(S::constant));
         for part in self.jacobian.parts() {
@@ -150,17 +151,17 @@ impl<S: Scalar> Newton<S> {
     }
 
     /// Solves `r = f(retract(q0, xi(r)), v(r), s(r))` for the rates `r = (v', s')` from the guess in `v_dot` and
-    /// `s_dot`: the change `d` of an iteration solves `(1 - xi_slope df/dxi - slope df/d(v, s)) d = f - r`, and it
-    /// ends where the next change would be rounding.
+    /// `s_dot`: the change `d` of an iteration solves `(1 - xi_slope df/dxi - slope df/d(v, s)) d = f - r`, and it ends
+    /// when the next change would be rounding.
     ///
-    /// Derivatives are kept from step to step. New ones cost an evaluation a column: they are taken once
-    /// the iterations beyond those of a step with new ones add up to that, or where an iteration with the
-    /// kept ones is slow, which then begins again.
+    /// Derivatives are kept from step to step. New ones cost one evaluation per column. They are taken when the
+    /// additional iterations with the old ones have cost as much, or when an iteration with the old ones is slow, which
+    /// then restarts.
     pub(super) fn solve<Y: System<S>>(
         &mut self,
         system: &mut Y,
         state: &State<S>,
-        place: Place,
+        place: ImplicitStage,
     ) -> Result<(), StepError> {
         system.accept();
         let free = (0..self.v_dot.len()).filter(|&i| system.is_free(i)).count();
@@ -176,17 +177,17 @@ impl<S: Scalar> Newton<S> {
             self.s_dot.copy_from_slice(&self.s_guess);
         }
         let least = self.iterate(system, state, place, true)?;
-        self.kept = Kept { known: true, least, beyond: 0 };
+        self.kept = KeptDerivatives { known: true, least, beyond: 0 };
         Ok(())
     }
 
-    /// Iterations until the solution is there. With `renew` derivatives are taken at the first, and again
-    /// where it is slow; without, slow is an error.
+    /// Iterates to the solution. With `renew` derivatives are taken in the first iteration and again if it is slow;
+    /// without it, slow convergence is an error.
     fn iterate<Y: System<S>>(
         &mut self,
         system: &mut Y,
         state: &State<S>,
-        place: Place,
+        place: ImplicitStage,
         renew: bool,
     ) -> Result<usize, StepError> {
         let (mut residual, mut stale) = (f64::INFINITY, renew);
@@ -224,10 +225,9 @@ impl<S: Scalar> Newton<S> {
         Err(not_converged(place, residual, MOST_ITERATIONS))
     }
 
-    /// The stage that the guess gives. From there it moves by the changes: computed again from the
-    /// accelerations, it would carry their rounding times the step squared, which in a stiff system
-    /// is far more than its own.
-    fn begin(&mut self, place: Place) {
+    /// The stage of the initial guess. The iteration then adds the changes to it. Computed anew from the accelerations,
+    /// it would have their rounding error times the step squared, which in a stiff system is far larger.
+    fn begin(&mut self, place: ImplicitStage) {
         self.v.copy_from_slice(&self.v_start);
         accumulate(&mut self.v, place.slope, &self.v_dot);
         self.s.copy_from_slice(&self.s_start);
@@ -236,8 +236,8 @@ impl<S: Scalar> Newton<S> {
         accumulate(&mut self.linear, place.xi_slope, &self.v_dot);
     }
 
-    /// Moves the rates, and the stage with them, by the change that was found.
-    fn move_by_change(&mut self, place: Place) {
+    /// Adds the change to the rates and to the stage.
+    fn move_by_change(&mut self, place: ImplicitStage) {
         let active = self.active();
         let (of_s, of_v) = self.change.split_at(active.len());
         accumulate(&mut self.s_dot[active.clone()], 1.0, of_s);
@@ -247,13 +247,13 @@ impl<S: Scalar> Newton<S> {
         accumulate(&mut self.linear, place.xi_slope, of_v);
     }
 
-    /// The entries of s whose rates are sought.
+    /// The entries of s whose rates are unknown.
     fn active(&self) -> Range<usize> {
         self.jacobian.passive..self.s.len()
     }
 
     /// The positions of the stage.
-    fn put<Y: System<S>>(&mut self, system: &Y, state: &State<S>, place: Place) {
+    fn put<Y: System<S>>(&mut self, system: &Y, state: &State<S>, place: ImplicitStage) {
         self.xi.copy_from_slice(&self.linear);
         if place.rotation == RotationBy::HalfCayley {
             half_cayley(system, &mut self.xi);
@@ -261,20 +261,20 @@ impl<S: Scalar> Newton<S> {
         system.retract(&state.q, &self.xi, &mut self.q);
     }
 
-    fn differentiate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
+    fn differentiate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: ImplicitStage) {
         let Self { xi, q, v, s, jacobian, .. } = self;
         let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s, d: &state.d, m: &state.m };
         system.jacobian(&state.q, xi, at, jacobian);
     }
 
-    /// The factors of the derivatives. Those of the Cayley transform are taken as one: it differs by the
-    /// square of the angle of a step, and derivatives set the speed of the iteration, not its end.
-    fn factor(&mut self, place: Place) {
+    /// The factors of the derivatives. The derivative of the Cayley transform is taken as the identity: it differs by
+    /// the square of a step's angle, and derivatives affect only the speed of convergence.
+    fn factor(&mut self, place: ImplicitStage) {
         let Self { jacobian, factors, v_dot, .. } = self;
         let (xi_slope, slope) = (S::constant(place.xi_slope), S::constant(place.slope));
         let (rows, n) = (jacobian.rows, v_dot.len());
         let active = rows - n;
-        // Where a row of the derivatives, v' first, stands among the unknowns, s' first.
+        // Index of a row of the derivatives, v' first, among the unknowns, s' first.
         let unknown = |row: usize| if row < n { row + active } else { row - n };
         for column in 0..rows {
             let to = &mut factors.entries[unknown(column) * rows..][..rows];
@@ -291,7 +291,7 @@ impl<S: Scalar> Newton<S> {
     }
 
     /// `change = f - r`.
-    fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
+    fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: ImplicitStage) {
         system.reject();
         let active = self.active();
         let Self { v_dot, s_dot, q, v, s, v_dot_here, s_dot_here, change, .. } = self;
@@ -304,8 +304,8 @@ impl<S: Scalar> Newton<S> {
         }
     }
 
-    /// The last change of the rates over their size: of v', or of s' where that is more.
-    fn residual(&self, place: Place) -> f64 {
+    /// The last relative change of the rates: of v', or of s' if that is larger.
+    fn residual(&self, place: ImplicitStage) -> f64 {
         let step_s = place.interval.end_s - place.interval.start_s;
         let (of_s, of_v) = self.change.split_at(self.active().len());
         let rest = REST * (1.0 + largest(&self.q)) / step_s;
@@ -318,12 +318,11 @@ impl<S: Scalar> Newton<S> {
     }
 }
 
-fn not_converged(place: Place, residual: f64, iterations: usize) -> StepError {
+fn not_converged(place: ImplicitStage, residual: f64, iterations: usize) -> StepError {
     StepError::NotConverged { time_s: place.interval.end_s, residual, allowed: ALLOWED, iterations }
 }
 
-/// Rotations by half of the Cayley transform of twice `xi`: `atan |xi|` about `xi`; for
-/// small angles its series.
+/// Half of the rotation of the Cayley transform of twice `xi`: `atan |xi|` about `xi`; for small angles its series.
 fn half_cayley<S: Scalar, Y: System<S>>(system: &Y, xi: &mut [S]) {
     let mut i = 0;
     while i < xi.len() {

@@ -7,11 +7,11 @@ use crate::state::State;
 /// Butcher's tableau of an explicit scheme.
 #[derive(Debug)]
 pub struct Tableau {
-    /// Weights of earlier stages in stages 2, 3 and so on.
+    /// Weights of the earlier stages in stages 2, 3 and so on.
     pub a: &'static [&'static [f64]],
     /// Weights of the step, one a stage.
     pub b: &'static [f64],
-    /// Places of the stages in the step.
+    /// Times of the stages within the step.
     pub c: &'static [f64],
 }
 
@@ -22,13 +22,13 @@ pub static RUNGE_KUTTA_4: Tableau = Tableau {
     c: &[0.0, 0.5, 0.5, 1.0],
 };
 
-/// The stages of a step: their rates, and the place that weighted rates lead to.
+/// The stages of a step: their rates, and the point that weighted rates lead to.
 #[derive(Clone, Debug)]
 pub(super) struct Stages<S> {
     pub(super) tableau: &'static Tableau,
     /// By stage: the rates of the local coordinates, of v and of s.
     pub(super) rates: Vec<Triple<S>>,
-    /// Local coordinates about the step's base, v and s at the place.
+    /// Local coordinates about the step's base, v and s at that point.
     pub(super) place: Triple<S>,
     /// q there.
     pub(super) q: Vec<S>,
@@ -60,7 +60,7 @@ impl<S: Scalar> Triple<S> {
         &mut self.blocks.as_flattened_mut()[..2 * self.velocities + self.extras]
     }
 
-    /// Of the local coordinates, of v and of s.
+    /// The parts of the local coordinates, of v and of s.
     #[inline]
     pub(super) fn parts(&self) -> [&[S]; 3] {
         let (xi, rest) = self.blocks.as_flattened().split_at(self.velocities);
@@ -68,7 +68,7 @@ impl<S: Scalar> Triple<S> {
         [xi, v, &rest[..self.extras]]
     }
 
-    /// The same, to be changed.
+    /// The same, mutable.
     #[inline]
     pub(super) fn parts_mut(&mut self) -> [&mut [S]; 3] {
         let (xi, rest) = self.blocks.as_flattened_mut().split_at_mut(self.velocities);
@@ -84,21 +84,21 @@ impl<S: Scalar> Stages<S> {
         Self { tableau, rates, place: triple(), q: vec![S::ZERO; sizes.positions], base: triple() }
     }
 
-    /// Rates of the first stage, which stands at the base of the step itself.
+    /// Rates of the first stage, which is at the base of the step.
     pub(super) fn begin<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
         let [xi, v, s] = self.rates[0].parts_mut();
         system.rates(base, v, s);
         xi.copy_from_slice(base.v);
     }
 
-    /// Takes v and s of the step's base for what follows.
+    /// Takes v and s of the step's base for the later stages.
     pub(super) fn stand_on(&mut self, base: Stage<'_, S>) {
         let [_, v, s] = self.base.parts_mut();
         v.copy_from_slice(base.v);
         s.copy_from_slice(base.s);
     }
 
-    /// Rates of the later stages of a step from `base`, on which they stand, over its interval.
+    /// Rates of the later stages of a step from `base` over its interval.
     pub(super) fn go_on<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
         let Interval { start_s, end_s } = base.interval;
         for (stage, weights) in (1..).zip(self.tableau.a) {
@@ -126,7 +126,7 @@ impl<S: Scalar> Stages<S> {
         system.retract(q, self.place.parts()[0], &mut self.q);
     }
 
-    /// The place that a few weighted stages lead to.
+    /// The point that a few weighted stages lead to.
     #[inline]
     fn sum<const K: usize>(&mut self, h: f64, terms: [(f64, usize); K]) {
         let weights = terms.map(|(weight, _)| S::constant(h * weight));
@@ -134,7 +134,7 @@ impl<S: Scalar> Stages<S> {
         weigh(self.place.blocks.as_flattened_mut(), self.base.blocks.as_flattened(), weights, rates);
     }
 
-    /// The same of any number, stage by stage.
+    /// The same for any number, stage by stage.
     fn sum_of_many(&mut self, weights: &[f64], h: f64) {
         let place = self.place.blocks.as_flattened_mut();
         place.copy_from_slice(self.base.blocks.as_flattened());
@@ -143,7 +143,7 @@ impl<S: Scalar> Stages<S> {
         }
     }
 
-    /// Puts q, v and s to the place.
+    /// Writes q, v and s at that point.
     pub(super) fn hand_out(&self, q: &mut [S], v: &mut [S], s: &mut [S]) {
         let [_, v_here, s_here] = self.place.parts();
         q.copy_from_slice(&self.q);

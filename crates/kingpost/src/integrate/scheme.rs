@@ -20,7 +20,7 @@ pub enum Scheme<S = f64> {
     DormandPrince(DormandPrince<S>),
     /// Newmark's method.
     Newmark(Newmark<S>),
-    /// Newmark's rule with numerical damping of what is fast.
+    /// Newmark's rule with numerical damping of fast oscillations.
     GeneralizedAlpha(GeneralizedAlpha<S>),
     /// The implicit midpoint rule.
     ImplicitMidpoint(ImplicitMidpoint<S>),
@@ -67,8 +67,8 @@ impl<S: Scalar> Scheme<S> {
         Self::ImplicitMidpoint(ImplicitMidpoint::new(sizes))
     }
 
-    /// Numbers that the state's memory must hold for this scheme, all zero at first, beside
-    /// `discrete` discrete numbers and modes.
+    /// Numbers that the state's memory must hold for this scheme, all zero at first, with `discrete` discrete numbers
+    /// and modes.
     pub fn memory_len(&self, discrete: usize) -> usize {
         match self {
             Self::DormandPrince(scheme) => scheme.memory_len(discrete),
@@ -79,8 +79,8 @@ impl<S: Scalar> Scheme<S> {
         }
     }
 
-    /// Moves q, v and s of a state back to a time within the step that ended there, where the scheme has dense output;
-    /// returns whether it has.
+    /// Moves q, v and s of a state back to a time within its last step, if the scheme has dense output; returns whether
+    /// it has.
     pub fn interpolate<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &mut State<S>) -> bool {
         match self {
             Self::DormandPrince(scheme) => scheme.interpolate(system, time_s, state),
@@ -88,9 +88,9 @@ impl<S: Scalar> Scheme<S> {
         }
     }
 
-    /// Moves q, v and s of the state over an interval. Allocates nothing. `edge_s` is the time, at
-    /// the end of the interval or later, at which a law changes its form next, s; infinite where
-    /// none does. On an error the state is undefined.
+    /// Moves q, v and s of the state over an interval. Allocates nothing. `edge_s` is the next time, at the end of the
+    /// interval or later, at which a law changes form, s; infinite if there is none. On an error the state is
+    /// undefined.
     pub fn step<Y: System<S>>(
         &mut self,
         system: &mut Y,

@@ -1,4 +1,4 @@
-//! The ledger: what energy and momentum should be, integrated beside the motion by the same scheme.
+//! The ledger: the expected energy and momentum, integrated together with the motion by the same scheme.
 //!
 //! | entry of s | begins at | rate |
 //! | --- | --- | --- |
@@ -8,8 +8,8 @@
 //! | linear momentum | P at the start | forces from outside, N |
 //! | angular momentum | L at the start | moments from outside about the centre, N m |
 //!
-//! What the bodies really have is computed from the state; the differences are the errors of the
-//! scheme, or of the equations.
+//! The actual energy and momentum of the bodies follow from the state; the differences are errors of the scheme or of
+//! the equations.
 
 mod watch;
 
@@ -35,29 +35,29 @@ pub const ANGULAR_MOMENTUM: usize = 7;
 /// Number of entries.
 pub const COUNT: usize = 10;
 
-/// The point that angular momentum is about: the centre of the first body that is held in place by
-/// its centre of mass, else the world's origin (m, world). It does not move.
+/// The reference point of angular momentum: the centre of the first body whose centre of mass is held in place, else
+/// the world's origin (m, world). It does not move.
 pub fn reference_point<S: Scalar>(model: &Model<S>, q: &[S]) -> Vector3<S> {
     let held = |kind: &JointKind<S>| matches!(kind, JointKind::Floating(floating) if floating.hold_translation);
     let node = model.tree.nodes.iter().find(|node| held(&node.kind));
     node.map_or(Vector3::zero(), |node| Vector3::from_slice(&q[node.positions..]))
 }
 
-/// What a joint carries to its child.
+/// The load that a joint transmits to its child.
 pub struct JointLoad<S = f64> {
-    /// World frame that the wrench is seen from.
+    /// Frame of the wrench, in the world.
     pub frame: Frame<S>,
-    /// About that frame's origin, in its axes.
+    /// The wrench about that frame's origin, in its axes.
     pub wrench: Wrench<S>,
 }
 
-/// What the rates of the ledger are made of.
+/// The data for the rates of the ledger.
 pub struct Entries<'a, S = f64> {
     /// The mechanical model.
     pub model: &'a Model<S>,
-    /// The form of its tree that was solved: `model.links`, or `model.tree`.
+    /// The tree that was solved: `model.links`, or `model.tree`.
     pub tree: &'a Tree<S>,
-    /// Whether that form holds bodies that are fixed to the world.
+    /// Whether that tree contains bodies that are fixed to the world.
     pub has_fixed: bool,
     /// Kinematics of its links.
     pub links: &'a LinkKinematics<S>,
@@ -70,15 +70,15 @@ pub struct Entries<'a, S = f64> {
 }
 
 impl<S: Scalar> Entries<'_, S> {
-    /// Writes the rates; `joint` says what the joint of a node of the tree carries, `along` what
-    /// moves one of its coordinates, the rotor included, in N or N m.
+    /// Writes the rates; `joint` gives the load in the joint of a node of the tree, `along` the force that moves one of
+    /// its coordinates, the rotor included, in N or N m.
     pub fn rates(&self, joint: impl Fn(usize) -> JointLoad<S>, along: impl Fn(usize, usize) -> S, s_dot: &mut [S]) {
         let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
         let mut add = |at: Vector3<S>, f: Vector3<S>, m: Vector3<S>| {
             force += f;
             moment += m + (at - self.centre).cross(f);
         };
-        // What acts on a body that is fixed to the world goes into the world, not into momentum.
+        // Loads on a body that is fixed to the world act on the world and change no momentum.
         let moves = |body: usize| self.model.bodies[body].link.is_some();
         for (body, wrench) in self.loads.wrenches.iter().filter(|(body, _)| moves(*body)) {
             let Frame { rotation, position } = self.links.body_frame(self.model, *body);
@@ -113,8 +113,8 @@ impl<S: Scalar> Entries<'_, S> {
         moment.write_to(&mut s_dot[ANGULAR_MOMENTUM..]);
     }
 
-    /// What a joint to the world carries. Along the free directions of a floating joint nothing can
-    /// be carried, and the rounding of the recursion must not appear as a load.
+    /// The load in a joint to the world. A floating joint carries none along its free directions, and the rounding of
+    /// the recursion must not appear as a load.
     fn reaction_of_the_world(&self, node: &Node<S>, carried: &JointLoad<S>) -> Wrench<S> {
         let JointKind::Floating(floating) = node.kind else { return carried.wrench };
         let applied = &self.loads.force[node.velocities..];

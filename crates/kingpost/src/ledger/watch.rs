@@ -1,15 +1,15 @@
-//! What warns of a run whose energy does not balance.
+//! Warns of a run whose energy does not balance.
 
 use crate::elements::{Extreme, Warning, Watcher, significant};
 
-/// Of the energy in play: a run that is off by more was stepped too coarsely, or its equations are wrong. The gallery's runs
-/// are off by 1e-5 of it at most.
+/// Largest error as a share of the energy in play: beyond it the steps were too long, or the equations are wrong. In
+/// the gallery's runs it is at most 1e-5.
 const SHARE: f64 = 1e-3;
-/// Of the potential energy, whose zero is a choice: a difference below it is rounding, or too small to matter while little has
-/// moved yet.
+/// The same as a share of the potential energy, whose zero is arbitrary: a smaller difference is rounding, or too small
+/// to matter while little has moved.
 const SHARE_OF_POTENTIAL: f64 = 1e-6;
 
-/// Sees how far the energy of a run is off its balance, beside the energy in play so far.
+/// Compares the energy error of a run with the energy in play so far.
 #[derive(Clone, Debug, Default)]
 pub struct EnergyBalance {
     error: Extreme,

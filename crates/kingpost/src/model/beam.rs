@@ -4,19 +4,19 @@ use super::Section;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Symmetric3};
 
-/// A uniform beam along x in n equal pieces, each with an elastic joint in its middle (the rigid finite
-/// element method: Wittbrodt, Adamiec-Wojcik & Wojciech, Dynamics of Flexible Multibody Systems, 2006,
-/// ch. 2). Between the joints it is rigid: n + 1 segments, the first and the last of half a piece.
+/// A uniform beam along x in n equal pieces, each with an elastic joint in its middle (the rigid finite element method:
+/// Wittbrodt, Adamiec-Wojcik & Wojciech, Dynamics of Flexible Multibody Systems, 2006, ch. 2). Between the joints it is
+/// rigid: n + 1 segments, the first and the last of half a piece each.
 ///
 /// About its middle the compliance of a piece of length l is diagonal (Przemieniecki, Theory of Matrix
 /// Structural Analysis, 1968, ch. 5):
 ///
 /// - bending `l / (E I)`, torsion `l / (G J)`,
-/// - across it `l / (k G A) + l^3 / (12 E I)`: what shear adds, and what bending within the piece adds
-///   between its ends.
+/// - transverse `l / (k G A) + l^3 / (12 E I)`: the shear of the piece, and the bending within the piece between its
+///   ends.
 ///
-/// So a beam that is loaded at its ends and in the middles of its segments deflects exactly, whatever n
-/// is. Masses are those of rigid segments; frequencies err by the square of l.
+/// So a beam that is loaded at its ends and in the middles of its segments deflects exactly, whatever n is. Masses are
+/// those of rigid segments; the error of frequencies is of second order in l.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<S = f64> {
     /// Number n of pieces, and so of joints.
@@ -39,7 +39,7 @@ impl<S: Scalar> Beam<S> {
         self.length / S::constant(self.pieces as f64)
     }
 
-    /// Where the joint before segment i stands, i from 1 to n, m from the beam's start.
+    /// Position of the joint before segment i, i from 1 to n, m from the beam's start.
     pub fn joint(&self, i: usize) -> S {
         self.piece() * S::constant(i as f64 - 0.5)
     }
@@ -55,7 +55,7 @@ impl<S: Scalar> Beam<S> {
         from + self.segment_length(i) * S::constant(0.5)
     }
 
-    /// The segment that carries a place, m from the beam's start, as a whole number; beyond an end the last there.
+    /// The number of the segment at a position, m from the beam's start; beyond an end, the segment at that end.
     pub fn segment_at(&self, place: S) -> S {
         let last = self.pieces as f64;
         let [segment] =

@@ -1,11 +1,11 @@
-//! Local coordinates of all joints at once, in lists by what they need.
+//! Local coordinates of all joints at once, in lists by kind.
 
 use super::joint::{Floating, JointKind, Spherical};
 use super::tree::Node;
 use crate::scalar::Scalar;
 
-/// What [`retract`](super::Tree::retract) and [`dexp_inverse`](super::Tree::dexp_inverse) of a model's links come down to:
-/// where joints stand in q and in v.
+/// What [`retract`](super::Tree::retract) and [`dexp_inverse`](super::Tree::dexp_inverse) of a model's links reduce to:
+/// the indices of joints in q and in v.
 #[derive(Clone, Debug, Default)]
 pub struct Charts {
     floating: Vec<(usize, usize)>,

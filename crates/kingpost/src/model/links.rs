@@ -1,51 +1,51 @@
-//! The links of the recursion: bodies that are fixed to one another, fused, each in a frame that makes its joint simple.
+//! The links of the recursion: fused bodies that are fixed to one another, each in a frame that makes its joint simple.
 
 use super::joint::Floating;
 use super::{Body, JointKind, Mode, Node, Tree};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, RigidInertia, SpatialInertia, Symmetric3, Vector3};
 
-/// A link as the recursion takes it: what of it is constant.
+/// The constants of a link for the recursion.
 #[derive(Clone, Copy, Debug)]
 pub struct Link<S = f64> {
     /// What carries it.
     pub carrier: Carrier,
     /// The joint to the parent.
     pub joint: LinkJoint,
-    /// Which half of a floating joint is held.
+    /// Whether the translation or the rotation of a floating joint is held.
     pub floating: Floating,
-    /// How a joint of one axis moves, and whether a ball is held.
+    /// The mode of a joint with one axis, or whether a ball is held.
     pub mode: Mode,
     /// First entry in q.
     pub positions: usize,
     /// First entry in v.
     pub velocities: usize,
-    /// The joint's frame in the parent's: the link's axes where the coordinates are zero.
+    /// The joint's frame in the parent's: the link's axes with the coordinates at zero.
     pub placement: Frame<S>,
     /// From the joint to the origin of the link's frame, link axes, m.
     pub to_child: Vector3<S>,
     /// Inertia.
     pub inertia: LinkInertia<S>,
-    /// Mass of its bodies, which weighs, kg. Of an inertia that is no rigid body's, part is the water's.
+    /// Mass of its bodies, kg, for its weight. An inertia that is not that of a rigid body also contains added mass.
     pub mass: S,
     /// That mass times its centre in the link's axes, kg m.
     pub first_moment: Vector3<S>,
-    /// Whether that is the mass of the inertia, so that under its weight alone the link falls freely.
+    /// Whether it is also the mass of the inertia, so that the link falls freely under its weight alone.
     pub falls: bool,
 }
 
-/// What carries a link. Links are numbered from the roots out.
+/// The carrier of a link. Links are numbered from the roots outward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carrier {
     /// The world: the link is the root of its branch.
     World,
     /// The root of its branch.
     Root(usize),
-    /// Another link of it.
+    /// Another link of the branch.
     Branch(usize),
 }
 
-/// The joints that links have.
+/// The joints of links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkJoint {
     /// Six degrees of freedom against the world.
@@ -61,15 +61,15 @@ pub enum LinkJoint {
 /// The inertia of a link about its frame's origin, in its axes.
 #[derive(Clone, Copy, Debug)]
 pub enum LinkInertia<S = f64> {
-    /// Rigid, with the frame at its centre of mass: every link but a floating one. A frame between the axes of a joint
-    /// has none.
+    /// Rigid, with the frame at its centre of mass: every link except a floating one. A frame between the axes of a
+    /// joint has no inertia.
     Central {
         /// kg.
         mass: S,
         /// Moments of inertia about the centre of mass.
         moments: Moments<S>,
     },
-    /// Rigid: a floating link, whose frame is where its first body's is.
+    /// Rigid: a floating link, whose frame is that of its first body.
     Rigid(RigidInertia<S>),
     /// No rigid body's.
     Full(SpatialInertia<S>),
@@ -111,7 +111,7 @@ pub enum Moments<S = f64> {
 }
 
 impl<S: Scalar> Moments<S> {
-    /// Whether they are principal is seen from the entries beside the diagonal: exact zeros, in every lane.
+    /// They are principal axes if the off-diagonal entries are exactly zero in every lane.
     fn new(moments: Symmetric3<S>) -> Self {
         let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments;
         if [xy, xz, yz].iter().all(|product| *product == S::ZERO) {
@@ -139,9 +139,9 @@ impl<S: Scalar> Moments<S> {
     }
 }
 
-/// Moves the frame of each rigid link to its centre of mass, except where it floats, turns that of a link on one axis so
-/// that the axis is its z, and writes down what is constant of each; `rigid` holds the sums over the bodies in ten numbers,
-/// `None` where one of them is not rigid.
+/// Moves the frame of each rigid link to its centre of mass unless it floats, rotates that of a link with one axis so
+/// that the axis is its z, and stores the constants of each; `rigid` holds the sums over the bodies in ten numbers,
+/// `None` if one of them is not rigid.
 pub(super) fn lowered<S: Scalar>(
     links: &mut Tree<S>,
     bodies: &mut [Body<S>],
@@ -176,7 +176,7 @@ pub(super) fn lowered<S: Scalar>(
         .collect()
 }
 
-/// What is constant of a link whose frame is in its place.
+/// The constants of a link whose frame is in its final place.
 fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInertia<S>>) -> Link<S> {
     let (joint, placement) = match &node.kind {
         JointKind::Floating(_) => (LinkJoint::Floating, Frame::identity()),
@@ -211,7 +211,7 @@ fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInerti
     }
 }
 
-/// Puts a link's frame to `to`, seen from where it was; bodies and joints stay where they are.
+/// Moves a link's frame to `to`, relative to its old place; bodies and joints stay.
 fn move_link<S: Scalar>(
     links: &mut Tree<S>,
     bodies: &mut [Body<S>],

@@ -1,9 +1,8 @@
-//! Closed loops: what ties two bodies of the tree together beside their joints.
+//! Closed loops: constraints between two bodies of the tree in addition to their joints.
 //!
-//! A mechanism with a loop is cut open into a tree, and the joint that was cut is written as
-//! constraints between the two bodies that it tied. With A the attachment on the first body and B
-//! on the second, d the way from A to B in A's axes and Q = R_A^T R_B the axes of B in those of A,
-//! each constraint is one equation phi = 0:
+//! A mechanism with a loop is cut open into a tree, and the joint that was cut is written as constraints between its
+//! two bodies. With A the attachment on the first body and B on the second, d the vector from A to B in A's axes and Q
+//! = R_A^T R_B the axes of B in those of A, each constraint is one equation phi = 0:
 //!
 //! | constraint | phi | carries, at B |
 //! | --- | --- | --- |
@@ -15,7 +14,7 @@ use super::Body;
 use crate::scalar::Scalar;
 use crate::spatial::Frame;
 
-/// A point with axes, on a body or on the world.
+/// A point with axes, on a body or in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attachment<S = f64> {
     /// The body; `None` is the world.
@@ -33,12 +32,12 @@ pub struct Attachment<S = f64> {
 pub enum Constraint<S = f64> {
     /// The second attachment stays at zero along this axis (0, 1, 2) of the first.
     Offset(usize),
-    /// An axis of the first and another of the second stay perpendicular: phi is their product,
-    /// with the sign that makes it a small positive angle about the third axis.
+    /// An axis of the first and another of the second stay perpendicular: phi is their scalar product, with the sign
+    /// for which a small positive rotation about the third axis is positive.
     Perpendicular {
         /// Axis of the first attachment: 0, 1 or 2.
         first: usize,
-        /// Axis of the second, another than `first`.
+        /// Axis of the second, different from `first`.
         second: usize,
     },
     /// The attachments stay this far apart, m: a massless rod.
@@ -61,16 +60,16 @@ pub enum Turn {
 pub struct Loop<S = f64> {
     /// Unique name.
     pub name: String,
-    /// Where it is tied to the first body: its axes are those of the constraints.
+    /// The attachment to the first body: its axes are those of the constraints.
     pub first: Attachment<S>,
-    /// Where it is tied to the second body.
+    /// The attachment to the second body.
     pub second: Attachment<S>,
-    /// Its equations, each under the author's name for it.
+    /// Its equations, each with its name in the scenario.
     pub constraints: Vec<(String, Constraint<S>)>,
 }
 
 impl<S: Scalar> Attachment<S> {
-    /// An attachment on a body, or on the world.
+    /// An attachment on a body, or in the world.
     pub fn on(body: Option<usize>, in_body: Frame<S>) -> Self {
         Self { body, in_body, link: None, in_link: in_body }
     }
@@ -83,10 +82,9 @@ impl<S: Scalar> Attachment<S> {
 }
 
 impl<S: Scalar> Constraint<S> {
-    /// The constraint of one rotation, where `all` are constrained. Two of them leave a hinge about
-    /// the third axis: B's hinge axis stays perpendicular to A's other two, at any angle of the
-    /// hinge. Otherwise phi is that of the intrinsic z-y-x angles: B's y on A's z for roll, B's x
-    /// on A's z for pitch, B's x on A's y for yaw.
+    /// The constraint of one rotation if `all` are the constrained ones. Two of them leave a hinge about the third
+    /// axis: B's hinge axis stays perpendicular to A's other two, at any angle of the hinge. Otherwise phi is that of
+    /// the intrinsic z-y-x angles: B's y on A's z for roll, B's x on A's z for pitch, B's x on A's y for yaw.
     pub fn rotation(turn: Turn, all: &[Turn]) -> Self {
         let third = |axis: usize| 3 - turn as usize - axis;
         let free: Vec<usize> = (0..3).filter(|axis| !all.iter().any(|turn| *turn as usize == *axis)).collect();

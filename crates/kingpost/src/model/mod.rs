@@ -1,4 +1,4 @@
-//! What is simulated: bodies in a tree, their joints, inertia, shapes and named points.
+//! The mechanical model: bodies in a tree, their joints, inertia, shapes and named points.
 //!
 //! A [`Model`] is immutable once built. Each body's frame sits at its centre of mass. Positions q
 //! and velocities v are flat arrays; every joint owns a range of both.
@@ -24,14 +24,14 @@ pub use tree::{Node, Tree};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, RigidInertia, SpatialInertia, Vector3};
 
-/// A body as it is handed to [`Model::new`].
+/// The definition of a body for [`Model::new`].
 #[derive(Clone, Debug)]
-pub struct BodyDescription<S = f64> {
+pub struct BodyDefinition<S = f64> {
     /// Unique name.
     pub name: String,
     /// Index of the parent among the bodies before it; `None` is the world.
     pub parent: Option<usize>,
-    /// How it is joined to its parent.
+    /// The joint to its parent.
     pub joint: Joint<S>,
     /// Mass, kg.
     pub mass: S,
@@ -50,7 +50,7 @@ pub struct Body<S = f64> {
     pub mass: S,
     /// The link that carries it; `None` where it is fixed to the world.
     pub link: Option<usize>,
-    /// Its frame in the link's frame, or in the world where there is no link.
+    /// Its frame in the link's frame, or in the world if there is no link.
     pub in_link: Frame<S>,
     /// Named points in body axes from the centre of mass, m.
     pub points: Vec<(String, Vector3<S>)>,
@@ -58,11 +58,10 @@ pub struct Body<S = f64> {
 
 /// The immutable mechanical model.
 ///
-/// It holds the tree twice. In `tree`, node i is body i: the form that the moving frame method,
-/// the results and the joint reactions use. In `links`, bodies that are fixed to one another are
-/// fused into one node, and a joint of several axes is as many nodes of one axis, with links of no
-/// mass between them: the form that the recursive dynamics uses. Its joints are floating, revolute,
-/// prismatic or spherical.
+/// It holds the tree twice. In `tree`, node i is body i: the moving frame method, the results and the joint reactions
+/// use it. In `links`, bodies that are fixed to one another are fused into one node, and a joint of several axes is
+/// several nodes of one axis with massless links between them: the recursive dynamics uses it. Its joints are floating,
+/// revolute, prismatic or spherical.
 #[derive(Clone, Debug)]
 pub struct Model<S = f64> {
     /// The bodies, parents first.
@@ -73,9 +72,9 @@ pub struct Model<S = f64> {
     pub tree: Tree<S>,
     /// One node a link.
     pub links: Tree<S>,
-    /// The link at the foot of each link's branch.
+    /// The root of each link's branch.
     pub roots: Vec<usize>,
-    /// The same links as the recursion takes them, each lowered to one record.
+    /// The constants of the same links for the recursion, one record each.
     pub plan: Vec<Link<S>>,
     /// Local coordinates of the links.
     pub charts: Charts,
@@ -85,30 +84,27 @@ pub struct Model<S = f64> {
     pub velocity_count: usize,
     /// Mode of each coordinate of v.
     pub modes: Vec<Mode>,
-    /// By coordinate of v: the inertia of what turns with the coordinate's drive only, times the
-    /// gear ratio squared, kg m^2 or kg; 0 for floating and spherical joints. It counts along the
-    /// coordinate, in M* and in the kinetic energy. The rotor's momentum in space is left out: where
-    /// it stands is not known.
+    /// By coordinate of v: the inertia of the drive's rotor times the gear ratio squared, kg m^2 or kg; 0 for floating
+    /// and spherical joints. It acts along the coordinate, in M* and in the kinetic energy. The rotor's momentum in
+    /// space is neglected, because its position is not known.
     pub rotor_inertia: Vec<S>,
-    /// What ties bodies together beside their joints.
+    /// Closed loops.
     pub loops: Vec<Loop<S>>,
-    /// By body: the part of its inertia that is the water's, which its weight does not count, in
-    /// body axes about the centre of mass.
+    /// By body: the added mass in its inertia, which has no weight, in body axes about the centre of mass.
     pub added_inertias: Vec<(usize, SpatialInertia<S>)>,
 }
 
 impl<S: Scalar> Model<S> {
     /// Lays out the coordinates, fuses fixed joints and splits joints of several axes.
     ///
-    /// # Panics
-    /// When a parent does not come before its child: the caller orders the bodies.
-    pub fn new(descriptions: Vec<BodyDescription<S>>) -> Self {
+    /// # Panics When a parent does not come before its child: the caller must order the bodies.
+    pub fn new(descriptions: Vec<BodyDefinition<S>>) -> Self {
         let (mut tree, mut links) = (Tree::default(), Tree::default());
         let (mut bodies, mut joints, mut rigid) = (Vec::<Body<S>>::new(), Vec::new(), Vec::new());
         let (mut positions, mut velocities, mut modes) = (0, 0, Vec::new());
         for (index, description) in descriptions.into_iter().enumerate() {
             assert!(description.parent.is_none_or(|p| p < index), "parents come before their children");
-            let BodyDescription { name, parent, joint, mass, inertia, points } = description;
+            let BodyDefinition { name, parent, joint, mass, inertia, points } = description;
             let node = Node { parent, kind: joint.kind, mode: joint.mode, positions, velocities, inertia };
             positions += joint.kind.position_count();
             velocities += joint.kind.velocity_count();
@@ -154,7 +150,7 @@ impl<S: Scalar> Model<S> {
         }
     }
 
-    /// A point with axes on a body, or on the world, given in the body's frame.
+    /// A point with axes on a body, or in the world, given in the body's frame.
     pub fn attachment(&self, body: Option<usize>, in_body: Frame<S>) -> Attachment<S> {
         Attachment::on(body, in_body).on_link(&self.bodies)
     }
@@ -167,9 +163,8 @@ impl<S: Scalar> Model<S> {
         self
     }
 
-    /// The same model with the water's share in the inertia of a body: the infinite-frequency added
-    /// mass, in body axes about the centre of mass. It moves with the body, so the velocity terms are
-    /// those of Kirchhoff's equations.
+    /// The same model with added mass at infinite frequency in the inertia of a body, in body axes about the centre of
+    /// mass. It moves with the body, so the velocity terms are those of Kirchhoff's equations.
     ///
     /// # Panics
     /// When the body is fixed to the world.
@@ -199,7 +194,7 @@ impl<S: Scalar> Model<S> {
         self.bodies.iter().position(|b| b.name == name)
     }
 
-    /// The bodies that one carries by the joints below it, itself first.
+    /// A body and all bodies below it in the tree, itself first.
     pub fn carried(&self, body: usize) -> Vec<usize> {
         let mut found = vec![body];
         for (child, node) in self.tree.nodes.iter().enumerate() {
@@ -229,8 +224,8 @@ impl<S: Scalar> Model<S> {
         self.tree.nodes.iter().enumerate().find_map(|(body, node)| Some((body, place(node)?)))
     }
 
-    /// Whether a coordinate of v is turned about or slid along, and its index in q; `None` for those
-    /// of floating and spherical joints.
+    /// Whether a coordinate of v rotates or slides, and its index in q; `None` for those of floating and spherical
+    /// joints.
     pub fn axis_coordinate(&self, coordinate: usize) -> Option<(AxisMotion, usize)> {
         let (body, k) = self.owner(coordinate)?;
         let node = &self.tree.nodes[body];
@@ -242,7 +237,7 @@ impl<S: Scalar> Model<S> {
         self.joints.iter().flat_map(Joint::coordinate_names).collect()
     }
 
-    /// Whether each coordinate of v turns: it is an angle then, rad, otherwise a length, m.
+    /// Whether each coordinate of v rotates: then it is an angle, rad, otherwise a length, m.
     pub fn turning_coordinates(&self) -> Vec<bool> {
         let of = |kind: &JointKind<S>| match kind {
             JointKind::Floating(_) => vec![false, false, false, true, true, true],
@@ -251,7 +246,7 @@ impl<S: Scalar> Model<S> {
         self.tree.nodes.iter().flat_map(|node| of(&node.kind)).collect()
     }
 
-    /// Where in q the unit quaternions begin.
+    /// Indices in q at which unit quaternions begin.
     pub fn quaternions(&self) -> impl Iterator<Item = usize> + '_ {
         self.tree.nodes.iter().filter_map(|node| Some(node.positions + node.kind.quaternion()?.0))
     }

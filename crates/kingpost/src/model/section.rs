@@ -2,7 +2,7 @@
 
 use crate::scalar::Scalar;
 
-/// What a beam along x needs to know of its cross-section.
+/// The cross-section of a beam along x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section<S = f64> {
     /// Area A, m^2.
@@ -11,14 +11,14 @@ pub struct Section<S = f64> {
     pub second_moments: [S; 2],
     /// Torsion constant J, m^4.
     pub torsion_constant: S,
-    /// Shear compliances per force along y and along z: 1 / (k A), 1/m^2; 0 where shear is left out.
+    /// Shear compliances per force along y and along z: 1 / (k A), 1/m^2; 0 if shear is neglected.
     pub shear_compliances: [S; 2],
 }
 
 impl<S: Scalar> Section<S> {
-    /// A round tube, or a round bar where the wall is half of the diameter. The shear coefficient is
-    /// that of Cowper 1966, J. Appl. Mech. 33(2), for Poisson's ratio nu:
-    /// `k = 6 (1 + nu) (1 + m^2)^2 / ((7 + 6 nu) (1 + m^2)^2 + (20 + 12 nu) m^2)`, m inner over outer.
+    /// A round tube, or a round bar if the wall is half of the diameter. The shear coefficient is that of Cowper 1966,
+    /// J. Appl. Mech. 33(2), for Poisson's ratio nu: `k = 6 (1 + nu) (1 + m^2)^2 / ((7 + 6 nu) (1 + m^2)^2 + (20 + 12
+    /// nu) m^2)`, m inner over outer.
     ///
     /// ```
     /// use kingpost::model::Section;

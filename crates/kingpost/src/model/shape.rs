@@ -1,4 +1,4 @@
-//! Homogeneous shapes: what a body looks like, and its inertia where none is given.
+//! Homogeneous shapes: for drawing a body, and for its inertia if none is given.
 
 use crate::scalar::Scalar;
 use crate::spatial::Symmetric3;

@@ -30,8 +30,8 @@ pub struct Tree<S = f64> {
 }
 
 impl<S: Scalar> Tree<S> {
-    /// Appends the links of a body's joint, on the link `carrier` that carries the parent at
-    /// `in_carrier`; their inertia is left at zero. Returns the index of the last.
+    /// Appends the links of a body's joint to the link `carrier`, which carries the parent at `in_carrier`; their
+    /// inertia stays zero. Returns the index of the last.
     pub(super) fn append(&mut self, body: &Node<S>, carrier: Option<usize>, in_carrier: &Frame<S>) -> usize {
         let inertia = SpatialInertia::default();
         match body.kind.seen_from(in_carrier) {

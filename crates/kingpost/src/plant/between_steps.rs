@@ -1,19 +1,20 @@
-//! What the elements do between two steps: begin, sample, watch and answer events.
+//! The actions of elements between two steps: begin, sample, watch and respond to events.
 
 use super::scene::Scene;
 use super::{Plant, Totals};
-use crate::elements::{AnyElement, Element, Moment, Own, Steer, Watched};
+use crate::elements::{AnyElement, Context, Element, Own, Steer, Watched};
 use crate::integrate::{Interval, Stage};
 use crate::ledger;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use crate::state::State;
 
-/// A tick that is nearer than this share of the sampling period falls on the time.
+/// A sampling time closer than this share of the period counts as now.
 const TICK_SLACK: f64 = 1e-9;
 
 impl<S: Scalar> Plant<S> {
-    /// Writes s, d and m of a run that begins at the state's q and v at a time; `inputs` are the values of the table.
+    /// Writes s, d and m for a run that begins with the state's q and v at a time; `inputs` are the values of all
+    /// inputs.
     pub fn begin(&mut self, time_s: f64, inputs: &[S], state: &mut State<S>) {
         state.s = vec![S::ZERO; self.layout.extras()];
         state.d = inputs.to_vec();
@@ -27,7 +28,7 @@ impl<S: Scalar> Plant<S> {
         self.open_ledger(time_s, state);
     }
 
-    /// Lets every element set its modes anew where numbers were changed during a run.
+    /// Lets every element set its modes again after numbers were changed during a run.
     pub fn renew(&mut self, time_s: f64, state: &mut State<S>) {
         for i in 0..self.elements.len() {
             self.change(i, time_s, state, |element, at, own, _| element.renew(at, own));
@@ -35,7 +36,7 @@ impl<S: Scalar> Plant<S> {
         self.take_hold(time_s, state);
     }
 
-    /// Sets an input; its element may set its modes by it.
+    /// Sets an input; its element may change its modes.
     pub fn set_input(&mut self, input: usize, value: S, time_s: f64, state: &mut State<S>) {
         if state.d[input] == value {
             return;
@@ -53,7 +54,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Begins the ledger where the state stands.
+    /// Begins the ledger at the present state.
     pub fn open_ledger(&mut self, time_s: f64, state: &mut State<S>) {
         if self.layout.ledger == 0 {
             return;
@@ -66,7 +67,7 @@ impl<S: Scalar> Plant<S> {
         totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
     }
 
-    /// The next time after `after_s` at which a law changes its form or an element samples, s; infinite where there is none.
+    /// The next time after `after_s` at which a law changes form or an element samples, s; infinite if there is none.
     pub fn next_edge_s(&self, after_s: f64, modes: &[i64]) -> f64 {
         let of = |(i, element): (usize, &AnyElement<S>)| {
             let share = &self.layout.shares[i];
@@ -79,8 +80,8 @@ impl<S: Scalar> Plant<S> {
         self.elements.iter().enumerate().map(of).fold(f64::INFINITY, f64::min)
     }
 
-    /// Lets each element sample whose tick is at this time, in the order of the elements, each wire right after the element
-    /// that it comes from.
+    /// Lets each element sample that is due at this time, in the order of the elements; the wires from an element are
+    /// updated right after it.
     pub fn sample(&mut self, time_s: f64, state: &mut State<S>) {
         for i in 0..self.elements.len() {
             let Some(period_s) = self.layout.shares[i].period_s else { continue };
@@ -92,10 +93,9 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Lets an element that steers set its inputs by the columns that it reads; `values` is working memory.
+    /// Lets a steering element set its inputs from the columns that it reads; `values` is working memory.
     ///
-    /// # Errors
-    /// Why the run ends here, in the element's words.
+    /// # Errors The reason why the run ends, in the element's words.
     pub fn steer(
         &mut self,
         steer: usize,
@@ -145,12 +145,12 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// The events that answers and changes from outside have brought about since this was asked last.
+    /// The events that responses and changes from outside have caused since the last call.
     pub fn brought_about(&mut self) -> Vec<Watched> {
         core::mem::take(&mut self.also)
     }
 
-    /// Lets an element answer its event at a time; what that changes of energy and momentum goes into the ledger.
+    /// Lets an element respond to its event at a time; the change of energy and momentum is booked in the ledger.
     pub fn respond(&mut self, watched: Watched, time_s: f64, state: &mut State<S>) {
         let before = self.totals(instant(time_s, state));
         self.change(watched.element, time_s, state, |element, at, own, v| {
@@ -177,13 +177,13 @@ impl<S: Scalar> Plant<S> {
         add(ledger::ANGULAR_MOMENTUM, after.angular_momentum - before.angular_momentum);
     }
 
-    /// Lets an element see the state at a time and change its own entries, and v.
+    /// Gives an element the state at a time, to change its own entries and v.
     fn change(
         &mut self,
         element: usize,
         time_s: f64,
         state: &mut State<S>,
-        change: impl FnOnce(&mut dyn Element<S>, &Moment<'_, S>, &mut Own<'_, S>, &mut [S]),
+        change: impl FnOnce(&mut dyn Element<S>, &Context<'_, S>, &mut Own<'_, S>, &mut [S]),
     ) {
         self.links.update(&self.model, &state.q, &state.v);
         let Self { model, world, links, layout, situation, elements, seen, also, .. } = self;

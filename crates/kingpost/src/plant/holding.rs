@@ -1,11 +1,11 @@
-//! Constraints that elements hold while their modes say so: they act one way, come with an impact and let go.
+//! One-sided constraints that elements hold while their modes say so: they begin with an impact and let go.
 
 use super::Plant;
 use super::between_steps::instant;
 use super::scene::Scene;
 use crate::dynamics::loops::Projection;
 use crate::dynamics::{LinkKinematics, Restraint};
-use crate::elements::{AnyElement, Layout, Moment};
+use crate::elements::{AnyElement, Context, Layout};
 use crate::integrate::Stage;
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -18,7 +18,7 @@ impl<S: Scalar> Plant<S> {
         !self.model.loops.is_empty() || self.holds()
     }
 
-    /// Whether an element holds, as the loads were evaluated last.
+    /// Whether an element holds, at the last evaluation of the loads.
     fn holds(&self) -> bool {
         self.loads.restraints.iter().any(|restraint| restraint.acts)
     }
@@ -30,7 +30,7 @@ impl<S: Scalar> Plant<S> {
         acting.nth(place).map(|restraint| restraint.name.as_str())
     }
 
-    /// Evaluates the constraints that elements hold at a stage, where the kinematics stands.
+    /// Evaluates the constraints that elements hold at a stage, for the present kinematics.
     pub(super) fn evaluate_restraints(&mut self, at: Stage<'_, S>) {
         if self.layout.holding.is_empty() {
             return;
@@ -47,7 +47,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Hands the elements what they carry, as the accelerations were found last.
+    /// Gives the elements the forces that they carry, from the last solution for the accelerations.
     pub(super) fn hand_out_multipliers(&mut self) {
         let mut multipliers = self.loops.of_restraints().iter();
         for (&i, restraint) in self.layout.holding.iter().zip(&self.loads.restraints) {
@@ -58,7 +58,8 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Closes every constraint that acts by `work` with the solver; the kinematics stands at the corrected state then.
+    /// Projects onto every active constraint by `work` with the solver; the kinematics is then that of the corrected
+    /// state.
     pub(super) fn project<R>(
         &mut self,
         work: impl FnOnce(&mut super::LoopSolver<S>, &mut Projection<'_, S>) -> R,
@@ -70,12 +71,13 @@ impl<S: Scalar> Plant<S> {
         work(loops, &mut Projection { model, links, work: memory, loads, hold: &mut hold })
     }
 
-    /// Where modes were changed at a time: what has come taut strikes, and what would carry less than nothing lets go.
+    /// After modes changed at a time: elements that have come taut cause an impact, and elements with a negative force
+    /// let go.
     pub(super) fn take_hold(&mut self, time_s: f64, state: &mut State<S>) {
         if self.layout.holding.is_empty() {
             return;
         }
-        // With the inertia of the water, which an impact moves too.
+        // With added mass, which an impact moves too.
         self.evaluate_loads(instant(time_s, state));
         if !self.holds() {
             self.hand_out_multipliers();
@@ -102,7 +104,7 @@ impl<S: Scalar> Plant<S> {
         self.loops.forget_pivots();
     }
 
-    /// Lets the element go that carries least, where that is less than nothing; returns whether one did.
+    /// Releases the element with the most negative force, if there is one; returns whether there was.
     fn let_go_of_least(&mut self, carried: &[S], state: &mut State<S>) -> bool {
         let acting = self.layout.holding.iter().zip(&self.loads.restraints).filter(|(_, restraint)| restraint.acts);
         let least = acting.zip(carried).min_by(|(_, a), (_, b)| a.value().total_cmp(&b.value()));
@@ -114,7 +116,7 @@ impl<S: Scalar> Plant<S> {
         true
     }
 
-    /// While an equilibrium is sought: what held goes on to hold, and what has come taut begins to.
+    /// While an equilibrium is sought: elements that held go on, and elements that have come taut begin to hold.
     pub fn keep_hold(&mut self, before: &[i64], state: &mut State<S>) {
         for &i in &self.layout.holding {
             let modes = self.layout.shares[i].modes.clone();
@@ -126,14 +128,14 @@ impl<S: Scalar> Plant<S> {
         self.evaluate_restraints(instant(0.0, state));
     }
 
-    /// At rest: lets the element go that carries least, where that is less than nothing, as the accelerations were found
-    /// last; returns whether one did.
+    /// At rest: releases the element with the most negative force in the last solution for the accelerations, if there
+    /// is one; returns whether there was.
     pub fn let_go_at_rest(&mut self, state: &mut State<S>) -> bool {
         let carried = self.loops.of_restraints().to_vec();
         self.let_go_of_least(&carried, state)
     }
 
-    /// Moves q by what the constraints that elements hold make of its derivatives; its values are closed already.
+    /// Corrects the derivatives of q for the constraints that elements hold; its values already satisfy them.
     pub fn follow_restraints(&mut self, time_s: f64, state: &State<S>, q: &mut [S]) {
         self.evaluate_loads(instant(time_s, state));
         if self.holds() {
@@ -141,7 +143,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// What the constraints carry at a stage, handed to the elements that watch it.
+    /// Computes the forces of the constraints at a stage and gives them to their elements.
     pub(super) fn load_restraints(&mut self, at: Stage<'_, S>) {
         if self.layout.holding.is_empty() {
             return;
@@ -153,7 +155,7 @@ impl<S: Scalar> Plant<S> {
     }
 }
 
-/// Writes the restraints that act; where that is said needs no entries of an element.
+/// Writes the active restraints; an element needs none of its own entries for this.
 fn hold<S: Scalar>(
     elements: &mut [AnyElement<S>],
     layout: &Layout,
@@ -163,7 +165,7 @@ fn hold<S: Scalar>(
     motion: (&[S], &[S]),
     restraints: &mut [Restraint<S>],
 ) {
-    let at = Moment::at_rest(world, model, links, motion);
+    let at = Context::at_rest(world, model, links, motion);
     for (&i, restraint) in layout.holding.iter().zip(restraints) {
         if let Some(holding) = elements[i].holding_mut().filter(|_| restraint.acts) {
             holding.restrain(&at, restraint);

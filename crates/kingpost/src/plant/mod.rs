@@ -1,4 +1,4 @@
-//! The right-hand side: model, world and elements put together for an integrator.
+//! The right-hand side: model, world and elements combined for an integrator.
 
 mod between_steps;
 mod holding;
@@ -8,7 +8,7 @@ mod sea;
 mod settling;
 mod tangent;
 
-pub use observation::{Extent, Observation, Totals};
+pub use observation::{Observation, ObservedPart, Totals};
 use scene::Scene;
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
@@ -23,7 +23,7 @@ use crate::scalar::Scalar;
 use crate::state::State;
 use crate::world::World;
 
-/// Which form of the equations of motion is solved.
+/// The form of the equations of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Form {
     /// The recursion: fast, allocates nothing.
@@ -41,10 +41,10 @@ pub struct Plant<S: Scalar = f64> {
     /// What is outside.
     pub world: World<S>,
     elements: Vec<AnyElement<S>>,
-    /// Where everything stands that the elements declare.
+    /// The places of everything that the elements declare.
     layout: Layout,
     form: Form,
-    /// How the matrices' form solves; that form is there for plain numbers only.
+    /// The solver of the matrix form, which exists for plain numbers only.
     solve_matrices: Option<SolveMatrices<S>>,
     situation: Situation,
     links: LinkKinematics<S>,
@@ -53,15 +53,15 @@ pub struct Plant<S: Scalar = f64> {
     work: forward::Workspace<S>,
     inverse: InverseDynamics<S>,
     loops: LoopSolver<S>,
-    /// What the elements show, one after another.
+    /// The outputs of the elements, one after another.
     outputs: Vec<S>,
-    /// Rates that elements prescribe beside the accelerations, which a stage does not need.
+    /// Rates that elements prescribe with the accelerations; a stage does not need them.
     prescribed_rates: Vec<S>,
-    /// Accelerations that no one else asks for.
+    /// Accelerations as working memory.
     scratch: Vec<S>,
-    /// The state as it was before an element changes it.
+    /// The state before an element changes it.
     seen: State<S>,
-    /// Events that an answer or a change from outside has brought about.
+    /// Events that a response or a change from outside has caused.
     also: Vec<Watched>,
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
@@ -69,21 +69,21 @@ pub struct Plant<S: Scalar = f64> {
     exact: Option<Exact<S>>,
 }
 
-/// Exact derivatives, which are there for plain numbers only.
+/// Exact derivatives, which exist for plain numbers only.
 #[derive(Clone, Debug)]
 struct Exact<S: Scalar> {
     tangent: Box<Tangent>,
     jacobian: DifferentiateExactly<S>,
 }
 
-/// Writes what [`System::jacobian`] asks for, and says how many plain evaluations it was worth.
+/// Writes the derivatives for [`System::jacobian`], and returns how many plain evaluations they cost.
 type DifferentiateExactly<S> = fn(&mut Tangent, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>) -> u64;
 
 /// Solves for the accelerations `v_dot` at q, v under the loads evaluated last.
 type SolveMatrices<S> = fn(&mut Plant<S>, q: &[S], v: &[S], v_dot: &mut [S]);
 
 impl<S: Scalar> Plant<S> {
-    /// Puts a plant together, its equations in the recursive form.
+    /// A plant with its equations in the recursive form.
     pub fn new(model: Model<S>, world: World<S>, elements: Vec<AnyElement<S>>) -> Self {
         let turns = |node: &Node<S>| {
             let first = node.kind.quaternion().map_or(usize::MAX, |(_, rates)| rates);
@@ -129,12 +129,12 @@ impl<S: Scalar> Plant<S> {
         self.layout.connect(wires);
     }
 
-    /// What acts on the model.
+    /// The elements of the plant.
     pub fn elements(&self) -> &[AnyElement<S>] {
         &self.elements
     }
 
-    /// Where everything stands that the elements declare.
+    /// The places of everything that the elements declare.
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
@@ -148,7 +148,7 @@ impl<S: Scalar> Plant<S> {
         for (i, element) in elements.iter_mut().enumerate() {
             element.loads(scene.of(i), loads);
         }
-        // At rest what moves as prescribed is held.
+        // At rest prescribed motions are held.
         if *situation == Situation::Running {
             for &i in &layout.prescribing {
                 elements[i].prescribe(world, scene.shared.clock, prescribed_rates, &mut loads.acceleration);
@@ -180,11 +180,11 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// What there is to see at a state, for the results.
-    pub fn observe(&mut self, at: Stage<'_, S>, extent: &Extent, v_dot: &mut [S]) -> Observation<'_, S> {
+    /// An observation at a state, for the results.
+    pub fn observe(&mut self, at: Stage<'_, S>, extent: &ObservedPart, v_dot: &mut [S]) -> Observation<'_, S> {
         let totals = match extent {
-            Extent::Everything => self.observe_forces(at, v_dot),
-            Extent::MotionAnd(_) => {
+            ObservedPart::Everything => self.observe_forces(at, v_dot),
+            ObservedPart::MotionAnd(_) => {
                 self.load_restraints(at);
                 self.links.update(&self.model, at.q, at.v);
                 self.bodies.update(&self.model.tree, at.q, at.v);
@@ -196,13 +196,13 @@ impl<S: Scalar> Plant<S> {
         outputs.clear();
         let mut show = |i: usize| elements[i].outputs(scene.of(i), outputs);
         match extent {
-            Extent::Everything => (0..layout.names.len()).for_each(show),
-            Extent::MotionAnd(some) => some.iter().for_each(|&i| show(i)),
+            ObservedPart::Everything => (0..layout.names.len()).for_each(show),
+            ObservedPart::MotionAnd(some) => some.iter().for_each(|&i| show(i)),
         }
         Observation { model, bodies, inverse, loops, outputs, totals }
     }
 
-    /// Accelerations and what the joints carry.
+    /// Accelerations and joint loads.
     fn observe_forces(&mut self, at: Stage<'_, S>, v_dot: &mut [S]) -> Totals<S> {
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
@@ -227,7 +227,7 @@ impl<S: Scalar> Plant<S> {
         &self.bodies
     }
 
-    /// Accelerations of all coordinates, with `tau` (by coordinate, N or N m) beside the plant's own loads.
+    /// Accelerations of all coordinates, with `tau` (by coordinate, N or N m) added to the plant's own loads.
     pub fn acceleration(&mut self, at: Stage<'_, S>, tau: Option<&[S]>, v_dot: &mut [S]) {
         self.evaluate_loads(at);
         for (force, tau) in self.loads.force.iter_mut().zip(tau.unwrap_or_default()) {
@@ -236,7 +236,7 @@ impl<S: Scalar> Plant<S> {
         self.accelerate(at.q, at.v, v_dot);
     }
 
-    /// Gives prescribed coordinates the rate that they have at the start of an interval; returns their accelerations.
+    /// Gives prescribed coordinates their rate at the start of an interval; returns their accelerations.
     pub fn prescribe(&mut self, interval: Interval, v: &mut [S]) -> &[S] {
         let clock = Clock { time_s: interval.start_s, middle_s: interval.middle_s() };
         self.loads.acceleration.fill(S::ZERO);
@@ -246,8 +246,8 @@ impl<S: Scalar> Plant<S> {
         &self.loads.acceleration
     }
 
-    /// Begins to watch the closed loops: how far they are from a singular position is measured
-    /// against where they stand here.
+    /// Begins to watch the closed loops: the distance from a singular position is measured relative to the present
+    /// position.
     pub fn watch_loops(&mut self, q: &[S], v: &[S]) {
         if !self.model.loops.is_empty() {
             self.loads.clear();
@@ -255,7 +255,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// The constraint that is off by most at a state, and by how much, m or rad; `None` without loops.
+    /// The constraint with the largest error at a state, and the error, m or rad; `None` without loops.
     pub fn loop_gap(&mut self, q: &[S], v: &[S]) -> Option<(usize, f64)> {
         self.links.update(&self.model, q, v);
         self.loops.update_rows(&self.model, &self.links);
@@ -263,13 +263,12 @@ impl<S: Scalar> Plant<S> {
         gaps.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Before a step: what was evaluated so far says nothing of it.
+    /// Before a step: forgets earlier evaluations.
     pub fn begin_step(&mut self) {
         self.loops.forget_pivots();
     }
 
-    /// After a step: brings the closed loops back to where they are closed, and tells where that is
-    /// not possible. Allocates nothing.
+    /// After a step: closes the loops again, and reports an error if that is not possible. Allocates nothing.
     pub fn close_loops(&mut self, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
         if !self.constrains() {
             return Ok(());
@@ -284,7 +283,7 @@ impl<S: Scalar> Plant<S> {
         self.totals_here(at)
     }
 
-    /// The same, where the kinematics stands.
+    /// The same for the present kinematics.
     fn totals_here(&mut self, at: Stage<'_, S>) -> Totals<S> {
         let Self { model, world, elements, layout, situation, links, bodies, .. } = self;
         let centre = ledger::reference_point(model, at.q);
@@ -375,7 +374,7 @@ impl Plant {
         MovingFrame::assemble(&self.model, at.q, at.v, &self.loads, variation)
     }
 
-    /// Accelerations by the matrices; not a number where M* is singular.
+    /// Accelerations by the matrices; NaN if M* is singular.
     fn solve(&mut self, q: &[f64], v: &[f64], variation: Variation, v_dot: &mut [f64]) {
         let matrices = MovingFrame::assemble(&self.model, q, v, &self.loads, variation);
         let given = |(mode, a): (&Mode, &f64)| if *mode == Mode::Prescribed { *a } else { 0.0 };
@@ -419,7 +418,7 @@ impl<S: Scalar> System<S> for Plant<S> {
         self.loops.reject();
     }
 
-    /// A loop that cannot be closed is told of after the step.
+    /// A loop that cannot be closed is reported after the step.
     fn close(&mut self, q: &mut [S], v: &mut [S]) -> bool {
         let _ = self.close_loops(q, v);
         self.constrains()

@@ -1,4 +1,4 @@
-//! What there is to see of a plant at a state.
+//! Observation of a plant at a state.
 
 use crate::dynamics::Kinematics;
 use crate::dynamics::inverse::InverseDynamics;
@@ -6,17 +6,18 @@ use crate::dynamics::loops::LoopSolver;
 use crate::model::Model;
 use crate::spatial::Vector3;
 
-/// How much of a plant is observed.
+/// The part of a plant that is observed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Extent {
-    /// Positions and velocities of the bodies, and what these elements show.
+pub enum ObservedPart {
+    /// Positions and velocities of the bodies, and the outputs of these elements.
     MotionAnd(Vec<usize>),
     /// Everything.
     #[default]
     Everything,
 }
 
-/// Borrowed results of [`Plant::observe`](super::Plant::observe). What its [`Extent`] leaves out is of another state.
+/// Borrowed results of [`Plant::observe`](super::Plant::observe). Parts outside its [`ObservedPart`] belong to another
+/// state.
 pub struct Observation<'a, S = f64> {
     /// The model.
     pub model: &'a Model<S>,
@@ -24,9 +25,9 @@ pub struct Observation<'a, S = f64> {
     pub bodies: &'a Kinematics<S>,
     /// Accelerations and joint wrenches of the bodies.
     pub inverse: &'a InverseDynamics<S>,
-    /// Constraints of the closed loops, and what they carry.
+    /// Constraints of the closed loops, and their forces.
     pub loops: &'a LoopSolver<S>,
-    /// What the elements of the extent show, one after another.
+    /// The outputs of the observed elements, one after another.
     pub outputs: &'a [S],
     /// Energy and momentum.
     pub totals: Totals<S>,
@@ -35,7 +36,7 @@ pub struct Observation<'a, S = f64> {
 /// Energy and momentum of all bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Totals<S = f64> {
-    /// With that of the water that moves with hulls, J.
+    /// Kinetic energy with that of the added mass, J.
     pub kinetic_energy: S,
     /// J.
     pub potential_energy: S,

@@ -1,24 +1,24 @@
-//! A stage as each element sees it.
+//! The contexts of all elements at a stage.
 
 use crate::dynamics::{Clock, LinkKinematics};
-use crate::elements::{Layout, Moment, Share, Situation};
+use crate::elements::{Context, Layout, Share, Situation};
 use crate::integrate::Stage;
 use crate::model::Model;
 use crate::world::World;
 
-/// A stage whose kinematics stands, from which each element is shown its own.
+/// A stage with its kinematics, which gives each element its own context.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a, S> {
     /// Where everything stands.
     pub layout: &'a Layout,
-    /// What every element sees.
-    pub shared: Moment<'a, S>,
+    /// The part that all elements share.
+    pub shared: Context<'a, S>,
     /// s behind the ledger.
     states: &'a [S],
     discrete: &'a [S],
     modes: &'a [i64],
-    /// The same with the entries of the element that was shown last, of those that have any.
-    own: Option<Moment<'a, S>>,
+    /// The same with the entries of the last element that has any.
+    own: Option<Context<'a, S>>,
 }
 
 impl<'a, S: Copy> Scene<'a, S> {
@@ -34,14 +34,14 @@ impl<'a, S: Copy> Scene<'a, S> {
         let clock = Clock { time_s: at.time_s, middle_s: at.interval.middle_s() };
         let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
         let (q, v) = (at.q, at.v);
-        let shared = Moment { clock, situation, world, model, links, q, v, states, inputs, numbers, modes };
+        let shared = Context { clock, situation, world, model, links, q, v, states, inputs, numbers, modes };
         let states = at.s.get(layout.ledger..).unwrap_or_default();
         Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }
 
-    /// What one element sees.
+    /// The context of one element.
     #[inline]
-    pub fn of(&mut self, element: usize) -> &Moment<'a, S> {
+    pub fn of(&mut self, element: usize) -> &Context<'a, S> {
         let Share { states, inputs, numbers, modes, has_own, .. } = &self.layout.shares[element];
         if !has_own {
             return &self.shared;

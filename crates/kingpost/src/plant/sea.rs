@@ -4,7 +4,7 @@ use super::Plant;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Plant<S> {
-    /// Another sea of the same frequencies and directions, for the exact derivatives too.
+    /// Sets another sea with the same frequencies and directions, also for the exact derivatives.
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) {
         let constant = |numbers: &[f64]| numbers.iter().map(|number| S::constant(*number)).collect::<Vec<S>>();
         if let Some(waves) = &mut self.world.waves {
@@ -15,7 +15,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Whether an element keeps the waves as they were when it was made.
+    /// Whether an element depends on the waves that it was built with.
     pub fn keeps_waves(&self) -> bool {
         self.elements.iter().any(|element| element.keeps_waves())
     }

@@ -1,4 +1,4 @@
-//! What the elements do while an equilibrium is sought.
+//! The actions of elements while an equilibrium is sought.
 
 use super::Plant;
 use super::scene::Scene;
@@ -7,7 +7,7 @@ use crate::integrate::{Interval, Stage};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Plant<S> {
-    /// What the model is evaluated for from here on.
+    /// Sets the purpose of the following evaluations.
     pub fn set_situation(&mut self, situation: Situation) {
         self.situation = situation;
         if let Some(tangent) = self.tangent_mut() {
@@ -15,7 +15,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// What each element that holds the model in place has found, in the order of the elements.
+    /// The trims of the elements that hold the model in place, in the order of the elements.
     pub fn trims(&self) -> Vec<Vec<S>> {
         self.elements.iter().filter_map(|element| Some(element.settling()?.trim().to_vec())).collect()
     }
@@ -26,8 +26,8 @@ impl<S: Scalar> Plant<S> {
         settling.zip(trims).for_each(|(settling, trim)| settling.set_trim(trim));
     }
 
-    /// While an equilibrium is sought: lets each element take over what holds the model. Returns how far the one that is
-    /// furthest off still is, m or rad.
+    /// While an equilibrium is sought: transfers the holding forces to the elements' trims. Returns the largest
+    /// remaining deviation, m or rad.
     pub fn take_over(&mut self, q: &[S], v: &[S]) -> S {
         self.links.update(&self.model, q, v);
         let Self { model, world, links, layout, situation, elements, .. } = self;
@@ -45,8 +45,8 @@ impl<S: Scalar> Plant<S> {
         off
     }
 
-    /// While an equilibrium is sought: the first element that cannot give what holds the model, and the share that it
-    /// would have to give.
+    /// While an equilibrium is sought: the first element that cannot give its holding force, and the utilisation that
+    /// it would need.
     pub fn overloaded(&mut self, q: &[S], v: &[S]) -> Option<(String, S)> {
         self.links.update(&self.model, q, v);
         let mut scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.situation, at_rest(q, v));

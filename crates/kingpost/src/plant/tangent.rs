@@ -1,6 +1,6 @@
 //! Exact derivatives of the right-hand side, by dual numbers.
 
-use super::{Extent, Observation, Plant};
+use super::{Observation, ObservedPart, Plant};
 use crate::elements::Situation;
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::model::Mode;
@@ -12,7 +12,7 @@ pub const DIRECTIONS: usize = 4;
 /// The dual number of this module.
 pub type Number = Dual<DIRECTIONS>;
 
-/// Something that the right-hand side depends on.
+/// A variable of the right-hand side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
     /// The local coordinate of a coordinate of v.
@@ -120,7 +120,7 @@ impl Tangent {
         self.lift(base, xi, at, along);
         let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
         let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d, m: at.m };
-        see(stage, self.plant.observe(stage, &Extent::Everything, &mut self.v_dot))
+        see(stage, self.plant.observe(stage, &ObservedPart::Everything, &mut self.v_dot))
     }
 
     /// The stage over dual numbers.
@@ -145,8 +145,8 @@ impl Tangent {
         self.plant.retract(&self.base, &self.xi, &mut self.q);
     }
 
-    /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`].
-    /// Returns how many plain evaluations it is worth: one, and one a direction, each time.
+    /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`]. Returns how many plain
+    /// evaluations it costs: one plus one per direction, each time.
     pub(super) fn jacobian(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, out: &mut Jacobian) -> u64 {
         let n = xi.len();
         let (rows, first) = (out.rows, out.passive);

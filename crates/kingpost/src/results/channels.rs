@@ -1,7 +1,7 @@
-//! Variables of the results with their places in a row.
+//! The variables of the results, with their places in a row.
 
 use super::{Sample, Table};
-use crate::elements::{Frame, Layout, Output};
+use crate::elements::{Layout, Output, VectorFrame};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use indexmap::IndexMap;
@@ -13,25 +13,25 @@ use serde::Serialize;
 pub struct Channel {
     /// Name in a data set.
     pub variable: &'static str,
-    /// What it is, as short as the axis of a plot needs it.
+    /// A short description, for the axis of a plot.
     pub long_name: String,
     /// What it is.
     pub description: &'static str,
-    /// SI unit of all its columns; absent where they differ.
+    /// SI unit of all its columns; absent if they differ.
     pub unit: Option<&'static str>,
     /// SI unit of each column.
     pub units: Vec<&'static str>,
     /// Frame of the components.
-    pub frame: Frame,
+    pub frame: VectorFrame,
     /// Names of the dimensions, slowest first.
     pub dims: Vec<String>,
     /// Labels along each dimension.
     pub labels: Vec<Vec<String>>,
-    /// How a column is named by its labels: `{body}.angular_velocity.{axis}`.
+    /// The pattern of a column's name from its labels: `{body}.angular_velocity.{axis}`.
     pub column: String,
     /// Names of its columns in a flat table: `ship.angular_velocity.x`.
     pub columns: Vec<String>,
-    /// Whether elements show it; else it is of the model, or of the ledger.
+    /// Whether it is an output of elements; else it belongs to the model or the ledger.
     pub of_elements: bool,
     /// First entry in a row.
     pub offset: usize,
@@ -49,14 +49,14 @@ pub struct Channels {
 }
 
 impl Channel {
-    /// Whether one of its entries stands at a place in a row.
+    /// Whether one of its entries is at a place in a row.
     pub(super) fn holds(&self, place: usize) -> bool {
         (self.offset..self.offset + self.len).contains(&place)
     }
 }
 
 impl Channels {
-    /// Of a model and what its elements show: the model's channels, those of the elements, the ledger's.
+    /// The channels of a model and its elements: the model's, then those of the elements, then the ledger's.
     pub fn new<S: Scalar>(model: &Model<S>, layout: &Layout) -> Self {
         let mut channels = Self { list: Vec::new(), places: Vec::new() };
         Table::OF_MODEL.iter().for_each(|entry| channels.push(entry.channel(model)));
@@ -70,7 +70,7 @@ impl Channels {
         self.list.last().map_or(0, |channel| channel.offset + channel.len)
     }
 
-    /// The place in a row of the column of a name.
+    /// The place in a row of the column with this name.
     pub fn place(&self, column: &str) -> Option<usize> {
         self.list.iter().flat_map(|channel| &channel.columns).position(|name| name == column)
     }
@@ -80,14 +80,14 @@ impl Channels {
         self.places[output]
     }
 
-    /// Which of the numbers that the elements write stands at a place in a row; `None` where none of them does.
+    /// Which of the elements' numbers is at a place in a row; `None` if none is.
     pub(super) fn output_at(&self, place: usize) -> Option<usize> {
         self.places.iter().position(|&of_output| of_output == place)
     }
 
     fn push(&mut self, channel: Channel) {
         let offset = self.columns();
-        // A model without loops, say, has no channel of them.
+        // A model without loops, for example, has no channel for them.
         if channel.len > 0 {
             self.list.push(Channel { offset, ..channel });
         }
@@ -136,8 +136,8 @@ fn labels_of(outputs: &[&Output]) -> Vec<String> {
     outputs.iter().flat_map(|output| output.labels.clone()).collect()
 }
 
-/// By dimension the longest list of labels that a variable has along it. A variable that only some of them have, as the torque of
-/// drives of which others have a force, stands along a dimension of its own: a dimension has one list of labels.
+/// For each dimension the longest list of labels of a variable. A variable that only some elements have, as the torque
+/// of drives when others have a force, gets a dimension of its own, because a dimension has one list of labels.
 fn widest<'a>(by_variable: &IndexMap<&str, Vec<(usize, &'a Output)>>) -> IndexMap<&'a str, Vec<String>> {
     let mut widest: IndexMap<&str, Vec<String>> = IndexMap::new();
     for outputs in by_variable.values() {
@@ -150,7 +150,7 @@ fn widest<'a>(by_variable: &IndexMap<&str, Vec<(usize, &'a Output)>>) -> IndexMa
     widest
 }
 
-/// One channel of the outputs of one variable, its things along a dimension.
+/// One channel for the outputs of one variable, along a dimension.
 fn channel_of(outputs: &[&Output], dimension: String) -> Channel {
     let one = outputs[0];
     let things = labels_of(outputs);
@@ -176,7 +176,7 @@ fn channel_of(outputs: &[&Output], dimension: String) -> Channel {
     }
 }
 
-/// How a column is named by its labels: that of a thing leads the variable.
+/// The pattern of a column's name: the label of the element or body stands before the variable.
 pub(super) fn column_by(variable: &str, dims: &[String], thing_leads: bool) -> String {
     let mut parts: Vec<String> = dims.iter().map(|dim| format!("{{{dim}}}")).collect();
     parts.insert(usize::from(thing_leads && !dims.is_empty()), variable.to_owned());

@@ -1,4 +1,4 @@
-//! What closed loops carry, and how far they are open.
+//! The forces and the errors of closed loops.
 
 use super::Sample;
 use crate::model::Model;

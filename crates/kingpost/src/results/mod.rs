@@ -1,6 +1,6 @@
 //! The registry of result channels: names, units, frames and dimensions.
 //!
-//! Those of the model and of the ledger stand in one table; those of the elements are what their [`Layout`] says.
+//! Channels of the model and of the ledger are in one table; those of the elements follow from their [`Layout`].
 
 mod channels;
 mod loops;
@@ -10,7 +10,7 @@ pub use channels::{Channel, Channels};
 use channels::{column_by, common, short_name};
 pub use readings::Readings;
 
-use crate::elements::{Components, Frame as ComponentFrame, WRENCH};
+use crate::elements::{Components, VectorFrame, WRENCH};
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
@@ -36,9 +36,9 @@ struct Entry<S> {
     variable: &'static str,
     description: &'static str,
     unit: Unit,
-    frame: ComponentFrame,
+    frame: VectorFrame,
     dims: &'static [Dimension],
-    /// Whether positions and velocities are all that it is computed from.
+    /// Whether it depends on positions and velocities only.
     of_motion: bool,
     write: fn(&Sample<'_, S>, &mut Vec<S>),
 }
@@ -52,7 +52,7 @@ enum Dimension {
     Axis,
     /// w, x, y, z.
     Quaternion,
-    /// Coordinates of all joints but floating ones.
+    /// Coordinates of all joints except floating ones.
     Coordinate,
     /// Joints by name.
     Joint,
@@ -68,17 +68,17 @@ enum Dimension {
 
 enum Unit {
     Plain(&'static str),
-    /// Of a force and a moment, by component.
+    /// The units of a force and a moment, by component.
     Wrench,
-    /// Where a coordinate turns, and where it slides.
+    /// The unit of a coordinate that turns, and of one that slides.
     Coordinate([&'static str; 2]),
-    /// Of a constraint of an angle, and of a length.
+    /// The unit of a constraint on an angle, and on a length.
     Constraint([&'static str; 2]),
 }
 
-use ComponentFrame::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
 use Dimension::{Axis, Body, Component, Constraint, Coordinate, Joint, Loop, Point, Quaternion as QuaternionDim};
 use Unit::{Constraint as ByConstraint, Coordinate as By, Plain, Wrench as ForceAndMoment};
+use VectorFrame::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
 
 struct Table<S>(PhantomData<S>);
 
@@ -108,7 +108,7 @@ impl<S: Scalar> Table<S> {
             dims: &[Joint, Component], of_motion: false, write: joint_reaction },
         Entry { variable: "loop_reaction", description: "wrench of the loop on its second body, at the second attachment, in the axes of the first", unit: ForceAndMoment, frame: InLoop,
             dims: &[Loop, Component], of_motion: false, write: loops::reaction },
-        Entry { variable: "loop_error", description: "what is left open along a constraint; of an angle, its sine", unit: ByConstraint(["rad", "m"]), frame: Number, dims: &[Constraint], of_motion: false,
+        Entry { variable: "loop_error", description: "error of a constraint; for an angle, its sine", unit: ByConstraint(["rad", "m"]), frame: Number, dims: &[Constraint], of_motion: false,
             write: loops::error },
         Entry { variable: "point_position", description: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis], of_motion: true,
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
@@ -116,24 +116,24 @@ impl<S: Scalar> Table<S> {
             write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
     ];
 
-    /// Energy and momentum, and what they should be.
+    /// Energy and momentum, and their expected values.
     const OF_LEDGER: &[Entry<S>] = &[
         Entry { variable: "kinetic_energy", description: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.observed.totals.kinetic_energy) },
         Entry { variable: "potential_energy", description: "potential energy", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.observed.totals.potential_energy) },
         Entry { variable: "work_done", description: "work done by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(work_done(x)) },
         Entry { variable: "work_by_drives", description: "work by drives", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
-        Entry { variable: "work_by_outside", description: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
+        Entry { variable: "work_by_outside", description: "work by everything outside, without potential energy", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
         Entry { variable: "energy_dissipated", description: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
         Entry { variable: "linear_momentum", description: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], of_motion: false, write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
         Entry { variable: "angular_momentum", description: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis], of_motion: false,
             write: |x, out| out.extend(x.observed.totals.angular_momentum.0) },
-        Entry { variable: "energy_error", description: "energy less what work and heat leave of it", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(energy_error(x)) },
+        Entry { variable: "energy_error", description: "energy less its balance: initial energy plus work less heat", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(energy_error(x)) },
         Entry { variable: "momentum_error", description: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(momentum_error(x)) },
         Entry { variable: "linear_momentum_error", description: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[], of_motion: false,
             write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
-        Entry { variable: "energy_scale", description: "energy in play, beside whose largest value so far the energy error counts: the root of the squares of kinetic energy and work done", unit: Plain("J"), frame: Number,
+        Entry { variable: "energy_scale", description: "energy in play, the scale of the energy error by its largest value so far: the root of the squares of kinetic energy and work done", unit: Plain("J"), frame: Number,
             dims: &[], of_motion: false, write: |x, out| out.push(energy_scale(x)) },
-        Entry { variable: "momentum_scale", description: "angular momentum in play, beside whose largest value so far the momentum error counts: the root of the squares of that of all and of each body's about its own centre",
+        Entry { variable: "momentum_scale", description: "angular momentum in play, the scale of the momentum error by its largest value so far: the root of the squares of the total and of each body's about its own centre",
             unit: Plain("N m s"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(momentum_scale(x)) },
     ];
 }
@@ -165,7 +165,7 @@ impl<S: Scalar> Entry<S> {
         self.dims.first().is_some_and(|dimension| dimension.names_things())
     }
 
-    /// What names a thing stands before the variable, what names a component behind it.
+    /// Labels of bodies and elements stand before the variable, labels of components after it.
     fn columns(&self, labels: &[Vec<String>]) -> Vec<String> {
         let leads = self.thing_leads();
         let mut columns = vec![if leads { String::new() } else { self.variable.to_owned() }];
@@ -224,7 +224,7 @@ impl Dimension {
 }
 
 impl Unit {
-    /// Of each of so many columns.
+    /// The unit of each column.
     fn of_columns<S: Scalar>(&self, model: &Model<S>, columns: usize) -> Vec<&'static str> {
         match self {
             Plain(unit) => vec![unit; columns],

@@ -1,20 +1,20 @@
-//! Some columns of the results by themselves, without the rest of a row.
+//! Some columns of the results, without the rest of a row.
 
 use super::channels::Channels;
 use super::{Sample, Table};
 use crate::elements::Layout;
-use crate::plant::Extent;
+use crate::plant::ObservedPart;
 use crate::scalar::Scalar;
 
-/// Columns that are read at every step, and what an observation must hold for them: a height asks for no accelerations.
+/// Columns that are read at every step, and the observation that they need: a height needs no accelerations.
 #[derive(Clone, Debug, Default)]
 pub struct Readings<S> {
     sources: Vec<Source>,
-    extent: Extent,
+    extent: ObservedPart,
     row: Vec<S>,
 }
 
-/// Where a column comes from.
+/// The source of a column.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     /// An entry of the table of the model's channels, and which of its numbers.
@@ -26,17 +26,17 @@ enum Source {
 }
 
 impl<S: Scalar> Readings<S> {
-    /// Of these columns; one that is not there is left out.
+    /// For these columns; columns that do not exist are left out.
     pub fn new(columns: &[String], channels: &Channels, layout: &Layout) -> Self {
         let places: Vec<usize> = columns.iter().filter_map(|column| channels.place(column)).collect();
         Self::of_motion(&places, channels, layout).unwrap_or_else(|| Self {
             sources: places.into_iter().map(|place| Source::Row { place }).collect(),
-            extent: Extent::Everything,
+            extent: ObservedPart::Everything,
             row: Vec::new(),
         })
     }
 
-    /// `None` where one of the columns asks for more than the motion and what elements show.
+    /// `None` if a column needs more than the motion and the outputs of elements.
     fn of_motion(places: &[usize], channels: &Channels, layout: &Layout) -> Option<Self> {
         let mut elements: Vec<usize> =
             places.iter().filter_map(|&place| Some(layout.writer(channels.output_at(place)?)?.0)).collect();
@@ -54,7 +54,7 @@ impl<S: Scalar> Readings<S> {
             Some(Source::Element { output: before.map(|&other| layout.written_by(other)).sum::<usize>() + number })
         };
         let sources = places.iter().map(source).collect::<Option<Vec<_>>>()?;
-        Some(Self { sources, extent: Extent::MotionAnd(elements), row: Vec::new() })
+        Some(Self { sources, extent: ObservedPart::MotionAnd(elements), row: Vec::new() })
     }
 
     /// Whether there is nothing to read.
@@ -62,8 +62,8 @@ impl<S: Scalar> Readings<S> {
         self.sources.is_empty()
     }
 
-    /// What an observation must hold.
-    pub fn extent(&self) -> &Extent {
+    /// The part that an observation must contain.
+    pub fn extent(&self) -> &ObservedPart {
         &self.extent
     }
 
@@ -72,7 +72,7 @@ impl<S: Scalar> Readings<S> {
         out.clear();
         let row = &mut self.row;
         row.clear();
-        if self.extent == Extent::Everything {
+        if self.extent == ObservedPart::Everything {
             channels.write_row(sample, row);
         }
         for source in &self.sources {

@@ -14,7 +14,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// assert!((y.derivative[0] - (3.0 * 4.0 + 2.0_f64.cos())).abs() < 1e-15);
 /// ```
 ///
-/// Over another scalar it is a derivative beside what that one carries: a rate in time of a dual number, say.
+/// Over another scalar it adds a derivative to those of that scalar: for example the rate in time of a dual number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<const N: usize, S = f64> {
     /// The value.
@@ -34,19 +34,19 @@ impl<const N: usize, S: Scalar> Dual<N, S> {
         Self { value, derivative }
     }
 
-    /// The number itself, which no direction moves.
+    /// A constant: zero derivatives in all directions.
     #[inline]
     pub fn still(value: S) -> Self {
         Self { value, derivative: [S::ZERO; N] }
     }
 
-    /// A function's value here, where its slope is known.
+    /// A function's value, with its slope.
     #[inline]
     fn chain(self, value: S, slope: S) -> Self {
         Self { value, derivative: self.derivative.map(|d| slope * d) }
     }
 
-    /// A function's value here, where its slopes in both arguments are known.
+    /// A function's value, with its slopes in both arguments.
     #[inline]
     fn combine(self, other: Self, value: S, slopes: [S; 2]) -> Self {
         let along = |k: usize| slopes[0] * self.derivative[k] + slopes[1] * other.derivative[k];
@@ -156,7 +156,7 @@ impl<const N: usize, S: Scalar> Scalar for Dual<N, S> {
         self.combine(x, self.value.atan2(x.value), [x.value / square, -self.value / square])
     }
 
-    /// At zero the slope is infinite where the argument moves, and taken as zero where it rests.
+    /// At zero the slope is infinite if the argument moves, and taken as zero if it is constant.
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();

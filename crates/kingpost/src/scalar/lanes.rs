@@ -1,5 +1,6 @@
-//! Lanes: several runs of one structure side by side in SIMD registers.
+//! Lanes: several runs of one structure in SIMD registers.
 
+use super::turns::{cosine, sine};
 use super::{Scalar, radians};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use wide::f64x4;
@@ -7,8 +8,8 @@ use wide::f64x4;
 /// Number of runs that [`Lanes`] holds.
 pub const LANES: usize = 4;
 
-/// Independent numbers. Every operation is that of `f64` lane by lane, without fused
-/// multiplication, so each lane has the bits that it would have alone.
+/// Independent numbers. Every operation is that of `f64` lane by lane, without fused multiplication, so each lane has
+/// the same bits as a run alone.
 ///
 /// ```
 /// use kingpost::scalar::{Lanes, Scalar};
@@ -114,7 +115,10 @@ impl Scalar for Lanes {
             let both = self.to_array().map(Scalar::sin_cos);
             return (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)));
         }
-        radians::sin_cos_of_lanes(self)
+        let (quarters, left) = radians::reduced(self);
+        let (sin, cos, quarters) = (sine(left).to_array(), cosine(left).to_array(), quarters.to_array());
+        let both: [(f64, f64); LANES] = core::array::from_fn(|k| radians::turned(sin[k], cos[k], quarters[k]));
+        (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
     }
 
     #[inline]

@@ -1,9 +1,8 @@
-//! One scalar trait for everything that a derivative or a SIMD lane may pass through.
+//! The scalar trait for everything that derivatives or SIMD lanes pass through.
 //!
-//! The folders from [`spatial`](crate::spatial) to [`simulation`](crate::simulation) are generic
-//! over [`Scalar`]. `f64` is the everyday choice, [`Dual`] carries exact derivatives, and [`Lanes`]
-//! holds several runs side by side. Transcendental functions are the pure-Rust `libm`'s or our own on
-//! every target, so native and WASM runs give the same bits.
+//! The folders from [`spatial`](crate::spatial) to [`simulation`](crate::simulation) are generic over [`Scalar`]. `f64`
+//! is the usual choice, [`Dual`] carries exact derivatives, and [`Lanes`] holds several runs. Transcendental functions
+//! are the pure-Rust `libm`'s or our own on every target, so native and WASM runs give the same bits.
 
 mod dual;
 mod lanes;
@@ -33,7 +32,7 @@ pub trait Scalar:
     + Sync
     + 'static
 {
-    /// Numbers that stand side by side in it.
+    /// Number of lanes.
     const LANES: usize = 1;
     /// Whether it carries derivatives.
     const HAS_DERIVATIVES: bool = false;
@@ -49,13 +48,13 @@ pub trait Scalar:
     fn value(self) -> f64;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
-    /// Sine and cosine of an angle in turns of 2 pi rad, to 2e-16 or so and far faster than
+    /// Sine and cosine of an angle in turns of 2 pi rad, to about 2e-16 and much faster than
     /// [`sin_cos`](Self::sin_cos): for sums of many waves.
     fn sin_cos_of_turns(self) -> (Self, Self);
-    /// The cosine alone of an angle in turns of 2 pi rad, to 3e-16 or so, for half the work of both.
+    /// Only the cosine of an angle in turns of 2 pi rad, to about 3e-16, for half the cost of both.
     fn cos_of_turns(self) -> Self;
-    /// 2 to this power, which must be below 1023, to 4e-16 of it or so and far faster than [`exp`](Self::exp): for sums of
-    /// many waves. For powers below -1022, the least normal number.
+    /// 2 to this power, which must be below 1023, to a relative error of about 4e-16 and much faster than
+    /// [`exp`](Self::exp): for sums of many waves. For powers below -1022, the smallest normal number.
     fn power_of_two(self) -> Self;
     /// The angle of the point (`x`, `self`), radians in (-pi, pi].
     fn atan2(self, x: Self) -> Self;
@@ -71,14 +70,14 @@ pub trait Scalar:
     fn ln(self) -> Self;
     /// `self` to a power; `self` must be greater than 0.
     fn pow(self, exponent: Self) -> Self;
-    /// Plain numbers from plain numbers, lane by lane, without derivatives: what an iteration has found, before a last
-    /// step of it that carries them.
+    /// Applies a function of plain numbers, lane by lane, without derivatives: for the result of an iteration before
+    /// its last step, which carries the derivatives.
     fn from_values<const N: usize, const M: usize>(
         arguments: [Self; N],
         function: impl Fn([f64; N]) -> [f64; M],
     ) -> [Self; M];
-    /// `below()` where `self < limit`, otherwise `above()`, also where `self` is not a number. A
-    /// scalar of several lanes may evaluate both, so both must be free of side effects.
+    /// `below()` where `self < limit`, otherwise `above()`, also if `self` is NaN. A scalar of several lanes may
+    /// evaluate both, so both must be free of side effects.
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self;
     /// Whether `test` holds for the value, in every lane.
     fn all(self, test: impl Fn(f64) -> bool) -> bool;
@@ -137,7 +136,8 @@ impl Scalar for f64 {
 
     #[inline]
     fn sqrt(self) -> Self {
-        // Correctly rounded everywhere, so the bits are libm's, which computes it by integers where WASM has an instruction.
+        // Correctly rounded everywhere, so the bits equal those of libm, which computes it with integers although WASM
+        // has an instruction.
         f64::sqrt(self)
     }
 

@@ -1,20 +1,20 @@
 //! Sine and cosine of an angle in radians, without branches.
 
+use super::Scalar;
 use super::turns::{ROUNDING, cosine, sine};
-use super::{LANES, Lanes, Scalar};
 use core::f64::consts::FRAC_2_PI;
 
 /// A quarter of a turn in three parts: two of 33 bits, whose products with whole numbers up to 2^20 are exact, and the
 /// rest (fdlibm's e_rem_pio2.c, Sun Microsystems 1993).
 const QUARTER: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
-/// Beyond this angle, rad, whole numbers of quarters leave 20 bits.
+/// Beyond this angle, rad, the number of quarter turns needs more than 20 bits.
 pub(super) const LARGEST: f64 = 1.6e6;
 
 /// Sine and cosine to a unit in the last place.
 ///
-/// With n the whole number nearest to the angle's quarters of a turn, what is left is at most pi/4 and known to rounding
-/// (Cody and Waite 1980). Of sums and products alone, so that the bits are the same on every machine and in lanes.
+/// With n the whole number of quarter turns nearest to the angle, the remainder is at most pi/4 and exact to rounding
+/// (Cody and Waite 1980). It uses only sums and products, so the bits are the same on every machine and in lanes.
 #[inline(always)]
 pub(super) fn sin_cos(angle: f64) -> (f64, f64) {
     if angle.abs() < LARGEST {
@@ -25,9 +25,9 @@ pub(super) fn sin_cos(angle: f64) -> (f64, f64) {
     }
 }
 
-/// The whole number of quarters, in the last bits, and what is left, rad.
+/// The whole number of quarter turns, in the last bits, and the remainder, rad.
 #[inline(always)]
-fn reduced<S: Scalar>(angle: S) -> (S, S) {
+pub(super) fn reduced<S: Scalar>(angle: S) -> (S, S) {
     let [first, second, third] = QUARTER.map(S::constant);
     let rounding = S::constant(ROUNDING);
     let quarters = angle * S::constant(FRAC_2_PI) + rounding;
@@ -37,22 +37,12 @@ fn reduced<S: Scalar>(angle: S) -> (S, S) {
     (quarters, left + (((near - left) - second) - n * third))
 }
 
-/// Sine and cosine of an angle and so many quarters of a turn, from those of the angle.
+/// Sine and cosine of an angle plus a number of quarter turns, from those of the angle.
 #[inline(always)]
-fn turned(sin: f64, cos: f64, quarters: f64) -> (f64, f64) {
+pub(super) fn turned(sin: f64, cos: f64, quarters: f64) -> (f64, f64) {
     let by_quadrant = [sin, cos, -sin, -cos, sin];
     let quadrant = (quarters.to_bits() & 3) as usize;
     (by_quadrant[quadrant], by_quadrant[quadrant + 1])
-}
-
-/// The same in lanes, all of angles up to [`LARGEST`].
-#[inline(always)]
-pub(super) fn sin_cos_of_lanes(angle: Lanes) -> (Lanes, Lanes) {
-    let (quarters, left) = reduced(angle);
-    let (sin, cos) = (sine(left).to_array(), cosine(left).to_array());
-    let quarters = quarters.to_array();
-    let both: [(f64, f64); LANES] = core::array::from_fn(|k| turned(sin[k], cos[k], quarters[k]));
-    (Lanes::new(both.map(|(sin, _)| sin)), Lanes::new(both.map(|(_, cos)| cos)))
 }
 
 #[cfg(test)]

@@ -1,22 +1,21 @@
 //! Sine and cosine of an angle in turns, and powers of two, for sums of many waves.
 //!
-//! Without branches, so that a loop over many waves becomes SIMD code, and of the four operations alone, so that the bits
-//! are the same on every machine.
+//! Without branches, so that a loop over many waves becomes SIMD code, and with the four basic operations only, so that
+//! the bits are the same on every machine.
 
 use super::Scalar;
 use core::f64::consts::{PI, TAU};
 
-/// 1.5 * 2^52: what is added to it is rounded to the nearest whole number, which its last bits hold.
+/// 1.5 * 2^52: a number added to it is rounded to the nearest whole number, which is then in its last bits.
 pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
-/// 1.5 * 2^51: what is added to it is rounded to the nearest half, and its last bits hold the number of halves.
+/// 1.5 * 2^51: a number added to it is rounded to the nearest half, and its last bits hold the number of halves.
 const ROUNDING_TO_HALVES: f64 = 0.5 * ROUNDING;
 
 /// Sine and cosine of 2 pi times a number, to 2 units in the last place of 1.
 ///
-/// With n the whole number nearest to four times the argument, what is left is at most an eighth of a
-/// turn and exact, however many turns there were. The polynomials are those of the fdlibm's k_sin.c
-/// and k_cos.c (Sun Microsystems 1993).
+/// With n the whole number nearest to four times the argument, the remainder is at most an eighth of a turn and exact,
+/// whatever the number of turns. The polynomials are those of the fdlibm's k_sin.c and k_cos.c (Sun Microsystems 1993).
 #[inline(always)]
 pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     let quarters = 4.0 * turns + ROUNDING;
@@ -31,9 +30,9 @@ pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     (f64::from_bits(sine), f64::from_bits(cosine))
 }
 
-/// The cosine of 2 pi times a number, to 3 units in the last place of 1, for half the work of both.
+/// The cosine of 2 pi times a number, to 3 units in the last place of 1, for half the cost of both.
 ///
-/// What is left after half turns is at most a quarter of a turn r, and cos 2 pi r = 1 - 2 sin^2 pi r.
+/// The remainder after half turns is at most a quarter of a turn r, and cos 2 pi r = 1 - 2 sin^2 pi r.
 #[inline(always)]
 pub(super) fn cos_of_turns(turns: f64) -> f64 {
     let halves = turns + ROUNDING_TO_HALVES;
@@ -44,8 +43,9 @@ pub(super) fn cos_of_turns(turns: f64) -> f64 {
 
 /// 2 to a power below 1023, to 2 units in the last place; 2^-1022 for powers below -1022.
 ///
-/// With n the whole number nearest to the power, what is left is at most a half and exact; 2 to it is the rational
-/// function of the Cephes library's exp2.c (S. L. Moshier, *Methods and Programs for Mathematical Functions*, 1989).
+/// With n the whole number nearest to the power, the remainder is at most a half and exact; 2 to the remainder is the
+/// rational function of the Cephes library's exp2.c (S. L. Moshier, *Methods and Programs for Mathematical Functions*,
+/// 1989).
 #[inline(always)]
 pub(super) fn power_of_two(power: f64) -> f64 {
     const P: [f64; 3] = [1_513.906_801_156_151, 20.202_065_669_316_532, 2.309_334_770_573_452_3e-2];

@@ -1,8 +1,8 @@
-//! `name=value` as the command line takes it.
+//! `name=value` on the command line.
 
 use serde_json::{Number, Value};
 
-use super::error::{Fault, Place, ScenarioError};
+use super::error::{Fault, ScenarioError, SourcePlace};
 use super::wording;
 
 /// The name and the value of `name=value`. `on`, `true`, `off` and `false` are booleans, numbers are numbers, a list of
@@ -12,7 +12,7 @@ use super::wording;
 /// No `=`, no name before it, or a number that is not finite.
 pub fn parse_assignment(text: &str) -> Result<(String, Value), ScenarioError> {
     let fault = |field: &str, found: String, allowed: &str| {
-        Fault::new(&Place::Set(field.to_owned()), field, found, allowed).in_file("")
+        Fault::new(&SourcePlace::Set(field.to_owned()), field, found, allowed).in_file("")
     };
     let (name, value) = text.split_once('=').unwrap_or(("", text));
     let (name, value) = (name.trim(), value.trim());
@@ -32,7 +32,7 @@ pub fn parse_assignment(text: &str) -> Result<(String, Value), ScenarioError> {
     Ok((name.to_owned(), value))
 }
 
-/// The number that a text is, null where it is not finite.
+/// The number in a text; null if it is not finite.
 fn number(text: &str) -> Option<Value> {
     let whole = text.parse::<i64>().map(Value::from).or_else(|_| text.parse::<u64>().map(Value::from));
     let number = || text.parse::<f64>().map(|number| Number::from_f64(number).map_or(Value::Null, Value::Number));

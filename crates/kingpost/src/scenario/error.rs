@@ -5,10 +5,9 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::parts::{files, names};
-use super::wording;
+use super::{part_names, wording};
 
-/// What is wrong with a field, where its place in the file is not known.
+/// An error in a field whose place in the file is not known.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct FieldError {
@@ -21,7 +20,7 @@ pub struct FieldError {
 }
 
 impl FieldError {
-    /// An error of this field. A text of nothing but blanks is shown in quotes, a number of many zeros by its power of ten.
+    /// An error of this field. A blank text is shown in quotes, a number with many zeros by its power of ten.
     pub fn new(field: impl Into<String>, found: impl ToString, allowed: impl Into<String>) -> Self {
         let found = found.to_string();
         let found = if found.trim().is_empty() { wording::quoted(&found) } else { wording::with_powers(&found) };
@@ -29,17 +28,17 @@ impl FieldError {
     }
 }
 
-/// What is wrong with a scenario, and where. Shown as
-/// `paper.yaml:12:14: bodies.ship.mass_kg: found -5, allowed: a number greater than 0`.
+/// An error in a scenario, with its place. Shown as `paper.yaml:12:14: bodies.ship.mass_kg: found -5, allowed: a number
+/// greater than 0`.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub struct ScenarioError {
-    /// The file's name, or `--set name` for a value set from outside; empty where there is neither.
+    /// The file's name, or `--set name` for a value set from outside; empty if there is neither.
     pub file: String,
     /// Line in the file, from 1.
     pub line: Option<usize>,
     /// Column in the file, from 1, in characters.
     pub column: Option<usize>,
-    /// Dotted path of the field, list entries by index from 0; empty where the whole file is meant.
+    /// Dotted path of the field, list entries by index from 0; empty if it concerns the whole file.
     pub field: String,
     /// What was found there.
     pub found: String,
@@ -75,7 +74,7 @@ const SET: &str = "--set ";
 
 /// Where a value comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum SourcePlace {
     /// The file.
     File {
         /// From 1.
@@ -87,7 +86,7 @@ pub(super) enum Place {
     Part {
         /// The file's name from the main file's folder, or in the gallery.
         file: Arc<str>,
-        /// What the names of the part begin with in the whole.
+        /// The prefix of the part's names in the whole.
         prefix: Arc<str>,
         /// From 1.
         line: usize,
@@ -98,20 +97,20 @@ pub(super) enum Place {
     Set(String),
 }
 
-impl Place {
+impl SourcePlace {
     pub(super) const START: Self = Self::File { line: 1, column: 1 };
 }
 
 /// A field error and its place; the file's name is added last.
 #[derive(Clone, Debug)]
 pub(super) struct Fault {
-    pub(super) place: Place,
+    pub(super) place: SourcePlace,
     pub(super) error: FieldError,
 }
 
 impl Fault {
     pub(super) fn new(
-        place: &Place,
+        place: &SourcePlace,
         field: impl Into<String>,
         found: impl ToString,
         allowed: impl Into<String>,
@@ -122,17 +121,17 @@ impl Fault {
     pub(super) fn in_file(self, file: &str) -> ScenarioError {
         let error = ScenarioError::from(self.error);
         match self.place {
-            Place::File { line, column } => {
+            SourcePlace::File { line, column } => {
                 ScenarioError { file: file.to_owned(), line: Some(line), column: Some(column), ..error }
             }
-            Place::Part { file: part, prefix, line, column } => ScenarioError {
-                file: files::beside(file, &part),
+            SourcePlace::Part { file: part, prefix, line, column } => ScenarioError {
+                file: part_names::beside(file, &part),
                 line: Some(line),
                 column: Some(column),
-                field: names::in_part(&error.field, &prefix),
+                field: part_names::in_part(&error.field, &prefix),
                 ..error
             },
-            Place::Set(name) => ScenarioError { file: format!("{SET}{name}"), ..error },
+            SourcePlace::Set(name) => ScenarioError { file: format!("{SET}{name}"), ..error },
         }
     }
 }

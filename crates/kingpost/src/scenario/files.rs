@@ -1,6 +1,7 @@
-//! Files that a scenario names: their texts come from the host, for the engine reads no disk.
+//! Files that a scenario names: their texts come from the host, because the engine reads no files.
 
 use super::error::FieldError;
+use super::named_files::NamedFiles;
 use super::schema::{Force, Joint, Scenario, Waves};
 use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
@@ -11,10 +12,10 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Who has the texts of files: the engine reads no disk.
+/// The source of the texts of files: the engine itself reads no files.
 ///
-/// A name that begins with `gallery:` is of a file below the gallery's folder (`gallery:parts/pedestal_crane.yaml`), any
-/// other is a path from the folder of the scenario's own file.
+/// A name that begins with `gallery:` is a file below the gallery's folder (`gallery:parts/pedestal_crane.yaml`), any
+/// other name is a path from the folder of the scenario's own file.
 ///
 /// ```
 /// use kingpost::scenario::{Files, Host, read_with};
@@ -35,7 +36,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 pub trait Host: fmt::Debug + Send + Sync {
-    /// The text of a file, where there is one.
+    /// The text of a file, if it exists.
     fn text(&self, name: &str) -> Option<Cow<'_, str>>;
 }
 
@@ -66,7 +67,7 @@ impl Files {
         Self::of(texts.into_iter().collect::<IndexMap<_, _>>())
     }
 
-    /// Those that a host has.
+    /// The files of a host.
     pub fn of(host: impl Host + 'static) -> Self {
         Self { host: Box::new(host), digests: Mutex::default(), databases: Mutex::default() }
     }
@@ -76,13 +77,13 @@ impl Files {
         self.host.text(name)
     }
 
-    /// The text of a file, which is one of these, that `field` names.
+    /// The text of the file that `field` names; `what` says what it should be.
     fn text(&self, field: &str, name: &str, what: &str) -> Result<Cow<'_, str>, FieldError> {
         let text = self.host.text(name);
         text.ok_or_else(|| FieldError::new(field, format!("no file {name}"), format!("{what} that is there")))
     }
 
-    /// A number that two texts share only if they are the same.
+    /// A digest of the text: equal only for equal texts.
     fn digest(&self, name: &str) -> u64 {
         let mut known = self.digests.lock().unwrap_or_else(PoisonError::into_inner);
         let of_text = || self.text_of(name).map_or(0, |text| digest(text.as_bytes()));
@@ -120,34 +121,7 @@ impl Files {
     }
 }
 
-/// What is in the files that a scenario names, by their names.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct NamedFiles {
-    databases: IndexMap<String, Arc<Database>>,
-    records: IndexMap<String, Arc<ElevationTable>>,
-    raos: IndexMap<String, Arc<RaoTable>>,
-    /// Of the text of each.
-    digests: IndexMap<String, u64>,
-}
-
-impl NamedFiles {
-    /// The hydrodynamic database of a file.
-    pub fn database(&self, name: &str) -> Option<&Arc<Database>> {
-        self.databases.get(name)
-    }
-
-    /// The record of the sea's elevation of a file.
-    pub fn record(&self, name: &str) -> Option<&Arc<ElevationTable>> {
-        self.records.get(name)
-    }
-
-    /// The displacement RAOs of a file.
-    pub fn raos(&self, name: &str) -> Option<&Arc<RaoTable>> {
-        self.raos.get(name)
-    }
-}
-
-/// What a file is to the scenario that names it.
+/// The kind of a file that a scenario names.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Database,
@@ -156,7 +130,7 @@ enum Kind {
 }
 
 impl Scenario {
-    /// Names of the files that it stands on, in its order, each once.
+    /// Names of the files that it uses, in its order, each once.
     pub fn file_names(&self) -> Vec<&str> {
         let mut names = Vec::new();
         for (_, name, _) in self.file_fields() {
@@ -167,15 +141,15 @@ impl Scenario {
         names
     }
 
-    /// A number that two scenarios share only if they and their files describe the same run; title, description and
-    /// parameters are no part of it.
+    /// A digest that is equal only for scenarios that, with their files, describe the same run; title, description and
+    /// parameters do not count.
     pub(super) fn fingerprint(&self) -> u64 {
         let Self { simulation, bodies, loops, sea, wind, forces, drives, sensors, wires, operation, files, .. } = self;
         let run = (simulation, bodies, loops, sea, wind, forces, drives, sensors, wires, operation, &files.digests);
         serde_json::to_vec(&run).map_or(0, |text| digest(&text))
     }
 
-    /// Takes over the files that it names.
+    /// Loads the files that it names.
     pub(super) fn take_files(&mut self, files: &Files) -> Result<(), FieldError> {
         let mut taken = NamedFiles::default();
         for (field, name, kind) in self.file_fields() {
@@ -190,7 +164,7 @@ impl Scenario {
         Ok(())
     }
 
-    /// Fields that name files, of what is enabled, and the names.
+    /// Enabled fields that name files, and the names.
     fn file_fields(&self) -> Vec<(String, &str, Kind)> {
         let mut fields = Vec::new();
         for (name, waves) in self.sea.iter().flat_map(|sea| &sea.waves) {

@@ -1,4 +1,5 @@
-//! What a number of a scenario is read as: plain, or as several runs side by side, or with its derivatives.
+//! The types that a number of a scenario can be read as: a plain number, the numbers of several runs, or a number with
+//! derivatives.
 
 use std::fmt::{self, Debug, Display};
 
@@ -8,38 +9,38 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::error::FieldError;
 use crate::scalar::{Dual, LANES, Lanes, Scalar};
 
-/// A continuous number of a scenario. The types of a scenario are generic over it; what decides the structure of a run
-/// (steps, seeds, times of switching, tables' grids) is a plain number there.
+/// A continuous number of a scenario. The types of a scenario are generic over it; numbers that decide the structure of
+/// a run (steps, seeds, switching times, grids of tables) are plain.
 ///
-/// A leaf reads itself from a number. [`Lanes`] and [`Dual`] read themselves from a list of their parts too, which
-/// stands in no file: see [`super::together`].
+/// A leaf is read from a number. [`Lanes`] and [`Dual`] are also read from a list of their parts, which no file
+/// contains: see [`super::together`].
 pub trait Leaf: Copy + Debug + Default + PartialEq + DeserializeOwned + 'static {
-    /// A default that stands in the source.
+    /// A default from the source code.
     fn literal(value: f64) -> Self;
-    /// A value that fails a test of its range, if there is one.
+    /// A value that is outside its range, if there is one.
     fn outside(self, inside: impl Fn(f64) -> bool) -> Option<f64>;
 }
 
-/// What the JSON Schema is generic over: the plain number.
+/// The scalar of the JSON Schema: the plain number.
 #[cfg(feature = "schema")]
 pub trait Described: Leaf + Serialize + schemars::JsonSchema {}
 
 #[cfg(feature = "schema")]
 impl Described for f64 {}
 
-/// A leaf that a model can be built of. A builder computes with all of it: there is no way to its first lane or to its
-/// value without its derivatives, but for those here, which fail where something would be lost.
+/// A leaf from which a model can be built. A builder computes with all its lanes and derivatives: only the functions
+/// here give a plain number, and they fail if that would lose something.
 pub trait Quantity: Leaf + Scalar + Display {
-    /// How many scenarios stand side by side in it.
+    /// Number of scenarios that it holds.
     const SCENARIOS: usize;
 
     /// From the number in each of the scenarios; without derivatives.
     fn of_each(number: impl Fn(usize) -> f64) -> Self;
 
-    /// The value, if all lanes share it, and whether it has no derivative.
+    /// The value if all lanes are equal, and whether it has no derivative.
     fn shared(self) -> (Option<f64>, bool);
 
-    /// The plain number, for what is plain in the engine.
+    /// The plain number, for quantities that are plain in the engine.
     ///
     /// # Errors
     /// Lanes that differ, or a derivative.
@@ -50,7 +51,7 @@ pub trait Quantity: Leaf + Scalar + Display {
         }
     }
 
-    /// The plain number, and the factor, 1, that carries its derivatives: for what is in proportion to it.
+    /// The plain number, and the factor, 1, that carries its derivatives: for quantities proportional to it.
     ///
     /// # Errors
     /// Lanes that differ.
@@ -59,10 +60,9 @@ pub trait Quantity: Leaf + Scalar + Display {
         Ok((value, if value == 0.0 { Self::ONE } else { self / Self::constant(value) }))
     }
 
-    /// Whether a test holds: a decision, which all lanes must share.
+    /// Whether a test holds: all lanes must give the same answer.
     ///
-    /// # Errors
-    /// Lanes in which it holds beside others in which it does not.
+    /// # Errors It holds in some lanes and not in others.
     fn decides(self, field: &str, test: impl Fn(f64) -> bool) -> Result<bool, FieldError> {
         match (self.all(&test), self.all(|value| !test(value))) {
             (true, _) => Ok(true),
@@ -71,14 +71,14 @@ pub trait Quantity: Leaf + Scalar + Display {
         }
     }
 
-    /// Whether it is 0 in all lanes and stays so along all directions: what it scales may be left out.
+    /// Whether it is 0 in all lanes with zero derivatives: then the terms that it scales may be left out.
     fn vanishes(self) -> bool {
         self.shared() == (Some(0.0), true)
     }
 }
 
-/// What is allowed where a number decides how a run is made up.
-const ONE_NUMBER: &str = "one number: it decides how the run is made up";
+/// What is allowed for a number that decides the structure of a run.
+const ONE_NUMBER: &str = "one number: it decides the structure of the run";
 
 impl Leaf for f64 {
     fn literal(value: f64) -> Self {
@@ -158,10 +158,10 @@ impl<const N: usize> Display for Dual<N> {
     }
 }
 
-/// The parts of a number: itself, or those of a list.
-struct Parts;
+/// Reads the parts of a number: the number itself, or the entries of a list.
+struct NumberVisitor;
 
-impl<'de> Visitor<'de> for Parts {
+impl<'de> Visitor<'de> for NumberVisitor {
     type Value = Vec<f64>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -188,7 +188,7 @@ impl<'de> Visitor<'de> for Parts {
 /// A number, or a list with one part for each lane.
 impl<'de> Deserialize<'de> for Lanes {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let parts = deserializer.deserialize_any(Parts)?;
+        let parts = deserializer.deserialize_any(NumberVisitor)?;
         match (parts.as_slice(), <[f64; LANES]>::try_from(parts.as_slice())) {
             (_, Ok(lanes)) => Ok(Self::new(lanes)),
             ([value], _) => Ok(Self::constant(*value)),
@@ -200,7 +200,7 @@ impl<'de> Deserialize<'de> for Lanes {
 /// A number, or a list of its value and its derivatives.
 impl<'de, const N: usize> Deserialize<'de> for Dual<N> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let parts = deserializer.deserialize_any(Parts)?;
+        let parts = deserializer.deserialize_any(NumberVisitor)?;
         let wrong = || D::Error::invalid_length(parts.len(), &"a value and its derivatives");
         let (value, derivative) = parts.split_first().ok_or_else(wrong)?;
         match <[f64; N]>::try_from(derivative) {
@@ -211,7 +211,7 @@ impl<'de, const N: usize> Deserialize<'de> for Dual<N> {
     }
 }
 
-/// A leaf that holds nothing: what is left of a scenario is its structure.
+/// A leaf without a value: a scenario over it is only its structure.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Blank;
 
@@ -232,6 +232,6 @@ impl Serialize for Blank {
 
 impl<'de> Deserialize<'de> for Blank {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Parts).map(|_| Self)
+        deserializer.deserialize_any(NumberVisitor).map(|_| Self)
     }
 }

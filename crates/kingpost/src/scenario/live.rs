@@ -1,4 +1,4 @@
-//! Parameters that change while a run goes on.
+//! Parameters that change during a run.
 
 use serde_json::Value;
 use thiserror::Error;
@@ -10,7 +10,8 @@ use crate::elements::drives::WaveMotion;
 use crate::elements::of_kind;
 use crate::simulation::Simulation;
 
-/// Settings that can be set during a run like a parameter that is `live`: another integrator moves the same model on.
+/// Settings that can be changed during a run like a `live` parameter: another integrator can continue with the same
+/// model.
 pub const LIVE_SETTINGS: [&str; 1] = ["simulation.integrator"];
 
 /// A parameter that cannot be set during a run.
@@ -19,20 +20,20 @@ pub enum ParameterError {
     /// No parameter of this name.
     #[error("parameter {found}: no such parameter, allowed: {allowed}")]
     Unknown {
-        /// What was asked for.
+        /// The name that was given.
         found: String,
-        /// Those that may be set during a run.
+        /// The parameters that can be set during a run.
         allowed: String,
     },
     /// One that is not `live`.
-    #[error("parameter {name}: takes effect where a run begins, allowed during a run: {allowed}")]
+    #[error("parameter {name}: takes effect at the start of a run, allowed during a run: {allowed}")]
     AtReset {
         /// The parameter.
         name: String,
-        /// Those that may be set during a run.
+        /// The parameters that can be set during a run.
         allowed: String,
     },
-    /// A value that the run cannot go on with.
+    /// A value with which the run cannot continue.
     #[error("parameter {name}: found {found}, {why}; allowed: a restart with it")]
     Restart {
         /// The parameter.
@@ -48,15 +49,15 @@ pub enum ParameterError {
 }
 
 impl Scenario {
-    /// Sets a parameter that is `live`, or one of [`LIVE_SETTINGS`], and lets a simulation of this scenario go on with it: time, motion, states and
-    /// inputs stay, what the change does to energy is booked in the ledger. The integrator begins anew, so that the run
-    /// goes on as one of the other scenario that begins from here; a reset leads to the start of that one.
+    /// Sets a `live` parameter, or one of [`LIVE_SETTINGS`], and lets a simulation of this scenario continue with it:
+    /// time, motion, states and inputs stay, and the change of energy is booked in the ledger. The integrator restarts,
+    /// so the run continues like one of the changed scenario from this state; a reset leads to the start of the changed
+    /// scenario.
     ///
-    /// Snapshots from before the change belong to the scenario as it was: they come back once the value does.
+    /// Snapshots from before the change belong to the old scenario: they are valid again when the value is set back.
     ///
-    /// # Errors
-    /// A name that is no live parameter, a value that it may not have, and one that changes the structure of the run: its
-    /// name, and that it needs a restart. Nothing has changed then.
+    /// # Errors A name that is no live parameter, a value that is not allowed, and a value that changes the structure
+    /// of the run, which needs a restart. Nothing has changed then.
     pub fn set_parameter(
         &mut self,
         simulation: &mut Simulation,
@@ -92,7 +93,7 @@ impl Scenario {
     }
 }
 
-/// Where the waves carry the bodies that move as they say.
+/// The positions of the bodies that are moved by waves.
 fn carried(simulation: &Simulation, time_s: f64) -> Vec<[f64; 6]> {
     let motions = of_kind::<f64, WaveMotion>(simulation.elements());
     motions.map(|motion| motion.at(simulation.world(), time_s).positions).collect()

@@ -1,10 +1,11 @@
-//! Scenario: text -> the description of a run, with the place of every error.
+//! Scenario: from text to the description of a run, with the place of every error.
 //!
 //! [`read`] parses YAML (JSON is its subset), renames unit aliases, applies parameters and overrides, types the tree and
 //! builds the model once to validate it.
 
 mod assignment;
 pub mod build;
+mod conversion;
 pub mod describe;
 mod error;
 mod files;
@@ -12,8 +13,10 @@ mod files;
 pub mod json_schema;
 pub mod leaf;
 mod live;
+mod named_files;
 mod parameters;
 mod parse;
+mod part_names;
 mod parts;
 pub mod range;
 pub(crate) mod read;
@@ -23,13 +26,15 @@ pub mod text;
 mod ties;
 mod together;
 mod tree;
+mod typed;
 mod units;
 pub mod wording;
 
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
-pub use files::{Files, Host, NamedFiles};
+pub use files::{Files, Host};
 pub use live::{LIVE_SETTINGS, ParameterError};
+pub use named_files::NamedFiles;
 pub use parts::{FILES as PART_FILES, REFERENCES as PART_REFERENCES};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;

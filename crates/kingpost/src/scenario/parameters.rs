@@ -3,34 +3,38 @@
 use indexmap::IndexMap;
 use serde_json::Value;
 
-use super::error::{Fault, Place};
+use super::error::{Fault, SourcePlace};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
-use super::tree::{Content, Field, Node, segments, value_child};
-use super::{units, wording};
+use super::tree::{Content, Field, ScenarioNode, segments, value_child};
+use super::{conversion, units, wording};
 
 /// A value that is set by name: of a parameter, or of a field by its dotted path.
 pub(super) struct Override<'a> {
     pub(super) name: &'a str,
     pub(super) value: &'a Value,
     /// Where it is set.
-    pub(super) place: Place,
+    pub(super) place: SourcePlace,
 }
 
 impl<'a> Override<'a> {
     /// Set from outside.
     pub(super) fn from_outside((name, value): &'a (String, Value)) -> Self {
-        Self { name, value, place: Place::Set(name.clone()) }
+        Self { name, value, place: SourcePlace::Set(name.clone()) }
     }
 }
 
 /// A tree to write into, and the whole scenario with every default that the tree leaves out.
-pub(super) struct Target<'a> {
-    pub(super) tree: &'a mut Node,
+pub(super) struct OverrideTarget<'a> {
+    pub(super) tree: &'a mut ScenarioNode,
     pub(super) whole: &'a Value,
 }
 
 /// Writes the defaults of all parameters, then the overrides in their order.
-pub(super) fn apply(mut target: Target<'_>, parameters: &[Parameter], overrides: &[Override<'_>]) -> Result<(), Fault> {
+pub(super) fn apply(
+    mut target: OverrideTarget<'_>,
+    parameters: &[Parameter],
+    overrides: &[Override<'_>],
+) -> Result<(), Fault> {
     let mut kinds = IndexMap::new();
     for (index, parameter) in parameters.iter().enumerate() {
         let definition = Definition { parameter, index };
@@ -88,13 +92,19 @@ impl Definition<'_> {
         segments(&format!("parameters.{}.{field}", self.index))
     }
 
-    fn fault(&self, target: &Target<'_>, field: &str, found: impl ToString, allowed: impl Into<String>) -> Fault {
+    fn fault(
+        &self,
+        target: &OverrideTarget<'_>,
+        field: &str,
+        found: impl ToString,
+        allowed: impl Into<String>,
+    ) -> Fault {
         let path = self.path(field);
         Fault::new(&target.tree.place_of(&path), path.join("."), found, allowed)
     }
 
     /// The kind of the parameter, once its definition is sound.
-    fn check(&self, target: &Target<'_>) -> Result<ParameterKind, Fault> {
+    fn check(&self, target: &OverrideTarget<'_>) -> Result<ParameterKind, Fault> {
         let parameter = self.parameter;
         if schema::is_top_field(&parameter.name) {
             let found = format!("{}, a field of the scenario", parameter.name);
@@ -120,7 +130,7 @@ impl Definition<'_> {
         Ok(value.kind())
     }
 
-    fn check_path(&self, target: &Target<'_>, index: usize, path: &str) -> Result<(), Fault> {
+    fn check_path(&self, target: &OverrideTarget<'_>, index: usize, path: &str) -> Result<(), Fault> {
         let field = format!("writes.{index}");
         if is_definition(path) {
             return Err(self.fault(target, &field, wording::quoted(path), wording::PATHS));
@@ -129,7 +139,7 @@ impl Definition<'_> {
         target.check(&si).map_err(|NoSuchField { found, allowed }| self.fault(target, &field, found, allowed))
     }
 
-    fn check_limits(&self, target: &Target<'_>, kind: ParameterKind) -> Result<(), Fault> {
+    fn check_limits(&self, target: &OverrideTarget<'_>, kind: ParameterKind) -> Result<(), Fault> {
         let fault = |field, found: &str, allowed: &str| Err(self.fault(target, field, found, allowed));
         match (kind, &self.parameter.range, &self.parameter.choices) {
             (ParameterKind::Choice, None, Some(choices)) if choices.is_empty() => {
@@ -149,7 +159,7 @@ impl Definition<'_> {
         }
     }
 
-    fn write(&self, target: &mut Target<'_>, value: &ParameterValue, place: &Place) -> Result<(), Fault> {
+    fn write(&self, target: &mut OverrideTarget<'_>, value: &ParameterValue, place: &SourcePlace) -> Result<(), Fault> {
         let writes = self.parameter.writes.iter().enumerate();
         writes.into_iter().try_for_each(|(index, path)| {
             let name_place = target.tree.place_of(&self.path(&format!("writes.{index}")));
@@ -164,15 +174,15 @@ struct NoSuchField {
     allowed: String,
 }
 
-impl Target<'_> {
-    /// The value that stands at a path in the file, in the unit of the path.
+impl OverrideTarget<'_> {
+    /// The value at a path in the file, in the unit of the path.
     fn number_at(&self, path: &str) -> Option<ParameterValue> {
         let (si, factor) = units::si_path(&segments(path));
         in_unit(&self.tree.at(&si)?.to_value(), factor)
     }
 
-    /// Whether a value can be written at this path: everything above it exists, and a field that does not yet exist is
-    /// left for the typed read to judge.
+    /// Whether a value can be written at this path: everything above it exists; the typed read checks fields that do
+    /// not yet exist.
     fn check(&self, path: &[String]) -> Result<(), NoSuchField> {
         let mut node = Some(&*self.tree);
         let mut whole = Some(self.whole);
@@ -185,14 +195,14 @@ impl Target<'_> {
             };
             let may_be_new = is_fields && depth + 1 == path.len();
             if child.is_none() && child_of_whole.is_none() && !may_be_new {
-                let mut names = node.map(Node::names).unwrap_or_default();
+                let mut names = node.map(ScenarioNode::names).unwrap_or_default();
                 if let Some(fields) = whole.and_then(Value::as_object) {
                     names.extend(fields.keys().map(String::as_str));
                 }
                 names.sort_unstable();
                 names.dedup();
                 let found = wording::no_field(segment, &path[..depth].join("."));
-                let entries = node.map(Node::to_value).or_else(|| whole.cloned());
+                let entries = node.map(ScenarioNode::to_value).or_else(|| whole.cloned());
                 let allowed = wording::inside(entries.as_ref(), &names, segment);
                 return Err(NoSuchField { found, allowed });
             }
@@ -203,41 +213,47 @@ impl Target<'_> {
     }
 
     /// Writes a value that comes from `place` at a path that comes from `name_place`.
-    pub(super) fn write(&mut self, path: &str, value: &Value, place: &Place, name_place: &Place) -> Result<(), Fault> {
+    pub(super) fn write(
+        &mut self,
+        path: &str,
+        value: &Value,
+        place: &SourcePlace,
+        name_place: &SourcePlace,
+    ) -> Result<(), Fault> {
         let written = segments(path);
         let (si, factor) = units::si_path(&written);
         self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(name_place, path, found, allowed))?;
-        let mut node = Node::from_value(value, place);
-        units::to_si(&mut node).map_err(|mut fault| {
+        let mut node = ScenarioNode::from_value(value, place);
+        conversion::to_si(&mut node).map_err(|mut fault| {
             fault.error.field = format!("{path}.{}", fault.error.field);
             fault
         })?;
         if factor != 1.0 {
-            units::convert(&mut node, factor);
+            conversion::convert(&mut node, factor);
         }
-        put(self.tree, self.whole, &Path { si: &si, written: &written, place: name_place }, node);
+        put(self.tree, self.whole, &FieldPath { si: &si, written: &written, place: name_place }, node);
         Ok(())
     }
 }
 
 /// A path with each name in SI and as written, and the place it comes from.
-struct Path<'a> {
+struct FieldPath<'a> {
     si: &'a [String],
     written: &'a [String],
-    place: &'a Place,
+    place: &'a SourcePlace,
 }
 
-/// Puts a node at a path that [`Target::check`] has passed; levels that only the defaults have are copied from them.
-fn put(tree: &mut Node, whole: &Value, path: &Path<'_>, node: Node) {
-    let Path { si: [segment, si @ ..], written: [name, written @ ..], place } = *path else {
+/// Puts a node at a path that [`OverrideTarget::check`] has passed; levels that only the defaults have are copied from them.
+fn put(tree: &mut ScenarioNode, whole: &Value, path: &FieldPath<'_>, node: ScenarioNode) {
+    let FieldPath { si: [segment, si @ ..], written: [name, written @ ..], place } = *path else {
         *tree = node;
         return;
     };
     let below = value_child(whole, segment).unwrap_or(&Value::Null);
-    let rest = Path { si, written, place };
+    let rest = FieldPath { si, written, place };
     match &mut tree.content {
         Content::Fields(fields) => {
-            let new = || Field::new(place.clone(), Node::from_value(below, place));
+            let new = || Field::new(place.clone(), ScenarioNode::from_value(below, place));
             let field = fields.entry(segment.clone()).or_insert_with(new);
             if si.is_empty() {
                 field.name_place = place.clone();
@@ -254,7 +270,7 @@ fn put(tree: &mut Node, whole: &Value, path: &Path<'_>, node: Node) {
     }
 }
 
-/// A parameter's value out of any value, or what is allowed instead. Booleans may be written on and off.
+/// A parameter's value from any value, or what is allowed instead. Booleans may be written as on and off.
 fn typed_value(parameter: &Parameter, kind: ParameterKind, value: &Value) -> Result<ParameterValue, String> {
     match kind {
         ParameterKind::Boolean => match value {
@@ -303,7 +319,7 @@ impl Scenario {
         &self.parameters
     }
 
-    /// Each parameter's value in this scenario: what stands at the first field that it writes, in that path's unit.
+    /// Each parameter's value in this scenario: the value of the first field that it writes, in that path's unit.
     /// `None` for a field that holds no single value.
     pub fn parameter_values(&self) -> Vec<(&Parameter, Option<ParameterValue>)> {
         let whole = serde_json::to_value(self).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Text -> tree, by serde-saphyr. Its budgets against hostile files (depth, aliases, number of values) stay on.
+//! From text to tree, by serde-saphyr. Its budgets against hostile files (depth, aliases, number of values) stay on.
 
 use std::fmt;
 
@@ -8,11 +8,11 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Number, Value};
 use serde_saphyr::{DuplicateKeyPolicy, Location, NonFiniteFloatPolicy, Options, Spanned};
 
-use super::error::{Fault, Place};
-use super::tree::{Content, Field, Node};
+use super::error::{Fault, SourcePlace};
+use super::tree::{Content, Field, ScenarioNode};
 use super::wording;
 
-/// What the YAML parser hands over.
+/// The values from the YAML parser.
 enum Raw {
     Null,
     Boolean(bool),
@@ -75,13 +75,15 @@ impl<'de> Deserialize<'de> for Raw {
     }
 }
 
-/// The tree of a text whose top is named fields.
-pub(super) fn parse(text: &str) -> Result<Node, Fault> {
+/// The tree of a text with named fields at the top.
+pub(super) fn parse(text: &str) -> Result<ScenarioNode, Fault> {
     let raw = raw(text, DuplicateKeyPolicy::Error).map_err(|error| fault(text, &error))?;
     let node = node(raw, &mut Vec::new())?;
     match &node.content {
         Content::Fields(_) => Ok(node),
-        Content::Scalar(Value::Null) => Err(Fault::new(&Place::START, "", wording::EMPTY_FILE, wording::SCENARIO)),
+        Content::Scalar(Value::Null) => {
+            Err(Fault::new(&SourcePlace::START, "", wording::EMPTY_FILE, wording::SCENARIO))
+        }
         _ => Err(Fault::new(&node.place, "", wording::found(&node.to_value()), wording::SCENARIO)),
     }
 }
@@ -96,12 +98,12 @@ fn raw(text: &str, duplicate_keys: DuplicateKeyPolicy) -> Result<Spanned<Raw>, s
     serde_saphyr::from_str_with_options(text, options)
 }
 
-fn place(location: Location) -> Place {
+fn place(location: Location) -> SourcePlace {
     let count = |number: u64| usize::try_from(number).unwrap_or(usize::MAX).max(1);
-    Place::File { line: count(location.line()), column: count(location.column()) }
+    SourcePlace::File { line: count(location.line()), column: count(location.column()) }
 }
 
-fn node(raw: Spanned<Raw>, path: &mut Vec<String>) -> Result<Node, Fault> {
+fn node(raw: Spanned<Raw>, path: &mut Vec<String>) -> Result<ScenarioNode, Fault> {
     let here = place(raw.referenced);
     let content = match raw.value {
         Raw::Null => Content::Scalar(Value::Null),
@@ -135,14 +137,14 @@ fn node(raw: Spanned<Raw>, path: &mut Vec<String>) -> Result<Node, Fault> {
             Content::Fields(nodes)
         }
     };
-    Ok(Node::new(here, content))
+    Ok(ScenarioNode::new(here, content))
 }
 
 /// A parser's error in our words.
 fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
     use serde_saphyr::Error as E;
     let error = error.without_snippet();
-    let here = error.location().map_or(Place::START, place);
+    let here = error.location().map_or(SourcePlace::START, place);
     let (found, allowed) = match error {
         E::DuplicateMappingKey { key, .. } => {
             let key = key.clone().unwrap_or_default();
@@ -161,9 +163,9 @@ fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
     Fault::new(&here, "", found, allowed)
 }
 
-/// The path of the name that stands at this place, in a file where names stand twice.
-fn path_of_second(text: &str, here: &Place) -> Option<String> {
-    fn search(raw: &Raw, here: &Place, path: &mut Vec<String>) -> bool {
+/// The path of the name at this place, in a file where a name occurs twice.
+fn path_of_second(text: &str, here: &SourcePlace) -> Option<String> {
+    fn search(raw: &Raw, here: &SourcePlace, path: &mut Vec<String>) -> bool {
         match raw {
             Raw::Fields(fields) => fields.iter().any(|(name, value)| {
                 path.push(name.value.clone());

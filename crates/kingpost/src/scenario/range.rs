@@ -17,7 +17,7 @@ macro_rules! ranged_number {
         pub struct $name<S = f64>(S);
 
         impl<S: Leaf> $name<S> {
-            /// `None` where the value is outside the range or not finite.
+            /// `None` if the value is outside the range or not finite.
             pub fn new(value: S) -> Option<Self> {
                 value.outside(Self::inside).is_none().then_some(Self(value))
             }
@@ -32,7 +32,7 @@ macro_rules! ranged_number {
                 self.0
             }
 
-            /// For default values: a literal that stands in the source.
+            /// For default values: a literal in the source code.
             pub(crate) fn literal(value: f64) -> Self {
                 assert!(Self::inside(value));
                 Self(S::literal(value))
@@ -103,20 +103,20 @@ impl<S: Default> Default for NonNegative<S> {
     }
 }
 
-/// A vector of any non-zero length, as written in the file; only its direction counts.
+/// A vector of any non-zero length, as written in the file; only its direction is used.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct Direction<S = f64>([S; 3]);
 
 impl<S: Leaf> Direction<S> {
-    /// `None` where the components are all 0 or one is not finite.
+    /// `None` if the components are all 0 or one is not finite.
     pub fn new(components: [S; 3]) -> Option<Self> {
         let finite = components.iter().all(|component| component.outside(f64::is_finite).is_none());
         let directed = components.iter().any(|component| component.outside(|c| c != 0.0).is_none());
         (finite && directed).then_some(Self(components))
     }
 
-    /// For default values: a literal that stands in the source.
+    /// For default values: a literal in the source code.
     pub(crate) fn literal(components: [f64; 3]) -> Self {
         assert!(components.iter().any(|component| *component != 0.0));
         Self(components.map(S::literal))

@@ -1,20 +1,19 @@
-//! What a hand did in a run, as a scenario that does it again.
+//! A user's moves in a run, as a scenario that repeats them.
 
 use super::error::FieldError;
 use super::schema::{InputMove, NonNegative, Operation, OperationStep, Positive, Scenario, SignalName};
 use crate::simulation::{LeverMove, Simulation};
 
-/// The step that holds what a hand set.
+/// Name of the step that holds the user's moves.
 const STEP: &str = "by hand";
 
 impl Scenario {
-    /// What a hand has set in a simulation of this scenario, as the operation of one: a run with it gives the same bits.
+    /// The user's moves in a simulation of this scenario, as an operation: a run with it gives the same bits.
     ///
-    /// It has what was set since the start or the last reset. A parameter that was set under way is no lever:
+    /// It contains the moves since the start or the last reset. A parameter that was set during the run is not a lever:
     /// [`Simulation::parameters_set`].
     ///
-    /// # Errors
-    /// An operation of the scenario that is enabled: the two would be one beside the other.
+    /// # Errors The scenario has an enabled operation: there can be only one.
     pub fn operation_by_hand(&self, simulation: &Simulation) -> Result<Operation, FieldError> {
         if self.operation.as_ref().is_some_and(|operation| operation.enabled) {
             return Err(FieldError::new("operation", "one in the scenario", "operation.enabled: false"));
@@ -26,18 +25,17 @@ impl Scenario {
         })
     }
 
-    /// This scenario as a simulation of it was steered: with what a hand has set as its operation, and as long as it has
-    /// run where that is longer than its duration. Without moves its own operation stays.
+    /// This scenario with the user's moves as its operation, and with the time run so far if that is longer than its
+    /// duration. Without moves its own operation stays.
     ///
-    /// Parameters have the values that they have now, whenever they were set.
+    /// Parameters have their present values, whenever they were set.
     ///
-    /// # Errors
-    /// As [`operation_by_hand`](Self::operation_by_hand), where a hand has set something.
+    /// # Errors As [`operation_by_hand`](Self::operation_by_hand), if the user has moved something.
     pub fn replay(&self, simulation: &Simulation) -> Result<Scenario, FieldError> {
         let mut replay = self.clone();
         if !simulation.lever_moves().is_empty() {
             replay.operation = Some(self.operation_by_hand(simulation)?);
-            // The steps that parameters wrote into are no longer there.
+            // The steps that parameters wrote to no longer exist.
             let stays = |path: &String| path == "operation.enabled" || !path.starts_with("operation.");
             replay.parameters.iter_mut().for_each(|parameter| parameter.writes.retain(stays));
             replay.parameters.retain(|parameter| !parameter.writes.is_empty());
@@ -49,7 +47,7 @@ impl Scenario {
     }
 }
 
-/// A lever's name has the form of one, and time does not run backwards: none is left out.
+/// Levers have valid names and times increase, so no move is left out.
 fn input_move(LeverMove { time_s, input, value }: LeverMove) -> Option<InputMove> {
     let (input, at_s) = (SignalName::new(input)?, NonNegative::new(time_s)?);
     Some(InputMove { input, to: value, unit: None, at_s, in_s: NonNegative::new(0.0)? })

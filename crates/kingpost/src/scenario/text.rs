@@ -1,4 +1,4 @@
-//! Texts with a form: names, colours and the version of the file format.
+//! Texts with a fixed form: names, colours and the version of the file format.
 
 use std::borrow::Borrow;
 use std::fmt;
@@ -20,7 +20,7 @@ macro_rules! formed_text {
         pub struct $name(String);
 
         impl $name {
-            /// `None` where the text has not the form.
+            /// `None` if the text does not have the form.
             pub fn new(text: impl Into<String>) -> Option<Self> {
                 let text = text.into();
                 $test(&text).then_some(Self(text))

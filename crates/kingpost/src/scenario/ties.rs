@@ -1,4 +1,4 @@
-//! What ties bodies to the world, one through another.
+//! Connections of bodies to the world, through other bodies.
 
 use crate::elements::AnyElement;
 use crate::model::{JointKind, Model};
@@ -6,7 +6,7 @@ use crate::model::{JointKind, Model};
 /// A pair of bodies of which one may hold the other; `None` is the world.
 pub type Tie = [Option<usize>; 2];
 
-/// By body whether joints, closed loops and these ties lead from it to the world, through however many bodies.
+/// For each body whether joints, closed loops and these ties connect it to the world, directly or through other bodies.
 pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = Tie>) -> Vec<bool> {
     let loops = model.loops.iter().map(|closed| [closed.first.body, closed.second.body]);
     let ties: Vec<Tie> = joints(model).chain(loops).chain(ties).collect();
@@ -25,7 +25,7 @@ pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = Tie>) -> Vec<
     }
 }
 
-/// The ties that keep bodies in their places, in surge, sway and yaw.
+/// The ties that hold bodies in surge, sway and yaw.
 pub fn stations(elements: &[AnyElement]) -> impl Iterator<Item = Tie> + '_ {
     elements.iter().filter_map(|element| element.keeps_station())
 }
@@ -35,7 +35,7 @@ fn joints(model: &Model) -> impl Iterator<Item = Tie> + '_ {
     joined.map(|body| [Some(body), model.tree.nodes[body].parent])
 }
 
-/// Whether a body's joint leaves it free to move away.
+/// Whether a body's joint lets it move away freely.
 pub fn floats_freely(model: &Model, body: usize) -> bool {
     matches!(model.tree.nodes[body].kind, JointKind::Floating(floating) if !floating.hold_translation)
 }

@@ -3,14 +3,14 @@
 use indexmap::IndexMap;
 use serde_json::Value;
 
-use super::error::Place;
+use super::error::SourcePlace;
 
-/// A value, where it comes from, and how it was written.
+/// A value, its place, and how it was written.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
-    pub(super) place: Place,
+pub(super) struct ScenarioNode {
+    pub(super) place: SourcePlace,
     pub(super) content: Content,
-    /// The number as written, where a unit alias has changed it.
+    /// The number as written, if a unit alias has changed it.
     pub(super) written: Option<Value>,
 }
 
@@ -20,7 +20,7 @@ pub(super) enum Content {
     /// Null, a boolean, a number or a text.
     Scalar(Value),
     /// Entries by index.
-    List(Vec<Node>),
+    List(Vec<ScenarioNode>),
     /// Fields by name.
     Fields(IndexMap<String, Field>),
 }
@@ -28,19 +28,19 @@ pub(super) enum Content {
 /// A field of a node.
 #[derive(Clone, Debug)]
 pub(super) struct Field {
-    pub(super) name_place: Place,
-    /// The name as written, where a unit alias has changed it.
+    pub(super) name_place: SourcePlace,
+    /// The name as written, if a unit alias has changed it.
     pub(super) written: Option<String>,
-    pub(super) node: Node,
+    pub(super) node: ScenarioNode,
 }
 
-impl Node {
-    pub(super) fn new(place: Place, content: Content) -> Self {
+impl ScenarioNode {
+    pub(super) fn new(place: SourcePlace, content: Content) -> Self {
         Self { place, content, written: None }
     }
 
     /// The tree of a value that comes from one place.
-    pub(super) fn from_value(value: &Value, place: &Place) -> Self {
+    pub(super) fn from_value(value: &Value, place: &SourcePlace) -> Self {
         let content = match value {
             Value::Array(entries) => {
                 Content::List(entries.iter().map(|entry| Self::from_value(entry, place)).collect())
@@ -102,7 +102,7 @@ impl Node {
     }
 
     /// The place of a path; where the path has none of its own, that of its nearest ancestor.
-    pub(super) fn place_of(&self, path: &[String]) -> Place {
+    pub(super) fn place_of(&self, path: &[String]) -> SourcePlace {
         let mut node = self;
         for segment in path {
             match node.child(segment) {
@@ -114,7 +114,7 @@ impl Node {
     }
 
     /// The place of the name of the field at a path, for a field that should not be there.
-    pub(super) fn name_place_of(&self, path: &[String]) -> Place {
+    pub(super) fn name_place_of(&self, path: &[String]) -> SourcePlace {
         let field = path.split_last().and_then(|(last, parents)| self.at(parents)?.field(last));
         field.map_or_else(|| self.place_of(path), |field| field.name_place.clone())
     }
@@ -133,7 +133,7 @@ impl Node {
 }
 
 impl Field {
-    pub(super) fn new(name_place: Place, node: Node) -> Self {
+    pub(super) fn new(name_place: SourcePlace, node: ScenarioNode) -> Self {
         Self { name_place, written: None, node }
     }
 }

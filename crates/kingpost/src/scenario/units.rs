@@ -2,13 +2,6 @@
 
 use std::f64::consts::PI;
 
-use indexmap::IndexMap;
-use serde_json::{Number, Value};
-
-use super::error::Fault;
-use super::tree::{Content, Field, Node};
-use super::wording;
-
 /// An ending of a name, the SI ending that it stands for, and the factor from the one to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnitAlias {
@@ -46,7 +39,7 @@ pub const UNIT_ALIASES: [UnitAlias; 16] = [
     alias("_kN_s_per_m", "_N_s_per_m", 1000.0),
 ];
 
-/// How names of quantities in SI units end, and the unit that each ending stands for.
+/// Endings of the names of quantities in SI units, and the unit of each.
 const SI_ENDINGS: [(&str, &str); 32] = [
     ("_s", "s"),
     ("_m", "m"),
@@ -88,13 +81,13 @@ pub(super) fn si_ending(name: &str) -> Option<(&'static str, &'static str)> {
     known.filter(|(ending, _)| name.ends_with(ending)).max_by_key(|(ending, _)| ending.len())
 }
 
-/// How many SI units a unit is, where it stands for the same quantity: `kN` for N, `deg/s` for rad/s.
+/// A unit in SI units, if it measures the same quantity: `kN` for N, `deg/s` for rad/s.
 pub(super) fn factor_of(unit: &str, si: &str) -> Option<f64> {
     let written = units_for(si).into_iter().find(|(written, _)| written == unit);
     written.map(|(_, factor)| factor)
 }
 
-/// The units that a quantity of an SI unit may be written in, the SI unit first, each with how many SI units it is.
+/// The units in which a quantity may be written, the SI unit first, each with its value in SI units.
 pub(super) fn units_for(si: &str) -> Vec<(String, f64)> {
     let stem = |ending: &'static str| ending[1..].split('_').next().unwrap_or_default();
     let of = |alias: &UnitAlias| {
@@ -105,9 +98,9 @@ pub(super) fn units_for(si: &str) -> Vec<(String, f64)> {
     core::iter::once((si.to_owned(), 1.0)).chain(aliases).collect()
 }
 
-/// The SI name and the factor, where the name ends in a unit alias.
+/// The SI name and the factor, if the name ends in a unit alias.
 pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
-    // A stiffness per degree is no angle.
+    // A stiffness per degree is not an angle.
     if name.ends_with("_per_deg") {
         return None;
     }
@@ -117,78 +110,14 @@ pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
     })
 }
 
-/// The names under which a quantity of this SI name may be written besides.
+/// The other names under which the quantity with this SI name may be written.
 pub(super) fn aliases_of(name: &str) -> impl Iterator<Item = String> + '_ {
     let written = |alias: &UnitAlias| Some(format!("{}{}", name.strip_suffix(alias.si)?, alias.ending));
     UNIT_ALIASES.iter().filter_map(written).filter(move |written| si_name(written).is_some_and(|(si, _)| si == name))
 }
 
-/// Renames every field of the tree whose name ends in a unit alias, and converts its numbers. A field that holds named
-/// fields is a thing with a name (a body `lift_t`, say) and stays.
-pub(super) fn to_si(node: &mut Node) -> Result<(), Fault> {
-    rename(node, &mut Vec::new())
-}
-
-fn rename(node: &mut Node, path: &mut Vec<String>) -> Result<(), Fault> {
-    match &mut node.content {
-        Content::Scalar(_) => {}
-        Content::List(entries) => {
-            for (index, entry) in entries.iter_mut().enumerate() {
-                path.push(index.to_string());
-                rename(entry, path)?;
-                path.pop();
-            }
-        }
-        Content::Fields(fields) => {
-            let mut renamed = IndexMap::with_capacity(fields.len());
-            for (name, mut field) in std::mem::take(fields) {
-                path.push(name.clone());
-                rename(&mut field.node, path)?;
-                let (name, field) = field_to_si(name, field);
-                let place = field.node.place.clone();
-                if let Some(other) = renamed.insert(name.clone(), field) {
-                    let written = path.last().cloned().unwrap_or_default();
-                    let other = other.written.unwrap_or(name);
-                    let found = format!("both {other} and {written}");
-                    return Err(Fault::new(&place, path.join("."), found, wording::ONE_UNIT));
-                }
-                path.pop();
-            }
-            *fields = renamed;
-        }
-    }
-    Ok(())
-}
-
-fn field_to_si(name: String, mut field: Field) -> (String, Field) {
-    let is_quantity = !matches!(field.node.content, Content::Fields(_));
-    match si_name(&name).filter(|_| is_quantity) {
-        Some((si, factor)) => {
-            convert(&mut field.node, factor);
-            field.written = Some(name);
-            (si, field)
-        }
-        None => (name, field),
-    }
-}
-
-/// Converts the numbers of a quantity: one, or a list of them. Everything else is left for the typed read to refuse, and
-/// so is a number too large for its SI unit.
-pub(super) fn convert(node: &mut Node, factor: f64) {
-    match &mut node.content {
-        Content::List(entries) => entries.iter_mut().for_each(|entry| convert(entry, factor)),
-        Content::Scalar(value) => {
-            if let Some(number) = value.as_f64() {
-                let converted = Number::from_f64(number * factor).map_or(Value::Null, Value::Number);
-                node.written = Some(std::mem::replace(value, converted));
-            }
-        }
-        Content::Fields(_) => {}
-    }
-}
-
 /// The SI path of a path whose quantity ends in a unit alias (`bodies.ship.mass_t`, `...orientation_deg.2`), and the
-/// factor; 1 where it has none.
+/// factor; 1 if it has none.
 pub(super) fn si_path(path: &[String]) -> (Vec<String>, f64) {
     let mut si = path.to_vec();
     let is_index = |segment: &String| segment.parse::<usize>().is_ok();

@@ -39,7 +39,7 @@ const LONGEST_QUOTE: usize = 40;
 /// Digits and points of a number that is shown in full, at most.
 const LONGEST_NUMBER: usize = 24;
 
-/// A value as an error shows it.
+/// A value in the words of an error.
 pub(super) fn found(value: &Value) -> String {
     match value {
         Value::Null => NOTHING.to_owned(),
@@ -66,7 +66,7 @@ fn number(number: &serde_json::Number) -> String {
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
-/// A text whose numbers of very many digits are shown by their powers of ten: 1e300, not 1 with 300 zeros.
+/// A text with very long numbers shown by powers of ten: 1e300, not 1 with 300 zeros.
 pub(super) fn with_powers(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;
@@ -85,12 +85,12 @@ pub(super) fn with_powers(text: &str) -> String {
     shown
 }
 
-/// A text in quotes on one line, shortened where it is long.
+/// A text in quotes on one line, shortened if it is long.
 pub(super) fn quoted(text: &str) -> String {
     format!("{:?}", shortened(text))
 }
 
-/// A text cut where it is long.
+/// A text, cut if it is long.
 pub(super) fn shortened(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTE) {
         Some((end, _)) => format!("{}...", &text[..end]),
@@ -116,7 +116,7 @@ pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     }
 }
 
-/// What serde expected, in the field's words: `expected` is the part of its message behind "expected".
+/// What serde expected, in our words: `expected` is the part of its message after "expected".
 pub(super) fn allowed(expected: &str) -> String {
     let array = expected.strip_prefix("an array of length ");
     match expected {
@@ -140,7 +140,7 @@ pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
 }
 
-/// The name nearest to `written`, with its unit or an alias of it, if one is near enough to be meant.
+/// The name most similar to `written`, also with other unit aliases, if one is similar enough.
 pub(super) fn nearest(names: &[&str], written: &str) -> Option<String> {
     let limit = written.chars().count() / 3;
     let aliases = names.iter().flat_map(|name| units::aliases_of(name));
@@ -211,7 +211,7 @@ pub(super) fn second_document() -> (String, String) {
 
 /// An alias without its anchor.
 pub(super) fn unknown_anchor() -> (String, String) {
-    pair("an alias (*name) without its anchor (&name)", "an alias of an anchor that stands before it")
+    pair("an alias (*name) without its anchor (&name)", "an alias whose anchor is defined before it")
 }
 
 /// A field whose name is null, a list or a map.
@@ -219,7 +219,6 @@ pub(super) fn not_a_name() -> (String, String) {
     pair("a field whose name is not a text", "name: value")
 }
 
-pub(super) const ONE_UNIT: &str = "one of the two";
 pub(super) const UNKNOWN_NAME: &str = "an unknown name";
 pub(super) const OWN_NAME: &str = "a name that no field at the top of the file has";
 pub(super) const PATHS: &str = "paths of fields, as bodies.ship.mass_kg";
@@ -227,24 +226,24 @@ pub(super) const SET_BY_NAME: &str = "the name of a parameter, to set it";
 pub(super) const CHOICES: &str = "a list of the texts allowed";
 pub(super) const RANGE: &str = "two numbers, the smaller first";
 pub(super) const NO_NUMBER: &str = "no number";
-pub(super) const NO_DERIVATIVE: &str = "a number that no derivative follows";
+pub(super) const NO_DERIVATIVE: &str = "a number without a derivative";
 pub(super) const CONTINUOUS: &str = "a parameter, or the path of a number, that moves the model continuously";
-pub(super) const PART_THERE: &str = "a part of the gallery by its name, or a file that is there";
+pub(super) const PART_THERE: &str = "a part of the gallery by its name, or an existing file";
 pub(super) const PART_ENDS: &str = "a chain of parts that ends";
 pub(super) const FEWER_PARTS: &str = "fewer";
 pub(super) const PREFIX: &str = "a name of small letters, digits and _ that starts with a letter, or \"\"";
-pub(super) const OTHER_PREFIX: &str = "a prefix with which each name stands once";
+pub(super) const OTHER_PREFIX: &str = "a prefix that makes each name unique";
 pub(super) const OTHER_PARAMETER: &str = "a value for it in the part's parameters, or another prefix";
 pub(super) const OF_THE_PART: &str =
-    "what a part has: its sea, wind, gravity and simulation are those of the scenario that it is mounted in";
+    "a field that a part may have: sea, wind, gravity and simulation are those of the scenario that it is mounted in";
 pub(super) const NO_REFERENCE: &str = "paths of numbers and switches: names change where a part is mounted";
 pub(super) const PLACE_OF_A_PART: &str =
-    "position_m or orientation_rad of a part whose bodies on the world stand at the origin, and nothing else there";
-pub(super) const ON_THE_WORLD: &str = "world, for a part that floats, is moored or keeps its place";
+    "position_m or orientation_rad of a part whose only attachments to the world are bodies at the origin";
+pub(super) const ON_THE_WORLD: &str = "world, for a part that floats, is moored or holds its position";
 pub(super) const LEVEL: &str = "roll and pitch 0";
 pub(super) const REQUIRED: &str = "a value: this field is required";
 
-/// What an override's name may be.
+/// The allowed names of an override.
 pub(super) fn parameter_or_path(parameters: &[&str], written: &str) -> String {
     match parameters {
         [] => "a dotted path of a field: the scenario has no parameters".to_owned(),
@@ -252,12 +251,12 @@ pub(super) fn parameter_or_path(parameters: &[&str], written: &str) -> String {
     }
 }
 
-/// A parameter needs a default where the field that it writes is not in the file.
+/// The words for a parameter that needs a default because the field that it writes is not in the file.
 pub(super) fn default_for(path: &str) -> String {
     format!("a default, or one value at {path}")
 }
 
-/// A path that leads nowhere.
+/// The words for a path to a field that does not exist.
 pub(super) fn no_field(name: &str, parent: &str) -> String {
     let kind = if name.parse::<usize>().is_ok() { "entry" } else { "field" };
     match parent {
@@ -276,7 +275,7 @@ pub(super) fn without_fields(kind: &str) -> String {
     format!("{kind} alone")
 }
 
-/// What a path may go on with, inside of a value with these names.
+/// The allowed continuations of a path, within a value with these names.
 pub(super) fn inside(value: Option<&Value>, names: &[&str], written: &str) -> String {
     match value {
         Some(Value::Array(entries)) => match entries.len() {

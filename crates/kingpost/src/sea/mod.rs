@@ -1,4 +1,4 @@
-//! The sea and what floats in it: waves, hulls, and what potential theory knows of them.
+//! The sea and what floats in it: waves, hulls, and their data from potential theory.
 
 pub mod database;
 pub mod hull;

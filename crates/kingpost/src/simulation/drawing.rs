@@ -1,11 +1,11 @@
-//! The lines that a picture has beside the bodies.
+//! The lines to draw in addition to the bodies.
 
 use super::{Simulation, stage};
 use crate::elements::{DrawnLine, LineStyle};
 use crate::model::Joint;
 
 impl Simulation {
-    /// The lines that there are to draw: the ropes that bodies hang on by their joints, and what the elements draw.
+    /// The lines to draw: a rope for each body that hangs on its joint, and the lines of the elements.
     pub fn lines(&self) -> Vec<DrawnLine> {
         let rope = |(_, joint): (usize, &Joint)| DrawnLine {
             name: joint.name.clone(),
@@ -30,7 +30,7 @@ impl Simulation {
         points
     }
 
-    /// Bodies that turn about two axes or more of a joint away from their centre, which hang as on a rope without mass.
+    /// Bodies that turn about two or more axes of a joint away from their centre: they hang as on a massless rope.
     fn hanging(&self) -> impl Iterator<Item = (usize, &Joint)> {
         let hangs = |joint: &Joint| joint.kind.swings() && joint.kind.to_child().norm() > 0.0;
         self.plant.model.joints.iter().enumerate().filter(move |(_, joint)| hangs(joint))

@@ -1,4 +1,4 @@
-//! Why a run stops early, and what it cannot take from outside.
+//! Errors that end a run early, and errors of values from outside.
 
 use crate::dynamics::loops::{LARGEST_GAP, LoopFault, SMALLEST_PIVOT};
 use crate::integrate::{StepError, shown};
@@ -18,7 +18,7 @@ pub enum RunError {
     Diverged {
         /// End of the step that failed, s.
         time_s: f64,
-        /// The body whose joint runs away.
+        /// The body whose joint diverges.
         body: String,
         /// The coordinate.
         coordinate: String,
@@ -39,10 +39,10 @@ pub enum RunError {
         /// What it is.
         value: f64,
     },
-    /// A closed loop has come to a singular position: a dead centre.
+    /// A closed loop has reached a singular position: a dead centre.
     #[error(
         "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or moves nothing \
-         (its share of its own size at the start is {pivot:.1e}), allowed: more than {allowed:e}",
+         (its pivot over that at the start is {pivot:.1e}), allowed: more than {allowed:e}",
         shown(*time_s)
     )]
     SingularLoop {
@@ -57,7 +57,7 @@ pub enum RunError {
         /// The smallest that is allowed.
         allowed: f64,
     },
-    /// A closed loop does not close: its end is out of reach.
+    /// A closed loop cannot be closed: its end is out of reach.
     #[error(
         "open at {} s: constraint {constraint} of loop {name} is off by {gap:.3e} {unit}, allowed: less than {allowed:e}",
         shown(*time_s)
@@ -69,14 +69,14 @@ pub enum RunError {
         name: String,
         /// Its constraint.
         constraint: String,
-        /// By how much, m or rad.
+        /// Its error, m or rad.
         gap: f64,
         /// `m` or `rad`.
         unit: &'static str,
         /// What is allowed.
         allowed: f64,
     },
-    /// An element answers events faster than time goes on.
+    /// An element responds to events without end at one time.
     #[error(
         "stuck at {} s: {element} had {what} more than {allowed} times in one step, allowed: {allowed}",
         shown(*time_s)
@@ -88,19 +88,18 @@ pub enum RunError {
         element: String,
         /// What happens.
         what: &'static str,
-        /// How often it may.
+        /// The largest number of responses.
         allowed: usize,
     },
-    /// An event in one of several runs that are stepped side by side: its time is not that of the others.
-    #[error("event before {} s: found runs side by side, allowed: one run", shown(*time_s))]
+    /// An event in one of several runs in lanes: its time differs from that of the others.
+    #[error("event before {} s: found several runs in lanes, allowed: one run", shown(*time_s))]
     EventNotAlone {
-        /// End of the step that it is in, s.
+        /// End of its step, s.
         time_s: f64,
     },
-    /// An inextensible rope carries what others carry already, or nothing that could move.
+    /// An inextensible rope carries what others already carry, or nothing that can move.
     #[error(
-        "not determined at {} s: how much the inextensible rope {name} carries, for other ropes or loops hold the same, or nothing \
-         that could move hangs on it (its share of its own size is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
+        "not determined at {} s: how much the inextensible rope {name} carries, because other ropes or loops hold the same, or nothing that can move hangs on it (its relative pivot is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
          axial_stiffness_N",
         shown(*time_s)
     )]
@@ -114,7 +113,7 @@ pub enum RunError {
         /// The smallest pivot that is not singular.
         allowed: f64,
     },
-    /// An inextensible rope is shorter than its path, and nothing on it can give way.
+    /// An inextensible rope is shorter than its path, and nothing on it can yield.
     #[error(
         "too short at {} s: the inextensible rope {name} is {gap:.3e} m shorter than its path, and what it holds cannot follow, \
          allowed: less than {allowed:e} m",
@@ -130,7 +129,7 @@ pub enum RunError {
         /// The largest that counts as taut, m.
         allowed: f64,
     },
-    /// An element that steers cannot go on: a step of an operation does not end within its time.
+    /// A steering element cannot continue: a step of an operation does not end within its time.
     #[error("{element} at {} s: {why}", shown(*time_s))]
     Steering {
         /// When, s.
@@ -146,7 +145,7 @@ pub enum RunError {
 }
 
 impl RunError {
-    /// The fault of a loop by the names of the model; behind the loops stand the ropes that hold.
+    /// The error of a loop with the names of the model; the constraints of taut ropes follow those of the loops.
     pub(super) fn of_loop<S: Scalar>(time_s: f64, plant: &Plant<S>, fault: LoopFault) -> Self {
         let model = &plant.model;
         let rope = |constraint: usize| plant.holds_behind_loops(constraint).map(str::to_owned);
@@ -173,8 +172,7 @@ impl RunError {
         }
     }
 
-    /// Where it happened and by how much, where that is one number: the body or loop, its coordinate or constraint, the
-    /// number, and its limit.
+    /// Its place and number, if it has one: the body or loop, its coordinate or constraint, the number, and its limit.
     pub fn place(&self) -> Option<(String, String, f64, f64)> {
         let length = "length".to_owned();
         let (name, part, value, limit) = match self {
@@ -209,18 +207,18 @@ impl RunError {
     }
 }
 
-/// A value from outside that a simulation cannot take.
+/// A value from outside that a simulation cannot accept.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum InputError {
     /// No input of this name.
     #[error("input {found}: no such input, allowed: {allowed}")]
     Unknown {
-        /// What was asked for.
+        /// The name that was given.
         found: String,
-        /// The names that there are.
+        /// The existing names.
         allowed: String,
     },
-    /// Outside its limits, or not a number.
+    /// A value outside its limits, or NaN.
     #[error("input {name}: found {found}, allowed: {lower} to {upper}")]
     Range {
         /// The input.
@@ -240,8 +238,8 @@ pub enum InputError {
         /// What it takes.
         signal: String,
     },
-    /// Other waves under a body that moves as the waves say: it would jump.
-    #[error("waves: found others, allowed: the run's own, since a body moves as they say and would jump")]
+    /// Other waves for a body that is moved by waves: it would jump.
+    #[error("waves: found other waves, allowed: those of the run, because a body moves with them and would jump")]
     MovedByWaves,
     /// An array of the wrong length.
     #[error("{name}: found {found} numbers, allowed: {allowed}")]
@@ -250,7 +248,7 @@ pub enum InputError {
         name: &'static str,
         /// Its length.
         found: usize,
-        /// The length that it must have.
+        /// The required length.
         allowed: usize,
     },
     /// Positions at which a closed loop is open.
@@ -263,7 +261,7 @@ pub enum InputError {
         /// What is allowed.
         allowed: f64,
     },
-    /// An entry that is not finite, or an orientation that is no quaternion.
+    /// An entry that is not finite, or an orientation that is not a quaternion.
     #[error("{name}[{index}]: found {found}, allowed: {allowed}")]
     Entry {
         /// The array.
@@ -272,7 +270,7 @@ pub enum InputError {
         index: usize,
         /// The entry.
         found: f64,
-        /// What it may be.
+        /// What is allowed.
         allowed: &'static str,
     },
 }

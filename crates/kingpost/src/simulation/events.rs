@@ -1,4 +1,4 @@
-//! Events: where a witness changes sign inside a step, the step ends there and the element answers.
+//! Events: if a witness changes sign within a step, the step ends there and the element responds.
 
 use super::{RunError, Simulation, stage};
 use crate::elements::{Crossing, Watched};
@@ -8,7 +8,7 @@ use crate::state::State;
 use serde::Serialize;
 use std::borrow::Cow;
 
-/// Something that happened in a run.
+/// An event in a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Happened {
     /// When, s.
@@ -19,24 +19,24 @@ pub struct Happened {
     pub what: Cow<'static, str>,
 }
 
-/// Times are located to this, s, or to the rounding of the time where that is coarser.
+/// Tolerance of located times, s; or the rounding of the time if that is larger.
 const TIME_TOLERANCE_S: f64 = 1e-12;
-/// Events that one step may have: more never end.
+/// Largest number of events in one step: more would never end.
 const MOST_EVENTS: usize = 1000;
 /// Share of a step over which the rate of a witness is found, by central differences.
 const RATE_STEP: f64 = 1e-2;
-/// Trials by which every smooth witness is located long since.
+/// Largest number of trials: a smooth witness is located in far fewer.
 const MOST_TRIALS: usize = 200;
 
-/// Working memory to watch for events, and their table.
+/// Working memory for events, and their table.
 #[derive(Clone, Debug)]
 pub(super) struct Watch<S> {
     happened: Vec<Happened>,
-    /// By event, the step that it is of, counted from 1.
+    /// For each event its step, counted from 1.
     of_step: Vec<u64>,
-    /// Events of the step under way.
+    /// Number of events in the present step.
     in_step: usize,
-    /// Witnesses at the start of an interval, at the lower end of the bracket, and where the state stands.
+    /// Witnesses at the start of an interval, at the lower end of the bracket, and at the present state.
     before: Vec<S>,
     low: Vec<S>,
     now: Vec<S>,
@@ -45,7 +45,7 @@ pub(super) struct Watch<S> {
     end: State<S>,
 }
 
-/// The part of an interval that an event lies in: witnesses have not changed sign at `low`, and have at `high`.
+/// The part of an interval that contains an event: witnesses have not changed sign at `low`, and have at `high`.
 struct Bracket {
     low_s: f64,
     high_s: f64,
@@ -82,7 +82,7 @@ impl<S: Scalar> Watch<S> {
         self.in_step = 0;
     }
 
-    /// Takes events out of the table that come after so many steps.
+    /// Removes events after this number of steps from the table.
     pub(super) fn forget_after(&mut self, steps: u64) {
         let kept = self.of_step.partition_point(|step| *step <= steps);
         self.happened.truncate(kept);
@@ -95,7 +95,7 @@ impl<S: Scalar> Watch<S> {
         pairs.any(|(watched, (before, now))| !crossed(watched.crossing, *before, *now).all(|crossed| crossed == 0.0))
     }
 
-    /// The witness that a straight line from the lower end has cross first, with its values there and now.
+    /// The witness that crosses first by linear interpolation from the lower end, with its values there and now.
     fn first(&self, watched: &[Watched]) -> Option<(usize, [f64; 2])> {
         let pairs = watched.iter().zip(self.low.iter().zip(&self.now)).enumerate();
         let crossed = pairs.filter_map(|(i, (watched, (low, now)))| {
@@ -106,7 +106,7 @@ impl<S: Scalar> Watch<S> {
     }
 }
 
-/// Where a straight line between two values is zero, as a share of the way.
+/// The zero of a straight line between two values, as a share of the interval.
 fn share([low, high]: [f64; 2]) -> f64 {
     low / (low - high)
 }
@@ -123,7 +123,8 @@ fn crossed<S: Scalar>(crossing: Crossing, before: S, now: S) -> S {
 }
 
 impl<S: Scalar> Simulation<S> {
-    /// Steps over an interval, or to the first event in it, which its element then answers; returns the time reached.
+    /// Steps over an interval, or to the first event in it, to which its element then responds; returns the time
+    /// reached.
     pub(super) fn step_to_event(&mut self, interval: Interval, edge_s: f64) -> Result<f64, RunError> {
         if self.watch.before.is_empty() {
             self.scheme.step(&mut self.plant, interval, edge_s, &mut self.state)?;
@@ -146,7 +147,7 @@ impl<S: Scalar> Simulation<S> {
         Ok(time_s)
     }
 
-    /// Evaluates the witnesses where the state stands, at a time within an interval.
+    /// Evaluates the witnesses at the present state, at a time within an interval.
     fn look(&mut self, interval: Interval, time_s: f64) {
         let at = Stage { time_s, ..stage(interval, &self.state) };
         self.plant.witnesses(at, &mut self.watch.now);
@@ -194,7 +195,7 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Lets the elements answer what has happened, in the order in which they declared it.
+    /// Lets the elements respond to their events, in the order of their declaration.
     fn answer(&mut self, interval: Interval, time_s: f64) -> Result<(), RunError> {
         for i in 0..self.watch.before.len() {
             let watched = self.plant.layout().watched[i];
@@ -220,7 +221,7 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Notes what an answer, or a change from outside, has brought about at a time; `of_step` is counted from 1.
+    /// Records the events that a response, or a change from outside, has caused at a time; `of_step` is counted from 1.
     pub(super) fn note_brought_about(&mut self, time_s: f64, of_step: u64) {
         for watched in self.plant.brought_about() {
             let element = self.plant.layout().names[watched.element].clone();
@@ -229,17 +230,17 @@ impl<S: Scalar> Simulation<S> {
     }
 }
 
-/// The time of an event moves with what derivatives are along. With the witness g, f the rates before and f+ those after,
-/// `dt = -dg / g'` moves the state by `f dt` up to the event and by `-f+ dt` from there (the saltation matrix: Leine &
-/// Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2).
+/// Derivatives of the time of an event. With the witness g, f the rates before and f+ those after, `dt = -dg / g'`
+/// moves the state by `f dt` up to the event and by `-f+ dt` from there (the saltation matrix: Leine & Nijmeijer,
+/// *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2).
 impl<S: Scalar> Simulation<S> {
-    /// dt of a witness where the state stands: no time, with its derivatives.
+    /// dt of a witness at the present state: its value is 0, it carries the derivatives.
     fn delay(&mut self, interval: Interval, time_s: f64, witness: usize) -> S {
         if !S::HAS_DERIVATIVES {
             return S::ZERO;
         }
         let by_s = RATE_STEP * self.settings.step_s;
-        // The caller goes through all witnesses: looking at neighbouring instants must not change the others.
+        // The caller goes through all witnesses: evaluating neighbouring times must not change the others.
         let now = self.watch.now.clone();
         self.watch.start.copy_from(&self.state);
         let mut at = |by_s: f64| {
@@ -271,8 +272,8 @@ impl<S: Scalar> Simulation<S> {
 }
 
 impl Bracket {
-    /// A time to try: every third by bisection, else where a secant has the zero, moved by the tolerance towards the
-    /// farther end so that both ends close in.
+    /// The next time to try: every third time by bisection, else the zero of the secant, shifted by the tolerance
+    /// towards the farther end so that both ends converge.
     fn guess(&self, trial: usize, tolerance_s: f64) -> f64 {
         let width = self.high_s - self.low_s;
         let middle = self.low_s + 0.5 * width;

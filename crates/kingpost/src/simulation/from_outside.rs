@@ -1,4 +1,4 @@
-//! What is read and set from outside: state, snapshots, inputs, poses, matrices.
+//! Reading and setting from outside: state, snapshots, inputs, poses, matrices.
 
 use super::errors::check_array;
 use super::{Input, InputError, Setup, Simulation, Watching, stage};
@@ -13,8 +13,8 @@ use crate::state::{SnapshotError, State};
 pub(super) const LARGEST_GAP_GIVEN: f64 = 1e-6;
 
 impl Simulation {
-    /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without,
-    /// it takes differences.
+    /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without them it takes
+    /// differences.
     pub fn differentiate_with(&mut self, setup: Setup<Number>) {
         let Setup { model, world, elements, q, v, .. } = setup;
         let mut plant = Plant::new(model, world, elements);
@@ -22,7 +22,7 @@ impl Simulation {
         self.plant.differentiate_with(Tangent::new(plant));
     }
 
-    /// Puts a simulation together at time 0.
+    /// A simulation at time 0.
     pub fn new(setup: Setup) -> Self {
         let form = setup.settings.form;
         let of_elements = setup.elements.iter().flat_map(|element| element.watchers());
@@ -44,13 +44,13 @@ impl Simulation {
         bodies.world.iter().flat_map(pose).collect()
     }
 
-    /// Elevation of the incident waves now, m, at every crossing of the lines x and y, world, m: along the first x first.
+    /// Elevation of the incident waves now, m, at every grid point of x and y, world, m: along the first x first.
     pub fn surface(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
         self.plant.world.elevations_m(x, y, self.time_s())
     }
 
-    /// Replaces q, v and, where given, s. Without s the ledger begins anew here. The rate of a
-    /// prescribed coordinate holds until the next step, which sets it as prescribed.
+    /// Replaces q, v and, if given, s. Without s the ledger begins anew. The rate of a prescribed coordinate holds
+    /// until the next step, which sets it as prescribed.
     pub fn set_state(&mut self, q: &[f64], v: &[f64], s: Option<&[f64]>) -> Result<(), InputError> {
         let mut next = self.state.clone();
         next.q = q.to_vec();
@@ -116,7 +116,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// The table of inputs with their values now.
+    /// All inputs with their present values.
     pub fn inputs(&self) -> Vec<Input> {
         let layout = self.plant.layout();
         let now = |(i, (input, value)): (usize, (&Input, &f64))| Input {

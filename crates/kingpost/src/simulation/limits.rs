@@ -1,21 +1,21 @@
-//! The limits that a run is held against.
+//! The limits that a run is checked against.
 
 use crate::results::Channels;
 use crate::scalar::Scalar;
 use serde::Serialize;
 
-/// What a column of the results is to keep.
+/// A limit on a column of the results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
     /// Its name in the scenario.
     pub name: String,
     /// The column.
     pub column: String,
-    /// Unit of the bounds, and how many of the column's SI unit it is.
+    /// Unit of the bounds, and its value in the column's SI unit.
     pub unit: (String, f64),
     /// The smallest and the largest value that are allowed.
     pub bounds: [Option<f64>; 2],
-    /// From when on it counts, s.
+    /// Time from which it applies, s.
     pub from_s: f64,
 }
 
@@ -33,7 +33,7 @@ pub struct LimitResult {
     pub at_least: Option<f64>,
     /// The largest value that is allowed.
     pub at_most: Option<f64>,
-    /// Whether it held; absent where no row counted.
+    /// Whether it held; absent if it applied to no row.
     pub held: Option<bool>,
     /// The value nearest to a bound, or farthest beyond one.
     pub worst: Option<f64>,
@@ -56,7 +56,7 @@ struct Held {
 }
 
 impl Limit {
-    /// How far a value is within the bounds; negative beyond one, and for NaN.
+    /// Distance of a value from the bounds; negative beyond a bound, and for NaN.
     fn margin(&self, value: f64) -> f64 {
         if value.is_nan() {
             return f64::NEG_INFINITY;
@@ -68,7 +68,7 @@ impl Limit {
 }
 
 impl Limits {
-    /// Those whose columns are there: the scenario has checked them.
+    /// The limits on existing columns: the scenario has checked them.
     pub(super) fn new(limits: Vec<Limit>, channels: &Channels) -> Self {
         let placed = |limit: Limit| Some(Held { place: channels.place(&limit.column)?, limit, worst: None });
         Self { held: limits.into_iter().filter_map(placed).collect() }
@@ -85,7 +85,7 @@ impl Limits {
         }
     }
 
-    /// Forgets what was seen.
+    /// Forgets all rows.
     pub(super) fn begin_anew(&mut self) {
         self.held.iter_mut().for_each(|held| held.worst = None);
     }
@@ -95,7 +95,7 @@ impl Limits {
         self.held.iter().map(|held| &held.limit)
     }
 
-    /// How they held so far.
+    /// The results so far.
     pub(super) fn results(&self) -> Vec<LimitResult> {
         let result = |Held { limit, worst, .. }: &Held| LimitResult {
             name: limit.name.clone(),

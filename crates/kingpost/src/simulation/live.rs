@@ -1,4 +1,4 @@
-//! Other numbers while a run goes on.
+//! Changes of numbers during a run.
 
 use super::from_outside::LARGEST_GAP_GIVEN;
 use super::{Happened, Simulation, stage};
@@ -6,7 +6,7 @@ use crate::elements::AnyElement;
 use crate::world::World;
 
 impl Simulation {
-    /// What acts on the model.
+    /// The elements of the model.
     pub fn elements(&self) -> &[AnyElement] {
         self.plant.elements()
     }
@@ -16,22 +16,21 @@ impl Simulation {
         &self.plant.world
     }
 
-    /// Goes on from here by the numbers of another simulation of the same structure. Time, q, v, s and d stay, and modes but
-    /// for those that elements set anew; the
-    /// integrator begins anew, since what it remembers is of the old law. What the change does to energy and momentum is
-    /// booked in the ledger as at an event; a reset leads to the start of the other.
+    /// Continues from here with the numbers of another simulation of the same structure. Time, q, v, s and d stay, and
+    /// so do modes, unless elements set them again; the integrator restarts, because its memory belongs to the old law.
+    /// The change of energy and momentum is booked in the ledger as at an event; a reset leads to the start of the
+    /// other simulation.
     ///
-    /// The table of events says that `what` was set.
+    /// The table of events records that `what` was set.
     ///
-    /// # Errors
-    /// Why it cannot; nothing has changed then.
+    /// # Errors The reason why it cannot; nothing has changed then.
     pub fn go_on_as(&mut self, mut next: Simulation, what: &str) -> Result<(), &'static str> {
         let lengths = |of: &Simulation| {
             let super::State { q, v, s, d, m, .. } = &of.state;
             [q, v, s, d].map(Vec::len).into_iter().chain([m.len()]).collect::<Vec<_>>()
         };
         if lengths(self) != lengths(&next) || self.channels() != next.channels() {
-            return Err("which changes what the run is made of");
+            return Err("which changes the structure of the run");
         }
         let gap = next.plant.loop_gap(&self.state.q, &self.state.v);
         if gap.is_some_and(|(_, gap)| gap >= LARGEST_GAP_GIVEN) {

@@ -26,7 +26,7 @@ use crate::elements::Layout;
 use crate::elements::ropes::PARTS_WORDS;
 use crate::integrate::{Interval, Scheme, Stage, System};
 use crate::model::Model;
-use crate::plant::{Extent, Plant};
+use crate::plant::{ObservedPart, Plant};
 use crate::results::{Channel, Channels, Readings, Sample};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -39,7 +39,7 @@ use watching::Watching;
 /// Steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 1_000;
 
-/// Edges closer than this share of a step are at the same time.
+/// Edges closer than this share of a step count as simultaneous.
 const EDGE_SLACK: f64 = 1e-9;
 
 /// Recorded rows, and how the run ended.
@@ -49,11 +49,11 @@ pub struct Run<S = f64> {
     pub rows: Vec<S>,
     /// Entries in a row.
     pub columns: usize,
-    /// What happened, in order of time.
+    /// The events, in order of time.
     pub events: Vec<Happened>,
-    /// What a person should know of it.
+    /// The warnings.
     pub warnings: Vec<Warning>,
-    /// How its limits held.
+    /// The results of its limits.
     pub limits: Vec<LimitResult>,
     /// An error leaves the rows that came before it.
     pub status: Result<(), RunError>,
@@ -77,20 +77,20 @@ pub struct Simulation<S: Scalar = f64> {
     channels: Channels,
     state: State<S>,
     initial: State<S>,
-    /// The state before the step under way: what is kept when that step diverges.
+    /// The state before the present step, which is restored if that step diverges.
     last_good: State<S>,
     v_dot: Vec<S>,
     watch: Watch<S>,
     watching: Watching,
     limits: Limits,
     steering: Steering<S>,
-    /// Of the setup: a snapshot carries it.
+    /// Fingerprint of the setup: a snapshot contains it.
     fingerprint: u64,
 }
 
 impl<S: Scalar> Simulation<S> {
-    /// Puts a simulation together at time 0, its equations in the recursive form, whatever the
-    /// settings say: the other forms are for plain numbers, and so is what watches a run.
+    /// A simulation at time 0 with its equations in the recursive form, whatever the settings: the other forms, and
+    /// watchers, are for plain numbers only.
     pub fn recursive(setup: Setup<S>) -> Self {
         let Setup { model, world, elements, watchers: _, limits, wires, settings, q, v, fingerprint } = setup;
         let mut plant = Plant::new(model, world, elements);
@@ -139,49 +139,48 @@ impl<S: Scalar> Simulation<S> {
         &self.plant.model
     }
 
-    /// Where the right-hand side stands: at the start of the next interval.
+    /// The stage at the start of the next interval.
     pub fn stage(&self) -> Stage<'_, S> {
         stage(self.interval(), &self.state)
     }
 
-    /// The next interval: to the end of the next step, or to where a law changes its form before.
+    /// The next interval: to the end of the next step, or to an earlier time at which a law changes form.
     fn interval(&self) -> Interval {
         let start_s = self.time_s();
         let end_s = start_s + self.settings.step_s;
         Interval { start_s, end_s: self.next_edge_s(start_s, end_s).min(end_s) }
     }
 
-    /// The next time after `start_s` at which a law changes its form or an element samples, s; infinite where there is
-    /// none. One that is within rounding of `start_s` has passed, one that is so close to `end_s` falls on it.
+    /// The next time after `start_s` at which a law changes form or an element samples, s; infinite if there is none. A
+    /// time within rounding of `start_s` has passed; one within rounding of `end_s` counts as `end_s`.
     fn next_edge_s(&self, start_s: f64, end_s: f64) -> f64 {
         let slack_s = EDGE_SLACK * self.settings.step_s;
         let edge_s = self.plant.next_edge_s(start_s + slack_s, &self.state.m);
         if (edge_s - end_s).abs() <= slack_s { end_s } else { edge_s }
     }
 
-    /// `q` moved by the local coordinates `xi`, as a scheme moves it.
+    /// `q` moved by the local coordinates `xi`, as in a scheme.
     pub fn moved(&self, q: &[S], xi: &[S]) -> Vec<S> {
         let mut moved = q.to_vec();
         self.plant.retract(q, xi, &mut moved);
         moved
     }
 
-    /// The complete state, to be moved to another of the same run.
+    /// The complete state, mutable, to set another state of the same run.
     #[cfg(not(target_family = "wasm"))]
     pub(crate) fn state_mut(&mut self) -> &mut State<S> {
         &mut self.state
     }
 
-    /// Evaluations of the right-hand side by the integrator since the simulation was made: what its
-    /// steps cost. One over dual numbers counts as one, and one more for each direction.
+    /// Evaluations of the right-hand side by the integrator since the simulation was made: what its steps cost. An
+    /// evaluation over dual numbers counts as one plus one for each direction.
     pub fn evaluations(&self) -> u64 {
         self.plant.evaluations
     }
 
-    /// Closes the loops from here by the least change of q and v, as after each step.
+    /// Closes the loops from here by the smallest change of q and v, as after each step.
     ///
-    /// # Errors
-    /// A loop that cannot be closed from here; q and v are then no motion of the model.
+    /// # Errors A loop that cannot be closed from here; q and v are then not a valid motion of the model.
     pub fn close_loops(&mut self) -> Result<(), RunError> {
         let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
         self.plant.begin_step();
@@ -202,18 +201,18 @@ impl<S: Scalar> Simulation<S> {
         self.steering = Steering::new(self.plant.layout(), &self.channels);
     }
 
-    /// Where everything stands that the elements declare.
+    /// The places of everything that the elements declare.
     pub fn layout(&self) -> &Layout {
         self.plant.layout()
     }
 
-    /// What has happened so far, in order of time.
+    /// The events so far, in order of time.
     pub fn events(&self) -> &[Happened] {
         self.watch.happened()
     }
 
-    /// What a person should know of the rows that were written since the run began, or since its state was set from
-    /// outside, and of ropes that parted; in order of time.
+    /// The warnings of the rows since the start of the run, or since its state was set from outside, and of ropes that
+    /// parted; in order of time.
     pub fn warnings(&self) -> Vec<Warning> {
         let parted = self.events().iter().filter(|happened| happened.what == PARTS_WORDS);
         let parted = parted.map(|Happened { time_s, element, .. }| Warning {
@@ -226,7 +225,7 @@ impl<S: Scalar> Simulation<S> {
         warnings
     }
 
-    /// How the limits held in the rows that were written since the run began, or since its state was set from outside.
+    /// The results of the limits for the rows since the start of the run, or since its state was set from outside.
     pub fn limits(&self) -> Vec<LimitResult> {
         self.limits.results()
     }
@@ -236,7 +235,8 @@ impl<S: Scalar> Simulation<S> {
         self.limits.given()
     }
 
-    /// Takes `n` steps, each after the elements that steer; the steps allocate nothing. On an error the state stays at the last good step.
+    /// Takes `n` steps; before each, steering elements set their inputs. The steps allocate nothing. On an error the
+    /// state stays at the last good step.
     pub fn step(&mut self, n: usize) -> Result<(), RunError> {
         for _ in 0..n {
             self.last_good.copy_from(&self.state);
@@ -258,7 +258,7 @@ impl<S: Scalar> Simulation<S> {
         self.check(end_s)
     }
 
-    /// One step, cut where a law changes its form, an element samples or an event happens.
+    /// One step, divided where a law changes form, an element samples or an event happens.
     fn advance(&mut self, start_s: f64, end_s: f64) -> Result<(), RunError> {
         let mut from = start_s;
         self.watch.begin_step();
@@ -276,7 +276,7 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Where a number stops being one, or a rate passes the limit.
+    /// Checks that all numbers are finite and no rate exceeds the limit.
     fn check(&self, time_s: f64) -> Result<(), RunError> {
         let limit = self.settings.rate_limit;
         for (body, node) in self.plant.model.tree.nodes.iter().enumerate() {
@@ -301,9 +301,8 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Steps to the end of the run, recording a row now, then at each recording time, and at the
-    /// end. `progress` hears the time after each row, and at least every [`PROGRESS_STEPS`] steps;
-    /// it may stop the run by returning false.
+    /// Steps to the end of the run, recording a row now, then at each recording time, and at the end. `progress` gets
+    /// the time after each row, and at least every [`PROGRESS_STEPS`] steps; it may stop the run by returning false.
     pub fn run(&mut self, progress: impl FnMut(f64) -> bool) -> Run<S> {
         let mut rows = Vec::new();
         self.write_row(&mut rows);
@@ -314,7 +313,7 @@ impl<S: Scalar> Simulation<S> {
         self.finish(rows, recording, progress)
     }
 
-    /// The rest of a run whose last row, where it stands, is written.
+    /// The rest of a run whose row at the present state is written.
     pub(crate) fn finish(
         &mut self,
         mut rows: Vec<S>,
@@ -352,7 +351,7 @@ impl<S: Scalar> Simulation<S> {
         Run { rows, columns, events, warnings: self.warnings(), limits: self.limits(), status }
     }
 
-    /// Whether all numbers of a row are numbers: a state that is finite may give loads and accelerations that are not.
+    /// Checks that all numbers of a row are finite: a finite state may give loads and accelerations that are not.
     pub(crate) fn check_row(&self, row: &[S]) -> Result<(), RunError> {
         let Some(place) = row.iter().position(|x| !x.all(f64::is_finite)) else { return Ok(()) };
         let mut columns = self.channels.list.iter().flat_map(|channel| &channel.columns);
@@ -370,12 +369,12 @@ impl<S: Scalar> Simulation<S> {
         self.channels.columns()
     }
 
-    /// What reads these columns alone, without the rest of a row; one that is not there is left out.
+    /// Readings of these columns only, without the rest of a row; columns that do not exist are left out.
     pub fn readings(&self, columns: &[String]) -> Readings<S> {
         Readings::new(columns, &self.channels, self.plant.layout())
     }
 
-    /// Writes the columns of readings now, in their order.
+    /// Writes the present values of the readings, in their order.
     pub fn read(&mut self, readings: &mut Readings<S>, out: &mut Vec<S>) {
         let at = stage(self.interval(), &self.state);
         let observed = self.plant.observe(at, readings.extent(), &mut self.v_dot);
@@ -383,15 +382,15 @@ impl<S: Scalar> Simulation<S> {
         readings.read(&Sample { time_s, q, v, s, observed }, &self.channels, out);
     }
 
-    /// Appends the values of all channels now.
+    /// Appends the present values of all channels.
     pub fn write_row(&mut self, out: &mut Vec<S>) {
         let at = stage(self.interval(), &self.state);
-        let observed = self.plant.observe(at, &Extent::Everything, &mut self.v_dot);
+        let observed = self.plant.observe(at, &ObservedPart::Everything, &mut self.v_dot);
         let Stage { time_s, q, v, s, .. } = at;
         let first = out.len();
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);
         let row = &out[first..];
-        // A row without numbers is none of the run's.
+        // A row that is not finite does not count.
         if row.iter().all(|value| value.all(f64::is_finite)) {
             self.watching.see(row);
             self.limits.see(row);

@@ -1,4 +1,4 @@
-//! When rows are due.
+//! The times at which rows are recorded.
 
 use super::Settings;
 
@@ -13,7 +13,7 @@ pub(crate) struct Recording {
 }
 
 impl Recording {
-    /// Of a run that stands at a time, its row there written.
+    /// For a run at this time, with its row already written.
     pub(crate) fn new(settings: Settings, time_s: f64) -> Self {
         let last = libm::ceil(settings.duration_s / settings.step_s - 1e-9) as u64;
         let mut recording = Self { settings, last, passed: 0.0 };
@@ -25,7 +25,7 @@ impl Recording {
         libm::floor(time_s / self.settings.record_every_s + 1e-9)
     }
 
-    /// Whether a run that has taken so many steps is at its end.
+    /// Whether a run is at its end after this number of steps.
     pub(crate) fn is_over(&self, steps: u64) -> bool {
         steps >= self.last
     }

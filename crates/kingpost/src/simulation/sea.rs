@@ -1,11 +1,11 @@
-//! Another sea under a run.
+//! Another sea during a run.
 
 use super::errors::check_array;
 use super::{InputError, Simulation, stage};
 use crate::sea::waves::WaveComponent;
 
 impl Simulation {
-    /// The regular waves that the sea is the sum of; none in calm water.
+    /// The regular waves that make up the sea; none in calm water.
     pub fn waves(&self) -> Vec<WaveComponent> {
         self.plant.world.waves.as_ref().map_or_else(Vec::new, |waves| waves.components().copied().collect())
     }
@@ -19,14 +19,14 @@ impl Simulation {
         [real, imaginary]
     }
 
-    /// Goes on from here in another sea of the same frequencies and directions, one amplitude (m) and phase (rad) a wave in
-    /// the order of [`Self::waves`]: what may happen yet, where the waves to come are not known.
+    /// Continues from here in another sea with the same frequencies and directions, with one amplitude (m) and phase
+    /// (rad) per wave in the order of [`Self::waves`]: for a forecast when the coming waves are not known.
     ///
-    /// Motion, states and the memory of radiated waves stay; the integrator begins anew. The sea is no part of a
-    /// snapshot: one that is restored goes on in the sea that was set last, as a reset begins in it. No replay has it.
+    /// Motion, states and the memory of radiated waves stay; the integrator begins anew. The sea is not part of a
+    /// snapshot: a restored run continues in the sea that was set last, and a reset begins in it. A replay does not
+    /// contain it.
     ///
-    /// # Errors
-    /// Not one finite number a wave; a body that moves as the waves say. Nothing has changed then.
+    /// # Errors Not one finite number per wave; a body that is moved by waves. Nothing has changed then.
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), InputError> {
         let count = self.plant.world.waves.as_ref().map_or(0, |waves| waves.len());
         check_array("amplitudes_m", amplitudes_m, count)?;

@@ -1,4 +1,4 @@
-//! Where a model rests: free coordinates, rates zero, at which nothing accelerates.
+//! The equilibrium of a model: free coordinates at which, with zero rates, nothing accelerates.
 
 use super::{InputError, Simulation, stage};
 use crate::dynamics::Kinematics;
@@ -9,46 +9,46 @@ use crate::model::JointKind;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-/// Accelerations below this count as none, m/s^2 or rad/s^2.
+/// Accelerations below this count as 0, m/s^2 or rad/s^2.
 const AT_REST: f64 = 1e-10;
-/// Iterations before it is called hopeless.
+/// Largest number of iterations.
 const MOST_ITERATIONS: usize = 400;
 /// The longest move of a coordinate in one iteration, m or rad.
 const LONGEST_MOVE: f64 = 0.5;
-/// How often a move is halved where the loops cannot be closed at its end.
+/// How often a move is halved if the loops cannot be closed at its end.
 const MOST_HALVINGS: i32 = 12;
 /// Least growth of the pseudo-time step while accelerations fall.
 const LEAST_GROWTH: f64 = 2.0;
 /// The smallest share of the largest entry of A that is kept against drift along zero modes.
 const SMALLEST_SHARE: f64 = 1e-9;
-/// A body is pushed along the water that accelerates there by more than this share of the largest acceleration.
+/// A body counts as pushed horizontally if it accelerates there by more than this share of the largest acceleration.
 const SMALLEST_PUSH: f64 = 1e-3;
 
-/// What holds the model has taken over where it is less than this off, m or rad.
+/// The transfer to the trims is complete if the deviation is below this, m or rad.
 const TAKEN_OVER: f64 = 1e-8;
 
-/// The least square of a rate of growth that counts, 1/s^2, and the least share of the largest entry of A.
+/// The smallest square of a growth rate that counts, 1/s^2, and the smallest share of the largest entry of A.
 const GROWS: [f64; 2] = [1e-6, 1e-8];
 
-/// Beyond this lean a hull at rest has capsized, deg: ships are flooded long before.
+/// A hull at rest with a larger lean has capsized, deg: ships are flooded long before.
 const MOST_LEAN_DEG: f64 = 60.0;
 
-/// How an equilibrium was found.
+/// An equilibrium that was found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
     /// Newton's iterations.
     pub iterations: usize,
-    /// Largest acceleration that is left, m/s^2 or rad/s^2.
+    /// Largest remaining acceleration, m/s^2 or rad/s^2.
     pub residual: f64,
-    /// Why nothing stays there, if it does not.
+    /// Its instability, if it is unstable.
     pub instability: Option<Instability>,
 }
 
-/// Why a model does not stay at an equilibrium, or should not.
+/// Why a model does not, or should not, stay at an equilibrium.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Instability {
     /// A motion that grows, `e^(t / T)` without damping.
-    #[error("{coordinate} falls away from it, {time_s:.3} s for each factor of e")]
+    #[error("{coordinate} moves away from it, by a factor of e every {time_s:.3} s")]
     Growth {
         /// The free coordinate with most of the kinetic energy of the fastest such motion.
         coordinate: String,
@@ -60,12 +60,12 @@ pub enum Instability {
     Capsized {
         /// The body.
         hull: String,
-        /// How far its mast leans from the vertical, deg.
+        /// Lean of its z axis from the vertical, deg.
         lean_deg: f64,
     },
 }
 
-/// Why none was found.
+/// Why no equilibrium was found.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum NoEquilibrium {
     /// Something keeps accelerating.
@@ -81,19 +81,17 @@ pub enum NoEquilibrium {
         coordinate: String,
         /// Its acceleration.
         residual: f64,
-        /// What counts as none.
+        /// The largest acceleration that is allowed.
         allowed: f64,
-        /// The floating body that something pushes along the water and nothing holds there, if there is one.
+        /// The floating body that is pushed horizontally and that nothing holds, if there is one.
         adrift: Option<String>,
     },
-    /// What has to hold the model in place is too weak.
-    #[error(
-        "no equilibrium: {name} would have to give {utilisation:.3} times the most that it can, allowed: at most 1"
-    )]
+    /// The element that has to hold the model is too weak.
+    #[error("no equilibrium: {name} would have to give {utilisation:.3} times its capacity, allowed: at most 1")]
     Overloaded {
         /// The element.
         name: String,
-        /// What its part most in use would have to give, of what that can.
+        /// Utilisation that its most loaded part would need.
         utilisation: f64,
     },
     /// A state that the simulation refuses.
@@ -101,35 +99,32 @@ pub enum NoEquilibrium {
     State(#[from] InputError),
 }
 
-/// What to do for a body adrift.
+/// The advice for a body adrift.
 fn in_words(body: &String) -> String {
     format!(
-        "; nothing holds {body} where it is against what pushes it sideways: {HOLD_IT}, or turn off the wind, the current \
-         or what else pushes it"
+        "; nothing holds {body} against horizontal forces: {HOLD_IT}, or turn off the wind, the current or the other horizontal forces"
     )
 }
 
 impl Simulation {
-    /// Moves to an equilibrium near here, all rates zero, without waves and with what is prescribed
-    /// held, and begins the ledger anew there.
+    /// Moves to a nearby equilibrium with zero rates, without waves and with prescribed coordinates held, and begins
+    /// the ledger anew there.
     ///
-    /// Newton's iteration, led by pseudo-transient continuation (Kelley & Keyes, SIAM J. Numer.
-    /// Anal. 35, 1998): `(1/delta - A) dx = v'`, where delta grows as the accelerations vanish. So it
-    /// begins downhill, towards a stable equilibrium, and ends with Newton's own convergence; along
-    /// zero modes, such as the heading of a free ship, nothing moves. Where there are closed loops
-    /// the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops closed. So with inextensible
-    /// ropes, each while it is taut and pulls.
+    /// Newton's iteration with pseudo-transient continuation (Kelley & Keyes, SIAM J. Numer. Anal. 35, 1998):
+    /// `(1/delta - A) dx = v'`, where delta grows as the accelerations vanish. So it begins downhill, towards a stable
+    /// equilibrium, and ends with Newton's convergence; along zero modes, such as the heading of a free ship, nothing
+    /// moves. With closed loops the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops
+    /// closed. The same holds for inextensible ropes while they are taut and pull.
     ///
-    /// What an integral holds rests where it is to be: what holds it there is found by the method of
-    /// multipliers (each time the model rests, it is handed over to the integral).
+    /// A body held by integral action rests at its target: the holding force is found by the method of multipliers
+    /// (each time the model is at rest, the force is transferred to the integral).
     ///
-    /// # Errors
-    /// Nothing at which all accelerations vanish was found; the simulation stands where it stood.
+    /// # Errors No state was found at which all accelerations vanish; the simulation is unchanged.
     pub fn settle(&mut self) -> Result<Equilibrium, NoEquilibrium> {
         self.settle_with_trims().map(|(found, _)| found)
     }
 
-    /// The same; returns there too what each element that holds the model has found, as
+    /// The same; also returns the trims of the elements that hold the model, as
     /// [`Plant::trims`](crate::plant::Plant::trims).
     ///
     /// # Errors
@@ -188,7 +183,7 @@ impl Simulation {
         }
     }
 
-    /// Lets the elements take over what holds the model; returns whether one was off.
+    /// Transfers the holding forces to the elements' trims; returns whether one had to change.
     fn take_over(&mut self, still: &[f64]) -> bool {
         let before = self.plant.trims();
         let off = self.plant.take_over(&self.state.q, still);
@@ -213,7 +208,7 @@ impl Simulation {
         })
     }
 
-    /// Entries of s that stay: they say where a hand has led an element.
+    /// Entries of s that stay: a user has moved these elements there.
     fn kept_states(&self) -> Vec<(usize, f64)> {
         let layout = self.plant.layout();
         let kept = (0..layout.shares.len()).filter(|&element| layout.shares[element].keeps_states);
@@ -224,7 +219,7 @@ impl Simulation {
         kept.iter().for_each(|&(i, value)| self.state.s[i] = value);
     }
 
-    /// Accelerations of the free coordinates here, and their derivatives along those.
+    /// Accelerations of the free coordinates here, and their derivatives with respect to these coordinates.
     fn linear_here(&mut self, free: &[usize]) -> Linear {
         let interval = self.interval();
         let Self { plant, state, v_dot, .. } = self;
@@ -240,7 +235,7 @@ impl Simulation {
         }
     }
 
-    /// The floating body that accelerates along the water's plane while no acceleration depends on where in it it is.
+    /// The floating body that accelerates horizontally while no acceleration depends on its horizontal position.
     fn adrift(&self, linear: &Linear, free: &[usize]) -> Option<String> {
         let model = &self.plant.model;
         let pushed = |body: &usize| {
@@ -255,9 +250,8 @@ impl Simulation {
         (0..model.joints.len()).filter(floats).find(pushed).map(|body| model.bodies[body].name.clone())
     }
 
-    /// How the equilibrium that the simulation stands at moves by accelerations, without waves and
-    /// with what is prescribed held: the matrix by rows and columns of the free coordinates, by which
-    /// the last of Newton's moves is made; `None` where it is singular.
+    /// How the present equilibrium shifts per acceleration, without waves and with prescribed coordinates held: the
+    /// matrix of the last Newton move, by rows and columns of the free coordinates; `None` if it is singular.
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
         let mut there = self.clone();
         there.plant.set_situation(Situation::Settling);
@@ -267,8 +261,8 @@ impl Simulation {
         Some(inverse.view((0, 0), (free.len(), free.len())).into_owned())
     }
 
-    /// Moves along `xi` with the loops closed, or a half, a quarter of the way where they cannot be.
-    /// Returns whether it moved.
+    /// Moves along `xi` with the loops closed, or by half, by a quarter and so on if they cannot be closed. Returns
+    /// whether it moved.
     fn go(&mut self, xi: &[f64]) -> bool {
         let (from, still) = (self.state.clone(), vec![0.0; xi.len()]);
         (0..MOST_HALVINGS).any(|halvings| {
@@ -284,23 +278,23 @@ impl Simulation {
     }
 }
 
-/// What an iteration stands on.
+/// The linear system of an iteration.
 struct Linear {
     acceleration: DVector<f64>,
     stiffness: DMatrix<f64>,
 }
 
-/// The pseudo-time step of a move, and the accelerations that it began with.
+/// The pseudo-time step of a move, and the accelerations at its start.
 #[derive(Clone, Copy)]
 struct LastMove {
     delta: f64,
     acceleration: f64,
 }
 
-/// The next move of the free coordinates, tangent to the loops' J; `None` where the numbers give none.
+/// The next move of the free coordinates, tangent to the loops' J; `None` if the numbers give none.
 fn next_move(linear: &Linear, j: &DMatrix<f64>, last: Option<LastMove>) -> Option<(DVector<f64>, LastMove)> {
     let (acceleration, norm) = (&linear.acceleration, linear.acceleration.norm());
-    // Beyond the largest stiffness, so that an unstable direction leads downhill too.
+    // Larger than the largest stiffness, so that an unstable direction leads downhill too.
     let grown = last.map_or(0.5 / linear.size(), |last| last.delta * growth(last.acceleration / norm));
     let delta = grown.min(linear.largest_delta());
     let right = acceleration.clone().resize_vertically(acceleration.len() + j.nrows(), 0.0);
@@ -315,7 +309,7 @@ impl Linear {
         self.stiffness.norm().max(AT_REST)
     }
 
-    /// The fastest motion tangent to the loops' J that grows: v' = A x with an eigenvalue 1 / T^2 of A.
+    /// The fastest growing motion tangent to the loops' J: v' = A x with an eigenvalue 1 / T^2 of A.
     fn growth(&self, frame: &MovingFrame, names: &[String]) -> Option<Instability> {
         let tangents = tangents(&frame.j, names.len());
         if tangents.ncols() == 0 {
@@ -328,7 +322,7 @@ impl Linear {
         if fastest < GROWS[0].max(GROWS[1] * size) {
             return None;
         }
-        // One step of inverse iteration, beside the eigenvalue so that the matrix is not singular.
+        // One step of inverse iteration, shifted from the eigenvalue so that the matrix is not singular.
         let beside = a - DMatrix::identity(tangents.ncols(), tangents.ncols()) * (fastest + 1e-6 * size);
         let motion = tangents * beside.lu().solve(&DVector::from_element(squares.len(), 1.0))?;
         let energies = motion.component_mul(&(&frame.m_star * &motion));
@@ -350,7 +344,7 @@ impl Linear {
     }
 }
 
-/// Columns that span what J lets pass, each of length one.
+/// Unit columns that span the null space of J.
 fn tangents(j: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     if j.nrows() == 0 {
         return DMatrix::identity(count, count);
@@ -361,9 +355,8 @@ fn tangents(j: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     eigen.eigenvectors.select_columns(&passed)
 }
 
-/// By how much the pseudo-time step grows where the accelerations have fallen by a factor, or
-/// shrinks where they have risen. What is stiff rests long before what is soft begins to move: the
-/// step has to grow meanwhile.
+/// Growth of the pseudo-time step when the accelerations have fallen by a factor, or its reduction when they have
+/// risen. Stiff parts rest long before soft parts begin to move: the step has to grow meanwhile.
 fn growth(fallen_by: f64) -> f64 {
     if fallen_by < 1.0 { fallen_by } else { fallen_by.max(LEAST_GROWTH) }
 }

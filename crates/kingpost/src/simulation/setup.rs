@@ -1,4 +1,4 @@
-//! What a simulation is made of.
+//! The setup of a simulation.
 
 use super::Limit;
 use crate::elements::{AnyElement, AnyWatcher};
@@ -30,7 +30,7 @@ pub enum SchemeName {
     },
     /// See [`Scheme::generalized_alpha`].
     GeneralizedAlpha {
-        /// What a step leaves of the fastest oscillations.
+        /// Factor by which a step reduces the fastest oscillations.
         rho_infinity: f64,
     },
     /// See [`Scheme::implicit_midpoint`].
@@ -48,34 +48,34 @@ pub struct Settings {
     pub duration_s: f64,
     /// Interval between recorded rows, s.
     pub record_every_s: f64,
-    /// A rate beyond this ends a run as diverged, rad/s or m/s.
+    /// A run with a rate beyond this counts as diverged, rad/s or m/s.
     pub rate_limit: f64,
     /// The form of the equations of motion.
     pub form: Form,
 }
 
 impl Settings {
-    /// Rows that a run records, but for one at each end.
+    /// Number of rows that a run records, without those at the start and the end.
     pub fn rows(&self) -> f64 {
         self.duration_s / self.record_every_s.max(self.step_s)
     }
 }
 
-/// Everything that a simulation is made of.
+/// Everything that a simulation consists of.
 #[derive(Clone, Debug)]
 pub struct Setup<S: Scalar = f64> {
     /// The mechanical model.
     pub model: Model<S>,
     /// What is outside.
     pub world: World<S>,
-    /// What acts on the model or reads it.
+    /// The elements.
     pub elements: Vec<AnyElement<S>>,
-    /// Inputs that take the sampled output of an element, each with the column of that output; beside those that elements
-    /// declare wired.
+    /// Inputs that take the sampled output of an element, each with the column of that output; in addition to those
+    /// that elements declare.
     pub wires: Vec<(String, String)>,
-    /// What watches its joints and closed loops; an element brings its own watchers.
+    /// Watchers of its joints and closed loops; elements have their own.
     pub watchers: Vec<AnyWatcher>,
-    /// What columns of the results are to keep.
+    /// Limits on columns of the results.
     pub limits: Vec<Limit>,
     /// Time stepping and recording.
     pub settings: Settings,
@@ -83,8 +83,8 @@ pub struct Setup<S: Scalar = f64> {
     pub q: Vec<S>,
     /// Initial velocities.
     pub v: Vec<S>,
-    /// A number that two setups share only if they are of the same scenario: snapshots carry it. 0 where a setup is put
-    /// together by hand.
+    /// A digest that is equal only for setups of the same scenario; snapshots contain it. 0 for a setup that is built
+    /// by hand.
     pub fingerprint: u64,
 }
 

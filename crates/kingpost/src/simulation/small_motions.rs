@@ -1,4 +1,4 @@
-//! Small motions about where a simulation stands, without derivatives of the engine's own.
+//! Small motions about the state of a simulation, by differences.
 
 use super::{Simulation, stage};
 use crate::elements::Situation;
@@ -6,21 +6,22 @@ use crate::integrate::{Stage, System};
 use crate::ledger;
 use nalgebra::DMatrix;
 
-/// Displacement (m, rad) and change of rate (m/s, rad/s) of a central difference: the third root of the rounding unit, where
-/// its error is least (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006, section 8.1).
+/// Displacement (m, rad) and change of rate (m/s, rad/s) of a central difference: the cube root of the rounding unit,
+/// where its error is smallest (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006, section 8.1).
 const DIFFERENCE: f64 = 6e-6;
-/// Rates that change by less than this by a state of an element are rounding, 1/s^2: its change is then taken ten times as large.
+/// If rates change by less than this with a state of an element, it is rounding, 1/s^2: the change of the state is then
+/// made ten times as large.
 const SEEN: f64 = 1e-4;
 /// The largest change of such a state.
 const LARGEST: f64 = 1e6;
 
 impl Simulation {
-    /// A of `x' = A x` for small motions from here in still water, what is prescribed held, by central differences: to about
-    /// ten digits of its largest entries.
+    /// A of `x' = A x` for small motions from here in still water, with prescribed coordinates held, by central
+    /// differences: to about ten digits of its largest entries.
     ///
-    /// The states are the local coordinates of the free coordinates, their rates, and the states of elements. Where nothing
-    /// moves it is A of [`Linearization`](crate::analysis::Linearization), which is exact and takes a second engine over dual
-    /// numbers: too much for a browser to load.
+    /// The states are the local coordinates of the free coordinates, their rates, and the states of elements. At rest
+    /// it equals A of [`Linearization`](crate::analysis::Linearization), which is exact but needs a second engine over
+    /// dual numbers: too large for a browser.
     pub fn small_motions(&mut self) -> DMatrix<f64> {
         let free = self.plant.model.free_coordinates();
         let (n, extras) = (free.len(), self.plant.layout().states.len());

@@ -1,4 +1,4 @@
-//! What elements steer where a step begins, and what a hand set.
+//! Steering by elements at the start of a step, and the user's moves.
 
 use super::{Happened, RunError, Simulation, stage};
 use crate::elements::Layout;
@@ -6,18 +6,18 @@ use crate::results::{Channels, Readings, Sample};
 use crate::scalar::Scalar;
 use serde::Serialize;
 
-/// An input that a hand set.
+/// An input that the user set.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LeverMove {
     /// The end of the last step before, s.
     pub time_s: f64,
     /// The input.
     pub input: String,
-    /// What it was set to, in its unit.
+    /// The value that it was set to, in its unit.
     pub value: f64,
 }
 
-/// A parameter that was set while the run went on.
+/// A parameter that was set during the run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ParameterSet {
     /// The end of the last step before, s.
@@ -26,27 +26,27 @@ pub struct ParameterSet {
     pub parameter: String,
 }
 
-/// Working memory to steer, the moves of levers and the parameters set under way.
+/// Working memory for steering, the moves of levers, and the parameters set during the run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steering<S> {
-    /// By steering element: the columns that it reads.
+    /// For each steering element the columns that it reads.
     readings: Vec<Readings<S>>,
     read: Vec<S>,
     inputs: Vec<S>,
-    /// After so many steps, an input in d, its value.
+    /// Number of steps before the move, the input in d, its value.
     moves: Vec<(u64, usize, f64)>,
-    /// After so many steps, a parameter.
+    /// Number of steps before the change, the parameter.
     parameters: Vec<(u64, String)>,
 }
 
 impl<S: Scalar> Steering<S> {
-    /// A column that is not there is left out: the scenario has checked them.
+    /// Columns that do not exist are left out: the scenario has checked them.
     pub(super) fn new(layout: &Layout, channels: &Channels) -> Self {
         let readings = layout.steers.iter().map(|steer| Readings::new(&steer.reads, channels, layout)).collect();
         Self { readings, ..Self::default() }
     }
 
-    /// A hand set an input. Of several moves between two steps the last counts.
+    /// The user set an input. Of several moves between two steps the last counts.
     pub(super) fn moved(&mut self, steps: u64, input: usize, value: f64) {
         self.moves.retain(|&(at, moved, _)| (at, moved) != (steps, input));
         self.moves.push((steps, input, value));
@@ -58,7 +58,7 @@ impl<S: Scalar> Steering<S> {
         self.parameters.push((steps, name.to_owned()));
     }
 
-    /// Takes back what was set after so many steps.
+    /// Removes the moves after this number of steps.
     pub(super) fn forget_after(&mut self, steps: u64) {
         self.moves.retain(|&(at, ..)| at <= steps);
         self.parameters.retain(|&(at, _)| at <= steps);
@@ -66,7 +66,7 @@ impl<S: Scalar> Steering<S> {
 }
 
 impl<S: Scalar> Simulation<S> {
-    /// Lets the elements that steer set their inputs, where a step begins.
+    /// Lets steering elements set their inputs at the start of a step.
     pub(super) fn steer(&mut self) -> Result<(), RunError> {
         let time_s = self.time_s();
         let interval = self.interval();
@@ -89,7 +89,7 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// What a hand has set so far, in order of time.
+    /// The user's moves so far, in order of time.
     pub fn lever_moves(&self) -> Vec<LeverMove> {
         let inputs = &self.plant.layout().inputs;
         let lever_move = |&(steps, input, value): &(u64, usize, f64)| LeverMove {
@@ -100,7 +100,8 @@ impl<S: Scalar> Simulation<S> {
         self.steering.moves.iter().map(lever_move).collect()
     }
 
-    /// Parameters set since the run began, in order of time: [`lever_moves`](Self::lever_moves) alone do not lead here again.
+    /// Parameters set since the start of the run, in order of time: with them, [`lever_moves`](Self::lever_moves) alone
+    /// do not reproduce the run.
     pub fn parameters_set(&self) -> Vec<ParameterSet> {
         let set = |(steps, name): &(u64, String)| ParameterSet {
             time_s: *steps as f64 * self.settings.step_s,

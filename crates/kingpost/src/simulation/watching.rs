@@ -8,13 +8,13 @@ use crate::scalar::Scalar;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Watching {
     watched: Vec<(Vec<usize>, AnyWatcher)>,
-    /// As they were before the first row.
+    /// The watchers before the first row.
     fresh: Vec<(Vec<usize>, AnyWatcher)>,
     values: Vec<f64>,
 }
 
 impl Watching {
-    /// Those whose columns are all among the channels.
+    /// The watchers whose columns all exist.
     pub(super) fn new(watchers: Vec<AnyWatcher>, channels: &Channels) -> Self {
         let placed = |watcher: AnyWatcher| {
             let places: Option<Vec<usize>> = watcher.columns().iter().map(|column| channels.place(column)).collect();
@@ -34,12 +34,12 @@ impl Watching {
         }
     }
 
-    /// Forgets what was seen.
+    /// Forgets all rows.
     pub(super) fn begin_anew(&mut self) {
         self.watched.clone_from(&self.fresh);
     }
 
-    /// What there is to warn of so far.
+    /// The warnings so far.
     pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
         self.watched.iter().flat_map(|(_, watcher)| watcher.warnings())
     }

@@ -3,8 +3,8 @@
 use super::{Matrix3, Twist, Vector3, Wrench};
 use crate::scalar::Scalar;
 
-/// A frame connection matrix E (eq. 20, absolute; eq. 24, relative): where a frame stands and how
-/// it is turned, seen from its parent.
+/// A frame connection matrix E (eq. 20, absolute; eq. 24, relative): the position and rotation of a frame relative to
+/// its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<S = f64> {
     /// R: turns child components into parent components.
@@ -49,8 +49,8 @@ impl<S: Scalar> Frame<S> {
         self.position + self.rotation * p
     }
 
-    /// The parent's twist as the child would have it if fixed to the parent (the first terms of
-    /// eqs. 36-37): about the child's origin, in child components.
+    /// The parent's twist for a child fixed to it (the first terms of eqs. 36-37): about the child's origin, in child
+    /// components.
     #[inline]
     pub fn twist_to_child(&self, parent: &Twist<S>) -> Twist<S> {
         let linear = parent.linear + parent.angular.cross(self.position);

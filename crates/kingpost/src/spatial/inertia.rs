@@ -1,6 +1,6 @@
 //! The 6x6 inertia of a body.
 
-use super::{Frame, Matrix3, RigidInertia, Symmetric3, Twist, Vector3, Wrench, hat};
+use super::{Frame, Matrix3, Symmetric3, Twist, Vector3, Wrench, hat};
 use crate::scalar::Scalar;
 use core::ops::{Add, AddAssign, Sub};
 
@@ -67,19 +67,7 @@ impl<S: Scalar> SpatialInertia<S> {
         Self { angular: Symmetric3::from_upper(&angular), coupling, linear }
     }
 
-    /// The sum with a rigid body's inertia about the same origin.
-    #[inline]
-    pub fn plus_rigid(&self, rigid: &RigidInertia<S>) -> Self {
-        let ([x, y, z], [p, q, r], m) = (rigid.first_moment.0, self.coupling.0, rigid.mass);
-        let Symmetric3 { xx, yy, zz, .. } = self.linear;
-        Self {
-            angular: self.angular + rigid.moments,
-            coupling: Matrix3([[p[0], p[1] - z, p[2] + y], [q[0] + z, q[1], q[2] - x], [r[0] - y, r[1] + x, r[2]]]),
-            linear: Symmetric3 { xx: xx + m, yy: yy + m, zz: zz + m, ..self.linear },
-        }
-    }
-
-    /// `self - u u^T k`: what remains of an articulated inertia once a joint direction is free.
+    /// `self - u u^T k`: an articulated inertia with one joint direction free.
     #[inline]
     pub fn minus_outer(&self, u: &Wrench<S>, k: S) -> Self {
         Self {

@@ -76,7 +76,7 @@ impl<S: Scalar> Matrix3<S> {
         Self(a.0.map(|x| b.0.map(|y| x * y)))
     }
 
-    /// A rotation matrix whose last column is the unit vector `z`; a permutation, exactly, where that is along an axis.
+    /// A rotation matrix whose last column is the unit vector `z`; exactly a permutation if `z` is along an axis.
     ///
     /// The first column is the part across z of the axis that follows, in the order x, y, z, the largest entry of z.
     pub fn with_z(z: Vector3<S>) -> Self {

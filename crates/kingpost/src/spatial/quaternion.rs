@@ -1,4 +1,4 @@
-//! Unit quaternions (w, x, y, z): how a state stores a rotation.
+//! Unit quaternions (w, x, y, z), in which a state stores rotations.
 
 use super::rotation::SERIES_LIMIT;
 use super::{Matrix3, Vector3};
@@ -97,8 +97,8 @@ impl<S: Scalar> Quaternion<S> {
         ])
     }
 
-    /// The unit quaternion of a rotation matrix, with w >= 0, from its largest component
-    /// (Shepperd 1978). Not for lanes, which need not share the largest.
+    /// The unit quaternion of a rotation matrix, with w >= 0, from its largest component (Shepperd 1978). Not for
+    /// lanes, whose largest components may differ.
     pub fn from_matrix(r: &Matrix3<S>) -> Self {
         let (m, one) = (&r.0, S::ONE);
         let squares = [

@@ -4,8 +4,8 @@ use super::{Frame, Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, 
 use crate::scalar::Scalar;
 use core::ops::Add;
 
-/// Mass, first moment and moments of inertia about a frame's origin: what a [`SpatialInertia`] of a
-/// rigid body comes down to, and a third of the work.
+/// Mass, first moment and moments of inertia about a frame's origin: the reduced form of a rigid body's
+/// [`SpatialInertia`], for a third of the cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RigidInertia<S = f64> {
     /// Mass, kg.
@@ -16,8 +16,22 @@ pub struct RigidInertia<S = f64> {
     pub moments: Symmetric3<S>,
 }
 
+impl<S: Scalar> SpatialInertia<S> {
+    /// The sum with a rigid body's inertia about the same origin.
+    #[inline]
+    pub fn plus_rigid(&self, rigid: &RigidInertia<S>) -> Self {
+        let ([x, y, z], [p, q, r], m) = (rigid.first_moment.0, self.coupling.0, rigid.mass);
+        let Symmetric3 { xx, yy, zz, .. } = self.linear;
+        Self {
+            angular: self.angular + rigid.moments,
+            coupling: Matrix3([[p[0], p[1] - z, p[2] + y], [q[0] + z, q[1], q[2] - x], [r[0] - y, r[1] + x, r[2]]]),
+            linear: Symmetric3 { xx: xx + m, yy: yy + m, zz: zz + m, ..self.linear },
+        }
+    }
+}
+
 impl<S: Scalar> RigidInertia<S> {
-    /// The ten numbers of a 6x6 inertia, or `None` where that is not a rigid body's.
+    /// The ten numbers of a 6x6 inertia, or `None` if it is not that of a rigid body.
     pub fn from_spatial(inertia: &SpatialInertia<S>) -> Option<Self> {
         let (mass, c) = (inertia.linear.xx, &inertia.coupling.0);
         let first_moment = Vector3::new(c[2][1], c[0][2], c[1][0]);

@@ -1,4 +1,4 @@
-//! The current: steady, the same everywhere at one depth.
+//! The current: steady and uniform at each depth.
 
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -8,7 +8,7 @@ use crate::spatial::Vector3;
 pub struct Current<S = f64> {
     /// Velocity at the surface, world, m/s.
     pub surface: Vector3<S>,
-    /// How it goes with the depth.
+    /// Its variation with depth.
     pub profile: CurrentProfile<S>,
 }
 
@@ -23,7 +23,7 @@ pub enum CurrentProfile<S = f64> {
     Table(CurrentTable<S>),
 }
 
-/// Velocities at depths that increase from 0, linear between them and below the last as there.
+/// Velocities at depths that increase from 0, linear between them and constant below the last.
 #[derive(Clone, Debug)]
 pub struct CurrentTable<S = f64> {
     /// m.
@@ -32,12 +32,12 @@ pub struct CurrentTable<S = f64> {
     pub velocities: Vec<[S; 2]>,
 }
 
-/// Which velocity of a current counts.
+/// Which velocity of a current profile is used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CurrentAt<S = f64> {
-    /// That at the surface.
+    /// The velocity at the surface.
     Surface,
-    /// That whose drag V |V| is the mean of the current's over this draught, m.
+    /// The velocity whose drag V |V| is the mean over this draught, m.
     MeanSquareOver(S),
     /// The mean over this draught, m.
     MeanOver(S),
@@ -51,7 +51,7 @@ impl<S: Scalar> Current<S> {
         Self { surface: Vector3::zero(), profile: CurrentProfile::Uniform }
     }
 
-    /// The velocity that counts over a sea's depth, m; world, m/s.
+    /// The velocity that is used, for a water depth in m; world, m/s.
     pub fn at(&self, place: &CurrentAt<S>, depth: Option<S>) -> Vector3<S> {
         match (&self.profile, depth) {
             (CurrentProfile::PowerLaw(exponent), Some(depth)) => self.surface * share(place, *exponent, depth),
@@ -66,8 +66,8 @@ impl<S: Scalar> Current<S> {
     }
 }
 
-/// The share of the surface's speed that counts by the power law: of the square it is, over the draught T,
-/// h / T (1 - (1 - T / h)^(2 n + 1)) / (2 n + 1).
+/// The used share of the surface speed by the power law: its square over the draught T is h / T (1 - (1 - T / h)^(2 n +
+/// 1)) / (2 n + 1).
 fn share<S: Scalar>(place: &CurrentAt<S>, exponent: S, depth: S) -> S {
     let mean_of_power = |exponent: S, draught: S| {
         let power = exponent + S::ONE;
@@ -111,12 +111,12 @@ impl<S: Scalar> CurrentTable<S> {
         })
     }
 
-    /// How much of a row's interval of depth is above a depth, m.
+    /// The part of a row's depth interval above a depth, m.
     fn covered(&self, row: &[f64], depth: S) -> S {
         (depth - S::constant(row[0])).clipped(S::ZERO, S::constant(row[1] - row[0]))
     }
 
-    /// The mean over a draught, m, of what is made of the velocity: exact for polynomials of order 7 between rows.
+    /// The mean over a draught, m, of a function of the velocity: exact for polynomials of order 7 between rows.
     fn mean(&self, draught: S, of: impl Fn([S; 2]) -> [S; 2]) -> [S; 2] {
         let mut sum = [S::ZERO; 2];
         let mut add = |velocity: [S; 2], weight: S| {

@@ -1,7 +1,7 @@
-//! What is outside the model and the same for all that acts on it: gravity, the water and its waves, current, wind and its gusts.
+//! The world outside the model: gravity, the water and its waves, current, wind and gusts.
 //!
-//! It is realised once, when a run is built. Elements and views ask it at a place and a time; none keeps a sea, a wind or
-//! a gravity of its own.
+//! It is realised once, when a run is built. Elements and views evaluate it at a position and a time; none has its own
+//! sea, wind or gravity.
 
 mod current;
 mod gusts;
@@ -18,17 +18,17 @@ use crate::spatial::Vector3;
 /// What is outside.
 #[derive(Clone, Debug)]
 pub struct World<S = f64> {
-    /// Acceleration of free fall, m/s^2, against the world's z; 0 where there is no gravity.
+    /// Acceleration of free fall, m/s^2, along the world's -z; 0 without gravity.
     pub gravity: S,
     /// Density of the water, kg/m^3.
     pub water_density: S,
-    /// Depth of the still water over a level seabed, m; `None` where it is infinite.
+    /// Depth of the still water over a level seabed, m; `None` if it is infinite.
     pub depth: Option<S>,
     /// The incident waves, realised once; `None` in calm water.
     pub waves: Option<WaveField<S>>,
-    /// What the water does beside them.
+    /// The current.
     pub current: Current<S>,
-    /// The wind, where there is one.
+    /// The wind, if there is any.
     pub wind: Option<Wind<S>>,
 }
 
@@ -61,25 +61,25 @@ impl<S: Scalar> World<S> {
         self.water_density * self.gravity
     }
 
-    /// What the waves' amplitudes are multiplied by at a time, with its first and second rate.
+    /// The factor of the waves' amplitudes at a time, with its first and second rate.
     pub fn wave_ramp(&self, time_s: f64) -> [f64; 3] {
         self.waves.as_ref().map_or([1.0, 0.0, 0.0], |waves| waves.ramp_and_rates(time_s))
     }
 
-    /// Velocity of the water at its surface, waves apart, world, m/s.
+    /// Velocity of the water at its surface without waves, world, m/s.
     pub fn surface_current(&self) -> Vector3<S> {
         self.current.surface
     }
 
-    /// Velocity of the water that counts, waves apart, world, m/s.
+    /// Velocity of the current that a load uses, world, m/s.
     pub fn current_at(&self, place: &CurrentAt<S>) -> Vector3<S> {
         self.current.at(place, self.depth)
     }
 }
 
 impl World {
-    /// Elevation of the incident waves at a time, m, at every crossing of the lines x and y, world, m: along the first x
-    /// first; 0 in calm water. Waves that a hull makes or turns back are not in it.
+    /// Elevation of the incident waves at a time, m, at every grid point of x and y, world, m: along the first x first;
+    /// 0 in calm water. It contains no radiated or diffracted waves.
     pub fn elevations_m(&self, x: &[f64], y: &[f64], time_s: f64) -> Vec<f64> {
         match &self.waves {
             Some(waves) => waves.elevations_m(x, y, time_s),

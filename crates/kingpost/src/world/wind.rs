@@ -1,21 +1,21 @@
-//! The wind: the same everywhere at one height, steady or with gusts.
+//! The wind: uniform at each height, steady or with gusts.
 
 use super::gusts::{Gusts, GustsAtHeight, MeanWind};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A wind, by its mean speed at one height and how that goes with the height.
+/// A wind, by its mean speed at one height and its profile over height.
 #[derive(Clone, Debug)]
 pub struct Wind<S = f64> {
     /// Mean speed at the reference height, m/s.
     pub speed: S,
     /// Cosine and sine of the direction that it goes to, from the world's x counter-clockwise.
     pub direction: [S; 2],
-    /// Above the still water, m.
+    /// Reference height above the still water, m.
     pub reference_height: S,
     /// Mean speed over height.
     pub profile: WindProfile<S>,
-    /// What its speed does about the mean; `None` where it is steady.
+    /// Variation of its speed about the mean; `None` if it is steady.
     pub gusts: Option<Gusts<S>>,
     /// Density of the air, kg/m^3.
     pub air_density: S,
@@ -59,7 +59,7 @@ impl<S: Scalar> Wind<S> {
         self.speed * self.share_at(height)
     }
 
-    /// Speed at a height, of that at the reference height.
+    /// Speed at a height over that at the reference height.
     fn share_at(&self, height: S) -> S {
         match self.profile {
             WindProfile::Uniform => S::ONE,

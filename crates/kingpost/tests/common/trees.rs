@@ -5,7 +5,7 @@
 use super::Random;
 use kingpost::dynamics::Loads;
 use kingpost::model::joint::{AxisList, ElementaryAxis, Fixed, Floating, Prismatic, Revolute, Spherical};
-use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
 use kingpost::spatial::{Quaternion, Wrench, exp};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -124,7 +124,7 @@ impl Tree {
             let joint = Joint { name: format!("joint_{i}"), kind: branch.joint(&mut random), mode: branch.mode() };
             let (mass, rigid) = random.rigid();
             let inertia = if branch.full_inertia { random.full_inertia() } else { rigid };
-            BodyDescription { name: format!("body_{i}"), parent, joint, mass, inertia, points: Vec::new() }
+            BodyDefinition { name: format!("body_{i}"), parent, joint, mass, inertia, points: Vec::new() }
         };
         let mut model = Model::new(self.0.iter().enumerate().map(describe).collect());
         for (body, branch) in self.0.iter().enumerate() {

@@ -7,20 +7,20 @@ use kingpost::elements::drives::{Motor, PrescribedMotion, Profile, Pulse, Servo}
 use kingpost::elements::hull::HullFrame;
 use kingpost::elements::{AnyElement, DampedAgainst, Gravity, JointDamping, ViscousDamping};
 use kingpost::model::joint::{Floating, Prismatic, Revolute};
-use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 use kingpost::spatial::{Frame, SpatialInertia, Symmetric3, Vector3};
 use kingpost::world::World;
 
-fn body(name: &str, parent: Option<usize>, kind: JointKind, mass: f64, moments: [f64; 3]) -> BodyDescription {
+fn body(name: &str, parent: Option<usize>, kind: JointKind, mass: f64, moments: [f64; 3]) -> BodyDefinition {
     let joint = Joint { name: name.to_owned(), kind, mode: Mode::Free };
     let inertia = SpatialInertia::rigid(mass, Symmetric3::diagonal(moments));
-    BodyDescription { name: name.to_owned(), parent, joint, mass, inertia, points: Vec::new() }
+    BodyDefinition { name: name.to_owned(), parent, joint, mass, inertia, points: Vec::new() }
 }
 
 fn simulation(
-    bodies: Vec<BodyDescription>,
+    bodies: Vec<BodyDefinition>,
     mut elements: Vec<AnyElement>,
     drives: Vec<AnyElement>,
     step_s: f64,

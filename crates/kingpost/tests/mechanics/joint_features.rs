@@ -6,7 +6,7 @@ use common::values;
 use kingpost::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse};
 use kingpost::elements::{AnyElement, CoulombFriction, JointSpring, JointStop, StopSide};
 use kingpost::model::joint::Prismatic;
-use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 use kingpost::spatial::{Frame, SpatialInertia, Symmetric3, Vector3};
@@ -18,7 +18,7 @@ const STEP_S: f64 = 1e-4;
 /// A mass on a slide along x, at `q` with the speed `v`.
 fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
     let prismatic = Prismatic::new(Frame::identity(), Vector3::new(1.0, 0.0, 0.0), Vector3::zero());
-    let body = BodyDescription {
+    let body = BodyDefinition {
         name: "mass".to_owned(),
         parent: None,
         joint: Joint { name: "slide".to_owned(), kind: JointKind::Prismatic(prismatic), mode },

@@ -4,8 +4,8 @@ use kingpost::analysis::Linearizer;
 use kingpost::batch::{Batch, Built, run_built};
 use kingpost::dynamics::Loads;
 use kingpost::elements::{
-    AnyElement, AnyWatcher, Components, Crossing, Declaration, Element, Event, Extreme, Frame, Input, Kept, Moment,
-    Output, Own, Warning, Watcher,
+    AnyElement, AnyWatcher, Components, Context, Crossing, Declaration, Element, ElementState, Event, Extreme, Input,
+    Output, Own, VectorFrame, Warning, Watcher,
 };
 use kingpost::integrate::Tolerances;
 use kingpost::plant::{Number, Plant};
@@ -36,11 +36,11 @@ impl<S: Scalar> Element<S> for Governor<S> {
         let output = |variable, description, unit| Output::number(variable, description, "governor", "governor", unit);
         let wrench = Output {
             components: Components::Axis,
-            frame: Frame::Body,
+            frame: VectorFrame::Body,
             ..output("governor_moment", "moment of a governor", &["N m"])
         };
         Declaration {
-            states: vec![Kept::new("lagged_rate", "rad/s")],
+            states: vec![ElementState::new("lagged_rate", "rad/s")],
             numbers: vec!["largest".to_owned()],
             modes: vec!["latched".to_owned()],
             inputs: vec![Input {
@@ -62,11 +62,11 @@ impl<S: Scalar> Element<S> for Governor<S> {
         vec![Box::new(Haste { limit: self.limit.value(), largest: Extreme::default() })]
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         own.states[0] = at.v[self.coordinate];
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = at.v[self.coordinate];
         let brake = S::constant(2e3 * at.modes[0] as f64) * rate;
         loads.force[self.coordinate] += at.inputs[0] - brake;
@@ -74,24 +74,24 @@ impl<S: Scalar> Element<S> for Governor<S> {
         loads.power.dissipated += brake * rate;
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         rates[0] = (at.v[self.coordinate] - at.states[0]) / S::constant(self.time_constant_s);
     }
 
-    fn sample(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let now = at.states[0];
         own.numbers[0] = now.select_less(own.numbers[0], || own.numbers[0], || now);
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values[0] = at.states[0] - self.limit;
     }
 
-    fn respond(&mut self, _: usize, _: &Moment<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+    fn respond(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
         own.modes[0] = 1;
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let brake = S::constant(-2e3 * at.modes[0] as f64) * at.v[self.coordinate];
         out.extend([at.states[0], S::ZERO, S::ZERO, brake]);
     }

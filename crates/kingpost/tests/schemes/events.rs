@@ -5,11 +5,11 @@ use crate::common;
 use common::closed_forms::{GRAVITY, Pendulum};
 use kingpost::dynamics::Loads;
 use kingpost::elements::{
-    AnyElement, Crossing, Declaration, Delay, Element, Event, Gravity, Input, Moment, Output, Own,
+    AnyElement, Context, Crossing, Declaration, Delay, Element, Event, Gravity, Input, Output, Own,
 };
 use kingpost::integrate::Tolerances;
 use kingpost::model::joint::{Prismatic, Revolute};
-use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;
 use kingpost::plant::Number;
 use kingpost::scalar::Scalar;
@@ -29,7 +29,7 @@ fn setup<S: Scalar>(
     step_s: f64,
 ) -> Setup<S> {
     let mass = S::constant(2.0);
-    let body = BodyDescription {
+    let body = BodyDefinition {
         name: "body".to_owned(),
         parent: None,
         joint: Joint { name: "joint".to_owned(), kind, mode: Mode::Free },
@@ -78,11 +78,11 @@ impl<S: Scalar> Element<S> for Floor<S> {
         Declaration { events, ..Declaration::default() }
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values[0] = at.q[0];
     }
 
-    fn respond(&mut self, _: usize, at: &Moment<'_, S>, _: &mut Own<'_, S>, v: &mut [S]) {
+    fn respond(&mut self, _: usize, at: &Context<'_, S>, _: &mut Own<'_, S>, v: &mut [S]) {
         v[0] = -(self.restitution * at.v[0]);
     }
 }
@@ -174,17 +174,17 @@ impl<S: Scalar> Element<S> for Catch {
         }
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let moment = S::constant(self.damping * at.modes[0] as f64) * at.v[0];
         loads.force[0] -= moment;
         loads.power.dissipated += moment * at.v[0];
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values[0] = at.q[0] - S::constant(self.angle);
     }
 
-    fn respond(&mut self, _: usize, _: &Moment<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+    fn respond(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
         own.modes[0] = 1;
     }
 }
@@ -268,12 +268,12 @@ impl<S: Scalar> Element<S> for Controller {
         }
     }
 
-    fn sample(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let late = DELAY.pass(own, at.q[0]);
         own.numbers[0] = S::constant(-self.gain) * late;
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         out.push(at.numbers[0]);
     }
 }
@@ -290,7 +290,7 @@ fn a_sampled_controller_with_two_ticks_delay_is_its_recursion() {
             Declaration { inputs: vec![input], ..Declaration::default() }
         }
 
-        fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
             loads.force[0] += at.inputs[0];
             loads.power.drives += at.inputs[0] * at.v[0];
         }
@@ -341,12 +341,12 @@ fn what_answers_itself_without_end_stops_the_run() {
         }
 
         /// Falls through zero 1e-6 s after each answer.
-        fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+        fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
             let next = 0.001 + 1e-6 * at.modes[0] as f64;
             values[0] = S::constant(next - at.clock.time_s);
         }
 
-        fn respond(&mut self, _: usize, _: &Moment<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+        fn respond(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
             own.modes[0] += 1;
         }
     }

@@ -4,7 +4,7 @@ use crate::common::hulls;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use hulls::{barge, box_barge, close, near, ship, sphere};
-use kingpost::sea::hull::{Equilibrium, HullMesh, Loading, RightingArm, StabilityError, WettedHull};
+use kingpost::sea::hull::{FloatingEquilibrium, HullMesh, Loading, RightingArm, StabilityError, WettedHull};
 use kingpost::spatial::Vector3;
 
 const WATER: f64 = 1025.0;
@@ -21,7 +21,7 @@ fn arms(mesh: &HullMesh, loading: &Loading, heels: &[f64]) -> Vec<f64> {
 fn a_box_floats_at_the_draught_and_with_the_metacentres_of_its_closed_forms() {
     // Drawn from its keel, so that the origin is at depth.
     let mesh = barge(20.0, 10.0, 4.0, 0.0, 3);
-    let equilibrium = Equilibrium::find(&mesh, &loading(300.0, [0.0, 0.0, 2.5])).unwrap();
+    let equilibrium = FloatingEquilibrium::find(&mesh, &loading(300.0, [0.0, 0.0, 2.5])).unwrap();
     near(equilibrium.draught, 1.5, 1e-13);
     near(equilibrium.position.height, -1.5, 1e-13);
     near(equilibrium.heel.abs() + equilibrium.trim.abs(), 0.0, 1e-13);
@@ -40,11 +40,11 @@ fn a_box_heels_to_the_side_and_trims_to_the_end_where_its_weight_is() {
     let (mesh, [gm, bm]) = (box_barge(2), [1.0 + 25.0 / 6.0 - 2.0, 25.0 / 6.0]);
     let off = |angle: f64, [gm, bm]: [f64; 2]| (gm + 0.5 * bm * libm::tan(angle) * libm::tan(angle)) * libm::tan(angle);
     let heel = 0.21;
-    let to_starboard = Equilibrium::find(&mesh, &loading(400.0, [0.0, -off(heel, [gm, bm]), 0.0])).unwrap();
+    let to_starboard = FloatingEquilibrium::find(&mesh, &loading(400.0, [0.0, -off(heel, [gm, bm]), 0.0])).unwrap();
     near(to_starboard.heel, heel, 1e-12);
     near(to_starboard.trim, 0.0, 1e-12);
     let (trim, [gm, bm]) = (0.13, [1.0 + 50.0 / 3.0 - 2.0, 50.0 / 3.0]);
-    let by_the_bow = Equilibrium::find(&mesh, &loading(400.0, [off(trim, [gm, bm]), 0.0, 0.0])).unwrap();
+    let by_the_bow = FloatingEquilibrium::find(&mesh, &loading(400.0, [off(trim, [gm, bm]), 0.0, 0.0])).unwrap();
     near(by_the_bow.trim, trim, 1e-12);
     near(by_the_bow.heel, 0.0, 1e-12);
     near(by_the_bow.draught, 2.0 * libm::cos(trim) + 10.0 * libm::sin(trim), 1e-12);
@@ -56,10 +56,10 @@ fn a_top_heavy_box_lolls() {
     let (mesh, bm) = (box_barge(2), 25.0 / 6.0);
     let gm = -0.25;
     let height = -2.0 + 1.0 + bm - gm;
-    let upright = Equilibrium::find(&mesh, &loading(400.0, [0.0, 0.0, height])).unwrap();
+    let upright = FloatingEquilibrium::find(&mesh, &loading(400.0, [0.0, 0.0, height])).unwrap();
     near(upright.metacentric_height[0], gm, 1e-12);
     near(upright.heel, 0.0, 1e-9);
-    let lolled = Equilibrium::find(&mesh, &loading(400.0, [0.0, -1e-9, height])).unwrap();
+    let lolled = FloatingEquilibrium::find(&mesh, &loading(400.0, [0.0, -1e-9, height])).unwrap();
     near(lolled.heel, libm::atan(libm::sqrt(-2.0 * gm / bm)), 1e-8);
     assert!(lolled.metacentric_height[0] > 0.0);
 }
@@ -157,14 +157,14 @@ fn the_righting_arm_is_the_slope_of_the_energy() {
 fn a_ship_floats_where_its_righting_arm_is_zero_and_its_slope_is_the_metacentric_height() {
     let mesh = ship(30.0, 9.0, 6.0, 5);
     let loading = loading(0.4 * mesh.volume(), [-1.5, 0.0, 2.4]);
-    let equilibrium = Equilibrium::find(&mesh, &loading).unwrap();
+    let equilibrium = FloatingEquilibrium::find(&mesh, &loading).unwrap();
     near(equilibrium.heel, 0.0, 1e-12);
     let h = 1e-4;
     let arms = arms(&mesh, &loading, &[-h, 0.0, h]);
     near(arms[1], 0.0, 1e-12);
     near((arms[2] - arms[0]) / (2.0 * h), equilibrium.metacentric_height[0] * libm::cos(equilibrium.trim), 1e-6);
     let off = Loading { centre_of_gravity: Vector3::new(-1.5, -0.4, 2.4), ..loading };
-    let heeled = Equilibrium::find(&mesh, &off).unwrap();
+    let heeled = FloatingEquilibrium::find(&mesh, &off).unwrap();
     assert!(heeled.heel > 0.05, "a weight to starboard heels to starboard");
     let there = RightingArm::curve(&mesh, &off, &[heeled.heel]).unwrap()[0];
     near(there.arm, 0.0, 1e-12);
@@ -175,7 +175,7 @@ fn a_ship_floats_where_its_righting_arm_is_zero_and_its_slope_is_the_metacentric
 /// where its energy is least.
 #[test]
 fn a_ball_of_triangles_rolls_until_it_rests() {
-    let equilibrium = Equilibrium::find(&sphere(5.0, 4), &loading(200.0, [0.0; 3])).unwrap();
+    let equilibrium = FloatingEquilibrium::find(&sphere(5.0, 4), &loading(200.0, [0.0; 3])).unwrap();
     let [across, along] = equilibrium.metacentric_height;
     assert!(across > 0.0 && along > 0.0 && across + along < 0.1, "{across} {along}");
     let centre = equilibrium.buoyancy.centre();
@@ -185,7 +185,7 @@ fn a_ball_of_triangles_rolls_until_it_rests() {
 #[test]
 fn a_hull_that_cannot_float_is_an_error_that_says_by_how_much() {
     let mesh = box_barge(1);
-    let error = Equilibrium::find(&mesh, &loading(900.0, [0.0; 3])).unwrap_err();
+    let error = FloatingEquilibrium::find(&mesh, &loading(900.0, [0.0; 3])).unwrap_err();
     assert_eq!(
         error.to_string(),
         "the hull cannot float: 922.500 t displace 900.000 m3 of water, allowed: less than the 800.000 m3 of the whole hull"
@@ -195,7 +195,7 @@ fn a_hull_that_cannot_float_is_an_error_that_says_by_how_much() {
         Err(StabilityError::CannotFloat { .. })
     ));
     // Just afloat, with a hand of freeboard.
-    let low = Equilibrium::find(&mesh, &loading(799.9999, [0.0, 0.0, -0.5])).unwrap();
+    let low = FloatingEquilibrium::find(&mesh, &loading(799.9999, [0.0, 0.0, -0.5])).unwrap();
     near(low.draught, 4.0 - 5e-7, 1e-12);
 }
 
@@ -210,7 +210,7 @@ fn a_loading_that_is_none_is_an_error() {
         Loading { centre_of_gravity: Vector3::new(0.0, f64::INFINITY, 0.0), ..good },
     ];
     for case in cases {
-        let error = Equilibrium::find(&mesh, &case).unwrap_err();
+        let error = FloatingEquilibrium::find(&mesh, &case).unwrap_err();
         assert!(matches!(error, StabilityError::Loading { .. }), "{error}");
     }
     let error = RightingArm::curve(&mesh, &good, &[f64::NAN]).unwrap_err();

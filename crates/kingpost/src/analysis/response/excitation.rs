@@ -1,4 +1,4 @@
-//! What regular waves of unit amplitude do to the free coordinates.
+//! Effect of regular waves of unit amplitude on the free coordinates.
 
 use super::ResponseError;
 use super::wave_forces::WaveForces;
@@ -18,19 +18,19 @@ pub(super) struct WaveLoads<'a> {
 /// Forces of an element in regular waves, of which some may be none.
 pub(super) const FORCES: usize = 6;
 
-/// One element, and how the free coordinates answer its forces.
+/// One element, and the response of the free coordinates to its forces.
 struct Loaded<'a> {
     element: Box<dyn RegularWaves + 'a>,
-    /// Which of all elements it is.
+    /// Its index among all elements.
     index: usize,
-    /// Where it is and heads, at rest.
+    /// Its position and heading at rest.
     place: WavePlace,
-    /// Accelerations of the free coordinates by its forces: M*^-1 J^T.
+    /// Accelerations of the free coordinates per force: M*^-1 J^T.
     mobility: DMatrix<f64>,
 }
 
 impl<'a> WaveLoads<'a> {
-    /// Of a simulation at rest.
+    /// For a simulation at rest.
     pub(super) fn new(
         elements: &'a [AnyElement],
         rest: &mut Simulation,
@@ -53,8 +53,8 @@ impl<'a> WaveLoads<'a> {
         if loaded.is_empty() { Err(ResponseError::NoHull) } else { Ok(Self { loaded }) }
     }
 
-    /// The frequencies asked for, or those of the first element's data with three between each two, since
-    /// resonances are narrower than what data need; all within the data of all.
+    /// The requested frequencies, or those of the first element's data with three more in each interval, because
+    /// resonances are narrower than the grid of the data; all within the data of all elements.
     pub(super) fn frequencies(&self, asked: &[f64]) -> Result<Vec<f64>, ResponseError> {
         let all = if asked.is_empty() { refined(self.loaded[0].element.frequencies_rad_s()) } else { asked.to_vec() };
         for grid in self.loaded.iter().map(|loaded| loaded.element.frequencies_rad_s()) {
@@ -67,7 +67,7 @@ impl<'a> WaveLoads<'a> {
         Ok(all)
     }
 
-    /// The place that phases are about: the first element's.
+    /// The reference point of the phases: the first element's position.
     pub(super) fn reference_m(&self) -> [f64; 2] {
         self.loaded[0].place.position
     }
@@ -153,7 +153,7 @@ fn phase(k: f64, direction: f64, [x, y]: [f64; 2]) -> Complex<f64> {
     Complex::new(cos, sin)
 }
 
-/// A grid with three points more in each interval.
+/// A grid with three more points in each interval.
 fn refined(grid: &[f64]) -> Vec<f64> {
     let between = |pair: &[f64]| core::array::from_fn::<f64, 4, _>(|k| pair[0] + 0.25 * k as f64 * (pair[1] - pair[0]));
     grid.windows(2).flat_map(between).chain(grid.last().copied()).collect()
@@ -169,14 +169,14 @@ fn bordered(m_star: &DMatrix<f64>, j: &DMatrix<f64>) -> DMatrix<f64> {
     bordered
 }
 
-/// Where everything is, at rest.
+/// The kinematics at rest.
 pub(super) fn kinematics(model: &Model, q: &[f64]) -> Kinematics {
     let mut at = Kinematics::new(&model.tree);
     at.update(&model.tree, q, &vec![0.0; model.velocity_count]);
     at
 }
 
-/// Twists of all bodies by unit rates of the free coordinates, one after another.
+/// Twists of all bodies for unit rates of the free coordinates, one after another.
 pub(super) fn twists(model: &Model, q: &[f64], free: &[usize]) -> Vec<Vec<Twist>> {
     let mut at = Kinematics::new(&model.tree);
     let by_unit_rate = |&i: &usize| {

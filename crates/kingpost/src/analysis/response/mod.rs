@@ -1,4 +1,4 @@
-//! How ship and crane answer small regular waves: response amplitude operators.
+//! The response of ship and crane to small regular waves: response amplitude operators.
 
 mod columns;
 mod excitation;
@@ -27,16 +27,16 @@ use thiserror::Error;
 pub struct WaveGrid {
     /// Directions that they go to, from the world's x counter-clockwise, rad.
     pub directions_rad: Vec<f64>,
-    /// Angular frequencies, rad/s; none for those of the first hull's database and three between each two.
+    /// Angular frequencies, rad/s; empty for those of the first hull's database with three more in each interval.
     pub frequencies_rad_s: Vec<f64>,
 }
 
-/// Motions of ship and crane for each metre of wave amplitude, as complex amplitudes H: under the wave
-/// elevation `Re{a e^(-i w t)}` at the reference point a motion is `Re{a H e^(-i w t)}`, so that the
-/// argument of H is its lag behind the crest there.
+/// Motions of ship and crane per metre of wave amplitude, as complex amplitudes H: under the wave elevation `Re{a e^(-i
+/// w t)}` at the reference point a motion is `Re{a H e^(-i w t)}`, so that the argument of H is its lag behind the
+/// crest there.
 ///
-/// Motions are small, about the equilibrium in still water with held and prescribed coordinates where
-/// they stand. The reference point is the origin of the first hull's database, on the water plane.
+/// Motions are small, about the equilibrium in still water, with held and prescribed coordinates at their present
+/// values. The reference point is the origin of the first hull's database, on the waterplane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WaveResponse {
     /// Directions that the waves go to, rad.
@@ -47,15 +47,15 @@ pub struct WaveResponse {
     pub reference_m: [f64; 2],
     /// Heading of that hull at rest, from the world's x counter-clockwise, rad.
     pub heading_rad: f64,
-    /// Bodies, whose place is their centre of mass, then named points as `arm.tip`.
+    /// Bodies, at their centres of mass, then named points as `arm.tip`.
     pub places: Vec<String>,
-    /// Where they are at rest, world, m.
+    /// Their positions at rest, world, m.
     pub places_m: Vec<[f64; 3]>,
     /// Bodies whose angles are given.
     pub bodies: Vec<String>,
     /// Free coordinates.
     pub coordinates: Vec<String>,
-    /// Names of the states, as of a [`Linearization`](super::Linearization).
+    /// Names of the states, as in a [`Linearization`](super::Linearization).
     pub states: Vec<String>,
     /// Real parts of H, by direction, frequency and row. Rows are x, y, z of each place (world, m/m),
     /// roll, pitch, yaw of each body (rad/m), then the local coordinates of the free coordinates.
@@ -65,7 +65,7 @@ pub struct WaveResponse {
     /// The states themselves: real and imaginary parts by direction, frequency and state.
     #[serde(skip)]
     pub of_states: Vec<[f64; 2]>,
-    /// What a user should know.
+    /// Warnings.
     pub warnings: Vec<String>,
 }
 
@@ -75,7 +75,7 @@ pub enum ResponseError {
     /// A scenario that does not build.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
-    /// Nothing to answer about.
+    /// There is no equilibrium.
     #[error(transparent)]
     NoEquilibrium(#[from] NoEquilibrium),
     /// No waves act.
@@ -91,11 +91,11 @@ pub enum ResponseError {
         quantity: &'static str,
         /// The value.
         found: f64,
-        /// What it may be.
+        /// What is allowed.
         allowed: String,
     },
-    /// A frequency at which an undamped motion has no bound.
-    #[error("frequencies_rad_s: found {found}, allowed: none at which an undamped motion resonates")]
+    /// A frequency at which an undamped motion is unbounded.
+    #[error("frequencies_rad_s: found {found}, allowed: one away from the resonances of undamped motions")]
     Resonance {
         /// The frequency, rad/s.
         found: f64,
@@ -103,13 +103,13 @@ pub enum ResponseError {
 }
 
 impl Scenario {
-    /// How a simulation of it answers regular waves about where it would come to rest in still water.
+    /// The response of a simulation of it to regular waves, about its equilibrium in still water.
     ///
-    /// With A of the linearised system, whose states hold the memory of radiation, and the wave loads'
-    /// accelerations b = M*^-1 J^T X, `(-i w - A) x = b a`: for a hull alone
-    /// `(-w^2 (M + A(w)) - i w B(w) + C) xi = X a` (Newman, *Marine Hydrodynamics*, 1977, sec. 6.17), with
-    /// A(w) and B(w) of the fitted radiation. X is that of the database, turned to the heading and moved by
-    /// the phase of the hull's place. Quadratic damping is 0 at rest and plays no part.
+    /// With A of the linearised system, whose states hold the memory of radiation, and the wave loads' accelerations b
+    /// = M*^-1 J^T X, `(-i w - A) x = b a`: for a hull alone `(-w^2 (M + A(w)) - i w B(w) + C) xi = X a` (Newman,
+    /// *Marine Hydrodynamics*, 1977, sec. 6.17), with A(w) and B(w) of the fitted radiation. X is that of the database,
+    /// for the heading of the hull and with the phase of its position. Quadratic damping has no effect, since it is 0
+    /// at rest.
     ///
     /// # Errors
     /// No equilibrium, no hull, a frequency that a database does not cover.

@@ -1,4 +1,4 @@
-//! Motions of bodies and named points by those of the free coordinates.
+//! Motions of bodies and named points from those of the free coordinates.
 
 use super::excitation::{kinematics, twists};
 use crate::simulation::Simulation;
@@ -8,10 +8,10 @@ use nalgebra::{Complex, DMatrix, DVector};
 /// The rows of a response.
 pub(super) struct Outputs {
     pub(super) places: Vec<String>,
-    /// Where they are at rest, world, m.
+    /// Their positions at rest, world, m.
     pub(super) places_m: Vec<[f64; 3]>,
     pub(super) bodies: Vec<String>,
-    /// Of places and angles, by free coordinate.
+    /// Jacobian of positions and angles with respect to the free coordinates.
     jacobian: DMatrix<Complex<f64>>,
 }
 
@@ -49,15 +49,15 @@ impl Outputs {
         self.jacobian.nrows() + self.jacobian.ncols()
     }
 
-    /// All rows by small motions of the free coordinates.
+    /// All rows for small motions of the free coordinates.
     pub(super) fn of(&self, xi: &DVector<Complex<f64>>) -> Vec<Complex<f64>> {
         let motions = &self.jacobian * xi;
         motions.iter().chain(xi.iter()).copied().collect()
     }
 }
 
-/// Rates of roll, pitch and yaw of `R = Rz Ry Rx` by an angular velocity in body axes; not finite where
-/// the body's x axis is upright.
+/// Rates of roll, pitch and yaw of `R = Rz Ry Rx` for an angular velocity in body axes; not finite if the body's x axis
+/// is vertical.
 fn euler_rates(rotation: &Matrix3, angular: Vector3) -> [f64; 3] {
     let Matrix3([.., [down, across, up]]) = *rotation;
     // sin and cos of the roll times cos of the pitch are across and up; sin of the pitch is -down.

@@ -2,7 +2,7 @@
 
 use super::excitation::FORCES;
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Input, Moment};
+use crate::elements::{Context, Declaration, Element, Input};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
@@ -34,7 +34,7 @@ impl<S: Scalar> Element<S> for WaveForces {
         Declaration { inputs: (0..FORCES).map(input).collect(), ..Declaration::default() }
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         for (body, wrenches) in &self.on {
             let of = |(unit, force): (&Wrench, &S)| {
                 let [moment, along] = [unit.moment, unit.force].map(|part| Vector3::constant(part.0));

@@ -1,23 +1,24 @@
-//! A link with all that hangs on it.
+//! A link with its articulated subtree.
 
 use crate::dynamics::moving_link::MovingLink;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Wrench};
 
-/// A link with all that hangs on it, root axes.
+/// A link with its articulated subtree, root axes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Articulated<S> {
-    /// Inertia beside the link's own: what its joints to other links let through, and what is no rigid body's.
+    /// Inertia in addition to the link's own: that transmitted by its joints to other links, and that of parts that are
+    /// not rigid bodies.
     more: SpatialInertia<S>,
-    /// Whether there is any.
+    /// Whether there is any such inertia.
     pub has_more: bool,
-    /// Articulated bias force: what the drift takes, less the loads.
+    /// Articulated bias force: the force for the drift, less the loads.
     pub bias: Wrench<S>,
     /// Articulated inertia times the joint's axis.
     pub gain: Wrench<S>,
     /// Reciprocal inertia along the joint's axis, the rotor's included, 1/kg or 1/(kg m^2).
     pub compliance: S,
-    /// Force along the joint's axis that is left to accelerate it.
+    /// Remaining force along the joint's axis, which accelerates it.
     pub drive: S,
     /// Acceleration beyond the drift and free fall.
     pub response: Twist<S>,
@@ -30,7 +31,7 @@ impl<S: Scalar> Articulated<S> {
         if self.has_more { self.more.plus_rigid(&moving.inertia) } else { moving.inertia.to_spatial() }
     }
 
-    /// Takes an inertia beside the link's own.
+    /// Adds an inertia to the link's own.
     #[inline]
     pub fn carry(&mut self, inertia: &SpatialInertia<S>) {
         self.more = if self.has_more { self.more + *inertia } else { *inertia };

@@ -4,9 +4,10 @@
 //! with prescribed joints (ch. 9), over the fused links, in the axes of each branch's root. It
 //! solves M* q'' + N* q' = F* (eq. 61) without forming the matrices, and allocates nothing.
 //!
-//! The velocities' part of every link's acceleration, its drift, is known from the [`LinkKinematics`]; what the drift
-//! takes (N* q') joins the loads, and the recursion is over the rest: `a = drift + fall + response`, with
-//! the response linear in q''. A uniform field is the fall that all links would share: seen from there, no link weighs.
+//! The velocity part of every link's acceleration, its drift, is known from the [`LinkKinematics`]. The force for the
+//! drift (N* q') is added to the loads, and the recursion treats the rest: `a = drift + fall + response`, with the
+//! response linear in q''. Under gravity all links share the acceleration of free fall: relative to it no link has
+//! weight.
 
 mod articulated;
 mod response;
@@ -27,7 +28,7 @@ pub struct Workspace<S = f64> {
     links: Vec<Articulated<S>>,
     /// Acceleration of free fall in root axes, by root, m/s^2.
     fall: Vec<Vector3<S>>,
-    /// Whether there is any.
+    /// Whether there is gravity.
     has_fall: bool,
     /// The root of each link's branch.
     roots: Vec<usize>,
@@ -41,7 +42,7 @@ impl<S: Scalar> Workspace<S> {
         Self { links, fall, has_fall: false, roots: model.roots.clone() }
     }
 
-    /// Inertia of a link with all that hangs on it and gives way, root axes.
+    /// Articulated inertia of a link with its subtree, root axes.
     pub fn articulated_inertia(&self, links: &LinkKinematics<S>, link: usize) -> SpatialInertia<S> {
         self.links[link].inertia(&links.moving()[link])
     }
@@ -53,15 +54,15 @@ impl<S: Scalar> Workspace<S> {
         links.moving()[link].spatial_drift() + fall + self.links[link].response
     }
 
-    /// The wrench that the joint of a link carries to it, about the root's origin, root axes.
+    /// The wrench that the joint transmits to a link, about the root's origin, root axes.
     pub fn joint_wrench(&self, links: &LinkKinematics<S>, link: usize) -> Wrench<S> {
         let Articulated { response, bias, .. } = &self.links[link];
         self.articulated_inertia(links, link).times(response) + *bias
     }
 }
 
-/// Computes the acceleration of every coordinate of v; held ones get zero, prescribed ones what
-/// `loads` says. The kinematics stands at the velocities.
+/// Computes the acceleration of every coordinate of v; held ones get zero, prescribed ones the acceleration in `loads`.
+/// `links` must be the kinematics of the present velocities.
 pub fn forward_dynamics<S: Scalar>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
@@ -74,7 +75,7 @@ pub fn forward_dynamics<S: Scalar>(
     respond(model, links, loads, work, v_dot);
 }
 
-/// What each link has by itself, and what acts on it from outside.
+/// The own inertia of each link, and the loads on it from outside.
 #[inline]
 fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<S>, work: &mut Workspace<S>) {
     for (link, moving) in work.links.iter_mut().zip(links.moving()) {
@@ -103,8 +104,8 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<
     }
 }
 
-/// Turns the field g into each root's axes, from where links fall by themselves. The inertia I of a link that is not that of
-/// its mass m, part of it the water's, would fall with `I g`: what that is more than the weight joins its bias.
+/// Transforms the field g into each root's axes. A link whose inertia I is not that of its mass m, because part of it
+/// is added mass, would fall with the force `I g`: the difference from its weight is added to its bias.
 #[inline]
 fn fall_freely<S: Scalar>(
     model: &Model<S>,
@@ -131,7 +132,7 @@ fn fall_freely<S: Scalar>(
     }
 }
 
-/// From the ends of the branches to their roots: what hangs on each link.
+/// From the ends of the branches to their roots: the articulated inertias.
 #[inline]
 fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<S>, work: &mut Workspace<S>) {
     for (i, (plan, moving)) in model.plan.iter().zip(links.moving()).enumerate().rev() {
@@ -142,7 +143,7 @@ fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Lo
             LinkJoint::Ball => {
                 if let Some(parent) = parent {
                     let (inertia, bias) =
-                        Ball::new(plan, &moving.in_root).transmitted(&link.inertia(moving), &link.bias, loads);
+                        Ball::new(plan, &moving.in_root).transmitted(&link.inertia(moving), &link.bias, &loads.force);
                     parent.carry(&inertia);
                     parent.bias += bias;
                 }
@@ -162,7 +163,7 @@ fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Lo
     }
 }
 
-/// From the roots out: how each link responds.
+/// From the roots outward: the response of each link.
 #[inline]
 fn respond<S: Scalar>(
     model: &Model<S>,
@@ -188,7 +189,7 @@ fn respond<S: Scalar>(
             }
             LinkJoint::Ball => {
                 let ball = Ball::new(plan, &moving.in_root);
-                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried(), loads, v_dot);
+                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried(), &loads.force, v_dot);
             }
             LinkJoint::Hinge | LinkJoint::Slide => {
                 let carried = carried();

@@ -1,8 +1,8 @@
-//! What wrenches on links and loads along joints make of the accelerations: M^-1 times a column of J^T.
+//! The accelerations due to wrenches on links and loads along joints: M^-1 times a column of J^T.
 //!
-//! The second half of the recursion once more, without velocities and other loads, over the
-//! articulated inertias that [`forward_dynamics`](super::forward_dynamics) left behind. It is linear
-//! in the wrenches, so that responses add to the accelerations that stand.
+//! The second half of the recursion once more, without velocities and other loads, with the articulated inertias of the
+//! last [`forward_dynamics`](super::forward_dynamics). It is linear in the wrenches, so responses can be added to the
+//! accelerations.
 
 use super::{Workspace, root};
 use crate::dynamics::LinkKinematics;
@@ -11,10 +11,10 @@ use crate::model::{LinkJoint, Mode, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 
-/// Wrenches and the accelerations that they make, root axes.
+/// Wrenches and the accelerations due to them, root axes.
 #[derive(Clone, Debug)]
 pub struct Response<S = f64> {
-    /// By link: less the wrench, with what comes down the branch.
+    /// By link: minus the wrench, including that from the rest of the branch.
     bias: Vec<Wrench<S>>,
     /// Loads along the axes of joints, by coordinate of v.
     force: Vec<S>,
@@ -36,19 +36,19 @@ impl<S: Scalar> Response<S> {
         }
     }
 
-    /// Takes all wrenches and loads off.
+    /// Removes all wrenches and loads.
     pub fn clear(&mut self) {
         self.bias.fill(Wrench::zero());
         self.force.fill(S::ZERO);
     }
 
-    /// Puts a load along a coordinate of a joint of one axis, with its reaction on the parent.
+    /// Adds a load along the coordinate of a joint with one axis, with its reaction on the parent.
     #[inline]
     pub fn add_along(&mut self, coordinate: usize, load: S) {
         self.force[coordinate] += load;
     }
 
-    /// Puts a wrench on a link, about its root's origin in root axes; on the world it does nothing.
+    /// Adds a wrench on a link, about its root's origin in root axes; on the world it has no effect.
     #[inline]
     pub fn add(&mut self, link: Option<usize>, wrench: &Wrench<S>) {
         if let Some(link) = link {
@@ -106,8 +106,8 @@ impl<S: Scalar> Response<S> {
         &self.rates
     }
 
-    /// Adds the response to what [`forward_dynamics`](super::forward_dynamics) left, so that the
-    /// joints carry it too.
+    /// Adds the response to the results of [`forward_dynamics`](super::forward_dynamics), so that the joint loads
+    /// contain it.
     pub fn add_to(&self, work: &mut Workspace<S>, v_dot: &mut [S]) {
         for ((link, bias), acceleration) in work.links.iter_mut().zip(&self.bias).zip(&self.acceleration) {
             link.bias += *bias;

@@ -1,4 +1,4 @@
-//! A floating link, whose frame its branch is seen from.
+//! A floating link, whose frame is that of its branch.
 
 use crate::model::joint::Floating;
 use crate::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! One constraint as the solver sees it, whether a loop or an element holds it: a column of J^T.
+//! One constraint of the solver, from a loop or an element: a column of J^T.
 
 use super::Row;
 use crate::dynamics::forward::Response;
@@ -7,14 +7,14 @@ use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
 
-/// phi with its derivatives, and what one unit of the multiplier puts on the links.
+/// phi with its derivatives, and the load of a unit multiplier on the links.
 #[derive(Clone, Debug)]
-pub(super) struct Column<S> {
+pub(super) struct ConstraintColumn<S> {
     /// phi, m or rad.
     pub residual: S,
     /// phi', 1/s of it.
     pub rate: S,
-    /// phi'' where no link has a spatial acceleration and no coordinate below another rate.
+    /// phi'' with zero spatial acceleration of all links and zero acceleration of the coordinates below.
     drift: S,
     /// By link, about its root's origin in root axes.
     on: Vec<(usize, Wrench<S>)>,
@@ -22,7 +22,7 @@ pub(super) struct Column<S> {
     along: Vec<(usize, S)>,
 }
 
-impl<S: Scalar> Column<S> {
+impl<S: Scalar> ConstraintColumn<S> {
     /// No constraint yet.
     pub fn new() -> Self {
         let (on, along) = Default::default();
@@ -56,7 +56,7 @@ impl<S: Scalar> Column<S> {
         self.times(of_links, rates) + self.drift
     }
 
-    /// Puts `multiplier` of it on the links.
+    /// Applies `multiplier` times it to the links.
     pub fn press(&self, multiplier: S, response: &mut Response<S>) {
         for (link, wrench) in &self.on {
             response.add(Some(*link), &(*wrench * multiplier));

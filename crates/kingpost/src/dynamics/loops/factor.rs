@@ -1,33 +1,33 @@
 //! J M^-1 J^T, factored by Cholesky in the order of the constraints.
 //!
-//! The order is kept, not chosen by the size of the pivots, so that a pivot that vanishes names the
-//! first constraint that depends on those before it.
+//! The order is fixed and not chosen by the magnitude of the pivots, so a vanishing pivot identifies the first
+//! constraint that depends on those before it.
 
 use crate::scalar::Scalar;
 
-/// A pivot below this share of its reference is too small to divide by: the constraint has become
-/// one of the others, as at a dead centre to 1e-5 rad.
+/// A pivot below this share of its reference is too small to divide by: the constraint has become dependent on the
+/// others, as within 1e-5 rad of a dead centre.
 pub const SMALLEST_PIVOT: f64 = 1e-10;
 
-/// A constraint whose row of J is no longer than this share of its wrench moves nothing.
+/// A constraint whose row of J is shorter than this share of its wrench moves nothing.
 const SMALLEST_MOTION: f64 = 1e-9;
 
 /// The matrix with its Cholesky factor, by rows.
 #[derive(Clone, Debug)]
-pub struct Factor<S = f64> {
+pub struct CholeskyFactor<S = f64> {
     count: usize,
     /// The matrix, of which the lower triangle is read; overwritten by its factor L.
     matrix: Vec<S>,
     /// One over the diagonal of L, zero where the pivot is too small.
     reciprocal: Vec<S>,
-    /// What each pivot is measured against.
+    /// The reference of each pivot.
     reference: Vec<S>,
     /// Pivots over their references.
     pivots: Vec<S>,
 }
 
-impl<S: Scalar> Factor<S> {
-    /// Room for so many constraints.
+impl<S: Scalar> CholeskyFactor<S> {
+    /// Memory for this number of constraints.
     pub fn new(count: usize) -> Self {
         let many = |value| vec![value; count];
         Self {
@@ -39,7 +39,7 @@ impl<S: Scalar> Factor<S> {
         }
     }
 
-    /// Begins with so many constraints, no more than there is room for.
+    /// Begins with this number of constraints, at most that of the memory.
     pub fn begin(&mut self, count: usize) {
         self.count = count;
     }
@@ -50,15 +50,15 @@ impl<S: Scalar> Factor<S> {
         self.matrix[row * self.count + column] = value;
     }
 
-    /// Measures the pivots of a constraint against the diagonal as it stands, from now on; against
-    /// infinity where the constraint `moves` nothing and its diagonal is rounding.
+    /// Sets the present diagonal as the reference of a constraint's pivots; infinity if the constraint `moves` nothing,
+    /// because its diagonal is then rounding.
     pub fn take_reference(&mut self, row: usize, moves: S) {
         let own = self.matrix[row * self.count + row];
         self.reference[row] = moves.select_below(SMALLEST_MOTION, || S::constant(f64::INFINITY), || own);
     }
 
-    /// Factors the matrix in place. A constraint whose pivot is too small is left out: it carries
-    /// nothing, and its pivot tells.
+    /// Factors the matrix in place. A constraint whose pivot is too small is left out: it carries no load, and its
+    /// pivot shows it.
     pub fn factor(&mut self) {
         let n = self.count;
         for i in 0..n {
@@ -102,7 +102,7 @@ impl<S: Scalar> Factor<S> {
         self.pivots().iter().position(|pivot| !pivot.all(|pivot| pivot > SMALLEST_PIVOT))
     }
 
-    /// The constraints before `row` that it is made of, where it depends on them.
+    /// The constraints before `row` on which it depends.
     pub fn depends_on(&self, row: usize) -> Vec<usize> {
         // The row of L holds L^T c, with c the shares of the rows before.
         let (n, mut share) = (self.count, vec![0.0; row]);
@@ -121,8 +121,8 @@ impl<S: Scalar> Factor<S> {
 mod tests {
     use super::*;
 
-    fn factor(rows: &[[f64; 3]; 3]) -> Factor {
-        let mut factor = Factor::new(3);
+    fn factor(rows: &[[f64; 3]; 3]) -> CholeskyFactor {
+        let mut factor = CholeskyFactor::new(3);
         (0..3).for_each(|i| (0..=i).for_each(|j| factor.set(i, j, rows[i][j])));
         (0..3).for_each(|i| factor.take_reference(i, 1.0));
         factor.factor();

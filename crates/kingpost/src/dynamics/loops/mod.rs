@@ -7,21 +7,20 @@
 //! | J   0   | | -lambda | = | -J' q'     |
 //! ```
 //!
-//! and the recursion solves them without forming M*: with a0 the accelerations of the open tree,
-//! `a = a0 + M^-1 J^T lambda` and `(J M^-1 J^T) lambda = -(J a0 + J' v)`; a column of M^-1 J^T is
-//! the open tree's [`Response`] to a pair of unit wrenches. What the equations hold to rounding, a
-//! scheme does not: after each step q and v are moved back by the least change that M knows, so
-//! that phi and phi' vanish ([`LoopSolver::close`]). Two ships that are tied keep their common
-//! momentum through it.
+//! and the recursion solves them without forming M*: with a0 the accelerations of the open tree, `a = a0 + M^-1 J^T
+//! lambda` and `(J M^-1 J^T) lambda = -(J a0 + J' v)`; a column of M^-1 J^T is the open tree's [`Response`] to a pair
+//! of unit wrenches. The equations satisfy the constraints to rounding, but a scheme does not. After each step q and v
+//! are corrected by the smallest change in the norm of M, so that phi and phi' vanish ([`LoopSolver::close`]). This
+//! conserves the total momentum of two connected ships.
 //!
-//! What elements hold for a while, each a [`Restraint`](super::Restraint), stands behind the loops in the same system.
+//! The temporary constraints of elements, each a [`Restraint`](super::Restraint), follow the loops in the same system.
 
 mod column;
 mod factor;
 mod project;
 mod rows;
 
-pub use factor::{Factor, SMALLEST_PIVOT};
+pub use factor::{CholeskyFactor, SMALLEST_PIVOT};
 pub use project::{LARGEST_GAP, LoopFault, Projection};
 pub use rows::Row;
 
@@ -29,21 +28,21 @@ use super::forward::{Response, Workspace};
 use super::{LinkKinematics, Loads, Restraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use column::Column;
+use column::ConstraintColumn;
 
 /// Working memory for the loops of a model.
 #[derive(Clone, Debug)]
 pub struct LoopSolver<S = f64> {
     /// Of the loops.
     rows: Vec<Row<S>>,
-    /// Room for all constraints; those of the loops and of the restraints that act come first.
-    columns: Vec<Column<S>>,
+    /// Memory for all constraints; those of the loops and of the active restraints come first.
+    columns: Vec<ConstraintColumn<S>>,
     /// How many act.
     count: usize,
-    factor: Factor<S>,
+    factor: CholeskyFactor<S>,
     response: Response<S>,
     multipliers: Vec<S>,
-    /// The lowest pivots of a step: of the evaluations that belong to it, and of those under trial.
+    /// The lowest pivots of a step: of accepted evaluations, and of those on trial.
     lowest: [Vec<S>; 2],
     begins: bool,
     /// Positions before a correction.
@@ -54,14 +53,14 @@ pub struct LoopSolver<S = f64> {
 }
 
 impl<S: Scalar> LoopSolver<S> {
-    /// Room for a model, and for so many restraints.
+    /// Memory for a model and this number of restraints.
     pub fn new(model: &Model<S>, restraints: usize) -> Self {
         let count = model.constraint_count() + restraints;
         Self {
             rows: Vec::with_capacity(model.constraint_count()),
-            columns: vec![Column::new(); count],
+            columns: vec![ConstraintColumn::new(); count],
             count: 0,
-            factor: Factor::new(count),
+            factor: CholeskyFactor::new(count),
             response: Response::new(model),
             multipliers: vec![S::ZERO; count],
             lowest: [(); 2].map(|()| vec![S::constant(f64::INFINITY); count]),
@@ -77,7 +76,7 @@ impl<S: Scalar> LoopSolver<S> {
         rows::update(model, links, &mut self.rows);
     }
 
-    /// The same, and puts the restraints that act beside them.
+    /// The same, followed by the active restraints.
     fn update_columns(&mut self, model: &Model<S>, links: &LinkKinematics<S>, restraints: &[Restraint<S>]) {
         self.update_rows(model, links);
         let mut columns = self.columns.iter_mut();
@@ -92,28 +91,28 @@ impl<S: Scalar> LoopSolver<S> {
         }
     }
 
-    /// The constraints that act.
-    fn acting(&self) -> &[Column<S>] {
+    /// The active constraints.
+    fn acting(&self) -> &[ConstraintColumn<S>] {
         &self.columns[..self.count]
     }
 
-    /// Every constraint of the loops where it was evaluated last.
+    /// Every constraint of the loops at its last evaluation.
     pub fn rows(&self) -> &[Row<S>] {
         &self.rows
     }
 
-    /// The multipliers of the last accelerations: forces, N, and moments, N m, that the constraints
-    /// put on the second bodies; behind them those of the restraints that act.
+    /// The multipliers of the last accelerations: forces, N, and moments, N m, that the constraints put on the second
+    /// bodies; followed by those of the active restraints.
     pub fn multipliers(&self) -> &[S] {
         &self.multipliers[..self.count]
     }
 
-    /// Those of the restraints that act.
+    /// The multipliers of the active restraints.
     pub fn of_restraints(&self) -> &[S] {
         self.multipliers().get(self.rows.len()..).unwrap_or_default()
     }
 
-    /// Takes over the multipliers that another form of the equations has found.
+    /// Takes the multipliers from another form of the equations.
     pub fn take_over(
         &mut self,
         model: &Model<S>,
@@ -125,19 +124,19 @@ impl<S: Scalar> LoopSolver<S> {
         self.multipliers.iter_mut().zip(multipliers).for_each(|(own, given)| *own = given);
     }
 
-    /// Measures pivots against the diagonal of the next J M^-1 J^T: that of the setup, which is the same for
-    /// every state of a run.
+    /// Takes the diagonal of the next J M^-1 J^T as the reference of pivots: that of the setup, the same for every
+    /// state of a run.
     pub fn begin(&mut self) {
         self.begins = true;
         self.forget_pivots();
     }
 
-    /// Begins to look for the lowest pivots anew: at the begin of each step, so that none outlives it.
+    /// Forgets the lowest pivots: called at the start of each step.
     pub fn forget_pivots(&mut self) {
         self.lowest.iter_mut().for_each(|lowest| lowest.fill(S::constant(f64::INFINITY)));
     }
 
-    /// What was evaluated since the last call, or that of [`reject`](Self::reject), belongs to the step.
+    /// Accepts the evaluations since the last call, or since that of [`reject`](Self::reject).
     pub fn accept(&mut self) {
         let [kept, trial] = &mut self.lowest;
         for (kept, trial) in kept.iter_mut().zip(trial) {
@@ -146,13 +145,13 @@ impl<S: Scalar> LoopSolver<S> {
         }
     }
 
-    /// What was evaluated since then was a trial that the step does not take.
+    /// Rejects the evaluations since then: they were a trial.
     pub fn reject(&mut self) {
         self.lowest[1].fill(S::constant(f64::INFINITY));
     }
 
     /// The factor of J M^-1 J^T.
-    pub fn factor(&self) -> &Factor<S> {
+    pub fn factor(&self) -> &CholeskyFactor<S> {
         &self.factor
     }
 
@@ -175,7 +174,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.response.add_to(work, v_dot);
     }
 
-    /// Factors J M^-1 J^T over the articulated inertias that stand, a column at a time.
+    /// Factors J M^-1 J^T with the present articulated inertias, one column at a time.
     fn factor_here(&mut self, model: &Model<S>, links: &LinkKinematics<S>, work: &Workspace<S>) {
         let columns = &self.columns[..self.count];
         self.factor.begin(columns.len());
@@ -193,7 +192,7 @@ impl<S: Scalar> LoopSolver<S> {
                 self.factor.take_reference(k, row.motion(model, links));
             }
         }
-        // A restraint comes and goes: it is measured where it acts.
+        // A restraint is temporary, so its reference is taken when it acts.
         (self.rows.len()..self.count).for_each(|k| self.factor.take_reference(k, S::ONE));
         self.factor.factor();
         for (lowest, pivot) in self.lowest[1].iter_mut().zip(self.factor.pivots()) {
@@ -211,7 +210,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.response.update(model, links, work);
     }
 
-    /// Adds what loops and restraints carry to the loads: no work, but joints and momentum feel it.
+    /// Adds the forces of loops and restraints to the loads: they do no work, but affect joint loads and momentum.
     pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, loads: &mut Loads<S>) {
         let constraints = model.loops.iter().flat_map(|closed| closed.constraints.iter().map(move |_| closed));
         for ((closed, row), lambda) in constraints.zip(&self.rows).zip(&self.multipliers) {

@@ -1,4 +1,4 @@
-//! Back to phi = 0 and phi' = 0 by the least change of q and v that M knows.
+//! Projection to phi = 0 and phi' = 0 by the smallest change of q and v in the norm of M.
 //!
 //! A correction of the positions is one step of Newton's method with the M-weighted inverse of J,
 //! `xi = -M^-1 J^T (J M^-1 J^T)^-1 phi`, retracted on the group; one of the velocities is
@@ -6,24 +6,24 @@
 //! Wanner, *Solving Ordinary Differential Equations II*, 1996, sec. VII.2.) Coordinates that are
 //! held or prescribed do not move.
 
-use super::column::Column;
+use super::column::ConstraintColumn;
 use super::{LoopSolver, SMALLEST_PIVOT};
 use crate::dynamics::forward::{Workspace, forward_dynamics};
 use crate::dynamics::{LinkKinematics, Loads, Restraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 
-/// Corrections end where no constraint is off by more, m or rad.
+/// Corrections end if no constraint has a larger error, m or rad.
 const WANTED_GAP: f64 = 1e-12;
 
-/// A loop whose constraint is off by more is open, m or rad: rounding leaves as much where the
-/// bodies are far from the origin.
+/// A loop with a larger constraint error is open, m or rad: rounding can reach this if the bodies are far from the
+/// origin.
 pub const LARGEST_GAP: f64 = 1e-10;
 
-/// Corrections of a step before its loops count as open. Newton's method doubles the digits.
+/// Largest number of corrections of a step. Newton's method doubles the digits.
 const MOST_IN_A_STEP: usize = 8;
 
-/// Corrections of an assembly, and the longest of each along any coordinate, m or rad.
+/// Largest number of corrections of an assembly, and the longest of each along any coordinate, m or rad.
 const MOST_IN_AN_ASSEMBLY: usize = 100;
 const LONGEST_CORRECTION: f64 = 0.3;
 
@@ -34,14 +34,14 @@ pub enum LoopFault {
     Singular {
         /// The constraint.
         constraint: usize,
-        /// Its pivot against its size at the start; allowed is more than [`SMALLEST_PIVOT`].
+        /// Its pivot over that at the start; allowed is more than [`SMALLEST_PIVOT`].
         pivot: f64,
     },
-    /// A constraint is off, and Newton's method does not close it: out of reach.
+    /// Newton's method cannot satisfy a constraint: it is out of reach.
     Open {
         /// The constraint.
         constraint: usize,
-        /// By how much, m or rad; allowed is less than [`LARGEST_GAP`].
+        /// Its error, m or rad; allowed is less than [`LARGEST_GAP`].
         gap: f64,
     },
 }
@@ -49,32 +49,32 @@ pub enum LoopFault {
 /// No gap is below it.
 const NEVER: f64 = 0.0;
 
-/// What a projection works on.
+/// The data of a projection.
 pub struct Projection<'a, S> {
     /// The model.
     pub model: &'a Model<S>,
-    /// Its kinematics; left at the corrected state.
+    /// Its kinematics; afterwards that of the corrected state.
     pub links: &'a mut LinkKinematics<S>,
     /// Working memory of the recursion.
     pub work: &'a mut Workspace<S>,
     /// Loads, for their added inertia, and for the restraints that act.
     pub loads: &'a mut Loads<S>,
-    /// Evaluates those at positions and velocities.
+    /// Evaluates the loads at positions and velocities.
     pub hold: &'a mut Hold<'a, S>,
 }
 
-/// Writes the restraints that act, at the kinematics, the positions and the velocities.
+/// Writes the active restraints for the kinematics, positions and velocities.
 pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [Restraint<S>]) + 'a;
 
 impl<S: Scalar> LoopSolver<S> {
-    /// Measures pivots against the diagonal of J M^-1 J^T at this state.
+    /// Takes the diagonal of J M^-1 J^T at this state as the reference of pivots.
     pub fn begin_at(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &[S]) {
         self.look(on, q, v);
         self.begin();
         self.factor_anew(on);
     }
 
-    /// After a step: closes the loops, and stops their opening.
+    /// After a step: closes the loops and removes their opening velocity.
     ///
     /// # Errors
     /// The first constraint that came too close to depending on the others, at the end of the step or where it was
@@ -93,13 +93,13 @@ impl<S: Scalar> LoopSolver<S> {
         self.fault().map_or(Ok(()), Err)
     }
 
-    /// A gap that is not a number is that of a run that diverges, not the loop's.
+    /// A NaN gap comes from a diverging run, not from the loop.
     fn fault(&self) -> Option<LoopFault> {
         let weak = |(constraint, pivot): (usize, &S)| {
             let singular = LoopFault::Singular { constraint, pivot: pivot.value() };
             (!pivot.all(|pivot| pivot > SMALLEST_PIVOT)).then_some(singular)
         };
-        let open = |(constraint, column): (usize, &Column<S>)| {
+        let open = |(constraint, column): (usize, &ConstraintColumn<S>)| {
             let open = LoopFault::Open { constraint, gap: column.residual.value() };
             (!column.residual.all(|gap| gap.is_nan() || gap.abs() < LARGEST_GAP)).then_some(open)
         };
@@ -107,10 +107,9 @@ impl<S: Scalar> LoopSolver<S> {
         weak.or_else(|| self.acting().iter().enumerate().find_map(open))
     }
 
-    /// At the start: closes the loops from where they stand, however far they are open, and takes
-    /// the diagonal of J M^-1 J^T there as what pivots are measured against. The last correction
-    /// finds nothing to move, but gives the derivatives of a dual number. Returns whether the loops
-    /// are closed, in every lane.
+    /// At the start: closes the loops from where they stand, however far they are open, and takes the diagonal of J
+    /// M^-1 J^T there as the reference of pivots. The last correction moves nothing, but gives the derivatives of a
+    /// dual number. Returns whether the loops are closed, in every lane.
     pub fn assemble(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &mut [S]) -> bool {
         self.look(on, q, v);
         for _ in 0..MOST_IN_AN_ASSEMBLY {
@@ -139,14 +138,13 @@ impl<S: Scalar> LoopSolver<S> {
         self.acting().iter().fold(S::ZERO, |largest, column| larger(largest, column.residual))
     }
 
-    /// Factors J M^-1 J^T here, over articulated inertias that are computed anew.
+    /// Factors J M^-1 J^T here, with newly computed articulated inertias.
     fn factor_anew(&mut self, on: &mut Projection<'_, S>) {
         forward_dynamics(on.model, on.links, on.loads, on.work, &mut self.v_dot);
         self.factor_here(on.model, on.links, on.work);
     }
 
-    /// One correction of the positions. A lane whose gap is below `closed` stays as it is, to the
-    /// bit, whatever the others need.
+    /// One correction of the positions. A lane whose gap is below `closed` is not changed, whatever the others need.
     fn correct_positions(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &[S], closed: f64) {
         self.factor_anew(on);
         for (right, column) in self.multipliers.iter_mut().zip(&self.columns[..self.count]) {
@@ -172,7 +170,8 @@ impl<S: Scalar> LoopSolver<S> {
         self.correct_positions(on, q, v, NEVER);
     }
 
-    /// What stops the opening of all constraints at once, as an impact does: the impulses of the restraints that act, N s.
+    /// Removes the opening velocity of all constraints, as an impact does; returns the impulses of the active
+    /// restraints, N s.
     pub fn strike(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &mut [S]) -> &[S] {
         self.look(on, q, v);
         self.correct_velocities(on, v);
@@ -192,7 +191,7 @@ impl<S: Scalar> LoopSolver<S> {
     }
 }
 
-/// The larger of a number and the size of another; NaN stays NaN.
+/// The larger of a number and the absolute value of another; NaN stays NaN.
 fn larger<S: Scalar>(largest: S, other: S) -> S {
     let size = other.select_below(0.0, || -other, || other);
     size.select_less(largest, || largest, || size)

@@ -1,9 +1,8 @@
-//! Every constraint where the bodies are: phi, its row of J as a wrench, and J' v.
+//! Every constraint at the present positions: phi, its row of J as a wrench, and J' v.
 //!
-//! By Newton's third law a constraint carries one wrench W, on the second body, and -W on the
-//! first. The row of J is that wrench: `phi' = W . (V_second - V_first)` with both twists about one
-//! point in the same axes. Differentiated once more, with W fixed in A but for the rate `W_rel'`
-//! that the motion of B in A gives it,
+//! By Newton's third law a constraint carries one wrench W, on the second body, and -W on the first. The row of J is
+//! that wrench: `phi' = W . (V_second - V_first)` with both twists about one point in the same axes. Differentiated
+//! once more, with W fixed in A except for the rate `W_rel'` due to the motion of B in A,
 //!
 //! ```text
 //! phi'' = W . (V_second' - V_first') - W . (V_first x V_rel) + W_rel' . V_rel
@@ -17,14 +16,14 @@ use crate::model::{Attachment, Constraint, LinkJoint, Mode, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3, Wrench};
 
-/// One constraint where the bodies are.
+/// One constraint at the present positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S = f64> {
     /// phi, m or rad (of an angle, its sine).
     pub residual: S,
     /// phi', m/s or rad/s.
     pub rate: S,
-    /// J' v: phi'' where the accelerations along v's coordinates vanish, m/s^2 or rad/s^2.
+    /// J' v: phi'' with zero accelerations of the coordinates, m/s^2 or rad/s^2.
     pub drift: S,
     /// W, about the first attachment in its axes.
     pub wrench: Wrench<S>,
@@ -57,8 +56,8 @@ impl<S: Scalar> Row<S> {
         Wrench { moment: self.wrench.moment - self.way.cross(self.wrench.force), ..self.wrench }
     }
 
-    /// Length of the row of J over the free coordinates, beside that of its wrench: zero where no
-    /// coordinate moves the one body against the other.
+    /// Length of the row of J over the free coordinates, relative to that of its wrench: zero if no coordinate moves
+    /// one body relative to the other.
     pub fn motion(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
         let size = |wrench: &Wrench<S>| wrench.force.norm_squared() + wrench.moment.norm_squared();
         let mut squares = S::ZERO;
@@ -89,7 +88,7 @@ impl<S: Scalar> Row<S> {
     }
 }
 
-/// Whether a link is on the way from another to the world, itself included.
+/// Whether a link is an ancestor of another, itself included.
 fn is_on_the_way<S>(model: &Model<S>, link: usize, from: usize) -> bool {
     let mut next = Some(from);
     while let Some(at) = next.filter(|at| *at >= link) {
@@ -110,7 +109,7 @@ pub fn update<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, rows: &mut
     }
 }
 
-/// Two attachments, seen from the first: A.
+/// Two attachments in the axes of the first, A.
 struct Pair<S> {
     first: Option<usize>,
     second: Option<usize>,
@@ -126,7 +125,7 @@ struct Pair<S> {
     relative: Twist<S>,
 }
 
-/// The root of the branch that an attachment is on, and the attachment seen from there.
+/// The root of the branch of an attachment, and the attachment in its frame.
 fn seen_from_root<S: Scalar>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
@@ -138,8 +137,8 @@ fn seen_from_root<S: Scalar>(
     }
 }
 
-/// The frame `from` seen from the frame `to`, both given in the world. The positions are subtracted
-/// first: two ships may be near each other and far from the origin.
+/// The frame `from` in the frame `to`, both given in the world. The positions are subtracted first, because two ships
+/// may be close together and far from the origin.
 fn between<S: Scalar>(to: &Frame<S>, from: &Frame<S>) -> Frame<S> {
     let turned = to.rotation.transpose();
     Frame { rotation: turned * from.rotation, position: turned * (from.position - to.position) }
@@ -190,7 +189,7 @@ impl<S: Scalar> Pair<S> {
         }
     }
 
-    /// d in A's axes, and its rate as A sees it.
+    /// d and its rate, in A's axes.
     fn way(&self) -> (Vector3<S>, Vector3<S>) {
         let d = self.second_in_first.position;
         (d, self.relative.linear + self.relative.angular.cross(d))
@@ -203,7 +202,7 @@ impl<S: Scalar> Pair<S> {
         (d[axis], wrench, Wrench { moment: d_dot.cross(e), force: Vector3::zero() })
     }
 
-    /// The same of `abs(d) = l`: a force along d. Where d vanishes, it has no direction.
+    /// The same for `abs(d) = l`: a force along d. If d vanishes, it has no direction.
     fn distance(&self, length: S) -> (S, Wrench<S>, Wrench<S>) {
         let (d, d_dot) = self.way();
         let now = d.norm();
@@ -214,7 +213,7 @@ impl<S: Scalar> Pair<S> {
         (now - length, force(n), force(n_dot))
     }
 
-    /// The same of `+-a . b = 0`, a an axis of A and b one of B: a moment along b x a.
+    /// The same for `+-a . b = 0`, with a an axis of A and b one of B: a moment along b x a.
     fn perpendicular(&self, first: usize, second: usize) -> (S, Wrench<S>, Wrench<S>) {
         let sign = if (first + 3 - second) % 3 == 1 { S::ONE } else { -S::ONE };
         let (a, b) = (unit(first) * sign, self.second_in_first.rotation.column(second));

@@ -1,9 +1,8 @@
 //! The blocks of B, B', M, D and {F}.
 //!
-//! Rows of body a: x' of its centre of mass (world), then omega (its own axes). Columns: the
-//! coordinates of every joint on the way from the world to a. With c the joint's child body,
-//! `s` the way from c to a in c's axes, R_ac = R_a^T R_c, and (w, u) the joint's column of motion,
-//! that is c's twist per unit rate in c's axes:
+//! Rows of body a: x' of its centre of mass (world), then omega (its own axes). Columns: the coordinates of every joint
+//! between the world and a. With c the joint's child body, `s` the vector from c to a in c's axes, R_ac = R_a^T R_c,
+//! and (w, u) the joint's column of motion, that is c's twist per unit rate in c's axes:
 //!
 //! | joint of c | w | u | row x' | row omega |
 //! | --- | --- | --- | --- | --- |
@@ -49,7 +48,7 @@ fn set_column(out: &mut DMatrix<f64>, row: usize, column: usize, v: Vector3) {
     }
 }
 
-/// Calls `visit(a, c)` for every body a and every body c on its way to the world, a included.
+/// Calls `visit(a, c)` for every body a and every ancestor c of it, a included.
 fn for_each_path(tree: &Tree, mut visit: impl FnMut(usize, usize)) {
     for a in 0..tree.nodes.len() {
         let mut next = Some(a);
@@ -116,7 +115,7 @@ pub(super) fn b_dot_matrix(
     b_dot
 }
 
-/// Inertia of each body with what the loads add to it.
+/// Inertia of each body with the added inertia of the loads.
 fn inertias(model: &Model, loads: &Loads) -> Vec<SpatialInertia> {
     let mut all: Vec<SpatialInertia> = model.tree.nodes.iter().map(|node| node.inertia).collect();
     for (body, added) in &loads.added_inertia {
@@ -200,8 +199,8 @@ pub(super) fn force_list(model: &Model, frames: &[Frame], columns: &[Columns], l
     f
 }
 
-/// The smallest wrench at a joint that works on each of its coordinates by that coordinate's force:
-/// `S (S^T S)^-1 tau` with the columns S about the joint, child axes.
+/// The smallest wrench at a joint with these generalized forces: `S (S^T S)^-1 tau` with the columns S about the joint,
+/// child axes.
 fn joint_wrench(columns: &Columns, tau: &[f64], to_child: Vector3) -> Wrench {
     let at_joint = |twist: &Twist| {
         let Twist { angular, linear } = twist;

@@ -1,66 +1,29 @@
 //! Formulas of 3x3 and 3x1 blocks in the paper's notation: as LaTeX, and as numbers at a state.
 //!
-//! A block is `R (T1 + T2 + ...) e`, where the terms are products of rotation matrices between two
-//! frames, skew matrices S(.) of vectors, and their transposes. Since each symbol also has its value,
-//! a test holds every formula equal to the block that the engine computes.
+//! A block is `R (T1 + T2 + ...) e`, where the terms are products of rotation matrices between two frames, skew
+//! matrices S(.) of vectors, and their transposes. Each symbol also has a value, so a test compares every formula with
+//! the block that the engine computes.
 
 use super::MovingFrame;
 use super::blocks::omega_of;
+use super::factors::{Factor, Symbol};
 use super::symbols::Symbols;
 use crate::model::AxisMotion;
 use crate::spatial::{Frame, Matrix3, Vector3, hat};
 use nalgebra::DMatrix;
 
-/// A vector by its symbol; bodies and a joint's axes are meant by their indices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Symbol {
-    /// s_J: from the parent's centre of mass to this body's joint, parent axes.
-    ToJoint(usize),
-    /// s_C: from the joint to this body's centre of mass, body axes.
-    ToCentre(usize),
-    /// s_C(a/p) (eq. 16): from the parent's centre of mass to this body's, parent axes.
-    CentreToCentre(usize),
-    /// q e: what the body has slid along an axis of its joint, in the frame after that axis.
-    Extension(usize, usize),
-    /// Its rate.
-    ExtensionRate(usize, usize),
-    /// omega of the first body against the second, or the world, in axes of the first.
-    Omega(usize, Option<usize>),
-    /// omega of the body against the frame after an axis of its joint, body axes.
-    OmegaAfter(usize, usize),
-    /// e: an axis of the body's joint, in the frame after it.
-    Axis(usize, usize),
-}
-
-/// One factor of a product.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Factor {
-    /// R^(a/c), from axes of a to axes of c.
-    Rotation(usize, usize),
-    /// Its transpose.
-    RotationTransposed(usize, usize),
-    /// R from a body's axes to the frame after an axis of its joint.
-    After(usize, usize),
-    /// Its transpose.
-    AfterTransposed(usize, usize),
-    /// S(s).
-    Skew(Symbol),
-    /// S(s)^T.
-    SkewTransposed(Symbol),
-}
-
-/// A 3x3 block, or a 3x1 block where an axis stands last.
+/// A 3x3 block, or a 3x1 block if it ends with an axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
-    /// R of this body stands first.
+    /// The leading R, of this body.
     pub rotation: Option<usize>,
-    /// The sum between; no terms make a zero block, a term without factors is the identity.
+    /// The sum in the middle; without terms the block is zero, a term without factors is the identity.
     pub terms: Vec<Vec<Factor>>,
-    /// The axis that stands last.
+    /// The axis at the end.
     pub axis: Option<Symbol>,
 }
 
-/// A state, and the matrices there: what formulas take their values from.
+/// A state and its matrices, from which formulas take their values.
 #[derive(Clone, Copy)]
 pub struct Instant<'a> {
     /// Positions.
@@ -126,7 +89,7 @@ impl Formula {
 }
 
 impl Factor {
-    /// The factors that stand in its place in the product rule; `None` for a constant.
+    /// The factors that replace it in the product rule; `None` for a constant.
     fn rate(self, symbols: &Symbols<'_>) -> Option<Vec<Self>> {
         let omega = |a, c| Symbol::Omega(a, Some(c));
         match self {

@@ -8,8 +8,8 @@ use serde::Serialize;
 
 /// A labelled matrix; `data` by rows.
 ///
-/// A matrix takes a list in the units of its columns to one in the units of its rows, so that each
-/// entry is in its row's unit over its column's: M* (row N m, column rad/s^2) has kg m^2.
+/// A matrix maps a list in the units of its columns to one in the units of its rows, so each entry has its row's unit
+/// over its column's: M* (row N m, column rad/s^2) has kg m^2.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NamedMatrix {
@@ -17,11 +17,11 @@ pub struct NamedMatrix {
     pub name: String,
     /// One label a row.
     pub row_labels: Vec<String>,
-    /// One label a column; a list has the single label of what it is.
+    /// One label per column; a list has a single label.
     pub column_labels: Vec<String>,
-    /// One SI unit a row.
+    /// One SI unit per row.
     pub row_units: Vec<&'static str>,
-    /// One SI unit a column; `1` for a list.
+    /// One SI unit per column; `1` for a list.
     pub column_units: Vec<&'static str>,
     /// Entries by rows.
     pub data: Vec<f64>,
@@ -29,13 +29,13 @@ pub struct NamedMatrix {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// What the rows or columns of a matrix stand for: a label and a unit each.
-struct Side {
+/// The labels and units of the rows or columns of a matrix.
+struct MatrixSide {
     labels: Vec<String>,
     units: Vec<&'static str>,
 }
 
-/// Units of what moves along and of what turns: rates, loads, ...
+/// Units of translations and of rotations: rates, loads, ...
 type Units = [&'static str; 2];
 
 const DISPLACEMENTS: Units = ["m", "rad"];
@@ -46,9 +46,9 @@ const LOADS: Units = ["N", "N m"];
 impl MovingFrame {
     /// Every matrix with its labels and units, in the order of the theory.
     pub fn named(&self, model: &Model) -> Vec<NamedMatrix> {
-        let bodies = |units: Units| Side { labels: body_labels(model), units: body_units(model, units) };
+        let bodies = |units: Units| MatrixSide { labels: body_labels(model), units: body_units(model, units) };
         let (names, turning) = (model.coordinate_names(), model.turning_coordinates());
-        let coordinates = |units: Units, which: &[usize]| Side {
+        let coordinates = |units: Units, which: &[usize]| MatrixSide {
             labels: which.iter().map(|&i| names[i].clone()).collect(),
             units: which.iter().map(|&i| units[usize::from(turning[i])]).collect(),
         };
@@ -76,13 +76,13 @@ impl MovingFrame {
         all
     }
 
-    /// `hook.x`, ...: what the constraints of the closed loops change by, and behind them the paths of ropes.
-    fn constraint_rates(&self, model: &Model) -> Side {
+    /// `hook.x`, ...: the rates of the closed loops' constraints, followed by the paths of ropes.
+    fn constraint_rates(&self, model: &Model) -> MatrixSide {
         let constraints = || model.loops.iter().flat_map(|tie| tie.constraints.iter().map(move |each| (tie, each)));
         let unit = |turns: bool| RATES[usize::from(turns)];
         let of_loops = constraints().map(|(tie, (name, _))| format!("{}.{name}", tie.name));
         let units_of_loops = constraints().map(|(_, (_, of))| unit(matches!(of, Constraint::Perpendicular { .. })));
-        Side {
+        MatrixSide {
             labels: of_loops.chain(self.held_by.iter().map(|name| format!("{name}.length"))).collect(),
             units: units_of_loops.chain(self.held_by.iter().map(|_| unit(false))).collect(),
         }
@@ -90,8 +90,8 @@ impl MovingFrame {
 
     /// E, R, relative E and Omega of each body.
     fn frame_matrices(&self, model: &Model) -> Vec<NamedMatrix> {
-        let axes = Side { labels: AXES.map(str::to_owned).to_vec(), units: vec!["1"; 3] };
-        let homogeneous = |unit: &'static str, last: &'static str| Side {
+        let axes = MatrixSide { labels: AXES.map(str::to_owned).to_vec(), units: vec!["1"; 3] };
+        let homogeneous = |unit: &'static str, last: &'static str| MatrixSide {
             labels: AXES.iter().chain(&["1"]).map(|s| (*s).to_owned()).collect(),
             units: vec![unit, unit, unit, last],
         };
@@ -142,7 +142,7 @@ fn homogeneous_of(frame: &Frame) -> DMatrix<f64> {
     })
 }
 
-fn named(name: &str, rows: &Side, columns: &Side, m: &DMatrix<f64>) -> NamedMatrix {
+fn named(name: &str, rows: &MatrixSide, columns: &MatrixSide, m: &DMatrix<f64>) -> NamedMatrix {
     NamedMatrix {
         name: name.to_owned(),
         row_labels: rows.labels.clone(),
@@ -154,7 +154,7 @@ fn named(name: &str, rows: &Side, columns: &Side, m: &DMatrix<f64>) -> NamedMatr
 }
 
 /// A list: a matrix of one column.
-fn list(name: &str, rows: &Side, what: &str, entries: &DVector<f64>) -> NamedMatrix {
-    let column = Side { labels: vec![what.to_owned()], units: vec!["1"] };
+fn list(name: &str, rows: &MatrixSide, what: &str, entries: &DVector<f64>) -> NamedMatrix {
+    let column = MatrixSide { labels: vec![what.to_owned()], units: vec!["1"] };
     named(name, rows, &column, &DMatrix::from_column_slice(entries.len(), 1, entries.as_slice()))
 }

@@ -10,8 +10,8 @@ use crate::model::{Attachment, Constraint, Model};
 use crate::spatial::{Frame, Twist, Vector3};
 use nalgebra::{DMatrix, DVector, RowDVector};
 
-/// What the rows are made of.
-pub(super) struct Motion<'a> {
+/// The data of the rows.
+pub(super) struct BodiesMotion<'a> {
     pub model: &'a Model,
     pub frames: &'a [Frame],
     pub b: &'a DMatrix<f64>,
@@ -20,8 +20,8 @@ pub(super) struct Motion<'a> {
     pub x_drift: &'a DVector<f64>,
 }
 
-/// J over all coordinates, and J' q': of the loops, then of the restraints that act.
-pub(super) fn rows(motion: &Motion<'_>, restraints: &[Restraint]) -> (DMatrix<f64>, DVector<f64>) {
+/// J over all coordinates, and J' q': of the loops, then of the active restraints.
+pub(super) fn rows(motion: &BodiesMotion<'_>, restraints: &[Restraint]) -> (DMatrix<f64>, DVector<f64>) {
     let constraints = motion.model.loops.iter().flat_map(|closed| {
         let (first, second) = (motion.point(&closed.first), motion.point(&closed.second));
         closed.constraints.iter().map(move |(_, constraint)| row(&first, &second, constraint)).collect::<Vec<_>>()
@@ -34,7 +34,7 @@ pub(super) fn rows(motion: &Motion<'_>, restraints: &[Restraint]) -> (DMatrix<f6
 
 /// An attachment in the world.
 #[derive(Clone)]
-struct Point {
+struct MovingAttachment {
     frame: Frame,
     velocity: Vector3,
     omega: Vector3,
@@ -47,7 +47,7 @@ struct Point {
     angular: DMatrix<f64>,
 }
 
-impl Motion<'_> {
+impl BodiesMotion<'_> {
     /// The row of a restraint, and its share of J' q'.
     fn held(&self, restraint: &Restraint) -> (RowDVector<f64>, f64) {
         let rotation = |body: usize| self.frames[body].rotation;
@@ -62,7 +62,7 @@ impl Motion<'_> {
             restraint.times(|body| in_body(&column, body), &rates)
         });
         let row = RowDVector::from_iterator(self.b.ncols(), row);
-        // The acceleration of a point less omega x its velocity is that of the twist.
+        // The acceleration of a point, less omega x its velocity, is the linear part of the twist's rate.
         let spatial = |body: usize| {
             let (own, rate) = (in_body(self.x_dot, body), in_body(self.x_drift, body));
             Twist { linear: rate.linear - own.angular.cross(own.linear), ..rate }
@@ -70,12 +70,20 @@ impl Motion<'_> {
         (row, restraint.times(spatial, &none) + restraint.drift)
     }
 
-    fn point(&self, attachment: &Attachment) -> Point {
+    fn point(&self, attachment: &Attachment) -> MovingAttachment {
         let none = DMatrix::zeros(3, self.b.ncols());
         let Some(body) = attachment.body else {
             let [velocity, omega, acceleration, alpha] = [Vector3::zero(); 4];
             let frame = attachment.in_body;
-            return Point { frame, velocity, omega, acceleration, alpha, linear: none.clone(), angular: none };
+            return MovingAttachment {
+                frame,
+                velocity,
+                omega,
+                acceleration,
+                alpha,
+                linear: none.clone(),
+                angular: none,
+            };
         };
         let (frame, rotation) = (self.frames[body], self.frames[body].rotation);
         let lever = rotation * attachment.in_body.position;
@@ -91,7 +99,7 @@ impl Motion<'_> {
                 angular[(i, k)] = turning[i];
             }
         }
-        Point {
+        MovingAttachment {
             frame: frame.times(&attachment.in_body),
             velocity: x_dot_of(self.x_dot, body) + omega.cross(lever),
             omega,
@@ -104,7 +112,7 @@ impl Motion<'_> {
 }
 
 /// One row of J, and its share of J' q'.
-fn row(first: &Point, second: &Point, constraint: &Constraint) -> (RowDVector<f64>, f64) {
+fn row(first: &MovingAttachment, second: &MovingAttachment, constraint: &Constraint) -> (RowDVector<f64>, f64) {
     let along = |v: Vector3, rows: &DMatrix<f64>| RowDVector::from_row_slice(&v.0) * rows;
     let (way, rate) = (second.frame.position - first.frame.position, second.velocity - first.velocity);
     let between = second.acceleration - first.acceleration;
@@ -131,18 +139,18 @@ fn row(first: &Point, second: &Point, constraint: &Constraint) -> (RowDVector<f6
     }
 }
 
-impl Point {
+impl MovingAttachment {
     /// One of its axes, world.
     fn axis(&self, axis: usize) -> Vector3 {
         self.frame.rotation.column(axis)
     }
 
-    /// First derivative of a direction that turns with it.
+    /// First derivative of a direction fixed in it.
     fn rate_of(&self, a: Vector3) -> Vector3 {
         self.omega.cross(a)
     }
 
-    /// Second derivative of it, q'' apart.
+    /// Its second derivative, without q''.
     fn second_rate_of(&self, a: Vector3) -> Vector3 {
         self.alpha.cross(a) + self.omega.cross(self.omega.cross(a))
     }

@@ -1,4 +1,4 @@
-//! The moving frame method as the paper writes it, block by block.
+//! The moving frame method as in the paper, block by block.
 //!
 //! | here | paper |
 //! | --- | --- |
@@ -7,22 +7,25 @@
 //! | `b_dot` | B', by the product rule |
 //! | `x_dot` | the Cartesian rates (eq. 44a): by body, x' in the world, omega in body axes |
 //! | `m` | M (eq. 48); a body with a full 6x6 inertia fills its block |
-//! | `d` | D (eq. 57), what the restricted variation of omega adds (eqs. 55, 58) |
+//! | `d` | D (eq. 57), the term of the restricted variation of omega (eqs. 55, 58) |
 //! | `f` | {F} (eq. 59, there {Q}), motors as couples on the child and back on the parent |
 //! | `m_star`, `n_star`, `f_star` | M*, N*, F* (eqs. 60a-60c) |
 //! | `j`, `j_drift` | not in the paper: J and J' q' of closed loops and of inextensible ropes, which border M* |
 //!
-//! Rotors add their inertia to the diagonal of M*. For a full 6x6 inertia the block of M turns with the body, so M' enters beside B', and D gets
-//! the term of Kirchhoff's equations that moves momentum: both vanish for the paper's bodies.
+//! Rotors add their inertia to the diagonal of M*. For a full 6x6 inertia the block of M turns with the body, so M'
+//! enters in addition to B', and D gets the term of Kirchhoff's equations for linear momentum: both vanish for the
+//! paper's bodies.
 
 mod blocks;
+mod factors;
 mod formula;
 mod labels;
 mod loops;
 mod symbolic;
 mod symbols;
 
-pub use formula::{Factor, Formula, Instant, Symbol};
+pub use factors::{Factor, Symbol};
+pub use formula::{Formula, Instant};
 pub use labels::NamedMatrix;
 pub use symbolic::{BlockMatrix, SymbolicMatrix};
 pub use symbols::{Naming, Symbols};
@@ -33,22 +36,22 @@ use crate::spatial::{Frame, Vector3};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-/// Which variation of the angular velocity enters Hamilton's principle.
+/// The variation of the angular velocity in Hamilton's principle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variation {
-    /// `delta omega = d/dt delta pi + omega x delta pi` (eq. 55): the right one.
+    /// `delta omega = d/dt delta pi + omega x delta pi` (eq. 55): the correct one.
     Restricted,
-    /// `delta omega = d/dt delta pi`, that is D = 0: wrong in space, kept to show what breaks.
+    /// `delta omega = d/dt delta pi`, that is D = 0: wrong for rotations in space, kept to show the consequences.
     Naive,
 }
 
-/// The method's equations as another language shows them: the matrices at one state, and the formulas of their blocks.
+/// The method's equations for other languages: the matrices at one state, and the formulas of their blocks.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Equations {
-    /// In the order of the theory.
+    /// The matrices, in the order of the theory.
     pub matrices: Vec<NamedMatrix>,
-    /// Of those that have any, with bodies by their numbers.
+    /// The formulas of the matrices that have them, with bodies by number.
     pub formulas: Vec<SymbolicMatrix>,
 }
 
@@ -77,7 +80,7 @@ pub struct MovingFrame {
     pub m_star: DMatrix<f64>,
     /// N* over the free coordinates. Only N* q' is unique, not N* itself.
     pub n_star: DMatrix<f64>,
-    /// F* over the free coordinates, with what prescribed motions add on the right-hand side.
+    /// F* over the free coordinates, with the terms of prescribed motions.
     pub f_star: DVector<f64>,
     /// Generalized velocity of the free coordinates.
     pub free_velocity: DVector<f64>,
@@ -85,16 +88,16 @@ pub struct MovingFrame {
     pub free: Vec<usize>,
     /// q'' of the prescribed coordinates, over all of them; zero elsewhere.
     pub given_acceleration: DVector<f64>,
-    /// J of the closed loops over the free coordinates, one row a constraint, and of what elements hold behind them.
+    /// J of the closed loops over the free coordinates, one row per constraint, followed by those of restraints.
     pub j: DMatrix<f64>,
-    /// What phi'' of the loops has besides J q'': J' q', and what prescribed motions add.
+    /// The part of the loops' phi'' without J q'': J' q', and the terms of prescribed motions.
     pub j_drift: DVector<f64>,
     /// Names of the elements that hold the last rows of J.
     pub held_by: Vec<String>,
 }
 
 impl MovingFrame {
-    /// Builds all of it from q, v and the loads.
+    /// Computes all matrices from q, v and the loads.
     pub fn assemble(model: &Model, q: &[f64], v: &[f64], loads: &Loads, variation: Variation) -> Self {
         let nodes = &model.tree.nodes;
         let relative: Vec<Frame> = nodes.iter().map(|node| node.kind.relative(&q[node.positions..])).collect();
@@ -128,7 +131,7 @@ impl MovingFrame {
         let f_star = b_free.transpose() * (&f - given);
         let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
         let x_drift = &b_dot * &velocity;
-        let motion = loops::Motion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
+        let motion = loops::BodiesMotion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
         let (j_all, own_drift) = loops::rows(&motion, &loads.restraints);
         let acting = loads.restraints.iter().filter(|restraint| restraint.acts);
         let held_by = acting.map(|restraint| restraint.name.clone()).collect();
@@ -160,8 +163,8 @@ impl MovingFrame {
         &self.n_star * &self.free_velocity
     }
 
-    /// q'' of the free coordinates from M* q'' = F* - N* q' (eq. 61), with closed loops from
-    /// [`MovingFrame::solve`]; `None` where the matrix is singular.
+    /// q'' of the free coordinates from M* q'' = F* - N* q' (eq. 61), with closed loops from [`MovingFrame::solve`];
+    /// `None` if the matrix is singular.
     pub fn acceleration(&self) -> Option<DVector<f64>> {
         self.solve().map(|(acceleration, _)| acceleration)
     }
@@ -173,7 +176,7 @@ impl MovingFrame {
     /// | J   0   | | -lambda | = | -J' q'     |
     /// ```
     ///
-    /// `None` where the matrix is singular.
+    /// `None` if the matrix is singular.
     pub fn solve(&self) -> Option<(DVector<f64>, DVector<f64>)> {
         let right = &self.f_star - self.bias_force();
         let (n, m) = (self.m_star.nrows(), self.j.nrows());
@@ -189,8 +192,7 @@ impl MovingFrame {
         Some((solution.rows(0, n).into_owned(), -solution.rows(n, m).into_owned()))
     }
 
-    /// J M*^-1 J^T, whose pivots tell whether the loops' constraints are independent here; `None`
-    /// where M* is singular.
+    /// J M*^-1 J^T, whose pivots show whether the loops' constraints are independent here; `None` if M* is singular.
     pub fn loop_matrix(&self) -> Option<DMatrix<f64>> {
         Some(&self.j * self.m_star.clone().cholesky()?.solve(&self.j.transpose()))
     }

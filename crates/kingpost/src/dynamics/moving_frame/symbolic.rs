@@ -1,7 +1,8 @@
-//! The method's matrices as formulas, generated from the tree: what stands in each block of B, and
-//! of the others, for any mechanism.
+//! The method's matrices as formulas, generated from the tree: each block of B and of the other matrices, for any
+//! mechanism.
 
-use super::formula::{Factor, Formula, Instant, Symbol};
+use super::factors::{Factor, Symbol};
+use super::formula::{Formula, Instant};
 use super::symbols::Symbols;
 use crate::model::{AxisMotion, JointKind, Mode};
 use nalgebra::DMatrix;
@@ -17,9 +18,9 @@ pub struct SymbolicMatrix {
     pub symbol: String,
     /// The paper's equation.
     pub equation: &'static str,
-    /// What each block row stands for, in LaTeX.
+    /// The meaning of each block row, in LaTeX.
     pub rows: Vec<String>,
-    /// What each block column stands for, in LaTeX.
+    /// The meaning of each block column, in LaTeX.
     pub columns: Vec<String>,
     /// Blocks by row, in LaTeX.
     pub blocks: Vec<Vec<String>>,
@@ -50,9 +51,9 @@ impl BlockMatrix {
     }
 }
 
-/// A block column of B: coordinates of a joint that stand together.
+/// A block column of B: coordinates of a joint that form one block.
 #[derive(Clone, Copy)]
-enum Column {
+enum BlockColumn {
     /// x' of a floating body.
     Translation,
     /// omega of a floating body, or of a spherical joint.
@@ -75,7 +76,7 @@ impl Symbols<'_> {
                     row.push(formula);
                 }
             }
-            widths.push(if matches!(column, Column::Axis(_)) { 1 } else { 3 });
+            widths.push(if matches!(column, BlockColumn::Axis(_)) { 1 } else { 3 });
         }
         BlockMatrix { blocks, widths }
     }
@@ -87,25 +88,25 @@ impl Symbols<'_> {
         BlockMatrix { blocks: blocks.into_iter().map(rates).collect(), widths }
     }
 
-    fn columns(&self, c: usize) -> Vec<Column> {
+    fn columns(&self, c: usize) -> Vec<BlockColumn> {
         match self.node(c).kind {
-            JointKind::Floating(_) => vec![Column::Translation, Column::Rotation],
-            JointKind::Spherical(_) => vec![Column::Rotation],
-            _ => (0..self.axes(c).len()).map(Column::Axis).collect(),
+            JointKind::Floating(_) => vec![BlockColumn::Translation, BlockColumn::Rotation],
+            JointKind::Spherical(_) => vec![BlockColumn::Rotation],
+            _ => (0..self.axes(c).len()).map(BlockColumn::Axis).collect(),
         }
     }
 
-    /// What a column of c's joint gives to x' and to omega of body a.
-    fn rates_of(&self, a: usize, c: usize, column: Column) -> [Formula; 2] {
+    /// The contribution of a column of c's joint to x' and to omega of body a.
+    fn rates_of(&self, a: usize, c: usize, column: BlockColumn) -> [Formula; 2] {
         let rotation = Some(c);
         let to_a = if a == c { Vec::new() } else { vec![Factor::RotationTransposed(a, c)] };
         match column {
-            Column::Translation => [Formula { terms: vec![Vec::new()], ..Formula::zero() }, Formula::zero()],
-            Column::Rotation => {
+            BlockColumn::Translation => [Formula { terms: vec![Vec::new()], ..Formula::zero() }, Formula::zero()],
+            BlockColumn::Rotation => {
                 let terms = [self.way(c, a), self.offset(c, 0)].concat();
                 [Formula { rotation, terms, axis: None }, Formula { rotation: None, terms: vec![to_a], axis: None }]
             }
-            Column::Axis(k) => {
+            BlockColumn::Axis(k) => {
                 let axis = Some(Symbol::Axis(c, k));
                 let in_body = self.turns_from(c, k + 1).then_some(Factor::AfterTransposed(c, k));
                 if self.axes(c)[k].motion == AxisMotion::Translation {
@@ -119,12 +120,12 @@ impl Symbols<'_> {
         }
     }
 
-    /// What the columns of c's joint stand for, in LaTeX (eq. 44b).
+    /// The meaning of the columns of c's joint, in LaTeX (eq. 44b).
     fn column_labels(&self, c: usize) -> Vec<String> {
         let label = |column| match column {
-            Column::Translation => self.x_dot(c),
-            Column::Rotation => self.vector(Symbol::Omega(c, self.node(c).parent)),
-            Column::Axis(k) => self.rate(c, k),
+            BlockColumn::Translation => self.x_dot(c),
+            BlockColumn::Rotation => self.vector(Symbol::Omega(c, self.node(c).parent)),
+            BlockColumn::Axis(k) => self.rate(c, k),
         };
         self.columns(c).into_iter().map(label).collect()
     }
@@ -179,8 +180,8 @@ impl Symbols<'_> {
         all
     }
 
-    /// E of a body against its parent: translate, turn and slide by each axis, translate (before eq.
-    /// 36); of a floating body, as a whole.
+    /// E of a body relative to its parent: translate, rotate and slide by each axis, translate (before eq. 36); for a
+    /// floating body, as a whole.
     fn frame(&self, a: usize) -> SymbolicMatrix {
         let step = |rotation: &str, position: &str| {
             format!(r"\begin{{bmatrix}} {rotation} & {position} \\ 0^T & 1 \end{{bmatrix}}")
@@ -211,9 +212,9 @@ impl Symbols<'_> {
         one(&name, &symbol, equation, &steps.join(" "))
     }
 
-    /// Force (world) and moment (body axes) on a body (eq. 59): from outside, from the drive in its
-    /// joint, and back from the drives in the joints that it carries. For joints of several axes
-    /// F_J^(a/p) and M_J^(a/p) are what the drives in them do to a, from p.
+    /// Force (world) and moment (body axes) on a body (eq. 59): from outside, from the drive in its joint, and back
+    /// from the drives in the joints that it carries. For joints of several axes F_J^(a/p) and M_J^(a/p) are the loads
+    /// of their drives on a, from p.
     fn loads_on(&self, a: usize) -> [String; 2] {
         let mut loads = [format!("F^{{({})}}", self.body(a)), format!("M^{{({})}}", self.body(a))];
         let mut add = |linear: String, angular: String| {

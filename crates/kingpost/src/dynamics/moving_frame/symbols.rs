@@ -1,11 +1,11 @@
 //! The paper's symbols for the bodies and joints of a model.
 
-use super::formula::{Factor, Symbol};
+use super::factors::{Factor, Symbol};
 use crate::model::joint::ElementaryAxis;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::spatial::Vector3;
 
-/// How bodies are called in formulas.
+/// The names of bodies in formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Naming {
     /// By number from 1, as in the paper: `R^{(2/1)}`.
@@ -14,11 +14,11 @@ pub enum Naming {
     Names,
 }
 
-/// A model's symbols, with what the formulas need to know of its joints.
+/// A model's symbols, with the joint data for the formulas.
 ///
-/// Joints are numbered as in the paper, by the body that they stand on: J_1 carries body 2. Where a
-/// body carries several, the body carried is added. Frames within the joint of body 2 are 2_1 after
-/// its first axis, 2_2 after its second.
+/// Joints are numbered as in the paper, by the body that carries them: J_1 carries body 2. If a body carries several
+/// joints, the carried body is added. Frames within the joint of body 2 are 2_1 after its first axis, 2_2 after its
+/// second.
 pub struct Symbols<'a> {
     pub(super) model: &'a Model,
     bodies: Vec<String>,
@@ -26,7 +26,7 @@ pub struct Symbols<'a> {
     to_joint: Vec<Vector3>,
 }
 
-/// A vector is taken as zero, or as along an axis, up to this part of its size.
+/// A vector counts as zero, or as parallel to an axis, within this share of its length.
 const ROUNDING: f64 = 1e-12;
 
 impl<'a> Symbols<'a> {
@@ -54,7 +54,7 @@ impl<'a> Symbols<'a> {
         &self.model.tree.nodes[body]
     }
 
-    /// The axes of the body's joint, from the parent to the body; none where it is not made of axes.
+    /// The axes of the body's joint, from the parent to the body; empty if it is not made of axes.
     pub(super) fn axes(&self, body: usize) -> &[ElementaryAxis] {
         &self.axes[body]
     }
@@ -64,7 +64,7 @@ impl<'a> Symbols<'a> {
         self.to_joint[body]
     }
 
-    /// Whether the body can turn against another on its way to the world, or against the world.
+    /// Whether the body can turn relative to one of its ancestors, or to the world.
     pub(super) fn turns(&self, body: usize, against: Option<usize>) -> bool {
         let rotates = |b: usize| self.node(b).kind.quaternion().is_some() || self.turns_from(b, 0);
         self.path(body).take_while(|b| Some(*b) != against).any(rotates)
@@ -80,9 +80,9 @@ impl<'a> Symbols<'a> {
         core::iter::successors(Some(body), |b| self.node(*b).parent)
     }
 
-    /// The way from c's centre of mass to a's in axes of c, as skew matrices to sum (eqs. 37, 43):
-    /// the far end first, as the paper writes it. A way that its joint does not change (eq. 16) is
-    /// one vector; any other goes to the joint, and from there to the centre.
+    /// The vector from c's centre of mass to a's in axes of c, as skew matrices to sum (eqs. 37, 43), the far end first
+    /// as in the paper. If the joint does not change it (eq. 16) it is one vector; otherwise it goes to the joint, and
+    /// from there to the centre.
     pub(super) fn way(&self, c: usize, a: usize) -> Vec<Vec<Factor>> {
         let mut terms = Vec::new();
         for body in self.path(a).take_while(|b| *b != c) {
@@ -99,8 +99,8 @@ impl<'a> Symbols<'a> {
         terms
     }
 
-    /// The way from the frame before axis k of the body's joint to its centre of mass, body axes, as
-    /// skew matrices to sum: s_C and what the axes slide.
+    /// The vector from the frame before axis k of the body's joint to its centre of mass, body axes, as skew matrices
+    /// to sum: s_C and the displacements of the axes.
     pub(super) fn offset(&self, body: usize, k: usize) -> Vec<Vec<Factor>> {
         let mut terms = Vec::new();
         if !is_small(self.node(body).kind.to_child(), 1.0) {
@@ -129,7 +129,7 @@ impl<'a> Symbols<'a> {
         }
     }
 
-    /// Whether the way from the parent's centre to the body's is constant in the parent's axes.
+    /// Whether the vector from the parent's centre to the body's is constant in the parent's axes.
     fn keeps_centre(&self, body: usize) -> bool {
         let offset = self.offset(body, 0);
         match (&self.node(body).kind, self.axes(body).len()) {
@@ -158,7 +158,7 @@ impl<'a> Symbols<'a> {
         format!("R^{{({})}}", self.frame_after(body, k))
     }
 
-    /// `2/2_{1}`: body 2 against the frame after the first axis of its joint.
+    /// `2/2_{1}`: body 2 relative to the frame after the first axis of its joint.
     fn frame_after(&self, body: usize, k: usize) -> String {
         let name = self.body(body);
         format!("{name}/{name}_{{{}}}", k + 1)
@@ -224,7 +224,7 @@ fn axes_of(kind: &JointKind) -> Vec<ElementaryAxis> {
     }
 }
 
-/// s_J of a joint, from where the child's centre of mass is with all coordinates at zero.
+/// s_J of a joint, from the position of the child's centre of mass with all coordinates at zero.
 fn to_joint(kind: &JointKind) -> Vector3 {
     let mut q = [0.0; 7];
     if let Some((w, _)) = kind.quaternion() {
@@ -234,7 +234,7 @@ fn to_joint(kind: &JointKind) -> Vector3 {
     relative.position - relative.rotation * kind.to_child()
 }
 
-/// A term in axes of `body`, in axes of c.
+/// A term in axes of `body`, transformed to axes of c.
 fn turned(body: usize, c: usize, term: Vec<Factor>) -> Vec<Factor> {
     if body == c {
         return term;

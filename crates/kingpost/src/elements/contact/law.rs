@@ -1,17 +1,17 @@
-//! What acts at a spot: how it is pressed, whether it holds or slides.
+//! The forces at a spot: its normal force, and whether it holds or slides.
 
-use super::friction::{Drag, Rubbing};
+use super::friction::{FrictionForce, Rubbing};
 use super::sides::{Met, Sides};
 use super::solid::length;
 use super::{
-    BEGINS_TO_SLIDE, BY_DEPTH, Contact, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN, ROUNDING_M,
-    SLIDES, Solid, TOUCHES,
+    BEGINS_TO_SLIDE, BY_DEPTH, Contact, ContactSolid, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN,
+    ROUNDING_M, SLIDES, TOUCHES,
 };
-use crate::elements::{Crossing, Moment, Own, Situation, hunt_crossley};
+use crate::elements::{Context, Crossing, Own, Situation, hunt_crossley};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// What a spot is pressed with.
+/// The normal force of a spot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pressed<S> {
     /// N, N.
@@ -22,20 +22,20 @@ pub(super) struct Pressed<S> {
     pub(super) heat: S,
 }
 
-/// The mode of a spot; at rest it goes by its depth.
-pub(super) fn condition<S>(i: usize, at: &Moment<'_, S>) -> i64 {
+/// The mode of a spot; at rest it follows from the depth.
+pub(super) fn condition<S>(i: usize, at: &Context<'_, S>) -> i64 {
     if at.situation == Situation::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
 }
 
 impl<S: Scalar> Contact<S> {
-    /// Where a run begins, before an equilibrium is sought: the bristles are straight here.
-    pub fn begin_at(&mut self, at: &Moment<'_, S>) {
+    /// Called at the start of a run, before the equilibrium is sought: the bristles are straight in this position.
+    pub fn begin_at(&mut self, at: &Context<'_, S>) {
         let sides = self.sides_at(at);
         self.anchors = (0..self.spots.len()).map(|i| self.met(i, &sides).middle).collect();
     }
 
-    /// The depth of the deepest spot where the bodies are, m; negative without touch.
-    pub fn depth(&self, at: &Moment<'_, S>) -> S {
+    /// The depth of the deepest spot at the present positions, m; negative without contact.
+    pub fn depth(&self, at: &Context<'_, S>) -> S {
         let sides = self.sides_at(at);
         let depths = (0..self.spots.len()).map(|i| self.met(i, &sides).depth);
         depths.fold(S::constant(f64::MIN), |most, depth| most.select_less(depth, || depth, || most))
@@ -45,23 +45,23 @@ impl<S: Scalar> Contact<S> {
         if self.friction.is_some() { EVENTS.len() } else { BEGINS_TO_SLIDE }
     }
 
-    pub(super) fn sides_at(&self, at: &Moment<'_, S>) -> Sides<S> {
+    pub(super) fn sides_at(&self, at: &Context<'_, S>) -> Sides<S> {
         Sides::new(&self.sides, at)
     }
 
     pub(super) fn met(&self, i: usize, sides: &Sides<S>) -> Met<S> {
         let (facing, spot) = &self.spots[i];
         let solid = self.solids[1 - *facing as usize].as_ref();
-        sides.met(*facing, spot, solid.unwrap_or(&Solid::Sphere { radius: S::ZERO }))
+        sides.met(*facing, spot, solid.unwrap_or(&ContactSolid::Sphere { radius: S::ZERO }))
     }
 
-    /// What a spot does where it touches.
+    /// The forces of a spot that touches.
     pub(super) fn acting(
         &self,
         i: usize,
         sides: &Sides<S>,
-        at: &Moment<'_, S>,
-    ) -> Option<(Met<S>, Pressed<S>, Drag<S>)> {
+        at: &Context<'_, S>,
+    ) -> Option<(Met<S>, Pressed<S>, FrictionForce<S>)> {
         let mode = condition(i, at);
         if mode == OPEN {
             return None;
@@ -71,19 +71,22 @@ impl<S: Scalar> Contact<S> {
             return None;
         }
         let pressed = self.pressed(mode, &met);
-        let drag = self.friction.map_or(Drag { force: Vector3::zero(), rate: Vector3::zero(), heat: S::ZERO }, |own| {
-            let rubbing = self.rubbing(&own, &met, pressed.normal, self.bristle(i, &met, at));
-            match mode {
-                HOLDS => own.holding(&rubbing),
-                SLIDES => own.sliding(&rubbing),
-                _ => own.up_to_its_limit(&rubbing),
-            }
-        });
+        let drag = self.friction.map_or(
+            FrictionForce { force: Vector3::zero(), rate: Vector3::zero(), heat: S::ZERO },
+            |own| {
+                let rubbing = self.rubbing(&own, &met, pressed.normal, self.bristle(i, &met, at));
+                match mode {
+                    HOLDS => own.holding(&rubbing),
+                    SLIDES => own.sliding(&rubbing),
+                    _ => own.up_to_its_limit(&rubbing),
+                }
+            },
+        );
         Some((met, pressed, drag))
     }
 
     /// The function whose change of sign is an event of a spot.
-    pub(super) fn witness(&self, event: usize, i: usize, met: &Met<S>, at: &Moment<'_, S>) -> S {
+    pub(super) fn witness(&self, event: usize, i: usize, met: &Met<S>, at: &Context<'_, S>) -> S {
         let mode = condition(i, at);
         let never = if EVENTS[event].crossing == Crossing::Rising { -S::ONE } else { S::ONE };
         let is_watched = match event {
@@ -133,8 +136,8 @@ impl<S: Scalar> Contact<S> {
         Rubbing { limit, bristle, along: met.along(bristle), slip: met.slip(), damping_time }
     }
 
-    /// The bristle of a spot; while an equilibrium is sought, its way from where the search began.
-    pub(super) fn bristle(&self, i: usize, met: &Met<S>, at: &Moment<'_, S>) -> Vector3<S> {
+    /// The bristle of a spot; while an equilibrium is sought, the displacement since the search began.
+    pub(super) fn bristle(&self, i: usize, met: &Met<S>, at: &Context<'_, S>) -> Vector3<S> {
         let own = 3 * i..3 * i + 3;
         if at.situation == Situation::Settling {
             let anchor = at.numbers.get(own).map_or(self.anchors[i], Vector3::from_slice);
@@ -151,7 +154,7 @@ impl<S: Scalar> Contact<S> {
         }
     }
 
-    /// It holds, unless friction grows faster than its limit from here.
+    /// The spot holds, unless friction grows faster than its limit from here.
     pub(super) fn touch(&self, i: usize, friction: &Friction<S>, met: &Met<S>, own: &mut Own<'_, S>) {
         let (slip, stiffest) = (met.slip(), friction.coefficient * self.stiffness * met.rate());
         let slides = (friction.stiffness * length(slip) - stiffest).all(|beyond| beyond > 0.0);
@@ -160,8 +163,9 @@ impl<S: Scalar> Contact<S> {
         (slip * (size / length(slip))).write_to(&mut own.states[3 * i..]);
     }
 
-    /// A spot that is pressed on holds by its bristle if that can be. Else it slides, and the bristle turns between friction and slip; its length
-    /// and its energy stay. One that pushes along the motion, as its grip weakens, gives way.
+    /// A spot in contact holds by its bristle if it can. Else it slides, and the bristle turns between friction and
+    /// slip with the same length and energy. A bristle that pushes along the motion as the normal force falls is let
+    /// go.
     pub(super) fn hold_or_slide(
         &self,
         i: usize,
@@ -185,7 +189,7 @@ impl<S: Scalar> Contact<S> {
         own.modes[i] = if holds { HOLDS } else { SLIDES };
         let long = length(rubbing.along);
         let long = long.select_below(DIRECTION_M, || S::constant(DIRECTION_M), || long);
-        // Between friction and slip, so that it does not hold again at once.
+        // A direction between friction and slip, so that the spot does not hold again at once.
         let between = force * (S::ONE / size) + rubbing.slip * (S::ONE / length(rubbing.slip));
         let bristle = if holds { bristle } else { between * (long / length(between)) };
         bristle.write_to(&mut own.states[3 * i..]);

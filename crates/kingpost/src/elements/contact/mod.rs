@@ -10,11 +10,13 @@ mod watch;
 
 pub use friction::Friction;
 pub use restitution::dissipation;
-pub use solid::Solid;
+pub use solid::ContactSolid;
 pub use spot::Spot;
 
 use crate::dynamics::Loads;
-use crate::elements::{AnyWatcher, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, Situation};
+use crate::elements::{
+    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, Situation, VectorFrame,
+};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -23,38 +25,38 @@ use law::condition;
 use solid::length;
 use watch::Depth;
 
-/// Contact between two sides, a load and a surface: spots of each against the solid of the other.
+/// Contact between two sides, a load and a surface: the spots of each side meet the solid of the other.
 ///
-/// A spot at the depth d is pressed out along the normal with `N = k d (1 + a d')`, never less than 0, which is heat but for
-/// `k d^2 / 2` ([`hunt_crossley`](crate::elements::hunt_crossley); a from a restitution by [`dissipation`]). Along the surface a bristle z holds it with
-/// `sigma (z + a d v)` up to mu N; from there it slides with mu N against its motion, until that turns ([`Friction`]). Both forces act in
-/// one point on both bodies, so that momenta close; N is the gradient of its energy, so that lifting and setting down give
-/// nothing back that was not put in.
+/// A spot at the depth d is pushed out along the normal with `N = k d (1 + a d')`, never less than 0. The energy `k d^2
+/// / 2` is stored, the rest becomes heat ([`hunt_crossley`](crate::elements::hunt_crossley); [`dissipation`] gives a
+/// from a restitution). Along the surface a bristle z holds it with `sigma (z + a d v)` up to mu N; beyond that it
+/// slides with mu N against the motion until the motion reverses ([`Friction`]). Both forces act at one point on both
+/// bodies, so momentum is conserved. N is the gradient of its energy, so lifting and setting down creates no energy.
 #[derive(Clone, Debug)]
 pub struct Contact<S = f64> {
     /// Name in the results.
     pub name: String,
     /// The load's shape and the surface, each on a body or in the world.
     pub sides: [Attachment<S>; 2],
-    /// What of the load meets the surface's solid, and what of the surface the load's.
+    /// The spots of the load that meet the surface's solid, and those of the surface that meet the load's.
     pub spots: Vec<(Facing, Spot<S>)>,
     /// The solids of load and surface.
-    pub solids: [Option<Solid<S>>; 2],
+    pub solids: [Option<ContactSolid<S>>; 2],
     /// k of a spot, N/m.
     pub stiffness: S,
     /// a, s/m.
     pub dissipation: S,
-    /// Without it, the surface is smooth.
+    /// Friction; without it, the surface is smooth.
     pub friction: Option<Friction<S>>,
-    /// Depth beyond which a run warns, m.
+    /// Penetration beyond which a run warns, m.
     pub tolerance: S,
-    /// Where the spots stood, in the solids' axes, when their bristles were straight, m.
+    /// Positions of the spots in the solids' axes when their bristles were straight, m.
     pub anchors: Vec<Vector3<S>>,
     /// Whether an equilibrium is being sought.
     pub settles: bool,
 }
 
-/// Whose spot it is; it meets the other's solid.
+/// Which side a spot belongs to; it meets the solid of the other side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
     /// The load's.
@@ -63,8 +65,8 @@ pub enum Facing {
     Surface,
 }
 
-/// The mode of a spot, which events change, so that no step mixes two laws. Runs side by side that begin differently go by
-/// the depth until the first event of one.
+/// The mode of a spot. Only events change it, so no step mixes two laws. Runs in lanes that begin differently use the
+/// depth instead until the first event in one of them.
 const BY_DEPTH: i64 = 0;
 const HOLDS: i64 = 1;
 const SLIDES: i64 = 2;
@@ -81,13 +83,13 @@ const TOUCHES: usize = 0;
 const LEAVES: usize = 1;
 const BEGINS_TO_SLIDE: usize = 2;
 
-/// How far a spot is off before it leaves, m: rounding.
+/// Distance at which a spot leaves, m: rounding.
 const ROUNDING_M: f64 = 1e-10;
-/// Length of a bristle that only has a direction, m.
+/// Length of a bristle that carries only a direction, m.
 const DIRECTION_M: f64 = 1e-12;
-/// Of its limit, the least friction that slides.
+/// Smallest friction, as a share of its limit, that slides.
 const JUST_HOLDS: f64 = 1.0 - 1e-9;
-/// A bristle that would need more than this times what friction can give belongs to another place.
+/// A bristle that would need more than this times the friction limit belongs to another position.
 const PLAUSIBLE: f64 = 1.5;
 
 impl<S: Scalar> Element<S> for Contact<S> {
@@ -102,25 +104,29 @@ impl<S: Scalar> Element<S> for Contact<S> {
             let count = if self.friction.is_some() { self.spots.len() } else { 0 };
             (0..count).flat_map(axes).collect::<Vec<_>>()
         };
-        let bristles = of_spots("bristle").into_iter().map(|name| Kept::memory(name, "m"));
+        let bristles = of_spots("bristle").into_iter().map(|name| ElementState::memory(name, "m"));
         let components = crate::elements::Components::Axis;
         let force = number("contact_force", "force on the load by the surface", &["N"]);
         Declaration {
-            states: bristles.chain([Kept::memory("impulse", "N s")]).collect(),
+            states: bristles.chain([ElementState::memory("impulse", "N s")]).collect(),
             numbers: of_spots("anchor"),
             modes: (0..self.spots.len()).map(|i| format!("spot_{i}")).collect(),
             outputs: vec![
-                Output { components, frame: Frame::World, ..force },
+                Output { components, frame: VectorFrame::World, ..force },
                 number("contact_normal_force", "sum of the normal forces of a contact", &["N"]),
-                number("contact_friction_force", "sum of the friction of a contact's points, each by its size", &["N"]),
+                number(
+                    "contact_friction_force",
+                    "sum of the friction forces of a contact's points, each by its magnitude",
+                    &["N"],
+                ),
                 number("contact_impulse", "normal force of a contact, integrated over time", &["N s"]),
-                number("contact_penetration", "depth of the deepest point in touch; 0 without touch", &["m"]),
+                number("contact_penetration", "depth of the deepest contact point; 0 without contact", &["m"]),
                 number(
                     "contact_gap",
                     "least distance of a load's corners, or of its round surface, from its contact; negative: penetration",
                     &["m"],
                 ),
-                number("contact_points", "points of a contact in touch", &["1"]),
+                number("contact_points", "number of points of a contact that touch", &["1"]),
             ],
             goes_alone: true,
             events: (0..self.spots.len()).flat_map(|_| &EVENTS[..self.events_of_a_spot()]).copied().collect(),
@@ -128,7 +134,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let sides = self.sides_at(at);
         let first_of_search = at.situation == Situation::Settling && !self.settles;
         self.settles = at.situation == Situation::Settling;
@@ -156,7 +162,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let sides = self.sides_at(at);
         for i in 0..self.spots.len() {
             let met = self.met(i, &sides);
@@ -174,7 +180,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let sides = self.sides_at(at);
         let (mut sum, mut heat) = (sides.nothing(), S::ZERO);
         for i in 0..self.spots.len() {
@@ -187,7 +193,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         loads.power.dissipated += heat;
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let sides = self.sides_at(at);
         rates.fill(S::ZERO);
         let impulse = rates.len() - 1;
@@ -200,7 +206,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let sides = self.sides_at(at);
         let half = S::constant(0.5);
         (0..self.spots.len()).fold(S::ZERO, |sum, i| {
@@ -211,7 +217,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         })
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let sides = self.sides_at(at);
         let (mut force, mut normal, mut friction, mut count) = (Vector3::zero(), S::ZERO, S::ZERO, S::ZERO);
         let mut deepest = S::constant(f64::MIN);
@@ -230,7 +236,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         out.extend([normal, friction, impulse, penetration, -deepest, count]);
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let sides = self.sides_at(at);
         for (i, of_spot) in values.chunks_mut(self.events_of_a_spot()).enumerate() {
             let met = self.met(i, &sides);
@@ -238,7 +244,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn respond(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
         let met = self.met(i, &self.sides_at(at));
         match (event, self.friction) {

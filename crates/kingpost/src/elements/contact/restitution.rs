@@ -1,14 +1,14 @@
-//! The dissipation that a restitution asks for.
+//! The dissipation that gives a restitution.
 
 use crate::scalar::Scalar;
 
 /// Halvings, to rounding.
 const HALVINGS: usize = 60;
 
-/// Below this x its series is nearer than the difference of logarithms.
+/// Below this x the series is more accurate than the difference of logarithms.
 const SMALL: f64 = 1e-3;
 
-/// a of `F = k d (1 + a d')` by which what arrives at `speed`, m/s, leaves at e times that, s/m.
+/// a of `F = k d (1 + a d')`, s/m, with which a body that arrives at `speed`, m/s, leaves at e times that speed.
 ///
 /// With x = a v, from `m v dv / (1 + a v) = -k d dd` over one touch follows `x (1 + e) = ln((1 + x) / (1 - e x))`, exact without other
 /// forces, whatever the mass and the stiffness (Hunt & Crossley, *J. Appl. Mech.* 42, 1975, 440; solved for a as by Marhefka & Orin,
@@ -24,7 +24,7 @@ pub fn dissipation<S: Scalar>(restitution: S, speed: S) -> S {
     let [found] = S::from_values([restitution], |[e]| [scaled(e)]);
     let loss = S::ONE - restitution;
     let small = loss * (S::ONE + loss) * S::constant(1.5);
-    // One more of Newton's steps has the derivatives.
+    // One more Newton step gives the derivatives.
     let next = found - residual(found, restitution) / slope(found, restitution);
     found.select_below(SMALL, || small, || next) / speed
 }

@@ -1,32 +1,32 @@
-//! The two sides of a contact: where they are, how they move, what acts between them.
+//! The two sides of a contact: their positions, their motion and the forces between them.
 
 use super::Facing;
-use super::solid::Solid;
+use super::solid::ContactSolid;
 use super::spot::{Nearness, Spot};
 use crate::dynamics::Loads;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Vector3, Wrench};
 
 /// One side: all in world axes.
 #[derive(Clone, Copy, Debug)]
-struct Side<S> {
+struct ContactSide<S> {
     /// Of its shape.
     frame: Frame<S>,
-    /// Of its body; of what is fixed to the world, none.
+    /// Frame of its body; the identity if it is fixed to the world.
     body: Frame<S>,
-    /// Of the origin of its body, m/s.
+    /// Velocity of the origin of its body, m/s.
     velocity: Vector3<S>,
     /// rad/s.
     angular_velocity: Vector3<S>,
 }
 
-/// Both: the load, the surface.
+/// Both sides: the load, the surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<S> {
-    sides: [Side<S>; 2],
-    /// The shape of each as the other sees it.
+    sides: [ContactSide<S>; 2],
+    /// The frame of each shape in the axes of the other.
     seen: [Frame<S>; 2],
 }
 
@@ -36,15 +36,15 @@ pub(super) struct Met<S> {
     facing: Facing,
     /// Of the solid.
     rotation: Matrix3<S>,
-    /// Where both act on each other, world, m.
+    /// Point where both act on each other, world, m.
     point: Vector3<S>,
-    /// Of the spot over the solid there, in the solid's axes, m/s.
+    /// Velocity of the spot relative to the solid at that point, in the solid's axes, m/s.
     velocity: Vector3<S>,
     /// Out of the solid, in its axes.
     pub(super) normal: Vector3<S>,
     /// m.
     pub(super) depth: S,
-    /// Of the spot, in the solid's axes, m.
+    /// The middle of the spot, in the solid's axes, m.
     pub(super) middle: Vector3<S>,
 }
 
@@ -57,20 +57,20 @@ pub(super) struct Sum<S> {
 }
 
 impl<S: Scalar> Sides<S> {
-    pub(super) fn new(sides: &[Attachment<S>; 2], at: &Moment<'_, S>) -> Self {
+    pub(super) fn new(sides: &[Attachment<S>; 2], at: &Context<'_, S>) -> Self {
         let sides = sides.each_ref().map(|side| {
             let still = (Frame::identity(), Vector3::zero(), Vector3::zero());
             let (body, velocity, angular_velocity) = side.body.map_or(still, |body| {
                 let (frame, twist) = (at.links.body_frame(at.model, body), at.links.body_twist(at.model, body));
                 (frame, frame.rotation * twist.linear, frame.rotation * twist.angular)
             });
-            Side { frame: body.times(&side.in_body), body, velocity, angular_velocity }
+            ContactSide { frame: body.times(&side.in_body), body, velocity, angular_velocity }
         });
         let seen = [0, 1].map(|k: usize| sides[1 - k].frame.inverse().times(&sides[k].frame));
         Self { sides, seen }
     }
 
-    pub(super) fn met(&self, facing: Facing, spot: &Spot<S>, solid: &Solid<S>) -> Met<S> {
+    pub(super) fn met(&self, facing: Facing, spot: &Spot<S>, solid: &ContactSolid<S>) -> Met<S> {
         let [own, other] = [&self.sides[facing as usize], &self.sides[1 - facing as usize]];
         let Nearness { point, normal, depth, middle } = spot.nearness(solid, &self.seen[facing as usize]);
         let point = other.frame.point(point);
@@ -83,7 +83,7 @@ impl<S: Scalar> Sides<S> {
         Sum { origins, force: Vector3::zero(), moments: [Vector3::zero(); 2] }
     }
 
-    /// Acts on both bodies.
+    /// Applies the force to both bodies.
     pub(super) fn hand_over(&self, sum: &Sum<S>, sides: &[Attachment<S>; 2], loads: &mut Loads<S>) {
         for (k, force) in [sum.force, -sum.force].into_iter().enumerate() {
             let Some(body) = sides[k].body else { continue };
@@ -94,7 +94,7 @@ impl<S: Scalar> Sides<S> {
     }
 }
 
-impl<S: Scalar> Side<S> {
+impl<S: Scalar> ContactSide<S> {
     fn velocity_at(&self, point: Vector3<S>) -> Vector3<S> {
         self.velocity + self.angular_velocity.cross(point - self.body.position)
     }
@@ -121,7 +121,7 @@ impl<S: Scalar> Met<S> {
         self.rotation * vector
     }
 
-    /// A force on the spot as one on the load.
+    /// The force on the load that belongs to a force on the spot.
     pub(super) fn on_load(&self, force: Vector3<S>) -> Vector3<S> {
         if self.facing == Facing::Load { force } else { -force }
     }

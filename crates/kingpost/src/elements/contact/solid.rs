@@ -1,20 +1,20 @@
-//! How far a point is from a solid.
+//! The distance of a point from a solid.
 
 use crate::model::Axis;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// What points press on, in its own axes about its centre.
+/// A solid that spots touch, in its own axes about its centre.
 #[derive(Clone, Copy, Debug)]
-pub enum Solid<S = f64> {
-    /// All that is below a plane through the origin; the unit normal points out of it.
+pub enum ContactSolid<S = f64> {
+    /// The half space below a plane through the origin; the unit normal points out of it.
     Plane {
         /// Unit vector.
         normal: Vector3<S>,
     },
     /// A cuboid.
     Box {
-        /// Half of its edges along x, y, z, m.
+        /// Half of its edge lengths along x, y, z, m.
         half: [S; 3],
     },
     /// A circular cylinder.
@@ -23,7 +23,7 @@ pub enum Solid<S = f64> {
         radius: S,
         /// Half of its length, m.
         half_length: S,
-        /// What it lies along.
+        /// The axis that it lies along.
         axis: Axis,
     },
     /// A ball.
@@ -33,14 +33,14 @@ pub enum Solid<S = f64> {
     },
 }
 
-impl<S: Scalar> Solid<S> {
-    /// The distance of a point from the surface, m, negative inside, and its gradient: the unit normal out of the solid
-    /// where it is nearest. Inside, the nearest face counts; where two are as near, either.
+impl<S: Scalar> ContactSolid<S> {
+    /// The distance of a point from the surface, m, negative inside, and its gradient: the outward unit normal at the
+    /// nearest point. Inside, it is the distance to the nearest face; if two are equally near, to either.
     ///
     /// ```
-    /// use kingpost::elements::contact::Solid;
+    /// use kingpost::elements::contact::ContactSolid;
     /// use kingpost::spatial::Vector3;
-    /// let deck = Solid::Box { half: [10.0, 5.0, 1.0] };
+    /// let deck = ContactSolid::Box { half: [10.0, 5.0, 1.0] };
     /// let (distance, normal) = deck.distance(Vector3::new(13.0, 0.0, 5.0));
     /// assert_eq!((distance, normal.0), (5.0, [0.6, 0.0, 0.8]));
     /// assert_eq!(deck.distance(Vector3::new(1.0, 2.0, 0.9)).1.0, [0.0, 0.0, 1.0]);
@@ -73,7 +73,7 @@ impl<S: Scalar> Solid<S> {
     }
 }
 
-/// The distance from the corner of all that has no positive coordinate, and its gradient.
+/// The distance from the orthant where no coordinate is positive, and its gradient.
 fn from_corner<S: Scalar, const N: usize>(beyond: [S; N]) -> (S, [S; N]) {
     let mut nearest = beyond[0];
     let mut faces = [S::ZERO; N];
@@ -95,7 +95,7 @@ fn sign<S: Scalar>(x: S) -> S {
     x.select_below(0.0, || -S::ONE, || S::ONE)
 }
 
-/// The length of a vector, or the least that can be divided by.
+/// The length of a vector, but at least the smallest number that one can divide by.
 pub(super) fn length<S: Scalar>(vector: Vector3<S>) -> S {
     root(vector.norm_squared())
 }

@@ -1,6 +1,6 @@
-//! What of one side may touch the solid of the other: points, balls, the ends of a cylinder.
+//! The spots of one side that may touch the solid of the other: points, balls, the ends of a cylinder.
 
-use super::solid::Solid;
+use super::solid::ContactSolid;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
@@ -14,8 +14,9 @@ pub enum Spot<S = f64> {
         /// m.
         radius: S,
     },
-    /// The end of a cylinder: a flat spheroid, so that a cylinder that lies rolls as on a circle, one that stands has one point of
-    /// touch that moves to its rim as it leans, and nothing jumps between. Only against a plane.
+    /// The end of a cylinder, as a flat spheroid. A lying cylinder then rolls as on a circle; a standing one has a
+    /// single contact point, which moves to its rim as it leans; and nothing jumps between the two. Only against a
+    /// plane.
     End {
         /// m.
         centre: Vector3<S>,
@@ -28,12 +29,12 @@ pub enum Spot<S = f64> {
     },
 }
 
-/// How a spot is to a solid, in the solid's axes.
+/// The position of a spot relative to a solid, in the solid's axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearness<S> {
     /// The spot's deepest point, m.
     pub point: Vector3<S>,
-    /// Out of the solid.
+    /// Outward normal of the solid.
     pub normal: Vector3<S>,
     /// How far the spot is inside, m; negative outside.
     pub depth: S,
@@ -42,8 +43,8 @@ pub struct Nearness<S> {
 }
 
 impl<S: Scalar> Spot<S> {
-    /// How it is to a solid, where its shape's frame is seen from the solid's.
-    pub fn nearness(&self, solid: &Solid<S>, seen: &Frame<S>) -> Nearness<S> {
+    /// Its position relative to a solid; `seen` is the shape's frame in the solid's.
+    pub fn nearness(&self, solid: &ContactSolid<S>, seen: &Frame<S>) -> Nearness<S> {
         match *self {
             Self::Ball { centre, radius } => {
                 let middle = seen.point(centre);

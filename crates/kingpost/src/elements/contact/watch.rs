@@ -1,4 +1,4 @@
-//! Warns where a contact is pressed in deeper than it should be.
+//! Warns of a contact whose penetration is too deep.
 
 use crate::elements::{Extreme, Warning, Watcher, significant};
 

@@ -1,16 +1,16 @@
-//! A brake: dry friction of a capacity that a lever sets.
+//! A brake: dry friction whose share of its capacity a lever sets.
 
 use crate::dynamics::Loads;
-use crate::elements::{CoulombFriction, Declaration, Element, Input, Moment};
+use crate::elements::{Context, CoulombFriction, Declaration, Element, Input};
 use crate::scalar::Scalar;
 
-/// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released)
-/// to 1 (set). Like all friction it makes heat, and does no work on anything.
+/// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released) to 1 (set). Its
+/// power is all heat.
 #[derive(Clone, Debug)]
 pub struct Brake<S = f64> {
     /// Its friction when set.
     pub friction: CoulombFriction<S>,
-    /// Name of the input that sets it, where a lever does; a brake without one is set.
+    /// Name of the input that sets it; without one the brake is set.
     pub lever: Option<String>,
 }
 
@@ -21,7 +21,7 @@ impl<S: Scalar> Element<S> for Brake<S> {
     }
 
     /// Adds the friction and the heat that it makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let applied = at.inputs.first().copied().unwrap_or(S::ONE);
         let friction = self.friction.friction * applied;
         CoulombFriction { friction, ..self.friction }.apply(at.v, loads);

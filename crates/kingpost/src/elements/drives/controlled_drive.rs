@@ -1,7 +1,7 @@
 //! A drive that follows a set-point within its limits: a winch, a slewing gear, a luffing drive.
 
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Input, Kept, Moment, Output, Own, Settling, Situation};
+use crate::elements::{Context, Declaration, Element, ElementState, Input, Output, Own, Settling, Situation};
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
 
@@ -14,11 +14,12 @@ use crate::scalar::Scalar;
 /// tau_free = h + k (x_r - q) + c (v_r - v),   tau within +-tau_max, and where it drives within P_max / |v|
 /// ```
 ///
-/// The speed wanted is the set-point, within +-v_max; of a position x it is `v_t = a T' (sqrt(1 + 2 |e| / (a T'^2)) - 1)` towards it,
-/// with e = x - x_r, T' = 4 T and a = a_max / 2: half of the acceleration then suffices to stop at x. With a limit of jerk T is not
-/// shorter than the acceleration takes to come. h is what holds the joint at rest where the run begins. Where the effort is at its limit the reference gives way with
-/// the load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID
-/// Control*, 2006, sec. 3.5).
+/// For a speed set-point the target speed is the set-point within +-v_max. For a position set-point x it is `v_t = a T'
+/// (sqrt(1 + 2 |e| / (a T'^2)) - 1)` towards it, with e = x - x_r, T' = 4 T and a = a_max / 2: half of the acceleration
+/// then suffices to stop at x. With a jerk limit T is at least the time in which the acceleration builds up. h is the
+/// effort that holds the joint at rest at the start. While the effort is at its limit the reference moves with the
+/// load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID Control*,
+/// 2006, sec. 3.5).
 #[derive(Clone, Debug)]
 pub struct ControlledDrive<S = f64> {
     /// Name in the results.
@@ -33,7 +34,7 @@ pub struct ControlledDrive<S = f64> {
     pub set_point: SetPoint,
     /// The set-point, to which the input is added: N m or N, rad/s or m/s, rad or m.
     pub value: S,
-    /// What it may do.
+    /// Its limits.
     pub limits: DriveLimits<S>,
     /// k, N m/rad or N/m.
     pub stiffness: S,
@@ -41,9 +42,9 @@ pub struct ControlledDrive<S = f64> {
     pub damping: S,
     /// T, s.
     pub response_time: S,
-    /// The coordinate where the scenario puts it: there the drive holds it while an equilibrium is sought.
+    /// The coordinate at the start: the drive holds it there while an equilibrium is sought.
     pub start: S,
-    /// The effort that holds it there: a run begins with it.
+    /// The effort that holds it there; the run begins with it.
     pub hold: [S; 1],
 }
 
@@ -78,11 +79,11 @@ const POSITION: usize = 0;
 const SPEED: usize = 1;
 const ACCELERATION: usize = 2;
 
-/// The effort of a drive, and what it would be without limits.
+/// The effort of a drive, with and without limits.
 struct Effort<S> {
     free: S,
     given: S,
-    /// The limit that holds here.
+    /// The limit that applies.
     limit: S,
 }
 
@@ -104,24 +105,24 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         };
         let input =
             Input { name: self.name.clone(), unit, lower: -farthest, upper: farthest, value: 0.0, signal: None };
-        let states = reference[..self.state_count()].iter().map(|(name, unit)| Kept::new(*name, unit));
+        let states = reference[..self.state_count()].iter().map(|(name, unit)| ElementState::new(*name, unit));
         Declaration { states: states.collect(), inputs: vec![input], outputs: self.shown(), ..Declaration::default() }
     }
 
-    /// The reference begins where the coordinate stands, at the rate that it has.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    /// The reference begins at the coordinate's position and rate.
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         if let [position, speed, ..] = own.states {
             (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
         }
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let effort = self.effort(at).given;
         loads.force[self.coordinate] += effort;
         loads.power.drives += effort * at.v[self.coordinate];
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let effort = self.effort(at);
         let wanted = self.wanted_acceleration(at);
         match (rates, at.states) {
@@ -147,7 +148,7 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         if self.set_point == SetPoint::Effort { None } else { Some(self) }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (effort, rate) = (self.effort(at), at.v[self.coordinate]);
         let power = effort.given * rate;
         let size = |x: S| x.select_below(0.0, || -x, || x);
@@ -168,13 +169,13 @@ impl<S: Scalar> Settling<S> for ControlledDrive<S> {
         self.hold.copy_from_slice(trim);
     }
 
-    fn take_over(&mut self, at: &Moment<'_, S>) -> S {
+    fn take_over(&mut self, at: &Context<'_, S>) -> S {
         let off = at.q[self.position] - self.start;
         self.hold[0] += -(self.stiffness * off);
         off.select_below(0.0, || -off, || off)
     }
 
-    fn utilisation(&self, _at: &Moment<'_, S>) -> S {
+    fn utilisation(&self, _at: &Context<'_, S>) -> S {
         let [hold] = self.hold;
         hold.select_below(0.0, || -hold, || hold) / self.limits.effort
     }
@@ -207,23 +208,23 @@ impl<S: Scalar> ControlledDrive<S> {
         vec![
             effort,
             reference,
-            number("drive_power", "power that a drive gives; negative: takes", &["W"]),
+            number("drive_power", "power that a drive delivers; negative: absorbs", &["W"]),
             number("drive_effort_utilisation", "torque or force of a drive over its limit", &["1"]),
             number("drive_speed_utilisation", "speed of a drive's reference over its limit", &["1"]),
             number(
                 "drive_power_utilisation",
-                "power that a drive gives over its limit; 0 where it has none, or brakes",
+                "power that a drive delivers over its limit; 0 without a limit, and while it brakes",
                 &["1"],
             ),
         ]
     }
 
-    /// The set-point with what a hand or a controller adds to it.
-    fn target(&self, at: &Moment<'_, S>) -> S {
+    /// The set-point plus the input of a user or a controller.
+    fn target(&self, at: &Context<'_, S>) -> S {
         at.inputs.first().map_or(self.value, |offset| self.value + *offset)
     }
 
-    fn effort(&self, at: &Moment<'_, S>) -> Effort<S> {
+    fn effort(&self, at: &Context<'_, S>) -> Effort<S> {
         let (q, v) = (at.q[self.position], at.v[self.coordinate]);
         let free = match at.states {
             _ if self.set_point == SetPoint::Effort => self.target(at),
@@ -234,7 +235,7 @@ impl<S: Scalar> ControlledDrive<S> {
         };
         let limit = self.limits.effort;
         let drives = free * v;
-        // Beyond P / tau_max the speed bounds the effort that drives; what brakes is bounded by tau_max alone.
+        // Above the speed P / tau_max the power limits a driving effort; a braking effort is limited by tau_max only.
         let limit = self.limits.power.map_or(limit, |power| {
             let speed = v.select_below(0.0, || -v, || v);
             let knee = power / limit;
@@ -253,7 +254,7 @@ impl<S: Scalar> ControlledDrive<S> {
         Effort { free: effort, given: effort, limit: self.limits.effort }
     }
 
-    /// T; with a limit of jerk not shorter than the reference needs to come to a new speed without overshoot.
+    /// T; with a jerk limit at least the time that the reference needs to reach a new speed without overshoot.
     fn reaction(&self) -> S {
         let time = self.response_time;
         self.limits.jerk.map_or(time, |jerk| {
@@ -264,7 +265,7 @@ impl<S: Scalar> ControlledDrive<S> {
     }
 
     /// a_t.
-    fn wanted_acceleration(&self, at: &Moment<'_, S>) -> S {
+    fn wanted_acceleration(&self, at: &Context<'_, S>) -> S {
         let [position, speed] = [POSITION, SPEED].map(|i| at.states.get(i).copied().unwrap_or(S::ZERO));
         let (limits, time) = (&self.limits, self.reaction());
         let wanted = match self.set_point {
@@ -275,8 +276,8 @@ impl<S: Scalar> ControlledDrive<S> {
         ((wanted - speed) * (S::ONE / time)).clipped(-limits.acceleration, limits.acceleration)
     }
 
-    /// The speed towards a position that is so far away: in proportion to a short way, and such that half of the
-    /// acceleration stops in time on a long one.
+    /// The speed towards a position at this distance: proportional to a short distance; for a long one, the speed from
+    /// which half of the acceleration stops in time.
     fn approach(&self, way: S, time: S) -> S {
         let slow = S::constant(4.0) * time;
         let braking = self.limits.acceleration * S::constant(0.5);

@@ -2,20 +2,22 @@
 
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Declaration, DrawnLine, Element, Input, Kept, LineStyle, Moment, Output, Own, hunt_crossley};
+use crate::elements::{
+    Context, Declaration, DrawnLine, Element, ElementState, Input, LineStyle, Output, Own, hunt_crossley,
+};
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 
-/// A force along the line between two pins, positive where it pushes them apart: with the length L
-/// and the length wanted,
+/// A force along the line between two pins, positive where it pushes them apart: with the length L and the target
+/// length L_wanted,
 ///
 /// ```text
 /// F = k (L_wanted - L) - c L',   clipped to what the pressures allow, -F_pull <= F <= F_push
 /// ```
 ///
-/// L_wanted moves at the limited speed at most, and stays within the stroke. At both ends of the
-/// stroke stands a stop, [`hunt_crossley`]'s. The force's work is the drive's; the stops store and
-/// heat. The masses of barrel and rod are those of the bodies, if they are to count.
+/// L_wanted changes no faster than the speed limit and stays within the stroke. There is a stop at both ends of the
+/// stroke ([`hunt_crossley`]). The work of the force is the drive's; the stops store energy and make heat. Barrel and
+/// rod have no mass of their own: add it to the bodies if it matters.
 #[derive(Clone, Debug)]
 pub struct Cylinder<S = f64> {
     /// Name in the results.
@@ -38,24 +40,24 @@ pub struct Cylinder<S = f64> {
     pub stop_stiffness: S,
     /// Dissipation of the stops, s/m.
     pub stop_dissipation: S,
-    /// Largest speed of the length wanted, m/s.
+    /// Largest rate of the target length, m/s.
     pub speed_limit: S,
-    /// What it is after.
+    /// Its target.
     pub aim: Aim<S>,
     /// Length at the start, m.
     pub start: S,
-    /// When the length wanted arrives, s: the law changes its form there.
+    /// Time at which the target length stops moving, s: a step ends there.
     pub arrival_s: Option<f64>,
 }
 
-/// What a cylinder is after.
+/// The target of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aim<S = f64> {
-    /// The length that it has at the start.
+    /// Keeps the length that it has at the start.
     Hold,
-    /// This length, from the start on, m.
+    /// Goes to this length, m, from the start on.
     Length(S),
-    /// What a lever leads to: the input, from -1 to 1, is the share of the speed; the length wanted is a state.
+    /// A lever: its input, from -1 to 1, times the speed limit is the rate of the target length, which is a state.
     Lever,
 }
 
@@ -76,15 +78,15 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         let number = |variable, description, unit| Output::number(variable, description, "cylinder", &self.name, unit);
         let by_lever = self.aim == Aim::Lever;
         Declaration {
-            states: by_lever.then(|| Kept::new("wanted_length", "m")).into_iter().collect(),
+            states: by_lever.then(|| ElementState::new("wanted_length", "m")).into_iter().collect(),
             inputs: by_lever.then(|| Input::lever(&self.name, -1.0, 0.0)).into_iter().collect(),
             outputs: vec![
                 number("cylinder_length", "length of a cylinder between its pins", &["m"]),
                 number("cylinder_rate", "rate of a cylinder's length", &["m/s"]),
-                number("cylinder_force", "force of a cylinder, positive where it pushes, stops included", &["N"]),
+                number("cylinder_force", "force of a cylinder, positive when it pushes, stops included", &["N"]),
                 number(
                     "cylinder_effort_utilisation",
-                    "force of a cylinder, stops apart, over its limit to push or to pull",
+                    "force of a cylinder without its stops, over its limit to push or to pull",
                     &["1"],
                 ),
             ],
@@ -94,13 +96,13 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         }
     }
 
-    /// The length wanted is first the length here, m.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    /// The target length begins at the present length, m.
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         own.states.fill(self.length(at.model, at.links));
     }
 
     /// Adds the force, and the work and heat that it makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let Forces { line, drive, stops, heat } = self.forces(at);
         loads.power.drives += drive * line.rate;
         loads.power.dissipated += heat;
@@ -109,8 +111,8 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         }
     }
 
-    /// Rate of the length wanted: within the stroke the lever's share of the speed, and no further.
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    /// Rate of the target length: the lever's share of the speed limit, 0 at the ends of the stroke.
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let (Some(rate), [lever], [wanted]) = (rates.first_mut(), at.inputs, at.states) else { return };
         let speed = self.speed_limit * *lever;
         let up = || wanted.select_less(self.stroke[1], || speed, || S::ZERO);
@@ -118,15 +120,15 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         *rate = speed.select_below(0.0, down, up);
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Forces { line, drive, stops, .. } = self.forces(at);
         let share = |force: S, limit: S| limit.select_below(f64::MIN_POSITIVE, || S::ZERO, || force / limit);
         let used = drive.select_below(0.0, || share(-drive, self.pull_limit), || share(drive, self.push_limit));
         out.extend([line.residual, line.rate, drive + stops, used]);
     }
 
-    /// Its barrel from the first pin, its rod from within the barrel to the second, and both pins.
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    /// The barrel from the first pin, the rod from within the barrel to the second pin, and both pins.
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let place = |pin: &Attachment<S>| {
             let point = pin.in_body.position;
             pin.body.map_or(point, |body| at.links.body_frame(at.model, body).point(point))
@@ -152,7 +154,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 
     /// Energy in the stops, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let square =
             self.depths(self.length(at.model, at.links)).iter().fold(S::ZERO, |sum, depth| sum + *depth * *depth);
         self.stop_stiffness * square * S::constant(0.5)
@@ -175,8 +177,8 @@ impl<S: Scalar> Cylinder<S> {
         vec![line(LineStyle::Barrel, 1.0, 2), line(LineStyle::Rod, ROD_RADIUS, 2), pin(), pin()]
     }
 
-    /// Takes the length here as that of the start. Where the length wanted arrives at one time in
-    /// all lanes, steps end there.
+    /// Takes the present length as the length at the start. If the target length arrives at the same time in all lanes,
+    /// a step ends there.
     pub fn start_at(&mut self, model: &Model<S>, links: &LinkKinematics<S>) {
         self.start = self.length(model, links);
         if let Aim::Length(length) = self.aim {
@@ -199,7 +201,7 @@ impl<S: Scalar> Cylinder<S> {
     }
 
     /// The length wanted.
-    fn wanted(&self, at: &Moment<'_, S>) -> S {
+    fn wanted(&self, at: &Context<'_, S>) -> S {
         let aim = match self.aim {
             Aim::Hold => return self.start,
             Aim::Lever => return at.states.first().copied().unwrap_or(self.start),
@@ -209,7 +211,7 @@ impl<S: Scalar> Cylinder<S> {
         self.start + (aim - self.start).clipped(-reach, reach)
     }
 
-    fn forces(&self, at: &Moment<'_, S>) -> Forces<S> {
+    fn forces(&self, at: &Context<'_, S>) -> Forces<S> {
         let line = self.line(at.model, at.links);
         let (length, rate) = (line.residual, line.rate);
         let wanted = self.stiffness * (self.wanted(at) - length) - self.damping * rate;

@@ -1,4 +1,4 @@
-//! What makes joints move, one file each.
+//! Drives of joints, one file each.
 
 mod brake;
 mod controlled_drive;

@@ -2,7 +2,7 @@
 
 use super::Profile;
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Input, Moment};
+use crate::elements::{Context, Declaration, Element, Input};
 use crate::scalar::Scalar;
 
 /// A torque or force history on one coordinate.
@@ -14,7 +14,7 @@ pub struct Motor<S = f64> {
     pub effort: S,
     /// Its share of the full effort over time.
     pub profile: Profile<S>,
-    /// Name of the input that scales it, where a lever drives it.
+    /// Name of the input that scales it, if a lever drives it.
     pub lever: Option<String>,
 }
 
@@ -25,7 +25,7 @@ impl<S: Scalar> Element<S> for Motor<S> {
     }
 
     /// Adds the torque and the work that it does.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let lever = at.inputs.first().copied().unwrap_or(S::ONE);
         let effort = self.effort * self.profile.value(at.clock) * lever;
         loads.force[self.coordinate] += effort;

@@ -1,4 +1,4 @@
-//! A prescribed motion: the joint's rate is given, the force follows.
+//! A prescribed motion: the joint's rate is given and the force follows from it.
 
 use super::Profile;
 use crate::dynamics::Clock;
@@ -6,13 +6,12 @@ use crate::elements::{Declaration, Element};
 use crate::scalar::Scalar;
 use crate::world::World;
 
-/// The rate of one coordinate over time. The profile must be continuous: a jump would take an
-/// infinite force.
+/// The rate of one coordinate over time. The profile must be continuous: a jump would need an infinite force.
 #[derive(Clone, Debug)]
 pub struct PrescribedMotion<S = f64> {
     /// Index in v.
     pub coordinate: usize,
-    /// Rate at full, rad/s or m/s.
+    /// Full rate, rad/s or m/s.
     pub rate: S,
     /// Its share of the full rate over time.
     pub profile: Profile<S>,

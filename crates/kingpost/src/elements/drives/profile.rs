@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 pub struct Pulse {
     /// When it begins, s.
     pub start_s: f64,
-    /// Time of a ramp between zero and full, s; the way from full to full reverse takes two.
+    /// Time of a ramp between zero and full, s; from full to full reverse takes twice this.
     pub rise_s: f64,
     /// Time at full, s.
     pub hold_s: f64,
@@ -18,7 +18,7 @@ pub struct Pulse {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Piece<S> {
+struct LinearPiece<S> {
     start_s: f64,
     start: S,
     slope_per_s: S,
@@ -29,12 +29,12 @@ struct Piece<S> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile<S = f64> {
     /// In order of time; the first begins at 0, each ends where the next begins.
-    pieces: Vec<Piece<S>>,
+    pieces: Vec<LinearPiece<S>>,
     edges: Vec<f64>,
 }
 
 impl<S: Scalar> Profile<S> {
-    /// One, always: the motor as the paper switches it on.
+    /// One at all times: the motor is switched on as in the paper.
     pub fn constant() -> Self {
         let mut profile = Self::resting_until(0.0);
         profile.push(0.0, S::ONE, S::ZERO);
@@ -86,7 +86,7 @@ impl<S: Scalar> Profile<S> {
         profile
     }
 
-    /// Zero up to a time, s; what follows is to be added.
+    /// Zero up to a time, s; the caller adds what follows.
     fn resting_until(start_s: f64) -> Self {
         let mut profile = Self { pieces: Vec::new(), edges: Vec::new() };
         if start_s > 0.0 {
@@ -96,14 +96,14 @@ impl<S: Scalar> Profile<S> {
     }
 
     fn push(&mut self, start_s: f64, start: S, slope_per_s: S) {
-        self.pieces.push(Piece { start_s, start, slope_per_s });
+        self.pieces.push(LinearPiece { start_s, start, slope_per_s });
         if start_s > 0.0 {
             self.edges.push(start_s);
         }
     }
 
     #[inline]
-    fn piece(&self, clock: Clock) -> &Piece<S> {
+    fn piece(&self, clock: Clock) -> &LinearPiece<S> {
         if let [only] = self.pieces.as_slice() {
             return only;
         }

@@ -1,7 +1,7 @@
-//! A position servo: holds a crane up against gravity, as far as its limit goes.
+//! A position servo: it holds a joint, a crane's boom for example, up to its limit.
 
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Input, Moment};
+use crate::elements::{Context, Declaration, Element, Input};
 use crate::scalar::Scalar;
 
 /// `tau = k (target + offset - q) - c v`, clipped to the limit.
@@ -11,7 +11,7 @@ pub struct Servo<S = f64> {
     pub position: usize,
     /// Index in v.
     pub coordinate: usize,
-    /// Wanted position, rad or m.
+    /// Target position, rad or m.
     pub target: S,
     /// k, N m/rad or N/m.
     pub stiffness: S,
@@ -19,7 +19,7 @@ pub struct Servo<S = f64> {
     pub damping: S,
     /// Largest torque or force, N m or N.
     pub limit: S,
-    /// The input that gives the offset, where there is one.
+    /// The input that gives the offset, if there is one.
     pub offset: Option<Input>,
 }
 
@@ -29,7 +29,7 @@ impl<S: Scalar> Element<S> for Servo<S> {
     }
 
     /// Adds the torque and the work that it does.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = at.v[self.coordinate];
         let target = at.inputs.first().map_or(self.target, |offset| self.target + *offset);
         let wanted = self.stiffness * (target - at.q[self.position]) - self.damping * rate;

@@ -1,4 +1,4 @@
-//! A body that moves as the waves say, by response amplitude operators.
+//! A body that moves with the waves by response amplitude operators.
 
 use crate::dynamics::Clock;
 use crate::elements::{Declaration, Element};
@@ -6,7 +6,7 @@ use crate::scalar::Scalar;
 use crate::world::World;
 use core::f64::consts::TAU;
 
-/// The six coordinates of a body that moves as the waves say, `q(t) = r(t) Re sum X a e^(-i w t)` with exact rates and
+/// The six coordinates of a body that moves with the waves, `q(t) = r(t) Re sum X a e^(-i w t)` with exact rates and
 /// accelerations; r is the ramp of the world's waves.
 #[derive(Clone, Debug)]
 pub struct WaveMotion<S = f64> {

@@ -1,23 +1,23 @@
-//! Which thruster gives what of a force and a moment.
+//! Thrust allocation: how the thrusters share a force and a moment.
 
 use super::thruster::{Thrust, Thruster};
 use crate::scalar::Scalar;
 use crate::spatial::Symmetric3;
 
-/// Thrusters, and how a demand is shared among them.
+/// Thrusters, and how they share a demand.
 ///
 /// With f all components of thrust (an azimuth has two: the extended thrust), the force along x and y and the moment
-/// about z at the point that is kept are tau = B f. Of all f that give tau, the one is taken whose sum of squared
-/// utilisations is least, f^T W f with w = weight / T_max^2:
+/// about z at the held point are tau = B f. Of all f that give tau, the chosen one minimises the weighted sum of
+/// squared utilisations f^T W f, with w = weight / T_max^2:
 ///
 /// ```text
 /// f = W^-1 B^T (B W^-1 B^T)^-1 tau
 /// ```
 ///
-/// (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2011, sec. 12.3.2). Where that is beyond a
-/// thruster's limit the demand is scaled down until no thruster is beyond: force and moment alike, or the moment first
-/// and then the force, which keeps its direction, with what the moment leaves. Nothing is shared anew among the
-/// thrusters that have room left.
+/// (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2011, sec. 12.3.2). If that exceeds a
+/// thruster's limit, the demand is scaled down until no thruster exceeds its limit: either force and moment alike, or
+/// the moment first and then the force, in its direction, with the capacity that is left. The demand is not
+/// redistributed to thrusters with capacity left.
 #[derive(Clone, Debug)]
 pub struct Allocation<S = f64> {
     thrusters: Vec<Thruster<S>>,
@@ -31,8 +31,8 @@ pub struct Allocation<S = f64> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CannotGive(pub &'static str);
 
-/// How far from giving surge, sway and yaw apart thrusters may be: the least determinant of B W^-1 B^T with its
-/// diagonal scaled to 1.
+/// Smallest determinant of B W^-1 B^T, with its diagonal scaled to 1, with which thrusters still count as giving surge,
+/// sway and yaw independently.
 const LEAST_DETERMINANT: f64 = 1e-9;
 
 impl<S: Scalar> Allocation<S> {
@@ -76,7 +76,7 @@ impl<S: Scalar> Allocation<S> {
         self.shares[thruster].map(|row| row[0] * demand[0] + row[1] * demand[1] + row[2] * demand[2])
     }
 
-    /// What of a demand the thrusters can give. The thrust of each is then [`thrust`](Self::thrust) of that.
+    /// The part of a demand that the thrusters can give. The thrust of each is then its [`thrust`](Self::thrust).
     pub fn limited(&self, demand: [S; 3]) -> [S; 3] {
         let [x, y, moment] = demand;
         let none = [S::ZERO; 3];
@@ -89,7 +89,7 @@ impl<S: Scalar> Allocation<S> {
         [x * share, y * share, turning[2]]
     }
 
-    /// The largest share of `more` that can be given beside `base`.
+    /// The largest share of `more` that can be added to `base`.
     fn room(&self, base: [S; 3], more: [S; 3]) -> S {
         let of = |(i, thruster): (usize, &Thruster<S>)| thruster.room(self.thrust(i, base), self.thrust(i, more));
         let least = |least: S, next: S| next.select_less(least, || next, || least);
@@ -103,10 +103,10 @@ fn columns<S: Scalar>(thruster: &Thruster<S>) -> [[S; 3]; 2] {
     thruster.directions().map(|[along, aside]| [along, aside, x * aside - y * along])
 }
 
-/// Levers shorter than this are none, m, and so are shares of the force.
+/// Levers shorter than this, m, and shares of the force smaller than this count as 0.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// An error unless the thrusters give surge, sway and yaw apart.
+/// An error unless the thrusters give surge, sway and yaw independently.
 fn check_rank(gram: &Symmetric3<f64>) -> Result<(), CannotGive> {
     let diagonal = [gram.xx, gram.yy, gram.zz];
     let least = NEGLIGIBLE * NEGLIGIBLE * (gram.xx + gram.yy);
@@ -117,5 +117,5 @@ fn check_rank(gram: &Symmetric3<f64>) -> Result<(), CannotGive> {
     let over = |entry: f64, i: usize, j: usize| entry / libm::sqrt(diagonal[i] * diagonal[j]);
     let (a, b, c) = (over(gram.xy, 0, 1), over(gram.xz, 0, 2), over(gram.yz, 1, 2));
     let determinant = 1.0 + 2.0 * a * b * c - a * a - b * b - c * c;
-    if determinant > LEAST_DETERMINANT { Ok(()) } else { Err(CannotGive("surge, sway and yaw, but not apart")) }
+    if determinant > LEAST_DETERMINANT { Ok(()) } else { Err(CannotGive("surge, sway and yaw, but not independently")) }
 }

@@ -1,4 +1,4 @@
-//! The controller: what force and moment a station asks for.
+//! The controller: the force and moment that it demands.
 
 use crate::dynamics::LinkKinematics;
 use crate::elements::hull::HullFrame;
@@ -28,14 +28,14 @@ pub struct Gains<S = f64> {
     pub integral: Planar<S>,
     /// Which of the three have an integral.
     pub integrates: [bool; 3],
-    /// T_t, s: how fast an integral follows what can be given.
+    /// T_t, s: time constant with which an integral follows the force that can be given.
     pub tracking_time: Planar<S>,
 }
 
-/// How a ship stands to its target.
+/// The deviation of a ship from its target.
 #[derive(Clone, Copy, Debug)]
 pub struct Deviation<S = f64> {
-    /// From the ship to the target, along the heading and to port of it, m; the heading that lacks, in (-pi, pi], rad.
+    /// From the ship to the target, along the heading and to port of it, m; the heading error in (-pi, pi], rad.
     pub error: Planar<S>,
     /// Velocity along the same axes, m/s, and the rate about the vertical, rad/s.
     pub rate: Planar<S>,
@@ -44,7 +44,7 @@ pub struct Deviation<S = f64> {
 }
 
 impl<S: Scalar> Target<S> {
-    /// How a point of a body stands to it.
+    /// The deviation of a point of a body from it.
     pub fn deviation(&self, place: &HullFrame<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Deviation<S> {
         let motion = place.motion_of(model, links);
         let (position, rotation) = (motion.frame.position, motion.frame.rotation);
@@ -85,7 +85,7 @@ impl<S: Scalar> Gains<S> {
         core::array::from_fn(|k| self.stiffness[k] * at.error[k] - self.damping[k] * at.rate[k])
     }
 
-    /// Rate of the integrals, in the axes of the heading: K_i e, and what is asked for beyond what can be given, over
+    /// Rate of the integrals, in the axes of the heading: K_i e, less the part of the demand that cannot be given over
     /// T_t.
     pub fn integral_rate(&self, at: &Deviation<S>, demand: Planar<S>, given: Planar<S>) -> Planar<S> {
         core::array::from_fn(|k| {

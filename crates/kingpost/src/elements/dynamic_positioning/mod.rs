@@ -1,4 +1,4 @@
-//! Dynamic positioning: a controller and thrusters that keep a ship in its place.
+//! Dynamic positioning: a controller and thrusters that hold a ship in position.
 
 mod allocation;
 mod control;
@@ -12,7 +12,9 @@ pub use wave_filter::WaveFilter;
 
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
-use crate::elements::{Components, Declaration, Element, Frame, Kept, Moment, Output, Own, Settling, Situation};
+use crate::elements::{
+    Components, Context, Declaration, Element, ElementState, Output, Own, Settling, Situation, VectorFrame,
+};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -27,18 +29,18 @@ use crate::spatial::{Vector3, Wrench};
 /// ```
 ///
 /// (PID for positioning with the integral in world axes: Fossen, *Handbook of Marine Craft Hydrodynamics and Motion
-/// Control*, 2011, sec. 12.2). tau_c is what of tau the thrusters can give, by [`Allocation`], in the hull's x-y plane;
-/// while that is less than tau the second term of b' keeps the integrals from winding up (back-calculation: Åström &
-/// Hägglund, *PID Controllers*, 2nd ed., 1995, sec. 3.5). Each [`Thruster`] follows its command in its own time and acts
-/// where it is.
+/// Control*, 2011, sec. 12.2). tau_c is the part of tau that the thrusters can give, by [`Allocation`], in the hull's
+/// x-y plane; while it is less than tau the second term of b' keeps the integrals from winding up (back-calculation:
+/// Åström & Hägglund, *PID Controllers*, 2nd ed., 1995, sec. 3.5). Each [`Thruster`] follows its command with its own
+/// time constant and acts at its own position.
 ///
-/// The extra states are b, those of the [`WaveFilter`] and the thrusts. A run begins with the thrusters at what is asked
-/// for there.
+/// The extra states are b, those of the [`WaveFilter`] and the thrusts. A run begins with the thrusters at the thrust
+/// that is demanded then.
 #[derive(Clone, Debug)]
 pub struct DynamicPositioning<S = f64> {
     /// Name of the force in the scenario.
     pub name: String,
-    /// The body, and the point that is kept.
+    /// The body, and the point that is held.
     pub place: HullFrame<S>,
     /// Where.
     pub target: Target<S>,
@@ -48,15 +50,15 @@ pub struct DynamicPositioning<S = f64> {
     pub filter: WaveFilter<S>,
     /// The thrusters.
     pub allocation: Allocation<S>,
-    /// b where a run begins: force along x and y of the world, N, and moment, N m.
+    /// b at the start of a run: force along x and y of the world, N, and moment, N m.
     pub bias: [S; 3],
 }
 
-/// While an equilibrium is sought, what has an integral is held by this many times K_p.
+/// While an equilibrium is sought, motions with an integral are held by this many times K_p.
 const SETTLING_STIFFNESS: f64 = 100.0;
 
-/// What is asked for at one moment, and what of it can be given.
-struct Asked<S> {
+/// The demand at one moment, and the part of it that can be given.
+struct Demand<S> {
     at: Deviation<S>,
     /// K_p e - K_d nu.
     proportional: Planar<S>,
@@ -73,8 +75,8 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         Declaration { states: self.declared_states(), outputs: self.declared_outputs(), ..Declaration::default() }
     }
 
-    /// Nothing of the filter and the thrusts is on its way.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    /// Filter and thrusts begin in their steady state.
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let at = self.target.deviation(&self.place, at.model, at.links);
         let (proportional, integral) = (self.gains.proportional(&at), at.from_world(self.bias));
         let command = self.allocation.limited(core::array::from_fn(|k| proportional[k] + integral[k]));
@@ -91,7 +93,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
     }
 
     /// Adds the thrusts, and their work. While an equilibrium is sought they follow the error at once, without limits.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let wrench = if at.situation == Situation::Settling {
             let command = self.settling_command(at.model, at.links);
             self.wrench(|i, _| self.allocation.thrust(i, command))
@@ -104,8 +106,8 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         loads.wrenches.push((self.place.body, wrench));
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
-        let Asked { at: deviation, proportional, demand, command } = self.asked(at);
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
+        let Demand { at: deviation, proportional, demand, command } = self.asked(at);
         let (of_bias, rest) = rates.split_at_mut(self.bias.len());
         let (of_filter, of_thrusts) = rest.split_at_mut(self.filter.state_count());
         let integral = self.gains.integral_rate(&deviation, demand, command);
@@ -122,8 +124,8 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
-        let Asked { at: deviation, demand, command, .. } = self.asked(at);
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
+        let Demand { at: deviation, demand, command, .. } = self.asked(at);
         let thrusts = self.thrusts(at);
         let Wrench { moment, force } = self.wrench(|_, first| thrust_at(thrusts, first));
         for planar in [deviation.error, demand, command, [force[0], force[1], moment[2]]] {
@@ -167,9 +169,9 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
         self.bias.copy_from_slice(trim);
     }
 
-    /// Hands what holds the ship over to the integrals, and says by how much the ship is still off where integrals should
-    /// take it, m or rad.
-    fn take_over(&mut self, at: &Moment<'_, S>) -> S {
+    /// Transfers the holding force to the integrals; returns how far the ship still is from its target in the motions
+    /// that have integrals, m or rad.
+    fn take_over(&mut self, at: &Context<'_, S>) -> S {
         let (model, links) = (at.model, at.links);
         let at = self.target.deviation(&self.place, model, links);
         let (held, carried) = (self.settling_command(model, links), at.from_world(self.bias));
@@ -181,7 +183,7 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
     }
 
     /// The largest utilisation of a thruster that holds the ship there, limits left out.
-    fn utilisation(&self, at: &Moment<'_, S>) -> S {
+    fn utilisation(&self, at: &Context<'_, S>) -> S {
         let command = self.settling_command(at.model, at.links);
         let thrusters = self.allocation.thrusters().iter().enumerate();
         let each = thrusters.map(|(i, thruster)| thruster.utilisation(self.allocation.thrust(i, command)));
@@ -190,21 +192,21 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
 }
 
 impl<S: Scalar> DynamicPositioning<S> {
-    fn declared_states(&self) -> Vec<Kept> {
+    fn declared_states(&self) -> Vec<ElementState> {
         let axes = [("x", "N"), ("y", "N"), ("yaw", "N m")];
-        let integrals = axes.map(|(axis, unit)| Kept::new(format!("integral.{axis}"), unit));
+        let integrals = axes.map(|(axis, unit)| ElementState::new(format!("integral.{axis}"), unit));
         let of_thruster = |thruster: &Thruster<S>| {
             let parts: &[&str] = if thruster.components() == 1 { &["thrust"] } else { &["thrust_x", "thrust_y"] };
-            parts.iter().map(|part| Kept::new(format!("{}.{part}", thruster.name), "N")).collect::<Vec<_>>()
+            parts.iter().map(|part| ElementState::new(format!("{}.{part}", thruster.name), "N")).collect::<Vec<_>>()
         };
         let thrusts = self.allocation.thrusters().iter().flat_map(of_thruster);
         integrals.into_iter().chain(self.filter.declared()).chain(thrusts).collect()
     }
 
     fn declared_outputs(&self) -> Vec<Output> {
-        let error = "surge and sway from a ship on dynamic positioning to its target, and the heading that lacks";
-        let demand = "force and yaw moment that dynamic positioning asks for, about the point that is kept";
-        let force = "force and yaw moment that the thrusters give, about the point that is kept";
+        let error = "surge and sway from a ship on dynamic positioning to its target, and the heading error";
+        let demand = "force and yaw moment that dynamic positioning demands, about the held point";
+        let force = "force and yaw moment that the thrusters give, about the held point";
         let planar = |variable, description, frame, units| Output {
             components: Components::Planar,
             frame,
@@ -218,21 +220,27 @@ impl<S: Scalar> DynamicPositioning<S> {
             ..Output::number(variable, description, "thruster", "", unit)
         };
         vec![
-            planar("station_error", error, Frame::Heading, &["m", "m", "rad"]),
-            planar("station_demand", demand, Frame::Heading, &PLANAR),
-            planar("station_command", "what of that the thrusters are told to give", Frame::Body, &PLANAR),
-            planar("station_force", force, Frame::Body, &PLANAR),
+            planar("station_error", error, VectorFrame::Heading, &["m", "m", "rad"]),
+            planar("station_demand", demand, VectorFrame::Heading, &PLANAR),
+            planar(
+                "station_command",
+                "part of the demand that the thrusters are commanded to give",
+                VectorFrame::Body,
+                &PLANAR,
+            ),
+            planar("station_force", force, VectorFrame::Body, &PLANAR),
             of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster its length", &["N"]),
             Output {
                 components: Components::Axis,
-                frame: Frame::Body,
+                frame: VectorFrame::Body,
                 ..of_thrusters("thruster_force", "thrust as a force", &["N"])
             },
-            of_thrusters("thruster_utilisation", "thrust as a share of what the thruster can give that way", &["1"]),
+            of_thrusters("thruster_utilisation", "thrust over the thruster's limit in its direction", &["1"]),
         ]
     }
 
-    /// What holds the ship while an equilibrium is sought, limits left out: they would hide the way there.
+    /// The force that holds the ship while an equilibrium is sought, without limits: with them the search would not
+    /// converge.
     fn settling_command(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Planar<S> {
         let at = self.target.deviation(&self.place, model, links);
         let carried = at.from_world(self.bias);
@@ -241,18 +249,18 @@ impl<S: Scalar> DynamicPositioning<S> {
         core::array::from_fn(held)
     }
 
-    fn asked(&self, at: &Moment<'_, S>) -> Asked<S> {
+    fn asked(&self, at: &Context<'_, S>) -> Demand<S> {
         let deviation = self.target.deviation(&self.place, at.model, at.links);
         let proportional = self.gains.proportional(&deviation);
         let passed = self.filter.output(proportional, self.filter_states(at));
         let bias = core::array::from_fn(|k| at.states[k]);
         let integral = deviation.from_world(bias);
         let demand = core::array::from_fn(|k| passed[k] + integral[k]);
-        Asked { at: deviation, proportional, demand, command: self.allocation.limited(demand) }
+        Demand { at: deviation, proportional, demand, command: self.allocation.limited(demand) }
     }
 
-    /// Force and moment of all thrusts about the point that is kept, body axes; `thrust` gives that of a thruster by its
-    /// number and that of its first state.
+    /// Force and moment of all thrusts about the held point, body axes; `thrust` gives the thrust of a thruster from
+    /// its number and the index of its first state.
     fn wrench(&self, thrust: impl Fn(usize, usize) -> Thrust<S>) -> Wrench<S> {
         let (mut sum, mut first) = (Wrench::zero(), 0);
         for (i, thruster) in self.allocation.thrusters().iter().enumerate() {
@@ -264,11 +272,11 @@ impl<S: Scalar> DynamicPositioning<S> {
         sum
     }
 
-    fn filter_states<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
+    fn filter_states<'a>(&self, at: &Context<'a, S>) -> &'a [S] {
         &at.states[self.bias.len()..][..self.filter.state_count()]
     }
 
-    fn thrusts<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
+    fn thrusts<'a>(&self, at: &Context<'a, S>) -> &'a [S] {
         let before = self.bias.len() + self.filter.state_count();
         &at.states[before..][..self.allocation.components()]
     }
@@ -277,7 +285,7 @@ impl<S: Scalar> DynamicPositioning<S> {
 /// Units of a force in a plane and the moment about its normal.
 const PLANAR: [&str; 3] = ["N", "N", "N m"];
 
-/// Two numbers from a list; 0 behind its end.
+/// Two numbers from a list; 0 beyond its end.
 fn thrust_at<S: Scalar>(thrusts: &[S], first: usize) -> Thrust<S> {
     core::array::from_fn(|k| thrusts.get(first + k).copied().unwrap_or(S::ZERO))
 }

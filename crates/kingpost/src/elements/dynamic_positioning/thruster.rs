@@ -9,27 +9,27 @@ use crate::spatial::Vector3;
 /// T' = (T_c - T) / tau
 /// ```
 ///
-/// and so never leaves the limits that the command keeps.
+/// so it stays within the limits of the command.
 #[derive(Clone, Debug)]
 pub struct Thruster<S = f64> {
     /// Name.
     pub name: String,
-    /// Where it acts, seen from the point that is kept, body axes, m.
+    /// Position where it acts, from the held point, body axes, m.
     pub position: Vector3<S>,
-    /// What it can give.
+    /// Its kind and limits.
     pub kind: ThrusterKind<S>,
     /// tau, s.
     pub time_constant: S,
-    /// Weight of its use in the allocation.
+    /// Its weight in the allocation.
     pub weight: S,
 }
 
-/// What a thruster can give. Its thrust is one or two numbers, N.
+/// The kind of a thruster and its limits. Its thrust is one or two numbers, N.
 #[derive(Clone, Copy, Debug)]
 pub enum ThrusterKind<S = f64> {
     /// One direction, ahead and astern.
     Fixed {
-        /// Of the thrust ahead: a unit vector in the x-y plane.
+        /// Direction of the thrust ahead: a unit vector in the x-y plane.
         direction: [S; 2],
         /// Largest thrust ahead, N.
         ahead: S,
@@ -43,11 +43,11 @@ pub enum ThrusterKind<S = f64> {
     },
 }
 
-/// The numbers of a thrust; of a fixed thruster the second says nothing.
+/// The numbers of a thrust; for a fixed thruster the second is not used.
 pub type Thrust<S> = [S; 2];
 
 impl<S: Scalar> Thruster<S> {
-    /// How many numbers its thrust is: its extra states.
+    /// How many numbers its thrust has: its extra states.
     pub fn components(&self) -> usize {
         match self.kind {
             ThrusterKind::Fixed { .. } => 1,
@@ -85,7 +85,7 @@ impl<S: Scalar> Thruster<S> {
         }
     }
 
-    /// The thrust as a share of what the thruster can give that way.
+    /// The thrust as a share of the limit in its direction.
     pub fn utilisation(&self, thrust: Thrust<S>) -> S {
         match self.kind {
             ThrusterKind::Fixed { ahead, astern, .. } => {
@@ -95,7 +95,7 @@ impl<S: Scalar> Thruster<S> {
         }
     }
 
-    /// The largest share s of `more`, from 0 to 1, that `base + s more` keeps the limits with; `base` does.
+    /// The largest share s of `more`, from 0 to 1, with which `base + s more` is within the limits; `base` is.
     pub fn room(&self, base: Thrust<S>, more: Thrust<S>) -> S {
         match self.kind {
             ThrusterKind::Fixed { ahead, astern, .. } => {
@@ -111,7 +111,7 @@ impl<S: Scalar> Thruster<S> {
                 let dot = |a: Thrust<S>, b: Thrust<S>| a[0] * b[0] + a[1] * b[1];
                 let whole = [base[0] + more[0], base[1] + more[1]];
                 let square = limit * limit;
-                // Of |base + s more|^2 = limit^2 the greater root.
+                // The larger root of |base + s more|^2 = limit^2.
                 let share = || {
                     let (along, way) = (dot(base, more), dot(more, more));
                     let left = square - dot(base, base);
@@ -124,7 +124,7 @@ impl<S: Scalar> Thruster<S> {
     }
 }
 
-/// Length; 0, and without derivatives, where there is none.
+/// Length; 0 without derivatives for a vector of length 0.
 fn length<S: Scalar>(thrust: Thrust<S>) -> S {
     let square = thrust[0] * thrust[0] + thrust[1] * thrust[1];
     let root = square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();

@@ -1,6 +1,6 @@
-//! What keeps thrusters from answering each wave.
+//! The filter that keeps the thrusters from responding to every wave.
 
-use crate::elements::Kept;
+use crate::elements::ElementState;
 use crate::scalar::Scalar;
 
 /// Notches in cascade with a low pass of second order,
@@ -9,25 +9,25 @@ use crate::scalar::Scalar;
 /// h(s) = prod (s^2 + 2 zeta_n omega_n s + omega_n^2) / (s + omega_n)^2  omega_c^2 / (s^2 + 2 zeta_c omega_c s + omega_c^2)
 /// ```
 ///
-/// with h(0) = 1 (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2011, sec. 11.1.2). Of its own
-/// wave a notch leaves the share zeta_n. Each section has two states for each signal,
+/// with h(0) = 1 (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2011, sec. 11.1.2). At its own
+/// frequency a notch has the gain zeta_n. Each section has two states for each signal,
 ///
 /// ```text
 /// a' = omega b,   b' = omega (u - a - 2 zeta b),   y = u - 2 (1 - zeta_n) b  of a notch, zeta = 1;   y = a  of the low pass
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct WaveFilter<S = f64> {
-    sections: Vec<Section<S>>,
+    sections: Vec<FilterSection<S>>,
 }
 
 /// A section of second order.
 #[derive(Clone, Copy, Debug)]
-struct Section<S> {
+struct FilterSection<S> {
     /// rad/s.
     frequency: S,
     /// Of its poles.
     damping_ratio: S,
-    /// Twice the damping ratio that its zeros lack, of a notch; `None` of the low pass.
+    /// For a notch, twice the damping ratio of its poles less that of its zeros; `None` for the low pass.
     notch: Option<S>,
 }
 
@@ -38,18 +38,18 @@ pub const SIGNALS: usize = 3;
 const STATES: usize = 2 * SIGNALS;
 
 impl<S: Scalar> WaveFilter<S> {
-    /// With one notch more, at a frequency (rad/s).
+    /// Adds a notch at a frequency (rad/s).
     #[must_use]
     pub fn with_notch(mut self, frequency: S, damping_ratio: S) -> Self {
         let notch = Some((S::ONE - damping_ratio) * S::constant(2.0));
-        self.sections.push(Section { frequency, damping_ratio: S::ONE, notch });
+        self.sections.push(FilterSection { frequency, damping_ratio: S::ONE, notch });
         self
     }
 
-    /// With a low pass, at a frequency (rad/s).
+    /// Adds a low pass at a frequency (rad/s).
     #[must_use]
     pub fn with_low_pass(mut self, frequency: S, damping_ratio: S) -> Self {
-        self.sections.push(Section { frequency, damping_ratio, notch: None });
+        self.sections.push(FilterSection { frequency, damping_ratio, notch: None });
         self
     }
 
@@ -78,7 +78,7 @@ impl<S: Scalar> WaveFilter<S> {
         }
     }
 
-    /// Writes the states at which an input that does not change passes as it is.
+    /// Writes the steady states, at which a constant input passes unchanged.
     pub fn settled_states(&self, input: [S; SIGNALS], states: &mut [S]) {
         for states in states.chunks_exact_mut(STATES).take(self.sections.len()) {
             for (pair, u) in states.chunks_exact_mut(2).zip(input) {
@@ -88,11 +88,11 @@ impl<S: Scalar> WaveFilter<S> {
     }
 
     /// Its states, as an element declares them: a and b of each section.
-    pub fn declared(&self) -> impl Iterator<Item = Kept> + '_ {
+    pub fn declared(&self) -> impl Iterator<Item = ElementState> + '_ {
         let of_section = |section: usize| {
             let signals = [("surge", "N"), ("sway", "N"), ("yaw", "N m")].into_iter();
             let pair = move |(signal, unit)| {
-                ["a", "b"].map(|part| Kept::new(format!("filter_{section}.{signal}.{part}"), unit))
+                ["a", "b"].map(|part| ElementState::new(format!("filter_{section}.{signal}.{part}"), unit))
             };
             signals.flat_map(pair)
         };
@@ -100,7 +100,7 @@ impl<S: Scalar> WaveFilter<S> {
     }
 }
 
-impl<S: Scalar> Section<S> {
+impl<S: Scalar> FilterSection<S> {
     fn output(&self, input: [S; SIGNALS], states: &[S]) -> [S; SIGNALS] {
         core::array::from_fn(|k| self.notch.map_or(states[2 * k], |share| input[k] - share * states[2 * k + 1]))
     }

@@ -5,21 +5,21 @@ mod table;
 pub use table::{DirectionTable, TableError};
 
 use super::hull::HullFrame;
-use super::{Declaration, Element, Frame, Moment, Output};
+use super::{Context, Declaration, Element, Output, VectorFrame};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 use crate::world::{CurrentAt, GustsAtHeight, World};
 
-/// Forces of a flow by the square of its velocity relative to the body,
+/// Forces of a flow, proportional to the square of its velocity relative to the body,
 ///
 /// ```text
 /// F_x = rho/2 V^2 A_x C_x(theta),   F_y = rho/2 V^2 A_y C_y(theta),   M_z = rho/2 V^2 A_y L C_n(theta)
 /// ```
 ///
-/// about a reference point, in body axes, with V and theta the speed and the direction in the body's x-y plane that the
-/// flow goes to as it is seen from that point (OCIMF, *Mooring Equipment Guidelines*, 4th ed., 2018, appendix A:
-/// its angle of attack, 0 from astern and 180 degrees from ahead, is theta). The turning of the body is not in V.
+/// about a reference point, in body axes, with V the speed and theta the direction of the flow relative to that point,
+/// in the body's x-y plane (OCIMF, *Mooring Equipment Guidelines*, 4th ed., 2018, appendix A: its angle of attack, 0
+/// from astern and 180 degrees from ahead, is theta). V does not contain the rotation of the body.
 #[derive(Clone, Debug)]
 pub struct FlowLoad<S = f64> {
     /// Name in the results.
@@ -28,7 +28,7 @@ pub struct FlowLoad<S = f64> {
     pub place: HullFrame<S>,
     /// What flows.
     pub flow: Flow<S>,
-    /// The wind's gusts there, where it has any.
+    /// The gusts at that height, if the wind has any.
     pub gusts: Option<GustsAtHeight<S>>,
     /// A_x and A_y, m^2, and L, m.
     pub sizes: [S; 3],
@@ -36,12 +36,12 @@ pub struct FlowLoad<S = f64> {
     pub coefficients: DirectionTable<S>,
 }
 
-/// What flows past a body: asked of the world.
+/// The flow past a body, from the world.
 #[derive(Clone, Copy, Debug)]
 pub enum Flow<S = f64> {
     /// The wind at this height above the still water, m.
     Wind(S),
-    /// The current, by the velocity that counts.
+    /// The current, and which velocity of its profile is used.
     Current(CurrentAt<S>),
 }
 
@@ -56,7 +56,7 @@ impl<S: Scalar> Flow<S> {
     }
 }
 
-/// Below this square of the speed, m^2/s^2, there is no flow, and no direction of it.
+/// Below this square of the speed, m^2/s^2, the flow counts as none, since it has no direction.
 const STILL: f64 = 1e-18;
 
 impl<S: Scalar> Element<S> for FlowLoad<S> {
@@ -66,20 +66,20 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
 
     fn declare(&self) -> Declaration {
         let description = "force and moment of wind or current about the reference point of its coefficients";
-        let force = Output::wrench("flow_force", description, "flow", &self.name, Frame::Body);
+        let force = Output::wrench("flow_force", description, "flow", &self.name, VectorFrame::Body);
         let description = "speed of the wind or current that acts, over ground";
         let speed = Output::number("flow_speed", description, "flow", &self.name, &["m/s"]);
         Declaration { outputs: vec![force, speed], ..Declaration::default() }
     }
 
     /// Adds the load, and its work.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let wrench = self.about_centre(at);
         loads.power.outside += wrench.dot(&at.links.body_twist(at.model, self.place.body));
         loads.wrenches.push((self.place.body, wrench));
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Wrench { moment, force } = self.wrench(at);
         out.extend(force.0);
         out.extend(moment.0);
@@ -90,8 +90,8 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
 }
 
 impl<S: Scalar> FlowLoad<S> {
-    /// Velocity in the world, with gusts but where an equilibrium is meant, m/s, and density, kg/m^3.
-    fn velocity(&self, at: &Moment<'_, S>) -> (Vector3<S>, S) {
+    /// Velocity in the world, m/s, with gusts except at an equilibrium, and density, kg/m^3.
+    fn velocity(&self, at: &Context<'_, S>) -> (Vector3<S>, S) {
         let (mean, density) = self.flow.in_world(at.world);
         match (&self.gusts, &at.world.wind) {
             (Some(gusts), Some(wind)) if at.situation.has_waves() => {
@@ -102,7 +102,7 @@ impl<S: Scalar> FlowLoad<S> {
     }
 
     /// Force (N) and moment (N m) about the reference point, in body axes.
-    pub fn wrench(&self, at: &Moment<'_, S>) -> Wrench<S> {
+    pub fn wrench(&self, at: &Context<'_, S>) -> Wrench<S> {
         let (flow, density) = self.velocity(at);
         let [x, y, length] = self.sizes;
         let half = density * S::constant(0.5);
@@ -120,7 +120,7 @@ impl<S: Scalar> FlowLoad<S> {
         Wrench { moment: Vector3::new(S::ZERO, S::ZERO, yaw), force: Vector3::new(x, y, S::ZERO) }
     }
 
-    fn about_centre(&self, at: &Moment<'_, S>) -> Wrench<S> {
+    fn about_centre(&self, at: &Context<'_, S>) -> Wrench<S> {
         self.place.about_centre(&self.wrench(at))
     }
 }

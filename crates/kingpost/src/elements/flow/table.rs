@@ -3,12 +3,12 @@
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 
-/// What is wrong with a table: which column and row, and what it may be.
+/// An error in a table: the column, the row and what is allowed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableError {
     /// The column.
     pub column: &'static str,
-    /// Index of the row; `None` for their number.
+    /// Index of the row; `None` if the number of rows is wrong.
     pub row: Option<usize>,
     /// What is there.
     pub found: f64,
@@ -16,25 +16,25 @@ pub struct TableError {
     pub allowed: &'static str,
 }
 
-/// Coefficients of surge force, sway force and yaw moment over the direction that the flow goes to against the hull's
-/// x axis, counter-clockwise: a smooth curve through the given points, whose slope at each is that of the parabola
-/// through it and its two neighbours (cubic Hermite pieces, periodic).
+/// Coefficients of surge force, sway force and yaw moment over the direction of the flow from the hull's x axis,
+/// counter-clockwise: a smooth curve through the given points, whose slope at each is that of the parabola through it
+/// and its two neighbours (cubic Hermite pieces, periodic).
 #[derive(Clone, Debug)]
 pub struct DirectionTable<S = f64> {
     /// Where pieces begin, rad, increasing, within one turn.
     directions: Vec<f64>,
-    pieces: Vec<Piece<S>>,
+    pieces: Vec<CubicPiece<S>>,
 }
 
 /// Weights of 1, t, t^2, t^3 with t the angle from where the piece begins, rad.
-type Piece<S> = [[S; 4]; 3];
+type CubicPiece<S> = [[S; 4]; 3];
 
 impl<S: Scalar> DirectionTable<S> {
-    /// From directions, rad, and the three coefficients at each. A table of a `symmetric` hull holds 0 to pi, both
-    /// included; port is as starboard, with sway and yaw reversed, so that both are 0 in a flow along the hull.
+    /// From directions, rad, and the three coefficients at each. The table of a `symmetric` hull goes from 0 to pi,
+    /// both included. It is mirrored to the other side with sway and yaw reversed, so both are 0 in a flow along the
+    /// hull.
     ///
-    /// # Errors
-    /// Directions that do not increase or do not stay within one turn, and fewer than three of them; of a symmetric hull
+    /// # Errors Directions that do not increase or exceed one turn, or fewer than three of them; for a symmetric hull,
     /// sway or yaw other than 0 at 0 or pi.
     pub fn new(directions_rad: &[f64], rows: &[[S; 3]], symmetric: bool) -> Result<Self, TableError> {
         check(directions_rad, symmetric)?;
@@ -72,7 +72,7 @@ impl<S: Scalar> DirectionTable<S> {
         });
         let piece = self.piece(place);
         let from_begin = direction - begin;
-        // A table from -pi to pi, or from 0 to 2 pi: a turn apart at most.
+        // Tables from -pi to pi and from 0 to 2 pi differ by at most a full turn.
         let turned = from_begin.select_below(-1e-9, || from_begin + S::constant(TAU), || from_begin);
         core::array::from_fn(|k| {
             let c = &piece[k];
@@ -80,15 +80,16 @@ impl<S: Scalar> DirectionTable<S> {
         })
     }
 
-    /// The piece at a place in the list, which may be another in each lane.
-    fn piece(&self, place: S) -> Piece<S> {
+    /// The piece at a place in the list; each lane may have a different one.
+    fn piece(&self, place: S) -> CubicPiece<S> {
         let first = place.value();
         if place.all(|place| place == first) {
             return self.pieces[first as usize];
         }
         let weight = |k: usize, j: usize| {
-            let next =
-                |found, (i, piece): (usize, &Piece<S>)| place.select_below(i as f64 - 0.5, || found, || piece[k][j]);
+            let next = |found, (i, piece): (usize, &CubicPiece<S>)| {
+                place.select_below(i as f64 - 0.5, || found, || piece[k][j])
+            };
             self.pieces.iter().enumerate().fold(S::ZERO, next)
         };
         core::array::from_fn(|k| core::array::from_fn(|j| weight(k, j)))
@@ -127,10 +128,10 @@ fn check(directions: &[f64], symmetric: bool) -> Result<(), TableError> {
     }
 }
 
-/// A coefficient in a flow along a symmetric hull that is rounding, of the largest of its column.
+/// A coefficient in a flow along a symmetric hull counts as 0 below this share of the largest in its column.
 const ROUNDING: f64 = 1e-9;
 
-/// A flow along a hull whose port is as its starboard pushes it to neither side.
+/// A flow along a symmetric hull has no side force and no yaw moment.
 fn check_mirrored<S: Scalar>(rows: &[[S; 3]]) -> Result<(), TableError> {
     let size = |x: S| x.select_below(0.0, || -x, || x);
     for (k, column) in [(1, "sway"), (2, "yaw")] {

@@ -1,42 +1,42 @@
-//! What flowing water and waves change of the added mass's terms of velocity.
+//! How current and waves change the velocity terms of the added mass.
 //!
-//! The added mass A stands in the inertia of the hull's body, which moves by Kirchhoff's equations for the body's own twist
-//! nu: the water pushes with `-(A nu' + nu x* A nu)`. What is different is added here as a load.
+//! The added mass A stands in the inertia of the hull's body, which moves by Kirchhoff's equations for the body's own
+//! twist nu: the force of the water is `-(A nu' + nu x* A nu)`. The difference from this is added here as a load.
 
 use super::{CoefficientFrame, Hull, Radiation, SeaAxes, SlowFilter};
 use crate::dynamics::Loads;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::sea::database::SixBySix;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
-/// Which velocity the quadratic terms of the added mass take, and whether Munk's moment in yaw is one of them.
+/// The velocity in the quadratic terms of the added mass, and whether they contain Munk's yaw moment.
 ///
-/// Of motions with the waves these terms are of second order: one part of a whole that `wave_drift` stands for. By
-/// themselves they have a mean as large as the drift, and roll a slender ship by differences of the waves' frequencies as
-/// much as the waves do. With the slow velocity there is of second order just what `wave_drift` says.
+/// With the wave-frequency velocity these terms are of second order, and only one part of the second-order force. Alone
+/// they would have a mean as large as the drift, and roll a slender ship at the difference frequencies as much as the
+/// waves do. So they take the slow velocity, and `wave_drift` gives the whole second-order force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct QuadraticTerms {
-    /// They take the slow velocity: waves act.
+    /// Whether they take the slow velocity, because waves act.
     pub of_slow_motion: bool,
-    /// `-(v x p)_z`, by which a hull that moves obliquely through still water is turned athwart, is in the yaw moments of a
-    /// table of current coefficients.
+    /// Whether `-(v x p)_z`, the moment that turns a hull in oblique motion across the flow, is already in the yaw
+    /// moments of a table of current coefficients.
     pub munk_by_table: bool,
 }
 
 /// The added mass of a hull about the origin of its coefficients, in their axes.
 #[derive(Clone, Copy, Debug)]
 pub struct AddedMass<S = f64> {
-    /// At infinite frequency: the inertia of quick motions.
+    /// At infinite frequency: the inertia for fast motions.
     infinite: SpatialInertia<S>,
-    /// At frequency zero, that of slow ones: what the memory has taken up is with it.
+    /// At frequency zero: the inertia for slow motions, including the contribution of the memory.
     slow: SpatialInertia<S>,
-    /// That at infinite frequency about the body's centre of mass, in its axes, as it stands in the model.
+    /// At infinite frequency about the body's centre of mass, in its axes, as in the model.
     pub in_body: SpatialInertia<S>,
 }
 
 impl<S: Scalar> AddedMass<S> {
-    /// From that at infinite frequency, and the memory, if it acts.
+    /// From the added mass at infinite frequency, and the memory if it acts.
     pub fn new(infinite: &SixBySix, radiation: Option<&Radiation>, on: &CoefficientFrame<S>) -> Self {
         let remembered = radiation.map_or([[0.0; 6]; 6], Radiation::added_mass);
         let slow: SixBySix = core::array::from_fn(|i| core::array::from_fn(|j| infinite[i][j] + remembered[i][j]));
@@ -57,11 +57,11 @@ pub fn added_inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
 }
 
 impl<S: Scalar> Hull<S> {
-    /// The load about the body's centre of mass, in its axes, that makes of Kirchhoff's terms for nu those in the water;
-    /// what changes of the inertia goes to `loads`.
+    /// The load about the body's centre of mass, in its axes, that changes Kirchhoff's terms for nu into those in the
+    /// water; changes of the inertia go to `loads`.
     pub(super) fn in_flowing_water(
         &self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         axes: &SeaAxes<S>,
         off_rate: [S; 2],
         loads: &mut Loads<S>,
@@ -78,10 +78,10 @@ impl<S: Scalar> Hull<S> {
         }
     }
 
-    /// A current u, constant in the world, is seen as `nu_r = nu - R^T u`, and `d(R^T u)/dt = -omega x R^T u`:
-    /// `F = -(A (nu' + omega x R^T u) + nu_r x* A_0 nu_r)`. A hull that drifts with the current moves as one in still water.
-    /// A_0, of slow motions, is what turns a hull that is towed obliquely; it does no work.
-    fn in_current(&self, added: &SpatialInertia<S>, slow: &SpatialInertia<S>, at: &Moment<'_, S>) -> Wrench<S> {
+    /// A current u, constant in the world, is seen as `nu_r = nu - R^T u`, and `d(R^T u)/dt = -omega x R^T u`: `F = -(A
+    /// (nu' + omega x R^T u) + nu_r x* A_0 nu_r)`. A hull that drifts with the current moves like one in still water.
+    /// The term with A_0, of slow motions, turns a hull that is towed obliquely; it does no work.
+    fn in_current(&self, added: &SpatialInertia<S>, slow: &SpatialInertia<S>, at: &Context<'_, S>) -> Wrench<S> {
         let twist = at.links.body_twist(at.model, self.frame.body);
         let stream = at.links.to_body_axes(at.model, self.frame.body, at.world.surface_current());
         let relative = Twist { linear: twist.linear - stream, ..twist };
@@ -89,13 +89,13 @@ impl<S: Scalar> Hull<S> {
         twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(slow, &relative)
     }
 
-    /// To first order A belongs to the axes of the sea's loads, w = T nu, and what moves with the waves has no quadratic
-    /// terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are given back. Of the
-    /// slow velocity are `Q(nu) = nu x* A_0 nu - A_0 (omega x v)`, since w' is the acceleration in the world.
+    /// To first order A refers to the axes of the wave loads, w = T nu, and wave-frequency motions have no quadratic
+    /// terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are subtracted.
+    /// For the slow velocity `Q(nu) = nu x* A_0 nu - A_0 (omega x v)`, since w' is the acceleration in the world.
     fn in_waves(
         &self,
         added: &AddedMass<S>,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         axes: &SeaAxes<S>,
         off_rate: [S; 2],
         loads: &mut Loads<S>,
@@ -112,7 +112,7 @@ impl<S: Scalar> Hull<S> {
         twist.cross_momentum(&seen.times(&twist)) - axes.wrench_to_body(&(to_first_order + quadratic))
     }
 
-    /// `nu x* A nu`, without Munk's moment in yaw where a table has it.
+    /// `nu x* A nu`, without Munk's yaw moment if a table contains it.
     fn cross_momentum(&self, added: &SpatialInertia<S>, twist: &Twist<S>) -> Wrench<S> {
         let momentum = added.times(twist);
         let mut terms = twist.cross_momentum(&momentum);
@@ -122,8 +122,8 @@ impl<S: Scalar> Hull<S> {
         terms
     }
 
-    /// How the slow frame moves, in the world.
-    fn slow_motion(&self, at: &Moment<'_, S>) -> Twist<S> {
+    /// The velocity of the slow frame in the world.
+    fn slow_motion(&self, at: &Context<'_, S>) -> Twist<S> {
         let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
         Twist { linear: Vector3::new(x, y, S::ZERO), angular: Vector3::new(S::ZERO, S::ZERO, turning) }
     }

@@ -1,36 +1,37 @@
-//! Coefficients that depend on where the waves go against the hull, at any heading.
+//! Coefficients that depend on the direction of the waves relative to the hull, at any heading.
 
 use crate::scalar::Scalar;
 use core::f64::consts::TAU;
 
-/// Numbers given on a regular grid of directions, as trigonometric polynomials: the interpolation
-/// that is exact for what has no more harmonics than half the grid's points. A ship's transfer
-/// functions have about `k L / 2` of them.
+/// Numbers given on a regular grid of directions, as trigonometric polynomials: the interpolation is exact for
+/// functions with at most half as many harmonics as grid points. A ship's transfer functions have about `k L / 2`
+/// harmonics.
 ///
-/// Each of several parts is a number f(beta - psi) of every wave, at the wave's own direction beta. It
-/// is kept as the weights of 1, cos psi, sin psi, cos 2 psi, ..., so that all share the powers of one
-/// heading psi, and a loop over the waves becomes SIMD code.
+/// Each of several parts is a number f(beta - psi) for every wave, beta being the wave's direction. It is stored as the
+/// weights of 1, cos psi, sin psi, cos 2 psi, ..., so that all waves share the powers of one heading psi, and a loop
+/// over the waves becomes SIMD code.
 ///
-/// A ship's slow heading hardly changes from stage to stage: the polynomials are summed at the nearest of a regular grid
-/// of headings, with three derivatives, and Taylor's series goes on from there. The grid is that of the headings alone, so
-/// that a number depends on nothing but the heading. What is asked for are sums over the waves: the series goes on with
-/// the sums of its terms, not wave by wave.
+/// A ship's slow heading hardly changes from stage to stage. So the polynomials are summed, with three derivatives, at
+/// the nearest heading of a regular grid, and a Taylor series gives the values near it. The grid is fixed, so a number
+/// depends on the heading only. Callers need sums over the waves, so the series is applied to the sums, not wave by
+/// wave.
 #[derive(Clone)]
 pub struct ByHeading<S = f64> {
     waves: usize,
     /// Part by part, one for each wave.
     means: Vec<f64>,
     harmonics: Vec<Harmonic>,
-    /// The heading of the grid that the series are about.
+    /// The grid heading about which the series are expanded.
     node: Option<S>,
-    /// By part and wave: the number there and its derivatives by the heading, that of order k over k!.
+    /// By part and wave: the number there and its derivatives with respect to the heading, that of order k divided by
+    /// k!.
     series: Vec<[S; TERMS]>,
-    /// From the grid's heading to the one asked for last, rad.
+    /// From the grid heading to the last requested one, rad.
     beyond: S,
 }
 
-/// Weights of cos m psi and sin m psi, m being the place in the list from 1, part by part, for the
-/// waves that have any: a long wave has few harmonics.
+/// Weights of cos m psi and sin m psi, with m the place in the list from 1, part by part, for the waves that have this
+/// harmonic: long waves have few.
 #[derive(Clone)]
 struct Harmonic {
     first: usize,
@@ -43,11 +44,11 @@ struct Harmonic {
 const NEGLIGIBLE: f64 = 1e-7;
 /// Of Taylor's series.
 const TERMS: usize = 4;
-/// Headings of the grid in a radian. What is left out of harmonic m is `(m / 4096)^4 / 24` of it: 3e-12 of the twelfth.
+/// Headings of the grid in a radian. The error in harmonic m is `(m / 4096)^4 / 24` of it: 3e-12 for the twelfth.
 const NODES_PER_RAD: f64 = 2048.0;
 
 impl<S: Scalar> ByHeading<S> {
-    /// For waves that go to these directions in the world, rad: `on_grid(part, wave)` is f on the grid.
+    /// For waves with these directions in the world, rad; `on_grid(part, wave)` is f on the grid.
     pub fn new(parts: usize, directions_rad: &[f64], on_grid: impl Fn(usize, usize) -> Vec<f64>) -> Self {
         let waves = directions_rad.len();
         let rows: Vec<Vec<f64>> = (0..parts * waves).map(|row| on_grid(row / waves, row % waves)).collect();
@@ -116,7 +117,7 @@ impl Harmonic {
         Self { first, waves: last - first, cosine: kept(0), sine: kept(1) }
     }
 
-    /// Adds it, of order m, and its derivatives to the series: f'' = -m^2 f.
+    /// Adds this harmonic, of order m, and its derivatives to the series: f'' = -m^2 f.
     fn add<S: Scalar>(&self, m: f64, [cos, sin]: [S; 2], stride: usize, series: &mut [[S; TERMS]]) {
         if self.waves == 0 {
             return;
@@ -137,8 +138,7 @@ impl Harmonic {
     }
 }
 
-/// Weights of cos m psi and sin m psi in f(beta - psi), where f is given on the grid, and cos m beta and
-/// sin m beta.
+/// Weights of cos m psi and sin m psi in f(beta - psi), from f on the grid, and cos m beta and sin m beta.
 fn weights(on_grid: &[f64], m: usize, [cos, sin]: [f64; 2]) -> [f64; 2] {
     let n = on_grid.len();
     let step = turn(TAU * m as f64 / n as f64);
@@ -185,7 +185,7 @@ fn largest(rows: &[Vec<f64>]) -> f64 {
     rows.iter().flatten().fold(0.0, |largest, f| f.abs().max(largest))
 }
 
-/// The weights are many: a hash stands for them.
+/// The weights are many, so a hash of them is printed.
 impl<S: core::fmt::Debug> core::fmt::Debug for ByHeading<S> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let harmonics = self.harmonics.iter().flat_map(|harmonic| harmonic.cosine.iter().chain(&harmonic.sine));
@@ -214,7 +214,7 @@ mod tests {
     fn what_has_few_harmonics_is_met_between_the_points_of_the_grid() {
         let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();
         let (directions, parts) = ([0.0, 2.1, -1.0, 3.0], 2);
-        // The second part of a wave is its number times the first; wave 0 has the mean alone.
+        // The second part of a wave is its number times the first; wave 0 has only the mean.
         let row = |part: usize, wave: usize| -> Vec<f64> {
             let share = if part == 0 { 1.0 } else { wave as f64 };
             grid.iter().map(|f| if wave == 0 { 1.5 * share } else { f * share }).collect()
@@ -233,7 +233,7 @@ mod tests {
         }
     }
 
-    /// Between two headings of the grid Taylor's series changes over; 3e-12 of the eleventh harmonic is left out there.
+    /// Midway between two grid headings the Taylor series changes; its error there is 3e-12 of the eleventh harmonic.
     #[test]
     fn a_number_depends_on_the_heading_alone_and_does_not_jump() {
         let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();

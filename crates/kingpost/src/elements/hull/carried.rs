@@ -1,22 +1,23 @@
-//! Where the centre of mass of a ship is with all that it carries, and where it is on average.
+//! The centre of mass of a ship with all that it carries, and its average position.
 
 use super::place::SlowFrame;
-use crate::elements::{Kept, Moment};
+use crate::elements::{Context, ElementState};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// How many filters stand in a row.
+/// Number of filters in series.
 const ORDER: usize = 3;
 
 /// The bodies that a hull carries: crane, load and all that hangs on them.
 #[derive(Clone, Debug, Default)]
 pub struct Carried<S = f64> {
-    /// Each with its share of the mass of all, the hull's own with it.
+    /// Each with its share of the total mass, the hull included.
     pub shares: Vec<(usize, S)>,
 }
 
-/// The centre of mass of a ship less that of its hull, through three filters of first order in a row, `1 / (1 + s/w)^3`:
-/// it does not drift, so that a lag does no harm. Of a load that swings with the waves, at omega, `(w / omega)^3` is left.
+/// The centre of mass of the ship relative to that of its hull, through three first-order filters in series, `1 / (1 +
+/// s/w)^3`. It does not drift, so a lag does no harm. For a load that swings at the wave frequency omega the gain is
+/// `(w / omega)^3`.
 #[derive(Clone, Copy, Debug)]
 pub struct CarriedFilter<S> {
     /// Along the level axes of the slow frame behind each filter, m.
@@ -24,8 +25,8 @@ pub struct CarriedFilter<S> {
 }
 
 impl<S: Scalar> Carried<S> {
-    /// The centre of mass of all from the hull's own, and its rate, along the slow frame's axes; m, m/s.
-    pub fn centre(&self, at: &Moment<'_, S>, hull: usize, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+    /// The total centre of mass from the hull's, and its rate, along the slow frame's axes; m, m/s.
+    pub fn centre(&self, at: &Context<'_, S>, hull: usize, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
         if self.shares.is_empty() {
             return [[S::ZERO; 2]; 2];
         }
@@ -52,14 +53,15 @@ impl<S: Scalar> CarriedFilter<S> {
     /// Number of its states.
     pub const LEN: usize = 2 * ORDER;
 
-    /// What has always been there.
+    /// The steady state for a constant position.
     pub fn at_rest(centre: [S; 2]) -> Self {
         Self { stages: [centre; ORDER] }
     }
 
     /// Its states, as an element declares them.
-    pub fn declared() -> impl Iterator<Item = Kept> {
-        let of = |stage: usize| ["x", "y"].map(|name| Kept::memory(format!("slow.carried_{name}.{stage}"), "m"));
+    pub fn declared() -> impl Iterator<Item = ElementState> {
+        let of =
+            |stage: usize| ["x", "y"].map(|name| ElementState::memory(format!("slow.carried_{name}.{stage}"), "m"));
         (1..=ORDER).flat_map(of)
     }
 
@@ -73,7 +75,7 @@ impl<S: Scalar> CarriedFilter<S> {
         states.chunks_exact_mut(2).zip(&self.stages).for_each(|(states, stage)| states.copy_from_slice(stage));
     }
 
-    /// How far the centre is off its average, and the rate of that.
+    /// The deviation of the centre from its average, and its rate.
     pub fn off(&self, [centre, rate]: [[S; 2]; 2], cutoff_rad_s: f64) -> [[S; 2]; 2] {
         let [.., before, last] = &self.stages;
         let of_last = |k: usize| S::constant(cutoff_rad_s) * (before[k] - last[k]);

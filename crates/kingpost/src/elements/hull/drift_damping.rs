@@ -3,20 +3,21 @@
 use crate::sea::database::Database;
 use core::f64::consts::PI;
 
-/// Numbers of a wave by its direction: for surge and sway, by velocity along x and y, through the water and over ground.
+/// Numbers per wave: for surge and sway, per velocity along x and y, through the water and over ground.
 pub const RATES: usize = 8;
 
-/// What D of surge and sway gains per velocity along x and y of the hull, by direction of a database; in deep water
+/// Change of D of surge and sway per velocity along x and y of the hull, by direction of a database; in deep water
 ///
 /// ```text
 /// D(V) = (1 - 4 (w / g) V.e) D(w - k Vg.e, b + 2 (w / g) (V x e))
 /// ```
 ///
-/// with e along the wave, V the velocity of the hull through the water and Vg that over ground, to first order in them (Aranha,
-/// *J. Fluid Mech.* 272, 1994, p. 147, and 313, 1996, p. 39). The frequency of a wave is that at a fixed point, so that a hull
-/// at rest in a current meets it unchanged: Vg shifts it alone. The moment of yaw, which the formula does not give, stays.
+/// with e along the wave, V the velocity of the hull through the water and Vg that over ground, to first order in them
+/// (Aranha, *J. Fluid Mech.* 272, 1994, p. 147, and 313, 1996, p. 39). The frequency of a wave is that at a fixed
+/// point, so a hull at rest in a current meets it unchanged: only Vg shifts it. The formula does not give the yaw
+/// moment, which stays.
 ///
-/// By place `4 mode + 2 which + axis`: mode surge or sway, which through the water or over ground.
+/// The index is `4 mode + 2 which + axis`: mode is surge or sway, which is through the water or over ground.
 pub fn rates(database: &Database, omega: f64, wave_number: f64) -> Vec<[f64; RATES]> {
     let (drift, slopes) = (database.mean_drift(omega), database.mean_drift_slope(omega));
     let by_gravity = omega / database.water.gravity_m_s2;
@@ -38,8 +39,8 @@ pub fn rates(database: &Database, omega: f64, wave_number: f64) -> Vec<[f64; RAT
     database.wave_directions_rad.iter().enumerate().map(at).collect()
 }
 
-/// The derivative of the trigonometric polynomial through numbers on a regular grid of the circle, there (Trefethen, *Spectral
-/// Methods in MATLAB*, 2000, ch. 3).
+/// The derivative at the grid points of the trigonometric polynomial through numbers on a regular grid of the circle
+/// (Trefethen, *Spectral Methods in MATLAB*, 2000, ch. 3).
 fn derivative(on_grid: &[f64]) -> Vec<f64> {
     let n = on_grid.len();
     let weight = |apart: usize| {

@@ -1,4 +1,4 @@
-//! Forces of the incident waves on a hull, of first order and their slow drift.
+//! Forces of the incident waves on a hull: first order and slow drift.
 
 use super::by_heading::ByHeading;
 use super::drift_damping::{RATES, rates};
@@ -7,37 +7,38 @@ use crate::scalar::Scalar;
 use crate::sea::database::Database;
 use crate::sea::waves::{WaveField, wave_number};
 
-/// `F = Re sum X(w, beta - psi) a e^(i (k.x - w t + epsilon))`, about the hull's reference point, in
-/// the axes of the slow frame, with its place x and heading psi; a with the ramp of the waves.
+/// `F = Re sum X(w, beta - psi) a e^(i (k.x - w t + epsilon))`, about the hull's reference point, in the axes of the
+/// slow frame, with its position x and heading psi; a contains the ramp of the waves.
 ///
-/// Of second order there are the mean and the slowly varying drift, by Newman's approximation: with
-/// D(w, beta) the mean force in a regular wave of unit amplitude, that of two waves is taken as the
-/// mean of their own, which makes a double sum over all pairs a product,
+/// Second-order forces are the mean and slowly varying drift, by Newman's approximation: with D(w, beta) the mean force
+/// in a regular wave of unit amplitude, the force of a pair of waves is taken as the mean of their two D, which turns
+/// the double sum over all pairs into a product,
 ///
 /// ```text
 /// F = sum_i sum_j a_i a_j (D_i + D_j) / 2 cos(q_i - q_j) = Re{ (sum D_i a_i e^(i q_i)) (sum a_j e^(-i q_j)) }
 /// ```
 ///
-/// (Newman, *Proc. Int. Symp. on the Dynamics of Marine Vehicles and Structures in Waves*, London
-/// 1974, p. 182; Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, p. 157). It holds for
-/// differences of frequency that are small, as those are that move a moored ship.
+/// (Newman, *Proc. Int. Symp. on the Dynamics of Marine Vehicles and Structures in Waves*, London 1974, p. 182;
+/// Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, p. 157). It holds for small difference frequencies,
+/// such as those that move a moored ship.
 #[derive(Clone, Debug)]
-pub struct Excitation<S = f64> {
-    /// The waves at the slow frame's place, a e^(i q).
+pub struct WaveExcitation<S = f64> {
+    /// The waves at the slow frame's position, a e^(i q).
     real: Vec<S>,
     imaginary: Vec<S>,
-    /// a e^(i q) of each wave, along that of all together: what its D weighs in the drift.
+    /// a e^(i q) of each wave projected on the sum of all: the weight of its D in the drift.
     with_all: Vec<S>,
-    /// Real and imaginary part of X, mode by mode; then D of surge, sway and yaw, if drift acts, and what it gains by velocity.
+    /// Real and imaginary part of X, mode by mode; then D of surge, sway and yaw, if drift acts, and its change with
+    /// velocity.
     transfer: ByHeading<S>,
     drifts: bool,
-    /// Whether [`rates`] follow, by which D changes with the hull's velocity.
+    /// Whether the [`rates`] follow, with which D changes with the hull's velocity.
     by_velocity: bool,
     /// The realisation of the waves, the time and the frame that the last force was computed for.
     last: Option<(u64, f64, SlowFrame<S>)>,
     force: [S; 6],
     drift: [S; 6],
-    /// Of the drift, by velocity.
+    /// Change of the drift with velocity.
     rates: [S; RATES],
     elevation: S,
 }
@@ -51,12 +52,12 @@ pub struct HullVelocity<S = f64> {
     pub over_ground: [S; 2],
 }
 
-/// What of the incident waves acts.
+/// Which forces of the incident waves act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Parts {
-    /// Their own pressure, to first order; otherwise diffraction alone.
+pub struct WaveForces {
+    /// Whether the first-order Froude-Krylov force acts; otherwise only diffraction.
     pub froude_krylov: bool,
-    /// The mean and slowly varying drift, from the database's mean drift.
+    /// Whether the mean and slowly varying drift acts, from the database's mean drift.
     pub drift: bool,
     /// Whether the drift changes with the velocity of the hull, by Aranha's formula.
     pub drift_damping: bool,
@@ -67,9 +68,10 @@ const FIRST_ORDER: usize = 12;
 /// Modes that drift.
 const DRIFTING: [usize; 3] = [0, 1, 5];
 
-impl<S: Scalar> Excitation<S> {
-    /// From a hull's data, in these waves: every call needs the same. Components outside the data's frequencies make no force.
-    pub fn new(database: &Database, field: &WaveField<S>, parts: Parts) -> Self {
+impl<S: Scalar> WaveExcitation<S> {
+    /// From a hull's data, in these waves; every later call must have the same waves. Components outside the data's
+    /// frequencies make no force.
+    pub fn new(database: &Database, field: &WaveField<S>, parts: WaveForces) -> Self {
         let drifts = parts.drift && database.mean_drift.is_some();
         let by_velocity = drifts && parts.drift_damping;
         let of_wave = |omega: f64| {
@@ -101,7 +103,7 @@ impl<S: Scalar> Excitation<S> {
         self.force
     }
 
-    /// Mean and slowly varying force (N) and moment (N m) at a time, s, of a hull that moves so.
+    /// Mean and slowly varying force (N) and moment (N m) at a time, s, of a hull with this velocity.
     pub fn drift(
         &mut self,
         field: &WaveField<S>,
@@ -171,7 +173,7 @@ impl<S: Scalar> Excitation<S> {
     }
 }
 
-/// Adds what surge and sway gain by velocity.
+/// Adds the change of surge and sway with velocity.
 fn add_by_velocity<S: Scalar>(drift: &mut [S; 6], rates: &[S; RATES], velocity: &HullVelocity<S>) {
     let ([x, y], [u, v]) = (velocity.through_water, velocity.over_ground);
     for (drift, rates) in drift.iter_mut().zip(rates.as_chunks::<4>().0) {

@@ -1,4 +1,4 @@
-//! How near two hulls come that do not feel each other in the water.
+//! The distance of two hulls whose hydrodynamic interaction is not modelled.
 
 use crate::elements::watcher::{Warning, Watcher, significant};
 use crate::sea::database::HullAtRest;
@@ -13,7 +13,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Of a hull whose origin is there on its body: as long and wide as its water line, about the centre of its water plane.
+    /// For a hull with this origin on its body: length and beam of its water line, about the centre of its waterplane.
     pub fn of(hull: &HullAtRest, origin: [f64; 3]) -> Self {
         let centre = hull.waterplane.first_moments_m3.map(|moment| moment / hull.waterplane.area_m2);
         let range = |k: usize, size: f64| [-0.5, 0.5].map(|half| origin[k] + centre[k] + half * size);
@@ -24,7 +24,7 @@ impl Plan {
         self.along[1] - self.along[0]
     }
 
-    /// Its corners in order, world, m, of a body at x and y that heads to `yaw`.
+    /// Its corners in order, world, m, for a body at x and y with the heading `yaw`.
     fn corners(&self, [x, y, yaw]: [f64; 3]) -> [[f64; 2]; 4] {
         let (sin, cos) = libm::sincos(yaw);
         let [[stern, bow], [starboard, port]] = [self.along, self.across];
@@ -33,7 +33,7 @@ impl Plan {
     }
 }
 
-/// Watches two hulls that each have their own hydrodynamics: what the one does to the water the other does not feel.
+/// Watches two hulls that each have their own hydrodynamics, without interaction through the water.
 ///
 /// ```
 /// use kingpost::elements::Watcher;
@@ -72,7 +72,7 @@ impl Watcher for HullGap {
         }
     }
 
-    /// Hulls farther apart than the longer one is long hardly feel each other.
+    /// Hulls farther apart than the length of the longer one hardly interact.
     fn warnings(&self) -> Vec<Warning> {
         let [(body, own), (other, of_other)] = &self.hulls;
         let near = |[gap, _]: &[f64; 2]| *gap < own.length().max(of_other.length());
@@ -85,14 +85,13 @@ impl Watcher for HullGap {
             )
         };
         let text = format!(
-            "{how}; each hull has the hydrodynamics of one that is alone: neither shelters the other from waves, and the \
-             water in the gap between them does not resonate"
+            "{how}; each hull has the hydrodynamics of a single hull: neither shelters the other from waves, and the water in the gap between them does not resonate"
         );
         vec![Warning { time_s, name: body.clone(), text }]
     }
 }
 
-/// Between two rectangles; 0 where they overlap.
+/// Distance between two rectangles, m; 0 where they overlap.
 fn distance(first: &[[f64; 2]; 4], second: &[[f64; 2]; 4]) -> f64 {
     let edges = |corners: &[[f64; 2]; 4]| -> [[[f64; 2]; 2]; 4] {
         core::array::from_fn(|k| [corners[k], corners[(k + 1) % 4]])
@@ -109,12 +108,12 @@ fn distance(first: &[[f64; 2]; 4], second: &[[f64; 2]; 4]) -> f64 {
     pairs.fold(f64::INFINITY, f64::min)
 }
 
-/// How far a point is outside of an edge of corners that go round by the right hand, times the edge's length, m^2.
+/// Distance of a point outside an edge, for corners in counter-clockwise order, times the edge's length, m^2.
 fn beyond([from, to]: &[[f64; 2]; 2], at: &[f64; 2]) -> f64 {
     (to[1] - from[1]) * (at[0] - from[0]) - (to[0] - from[0]) * (at[1] - from[1])
 }
 
-/// From a point to an edge, m.
+/// Distance from a point to an edge, m.
 fn to_edge([from, to]: &[[f64; 2]; 2], at: &[f64; 2]) -> f64 {
     let (way, there) = ([to[0] - from[0], to[1] - from[1]], [at[0] - from[0], at[1] - from[1]]);
     let share = (way[0] * there[0] + way[1] * there[1]) / (way[0] * way[0] + way[1] * way[1]);

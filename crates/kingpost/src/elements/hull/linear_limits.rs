@@ -1,15 +1,15 @@
-//! Where a hull leaves what linear hydrodynamics hold for: small angles, little heave, a dry deck.
+//! Warns of a hull outside the range of linear hydrodynamics: small angles, small heave, a dry deck.
 
 use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
 
-/// Heel or trim beyond which a run is warned of, degrees.
+/// Heel or trim beyond which a run warns, degrees.
 const LARGEST_ANGLE_DEG: f64 = 20.0;
-/// Heave beyond which it is, as a share of the draught.
+/// Heave beyond which a run warns, as a share of the draught.
 const LARGEST_HEAVE: f64 = 0.5;
-/// Points within this share of the hull's height below its top are of the edge of its deck.
+/// Points within this share of the hull's height below its top belong to the deck's edge.
 const DECK: f64 = 1e-3;
 
-/// Watches a hull by linear hydrodynamics.
+/// Watches a hull with linear hydrodynamics.
 #[derive(Clone, Debug)]
 pub struct LinearLimits {
     body: String,
@@ -20,14 +20,14 @@ pub struct LinearLimits {
     heel_deg: Extreme,
     trim_deg: Extreme,
     rise_m: Extreme,
-    /// How deep the deck's edge was under still water at most, m, and when that began.
+    /// Largest depth of the deck's edge under still water, m, and the time when it first went under.
     under_m: f64,
     under_since_s: Option<f64>,
 }
 
 impl LinearLimits {
-    /// Of a body whose data are for a draught (m); its hull's points are from the centre of mass in body axes, m, none where
-    /// the data have no mesh.
+    /// For a body whose data hold for a draught (m); the hull's points are from the centre of mass in body axes, m, and
+    /// empty if the data have no mesh.
     pub fn new(body: &str, draught_m: f64, points_m: &[[f64; 3]]) -> Self {
         let heights = || points_m.iter().map(|point| point[2]);
         let (top, bottom) = (heights().fold(f64::NEG_INFINITY, f64::max), heights().fold(f64::INFINITY, f64::min));
@@ -65,7 +65,7 @@ impl LinearLimits {
         let Extreme { value, time_s } = self.rise_m;
         let text = || {
             format!(
-                "it {} by {:.2} m, at {} s: linear hydrodynamics are for little of the draught, {} m (warned of beyond half)",
+                "it {} by {:.2} m, at {} s: linear hydrodynamics are for heave much smaller than the draught, {} m (warned of beyond half)",
                 if value > 0.0 { "rose" } else { "sank" },
                 value.abs(),
                 significant(time_s, 6),
@@ -78,8 +78,7 @@ impl LinearLimits {
     fn of_deck(&self) -> Option<Warning> {
         self.under_since_s.map(|time_s| {
             let text = format!(
-                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics know no deck; \
-                 hydrostatics: mesh does",
+                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics have no deck; hydrostatics: mesh has",
                 self.under_m,
                 significant(time_s, 6)
             );

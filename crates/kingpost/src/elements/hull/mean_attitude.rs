@@ -1,12 +1,12 @@
-//! Where a hull lies in another attitude than its coefficients were computed in.
+//! Warns of a hull whose mean attitude is not that of its coefficients.
 
 use crate::elements::watcher::{Warning, Watcher};
 use crate::sea::database::Attitude;
 
-/// Heel or trim off that of the coefficients beyond which they are warned of, degrees.
+/// Difference in heel or trim from the coefficients' attitude beyond which a run warns, degrees.
 pub const LARGEST_LIST_DEG: f64 = 3.0;
 
-/// Watches the mean heel and trim of a hull by linear hydrodynamics: added mass, damping and excitation are those of one
+/// Watches the mean heel and trim of a hull with linear hydrodynamics: added mass, damping and excitation hold for one
 /// attitude, whatever the hydrostatics.
 ///
 /// ```
@@ -26,7 +26,7 @@ pub struct MeanAttitude {
 }
 
 impl MeanAttitude {
-    /// Of a body, and the attitude that its coefficients were computed in, if not upright.
+    /// For a body, and the attitude that its coefficients were computed for, if not upright.
     pub fn new(body: &str, attitude: Option<Attitude>) -> Self {
         let Attitude { roll_rad, pitch_rad, .. } = attitude.unwrap_or_default();
         Self { body: body.to_owned(), attitude_rad: [roll_rad, pitch_rad], rows: 0, sums_rad: [0.0; 2], last_s: 0.0 }
@@ -49,8 +49,8 @@ impl Watcher for MeanAttitude {
             let [mean, data] = [self.sums_rad[k] / self.rows as f64, self.attitude_rad[k]].map(f64::to_degrees);
             let text = || {
                 format!(
-                    "its mean {what} was {mean:.2} deg, its hydrodynamic coefficients are of {data:.2} deg (warned of beyond \
-                     {LARGEST_LIST_DEG} deg): kingpost hydro --attitude_of computes those of a hull that lists"
+                    "its mean {what} was {mean:.2} deg, its hydrodynamic coefficients are for {data:.2} deg (warned of beyond \
+                     {LARGEST_LIST_DEG} deg): kingpost hydro --attitude_of computes them for a hull that lists"
                 )
             };
             let beyond = self.rows > 0 && (mean - data).abs() > LARGEST_LIST_DEG;

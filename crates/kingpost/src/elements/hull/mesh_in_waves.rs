@@ -1,4 +1,4 @@
-//! The incident waves' own pressure on a hull's mesh.
+//! The pressure of the incident waves on a hull's mesh.
 
 use super::FloatingMesh;
 use crate::scalar::Scalar;
@@ -6,9 +6,9 @@ use crate::sea::hull::LocalWater;
 use crate::sea::waves::{WaveField, WavesAtPoints};
 use crate::spatial::{Frame, Wrench};
 
-/// A mesh under the surface of the waves where it is: what they add to its buoyancy in still water, the
-/// nonlinear Froude-Krylov force. To first order in the waves it is the database's, so the rest of the
-/// excitation is then diffraction alone.
+/// The nonlinear Froude-Krylov force: the difference between the pressure force on the mesh under the wave surface and
+/// its buoyancy in still water. To first order it equals the database's Froude-Krylov force, so the other excitation is
+/// then only diffraction.
 #[derive(Clone, Debug)]
 pub struct MeshInWaves<S = f64> {
     floating: FloatingMesh<S>,
@@ -21,8 +21,8 @@ impl<S: Scalar> MeshInWaves<S> {
         Self { floating, waves: WavesAtPoints::new(field) }
     }
 
-    /// Force (N) and moment (N m) beside `still`, the buoyancy of the same mesh here in still water; all about the hull's
-    /// origin in its axes.
+    /// Force (N) and moment (N m) in addition to `still`, the buoyancy of the same mesh in still water; all about the
+    /// hull's origin in its axes.
     pub fn pressure(
         &mut self,
         field: &WaveField<S>,

@@ -1,7 +1,7 @@
 //! The water's loads on a hull: buoyancy, the memory of radiated waves, and the incident waves.
 //!
-//! The infinite-frequency added mass is no load: it stands in the inertia of the hull's body, so
-//! that ship and crane share one mass matrix.
+//! The added mass at infinite frequency is not a load: it is part of the inertia of the hull's body, so ship and crane
+//! share one mass matrix.
 
 mod added_mass;
 mod by_heading;
@@ -21,7 +21,7 @@ pub use added_mass::{AddedMass, QuadraticTerms, added_inertia};
 use by_heading::ByHeading;
 pub use carried::Carried;
 use carried::CarriedFilter;
-pub use excitation::{Excitation, HullVelocity, Parts};
+pub use excitation::{HullVelocity, WaveExcitation, WaveForces};
 pub use gap::{HullGap, Plan};
 pub use linear_limits::LinearLimits;
 pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};
@@ -30,7 +30,7 @@ pub use place::{CoefficientFrame, HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
-use super::{AnyWatcher, Declaration, Element, Frame, Moment, Output, Own, RegularWaves, ShownWaves, Situation};
+use super::{AnyWatcher, Context, Declaration, Element, Output, Own, RegularWaves, ShownWaves, Situation, VectorFrame};
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
@@ -50,7 +50,7 @@ pub enum Hydrostatics<S = f64> {
     None,
 }
 
-/// A mesh with the working memory to find what of it is wet.
+/// A mesh with the working memory for its wetted part.
 #[derive(Clone, Debug)]
 pub struct FloatingMesh<S = f64> {
     mesh: HullMesh,
@@ -89,23 +89,23 @@ impl<S: Scalar> Hydrostatics<S> {
 pub struct Hull<S = f64> {
     /// Name of the force in the scenario.
     pub name: String,
-    /// Where the hull is, upright on its body: what floats, and what is drawn.
+    /// The frame of the upright hull on its body: for buoyancy and drawing.
     pub frame: HullFrame<S>,
-    /// The axes that radiation, added mass and excitation are of: those of the hull in the attitude that they were computed in.
+    /// The axes of radiation, added mass and excitation: those of the hull in the attitude that they were computed for.
     pub coefficients: CoefficientFrame<S>,
     /// What the ship carries.
     pub carried: Carried<S>,
-    /// The water that moves with it, if it acts.
+    /// The added mass, if it acts.
     pub added_mass: Option<AddedMass<S>>,
     /// Buoyancy.
     pub hydrostatics: Hydrostatics<S>,
-    /// The memory of the waves that it makes.
+    /// The memory of the waves that it radiates.
     pub radiation: Option<Radiation>,
-    /// What the world's waves do to it.
-    pub excitation: Option<Excitation<S>>,
-    /// The database, where its excitation acts whenever there are waves.
+    /// The forces of the world's waves.
+    pub excitation: Option<WaveExcitation<S>>,
+    /// The database, if its excitation acts whenever there are waves.
     pub wave_data: Option<Arc<Database>>,
-    /// Their own pressure on the mesh of the hydrostatics, if it acts.
+    /// The pressure of the waves on the mesh of the hydrostatics, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
     /// The rectangle about its water line.
     pub plan: Plan,
@@ -113,7 +113,7 @@ pub struct Hull<S = f64> {
     pub watchers: Vec<AnyWatcher>,
     /// Which quadratic terms of the added mass act.
     pub quadratic_terms: QuadraticTerms,
-    /// Where the filter of the slow frame cuts off, rad/s.
+    /// Cut-off of the filter of the slow frame, rad/s.
     pub cutoff_rad_s: f64,
 }
 
@@ -131,9 +131,9 @@ impl<S: Scalar> Element<S> for Hull<S> {
         }
     }
 
-    /// The hull has always been here, and has always moved through the water as it does in the plane; of heave, roll,
-    /// pitch and yaw the water has no memory yet.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    /// The states for a hull that has always moved through the water with its present horizontal velocity; for heave,
+    /// roll, pitch and yaw the memory begins at zero.
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let in_world = self.coefficients.frame(at.model, at.links);
         let place = SlowFrame::of(&in_world);
         let States { place: of_place, carried, radiation: of_radiation } = States::of_mut(own.states);
@@ -149,8 +149,8 @@ impl<S: Scalar> Element<S> for Hull<S> {
         }
     }
 
-    /// Adds what the water does, and its work.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    /// Adds the loads of the water, and their work.
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (hull, specific_weight) = (self.frame.frame(at.model, at.links), at.world.specific_weight());
         let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
         let Seen { slow, off, axes, twist } = self.seen(at);
@@ -175,7 +175,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         loads.wrenches.push((self.frame.body, self.frame.about_centre(&buoyancy) + by_the_sea));
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let in_world = self.coefficients.frame(at.model, at.links);
         let (now, of) = (States::of(at.states), States::of_mut(rates));
         let filter = SlowFilter::read(now.place);
@@ -192,12 +192,12 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     /// Energy of the water that it displaces, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let position = FloatingPosition::of(&self.frame.frame(at.model, at.links));
         self.hydrostatics.potential_energy(&position, at.world.specific_weight())
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Seen { slow, axes, twist, .. } = self.seen(at);
         let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
         let velocity = self.velocity(at, &slow, &axes.rates(&twist));
@@ -254,13 +254,13 @@ const ELEVATIONS: usize = 1;
 /// Surge, sway, heave, roll, pitch and yaw.
 const MODES: usize = 6;
 
-/// What a hull shows, in the order of [`Hull::outputs`](Element::outputs).
+/// The outputs of a hull, in the order of [`Hull::outputs`](Element::outputs).
 fn outputs(name: &str) -> Vec<Output> {
-    let wrench = |variable, description| Output::wrench(variable, description, "hull", name, Frame::SlowFrame);
+    let wrench = |variable, description| Output::wrench(variable, description, "hull", name, VectorFrame::SlowFrame);
     vec![
         Output::number(
             "wave_elevation",
-            "elevation of the incident waves, where the hull is on average",
+            "elevation of the incident waves, at the average position of the hull",
             "hull",
             name,
             &["m"],
@@ -272,11 +272,11 @@ fn outputs(name: &str) -> Vec<Output> {
         ),
         wrench(
             "radiation_force",
-            "radiation force, of the waves that the hull has made, added mass apart, with the moment about its reference point",
+            "radiation force, of the waves that the hull has made, without added mass, with the moment about its reference point",
         ),
         Output::number(
             "water_kinetic_energy",
-            "the water's part of the kinetic energy, by the infinite-frequency added mass",
+            "kinetic energy of the added mass at infinite frequency",
             "hull",
             name,
             &["J"],
@@ -284,17 +284,18 @@ fn outputs(name: &str) -> Vec<Output> {
     ]
 }
 
-/// A hull at one moment, as the sea's loads see it.
+/// A hull at one moment, for the wave loads.
 struct Seen<S> {
     slow: SlowFrame<S>,
     /// [`Hull::off`].
     off: [[S; 2]; 2],
     axes: SeaAxes<S>,
-    /// Of the body, about its centre of mass, in its axes.
+    /// Twist of the body about its centre of mass, in its axes.
     twist: Twist<S>,
 }
 
-/// The states of a hull, or their rates: of the filter of its place, of that of what it carries, and of its radiation.
+/// The states of a hull, or their rates: of the filter of its position, of the filter of its cargo, and of its
+/// radiation.
 struct States<T> {
     place: T,
     carried: T,
@@ -318,21 +319,21 @@ impl<'a, S: Scalar> States<&'a mut [S]> {
 }
 
 impl<S: Scalar> Hull<S> {
-    fn water_kinetic_energy(&self, at: &Moment<'_, S>) -> S {
+    fn water_kinetic_energy(&self, at: &Context<'_, S>) -> S {
         let twist = at.links.body_twist(at.model, self.frame.body);
         self.added_mass.as_ref().map_or(S::ZERO, |added| added.in_body.quadratic(&twist) * S::constant(0.5))
     }
 
-    /// Where the hull is on average; at an equilibrium that is sought, where it is.
-    fn slow_frame(&self, at: &Moment<'_, S>) -> SlowFrame<S> {
+    /// The average position of the hull; while an equilibrium is sought, its present position.
+    fn slow_frame(&self, at: &Context<'_, S>) -> SlowFrame<S> {
         match at.situation {
             Situation::Settling => SlowFrame::of(&self.coefficients.frame(at.model, at.links)),
             _ => SlowFilter::read(at.states).frame(),
         }
     }
 
-    /// How far the centre of mass of the ship is off its mean place beside that of the hull, level, m, and the rate of that.
-    fn off(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+    /// Horizontal deviation of the ship's centre of mass from its mean position relative to the hull, m, and its rate.
+    fn off(&self, at: &Context<'_, S>, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
         if at.situation == Situation::Settling {
             return [[S::ZERO; 2]; 2];
         }
@@ -340,22 +341,22 @@ impl<S: Scalar> Hull<S> {
         CarriedFilter::read(States::of(at.states).carried).off(centre, self.cutoff_rad_s)
     }
 
-    fn seen(&self, at: &Moment<'_, S>) -> Seen<S> {
+    fn seen(&self, at: &Context<'_, S>) -> Seen<S> {
         let slow = self.slow_frame(at);
         let off = self.off(at, &slow);
         let axes = SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), &slow, off[0]);
         Seen { slow, off, axes, twist: at.links.body_twist(at.model, self.frame.body) }
     }
 
-    /// The hull's velocity, with what of it goes with the waves: that has no mean beside the slow changes of the drift.
-    fn velocity(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
+    /// The hull's velocity, including the wave-frequency part, which has no mean over the slow changes of the drift.
+    fn velocity(&self, at: &Context<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
         let [x, y, ..] = self.through_water(at, slow, rates);
         let [u, v, _] = rates.linear.0;
         HullVelocity { through_water: [x, y], over_ground: [u, v] }
     }
 
-    /// Rates along the axes of the sea's loads, relative to the water.
-    fn through_water(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> [S; 6] {
+    /// Rates along the axes of the wave loads, relative to the water.
+    fn through_water(&self, at: &Context<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> [S; 6] {
         modes(rates.linear - slow.rotation().transpose_times(at.world.surface_current()), rates.angular)
     }
 }
@@ -366,7 +367,7 @@ fn modes<S: Scalar>(linear: Vector3<S>, angular: Vector3<S>) -> [S; 6] {
     [x, y, z, roll, pitch, yaw]
 }
 
-/// The load that has these modes.
+/// The load with these modes.
 fn of_modes<S: Scalar>([x, y, z, roll, pitch, yaw]: [S; 6]) -> Wrench<S> {
     Wrench { moment: Vector3([roll, pitch, yaw]), force: Vector3([x, y, z]) }
 }

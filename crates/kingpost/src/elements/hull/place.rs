@@ -1,7 +1,7 @@
-//! Where a hull is, how it moves, and the slow frame that its loads by the sea are seen from.
+//! The position and motion of a hull, and the slow frame in which its wave loads are computed.
 
 use crate::dynamics::LinkKinematics;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, hat};
@@ -31,7 +31,7 @@ impl<S: Scalar> HullFrame<S> {
     }
 
     /// Where the hull is and how it moves.
-    pub fn motion(&self, at: &Moment<'_, S>) -> HullMotion<S> {
+    pub fn motion(&self, at: &Context<'_, S>) -> HullMotion<S> {
         self.motion_of(at.model, at.links)
     }
 
@@ -43,7 +43,7 @@ impl<S: Scalar> HullFrame<S> {
 
     /// Twist relative to water that flows at `current` (world, m/s), in the body's axes about the origin, and the current
     /// in those axes.
-    pub fn through_water(&self, at: &Moment<'_, S>, current: Vector3<S>) -> (Twist<S>, Vector3<S>) {
+    pub fn through_water(&self, at: &Context<'_, S>, current: Vector3<S>) -> (Twist<S>, Vector3<S>) {
         let twist = self.in_body().twist_to_child(&at.links.body_twist(at.model, self.body));
         let stream = at.links.to_body_axes(at.model, self.body, current);
         (Twist { linear: twist.linear - stream, ..twist }, stream)
@@ -60,10 +60,9 @@ impl<S: Scalar> HullFrame<S> {
     }
 }
 
-/// The frame that first-order loads are seen from: level, where the hull is and heads on average.
+/// The frame of the first-order loads: level, at the average position and heading of the hull.
 ///
-/// Waves at the hull's own place would drag it along by their phase, which is an effect of second
-/// order.
+/// Waves taken at the hull's present position would push it along through their phase, which is a second-order effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowFrame<S = f64> {
     /// x and y in the world, m.
@@ -75,23 +74,23 @@ pub struct SlowFrame<S = f64> {
 }
 
 impl<S: Scalar> SlowFrame<S> {
-    /// Where a hull is and heads.
+    /// Position, heading and lean of a hull.
     pub fn of(frame: &Frame<S>) -> Self {
         let [x, y, _] = frame.position.0;
-        Self { position: [x, y], heading: heading(&frame.rotation), lean: Turns::of(&frame.rotation).angles() }
+        Self { position: [x, y], heading: heading(&frame.rotation), lean: RollAndPitch::of(&frame.rotation).angles() }
     }
 
-    /// A turn about the vertical, from the slow frame's level axes to the world's.
+    /// The rotation about the vertical from the slow frame's level axes to the world's.
     pub fn rotation(&self) -> Matrix3<S> {
         let (sin, cos) = self.heading.sin_cos();
         let (o, i) = (S::ZERO, S::ONE);
         Matrix3([[cos, -sin, o], [sin, cos, o], [o, o, i]])
     }
 
-    /// From the hull's axes on average to the slow frame's.
+    /// From the hull's average axes to the slow frame's.
     fn leaning(&self) -> Matrix3<S> {
         let [roll, pitch] = self.lean.map(|angle| angle.sin_cos().into());
-        Turns { roll, pitch }.rotation()
+        RollAndPitch { roll, pitch }.rotation()
     }
 }
 
@@ -106,7 +105,8 @@ fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
 pub struct CoefficientFrame<S = f64> {
     /// The body.
     pub body: usize,
-    /// In the axes of the body, about its centre of mass. Of a hull that was computed upright they are those of the hull.
+    /// In the axes of the body, about its centre of mass. For coefficients of the upright hull they are the hull's
+    /// axes.
     pub in_body: Frame<S>,
 }
 
@@ -117,45 +117,47 @@ impl<S: Scalar> CoefficientFrame<S> {
     }
 }
 
-/// What the loads of the sea act along: the coordinates of linear theory, level, at the place where the hull is on average.
-/// Roll, pitch and yaw are turns from the hull's attitude on average: yaw about its vertical, pitch about the axis across the
-/// heading that the hull has come to, roll about the hull's own axis. T takes the twist of the body about its centre of mass,
-/// in its axes, to the rates w of these, and its transpose a load along them to one on the body.
+/// The coordinates of linear theory, along which the wave loads act: level, at the hull's average position. Roll, pitch
+/// and yaw are rotations from the hull's average attitude: yaw about its vertical, pitch about the horizontal axis
+/// across the present heading, roll about the hull's longitudinal axis. T maps the twist of the body about its centre
+/// of mass, in its axes, to the rates w of these coordinates; its transpose maps a load along them to a load on the
+/// body.
 ///
-/// Radiation, excitation and added mass of a hull that lists stay level: in waves that are long against it, the water lifts it
-/// along the vertical, whatever its list.
+/// Radiation, excitation and added mass of a listing hull stay level: in waves much longer than the hull, the water
+/// lifts it vertically, whatever its list.
 ///
-/// What is left out is of second order, and makes no motion of its own. Forces in axes that yawed with the waves would have a
-/// mean, which belongs to the drift; so would a moment of yaw about an axis that tilted with them, or a lever that did. Moments
-/// of pitch in axes that did not yaw with the hull, or of yaw in axes that did not pitch, would roll a slender ship at the
-/// differences of the waves' frequencies.
+/// What this neglects is of second order and excites no motion. Forces in axes that yaw with the waves would have a
+/// mean, which belongs to the drift; so would a yaw moment about an axis, or with a lever, that tilts with them. Pitch
+/// moments in axes that do not yaw with the hull, or yaw moments in axes that do not pitch with it, would roll a
+/// slender ship at the difference frequencies.
 ///
-/// The lever of yaw goes to the centre of mass of the whole ship, with its crane and load, that the sum of all forces
-/// accelerates: about the hull's own, from which a swinging load goes away, forces of first order have a mean moment.
+/// The lever of yaw is measured from the centre of mass of the whole ship with crane and load, because all forces
+/// together accelerate that point. About the hull's centre of mass, from which a swinging load moves away, first-order
+/// forces would have a mean moment.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaAxes<S = f64> {
-    /// From the hull's axes on average to the slow frame's.
+    /// From the hull's average axes to the slow frame's.
     leaning: Matrix3<S>,
-    turns: Turns<S>,
+    turns: RollAndPitch<S>,
     /// From angular velocity in body axes to rates of roll, pitch and yaw; and back.
     turning: Matrix3<S>,
     turning_back: Matrix3<S>,
-    /// From the body's axes to level ones, at the hull's attitude relative to that on average.
+    /// From the body's axes to level ones, at the hull's attitude relative to its average.
     level: Matrix3<S>,
-    /// From rates of turning to the velocity that they add to that of the centre of mass at the point that forces act at.
+    /// From angular rates to the velocity of the point where forces act, relative to the centre of mass.
     lever: Matrix3<S>,
     /// From the body's axes to those of the coefficients.
     to_data: Matrix3<S>,
 }
 
 impl<S: Scalar> SeaAxes<S> {
-    /// Of a hull whose coefficients' axes stand so in the world. The centre of mass of the whole ship is off its mean place
-    /// beside that of the hull's body by `off` (level, m).
+    /// For a hull with these coefficient axes in the world. `off` is the horizontal deviation of the ship's centre of
+    /// mass from its mean position relative to the hull's, m.
     pub fn of(on: &CoefficientFrame<S>, in_world: &Frame<S>, slow: &SlowFrame<S>, off: [S; 2]) -> Self {
         let (leaning, heading) = (slow.leaning(), slow.rotation());
         let (to_data, mean) = (on.in_body.rotation.transpose(), heading * leaning);
         let from_mean = mean.transpose() * in_world.rotation;
-        let turns = Turns::of(&from_mean);
+        let turns = RollAndPitch::of(&from_mean);
         Self {
             turning: leaning * turns.inverse() * to_data,
             turning_back: on.in_body.rotation * turns.matrix() * leaning.transpose(),
@@ -173,7 +175,7 @@ impl<S: Scalar> SeaAxes<S> {
         Twist { angular, linear: self.level * of_body.linear + self.lever * angular }
     }
 
-    /// `T' nu`: what of the rates of T nu is of velocities alone. `off` changes at `off_rate`.
+    /// `T' nu`: the part of the rate of T nu that depends on velocities only. `off_rate` is the rate of `off`.
     pub fn drift(&self, of_body: &Twist<S>, off_rate: [S; 2]) -> Twist<S> {
         let turning = self.turning * of_body.angular;
         let rates = self.leaning.transpose_times(turning);
@@ -210,15 +212,15 @@ impl<S: Scalar> SeaAxes<S> {
         }
     }
 
-    /// A of a hull that lists, on the body as it lies on average, about the centre of mass in the body's axes.
+    /// A of a listing hull at its average attitude, about the centre of mass in the body's axes.
     pub fn listing(&self, added: &SpatialInertia<S>, on: &CoefficientFrame<S>) -> SpatialInertia<S> {
         let rotation = (self.leaning * self.to_data).transpose();
         added.to_parent(&Frame { rotation, position: on.in_body.position })
     }
 }
 
-/// What rates of turning add to the velocity of the centre of mass at the point that forces act at: it is `to_origin` from
-/// there, and of yaw `off` beside that, level.
+/// The matrix from angular rates to the velocity of the point where forces act, relative to the centre of mass: the
+/// point is at `to_origin`, for yaw shifted horizontally by `off`.
 fn lever<S: Scalar>(to_origin: Vector3<S>, [x, y]: [S; 2]) -> Matrix3<S> {
     let to_left = hat(to_origin).0.map(|row| row.map(|entry| -entry));
     let [[a, b, c], [d, e, f], last] = to_left;
@@ -228,12 +230,12 @@ fn lever<S: Scalar>(to_origin: Vector3<S>, [x, y]: [S; 2]) -> Matrix3<S> {
 /// Roll and pitch of an orientation: `omega = E (roll', pitch', yaw')`, omega in body axes (Fossen, *Handbook of Marine Craft
 /// Hydrodynamics and Motion Control*, 2011, eq. 2.28). E is singular where the bow points straight up or down.
 #[derive(Clone, Copy, Debug)]
-struct Turns<S> {
+struct RollAndPitch<S> {
     roll: [S; 2],
     pitch: [S; 2],
 }
 
-impl<S: Scalar> Turns<S> {
+impl<S: Scalar> RollAndPitch<S> {
     /// Sines and cosines, by the vertical in body axes.
     fn of(rotation: &Matrix3<S>) -> Self {
         let [x, y, z] = rotation.row(2).0;
@@ -241,7 +243,7 @@ impl<S: Scalar> Turns<S> {
         Self { roll: [y / level, z / level], pitch: [-x, level] }
     }
 
-    /// The turn by pitch after that by roll.
+    /// The rotation by pitch after that by roll.
     fn rotation(&self) -> Matrix3<S> {
         let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
         let (o, z) = (S::ZERO, -sin_pitch);
@@ -300,7 +302,7 @@ mod tests {
         CoefficientFrame { body: 0, in_body: Frame { rotation, position: Vector3::new(1.5, -0.3, -0.8) } }
     }
 
-    /// The frame of the coefficients after moving on for a time at a constant twist of the body.
+    /// The frame of the coefficients after a time at a constant twist of the body.
     fn after(body: &Frame, twist: &Twist, time_s: f64) -> Frame {
         let moved = Frame {
             rotation: body.rotation * exp(twist.angular * time_s),
@@ -326,7 +328,7 @@ mod tests {
         assert!(angular.norm() < 1e-8 && linear.norm() < 1e-8, "{angular:?} {linear:?}");
     }
 
-    /// A push turns the hull about the whole ship's centre of mass, wherever that has swung to.
+    /// A push turns the hull about the whole ship's centre of mass, wherever it has swung to.
     #[test]
     fn a_force_follows_the_centre_of_mass_of_the_whole_ship() {
         let (body, _, _) = somewhere();
@@ -339,7 +341,7 @@ mod tests {
         assert!((more.moment - expected).norm() < 1e-13 && more.force.norm() < 1e-14, "{more:?}");
     }
 
-    /// About its attitude and place on average a hull's rates are its twist at the origin, seen from the slow frame.
+    /// At its average attitude and position a hull's rates are its twist at the origin, in the slow frame.
     #[test]
     fn on_average_the_rates_are_the_twist_at_the_origin() {
         let (body, _, twist) = somewhere();
@@ -379,7 +381,7 @@ mod tests {
         assert!((seen - given).abs() < 1e-13 * given);
     }
 
-    /// At rest in its mean place a hull that lists has one added mass, level.
+    /// At rest in its mean position the added mass of a listing hull is level.
     #[test]
     fn the_added_mass_of_a_listing_hull_stands_level() {
         let (body, _, twist) = somewhere();

@@ -1,15 +1,14 @@
-//! The memory of the water: waves that the hull has made act on it later.
+//! The memory of the water: waves that the hull has radiated act on it later.
 
-use crate::elements::Kept;
+use crate::elements::ElementState;
 use crate::scalar::Scalar;
 use crate::sea::database::{MODES, RadiationModel, SixBySix};
 
 /// Radiation as a linear system in state-space form.
 ///
-/// Cummins' equation has the force `-integral_0^t K(t - tau) nu(tau) dtau` beside that of the
-/// infinite-frequency added mass (Cummins, *Schiffstechnik* 9, 1962). With K fitted by poles p and
-/// residues r, `K_ij(s) = sum r_ij / (s - p) + conjugate`, each pole of each mode j carries one
-/// complex state:
+/// Cummins' equation has the force `-integral_0^t K(t - tau) nu(tau) dtau` in addition to that of the added mass at
+/// infinite frequency (Cummins, *Schiffstechnik* 9, 1962). With K fitted by poles p and residues r, `K_ij(s) = sum r_ij
+/// / (s - p) + conjugate`, each pole of each mode j carries one complex state:
 ///
 /// ```text
 /// z' = p z + nu_j,        F_i = -sum 2 Re(r_ij z)          (a real pole: F_i = -sum r_ij z)
@@ -56,8 +55,8 @@ impl Radiation {
         Self { complex, real }
     }
 
-    /// A(0) - A(infinity), kg, kg m, kg m^2: what slow motions find beside the added mass at infinite frequency. It is the limit
-    /// of Im K(i w) / w, `-sum 2 Re(r / p^2)`.
+    /// A(0) - A(infinity), kg, kg m, kg m^2: the added mass of slow motions above that at infinite frequency. It is the
+    /// limit of Im K(i w) / w, `-sum 2 Re(r / p^2)`.
     pub fn added_mass(&self) -> SixBySix {
         let mut added = [[0.0; 6]; 6];
         for pole in &self.complex {
@@ -80,10 +79,10 @@ impl Radiation {
         2 * self.complex.len() + self.real.len()
     }
 
-    /// The states by mode and pole, as an element declares them; of a translation they are lengths.
-    pub fn declared(&self) -> Vec<Kept> {
+    /// The states by mode and pole, as an element declares them; for a translation they are lengths.
+    pub fn declared(&self) -> Vec<ElementState> {
         let of = |mode: usize, rest: String| {
-            Kept::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
+            ElementState::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
         };
         let mut states = Vec::with_capacity(self.state_count());
         for (k, pole) in self.complex.iter().enumerate() {
@@ -93,7 +92,7 @@ impl Radiation {
         states
     }
 
-    /// The force (N) and moment (N m) of the waves made so far.
+    /// The force (N) and moment (N m) of the waves radiated so far.
     pub fn force<S: Scalar>(&self, states: &[S]) -> [S; 6] {
         let (pairs, singles) = states.split_at(2 * self.complex.len());
         let mut force = [S::ZERO; 6];
@@ -125,8 +124,8 @@ impl Radiation {
         }
     }
 
-    /// Writes the states that a velocity (m/s) and angular velocity (rad/s) which have always been leave: z = -nu / p. Their
-    /// force is 0, as K is at zero frequency.
+    /// Writes the steady states of a constant velocity (m/s) and angular velocity (rad/s): z = -nu / p. Their force is
+    /// 0, because K is 0 at zero frequency.
     pub fn steady<S: Scalar>(&self, velocity: &[S; 6], states: &mut [S]) {
         let (pairs, singles) = states.split_at_mut(2 * self.complex.len());
         for (pole, z) in self.complex.iter().zip(pairs.chunks_exact_mut(2)) {

@@ -1,21 +1,21 @@
-//! The filter between where a hull is and where its loads of first order are taken.
+//! The filter between a hull's position and the position where its first-order loads are computed.
 
 use super::place::SlowFrame;
-use crate::elements::Kept;
+use crate::elements::ElementState;
 use crate::scalar::Scalar;
 
-/// How many filters stand in a row.
+/// Number of filters in series.
 const ORDER: usize = 6;
 /// x, y, heading, roll and pitch.
 const COUNT: usize = 5;
 
-/// Place, heading, roll and pitch through `H(s) = (1 + 6 s/w) / (1 + s/w)^6`, w the cut-off.
+/// Position, heading, roll and pitch through `H(s) = (1 + 6 s/w) / (1 + s/w)^6`, w being the cut-off.
 ///
-/// Six filters of first order stand in a row, `x1' = w (x - x1)` to `x6' = w (x5 - x6)`, and `6 x5 - 5 x6` comes out: a
-/// place that drifts at a steady speed without any lag, since H = 1 + O(s^2). Of a motion with the waves, at omega far
-/// above w, there remain `6 (w / omega)^5`, 5e-5 of a period of 8 s: as the phase of the loads it makes a mean force of
-/// that share of `k X a^2 / 2`. A free ship has nothing that holds its heading, so that within an hour even a thousandth of
-/// the drift would turn it.
+/// Six first-order filters in series, `x1' = w (x - x1)` to `x6' = w (x5 - x6)`; the output is `6 x5 - 5 x6`. A
+/// position that drifts at a steady speed passes without lag, since H = 1 + O(s^2). A motion at a wave frequency omega
+/// far above w is reduced to `6 (w / omega)^5`, which is 5e-5 at a period of 8 s; as a phase error of the loads this
+/// makes a mean force of the same share of `k X a^2 / 2`. It has to be so small because nothing holds the heading of a
+/// free ship: within an hour a thousandth of the drift would turn it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowFilter<S = f64> {
     /// x, y (m), heading, roll and pitch (rad) behind each filter.
@@ -26,7 +26,7 @@ impl<S: Scalar> SlowFilter<S> {
     /// Number of its states.
     pub const LEN: usize = COUNT * ORDER;
 
-    /// Where a hull is that has always moved at this velocity (world, m/s), without turning.
+    /// The steady state for a constant velocity (world, m/s) without turning.
     pub fn steady(place: &SlowFrame<S>, [vx, vy]: [S; 2], cutoff_rad_s: f64) -> Self {
         let ([x, y], [roll, pitch]) = (place.position, place.lean);
         let behind = |stage: usize, speed: S| speed * S::constant((stage + 1) as f64 / cutoff_rad_s);
@@ -35,9 +35,10 @@ impl<S: Scalar> SlowFilter<S> {
     }
 
     /// Its states, as an element declares them.
-    pub fn declared() -> impl Iterator<Item = Kept> {
+    pub fn declared() -> impl Iterator<Item = ElementState> {
         let signals = [("x", "m"), ("y", "m"), ("heading", "rad"), ("roll", "rad"), ("pitch", "rad")];
-        let of = move |stage: usize| signals.map(|(name, unit)| Kept::memory(format!("slow.{name}.{stage}"), unit));
+        let of =
+            move |stage: usize| signals.map(|(name, unit)| ElementState::memory(format!("slow.{name}.{stage}"), unit));
         (1..=ORDER).flat_map(of)
     }
 
@@ -60,7 +61,7 @@ impl<S: Scalar> SlowFilter<S> {
         SlowFrame { position: [x, y], heading, lean: [roll, pitch] }
     }
 
-    /// The rate of what comes out: of x and y, world, m/s, and of the heading, rad/s.
+    /// The rate of the output: x and y, world, m/s, and heading, rad/s.
     pub fn output_rates(&self, cutoff_rad_s: f64) -> [S; 3] {
         let [.., second, before, last] = &self.stages;
         let cutoff = S::constant(cutoff_rad_s);
@@ -69,7 +70,7 @@ impl<S: Scalar> SlowFilter<S> {
         [x, y, heading]
     }
 
-    /// The rates of its states where the hull is at `now`.
+    /// The rates of its states for a hull at `now`.
     pub fn rates(&self, now: &SlowFrame<S>, cutoff_rad_s: f64) -> Self {
         let slow = self.frame();
         let ([x, y], [roll, pitch]) = (now.position, now.lean);
@@ -81,7 +82,7 @@ impl<S: Scalar> SlowFilter<S> {
     }
 }
 
-/// The angle `now`, less full turns away from `last`.
+/// The angle `now`, changed by full turns to be nearest to `last`.
 fn onward<S: Scalar>(last: S, now: S) -> S {
     let (sin, cos) = (now - last).sin_cos();
     last + sin.atan2(cos)
@@ -104,7 +105,7 @@ mod tests {
         SlowFrame { position: [motion, 0.0], heading: motion, lean: [motion, 0.0] }
     }
 
-    /// The states after a step of a motion of everything, by RK4.
+    /// The states after one RK4 step of a given motion.
     fn stepped(filter: &SlowFilter, start_s: f64, step_s: f64, motion: &dyn Fn(f64) -> f64) -> SlowFilter {
         let rates = |states: &SlowFilter, time_s: f64| states.rates(&place(motion(time_s)), CUTOFF_RAD_S);
         let moved = |by: f64, rates: &SlowFilter| {
@@ -123,7 +124,7 @@ mod tests {
         moved(step_s, &mean)
     }
 
-    /// The slow frame's x and heading after each step of a motion that both make.
+    /// The slow frame's x and heading after each step, both following the given motion.
     fn filtered(steps: usize, motion: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
         let mut filter = SlowFilter::steady(&place(motion(0.0)), [0.0; 2], CUTOFF_RAD_S);
         let after = |k: usize| {
@@ -133,8 +134,8 @@ mod tests {
         (0..steps).map(after).collect()
     }
 
-    /// H(s) = 1 + O(s^2): a ramp is followed, through full turns of the heading too. RK4 is exact for it but for what is
-    /// left of the start, 45^5 e^-45.
+    /// H(s) = 1 + O(s^2): a ramp is followed, through full turns of the heading too. RK4 is exact for it except for the
+    /// transient, 45^5 e^-45.
     #[test]
     fn a_steady_drift_has_no_lag() {
         let speed = 0.03;
@@ -144,7 +145,7 @@ mod tests {
         }
     }
 
-    /// What has always drifted is there from the start.
+    /// A steady drift before the start is filtered correctly from the start.
     #[test]
     fn a_drift_from_the_past_has_no_lag_at_the_start() {
         let past = SlowFilter::steady(&place(2.0), [0.7, -0.3], CUTOFF_RAD_S);
@@ -158,7 +159,7 @@ mod tests {
     fn of_a_motion_with_the_waves_what_the_transfer_function_says_remains() {
         let omega = core::f64::consts::TAU / 8.0;
         let all = filtered(16_000, |time_s| libm::sin(omega * time_s));
-        // Over the last 20 periods: what goes with the sine, and with the cosine.
+        // Over the last 20 periods: the sine and the cosine component.
         let periods = &all[16_000 - 3_200..];
         let mut parts = [0.0; 2];
         for (k, [x, _]) in periods.iter().enumerate() {
@@ -171,7 +172,7 @@ mod tests {
         let phase = libm::atan(6.0 * r) - 6.0 * libm::atan(r);
         let (sin, cos) = libm::sincos(phase);
         assert!(size < 5e-5);
-        // Simpson's rule of RK4 is off by (omega h)^4 / 2880 of the input.
+        // RK4 integrates by Simpson's rule, whose error is (omega h)^4 / 2880 of the input.
         assert!((parts[0] - size * cos).abs() < 1e-3 * size && (parts[1] - size * sin).abs() < 1e-3 * size);
     }
 

@@ -1,4 +1,4 @@
-//! A hull in regular waves, by its database.
+//! A hull in regular waves, from its database.
 
 use super::{ByHeading, Hull, SeaAxes, SlowFrame, modes};
 use crate::dynamics::Kinematics;
@@ -9,7 +9,7 @@ use crate::sea::waves::Water;
 use crate::spatial::{Frame, Twist};
 use std::sync::Arc;
 
-/// A hull and the database that its excitation is of.
+/// A hull and the database of its excitation.
 #[derive(Debug)]
 pub struct InRegularWaves<'a, S: Scalar> {
     hull: &'a Hull<S>,
@@ -44,7 +44,7 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
         WavePlace { position, heading }
     }
 
-    /// Along the axes of the sea's loads, about the database's origin.
+    /// Rates along the axes of the wave loads, about the database's origin.
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6] {
         let frame = self.frame(bodies);
         let axes = SeaAxes::of(&self.hull.coefficients, &frame, &SlowFrame::of(&frame), [S::ZERO; 2]);

@@ -1,37 +1,37 @@
-//! The elastic catenary: how a line hangs between its ends.
+//! The elastic catenary: the shape and the forces of a line between its ends.
 
 use crate::scalar::Scalar;
 
 /// A uniform elastic line that hangs from its upper end to its lower one, in the vertical plane through both.
 ///
-/// With the horizontal force H and the vertical force V at the upper end, the tension at the
-/// unstretched length s from it is T = sqrt(H^2 + v^2), v = V - w s. It hangs over the length L_s, from V to
-/// v_a = V - w L_s, and what is left of L lies on the seabed, without friction:
+/// With the horizontal force H and the vertical force V at the upper end, the tension at the unstretched length s from
+/// it is T = sqrt(H^2 + v^2), v = V - w s. The length L_s hangs, from V to v_a = V - w L_s, and the rest of L lies on
+/// the seabed, without friction:
 ///
 /// ```text
 /// x = L - L_s + H/w [asinh(V/H) - asinh(v_a/H)] + H L / EA
 /// z = L_s (V + v_a) [1 / (T + T_a) + 1 / 2EA],     L_s = min(V/w, L) on a seabed, else L
 /// ```
 ///
-/// (Irvine, *Cable Structures*, 1981, ch. 1; Jonkman, NREL/TP-500-41958, 2007, eqs. 2-35 to 2-38, which it becomes
-/// by (V^2 - v_a^2) / w = L_s (V + v_a)). These are the derivatives by H and V of the complementary energy
+/// (Irvine, *Cable Structures*, 1981, ch. 1; Jonkman, NREL/TP-500-41958, 2007, eqs. 2-35 to 2-38, equivalent by (V^2 -
+/// v_a^2) / w = L_s (V + v_a)). These are the derivatives with respect to H and V of the complementary energy
 ///
 /// ```text
 /// C(H, V) = Integral (T + T^2 / 2EA) ds = (L - L_s) (H + H^2 / 2EA) + ...
 /// ```
 ///
-/// which is convex: the forces under given ends are one, and Newton's method finds them. The energy of weight and
-/// stretch is then U = H x + V z - C, against that of the line unstretched at the height of its lower end, and its
-/// gradient along x and z is (H, V).
+/// which is convex: for given ends the forces are unique, and Newton's method finds them. The energy of weight and
+/// stretch is then U = H x + V z - C, relative to the unstretched line at the height of its lower end, and its gradient
+/// along x and z is (H, V).
 #[derive(Clone, Copy, Debug)]
 pub struct Catenary<S = f64> {
     /// L without tension, m.
     pub unstretched_length: S,
-    /// w, weight less buoyancy of the unstretched length, N/m.
+    /// w, weight in water per unstretched length, N/m.
     pub weight: S,
     /// EA, N.
     pub axial_stiffness: S,
-    /// Whether a flat seabed at the lower end carries the line.
+    /// Whether the line can lie on a flat seabed at its lower end.
     pub on_seabed: bool,
 }
 
@@ -44,7 +44,7 @@ pub struct Span<S = f64> {
     pub up: S,
 }
 
-/// What holds the upper end, N.
+/// The force that holds the upper end, N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndForce<S = f64> {
     /// H, away from the lower end.
@@ -53,8 +53,8 @@ pub struct EndForce<S = f64> {
     pub vertical: S,
 }
 
-/// What hangs of a line, and what does not.
-struct Hanging<S> {
+/// The hanging part of a line, and the rest.
+struct HangingPart<S> {
     /// L_s, m.
     length: S,
     /// L - L_s, m.
@@ -69,19 +69,19 @@ struct Hanging<S> {
     turn: S,
 }
 
-/// Least horizontal force of a line that is drawn, as a share of its weight.
+/// Smallest horizontal force with which a line is drawn, as a share of its weight.
 const LEAST_PULL: f64 = 1e-6;
-/// Iterations before a solution is given up; 6 are usual.
+/// Largest number of iterations; 6 are usual.
 const MOST_ITERATIONS: usize = 200;
-/// Error of the ends that counts as none, of all lengths.
+/// Error of the end positions that counts as 0, relative to all lengths.
 const ROUNDING: f64 = 1e-13;
-/// The least of a force that an iteration leaves.
+/// The smallest share of a force that an iteration may leave.
 const LEAST_LEFT: f64 = 0.1;
-/// The least height over the seabed, of the length: at none the line's stiffness is infinite.
+/// The smallest height above the seabed, as a share of the length: at 0 the line's stiffness is infinite.
 const LEAST_HEIGHT: f64 = 1e-9;
 
 impl<S: Scalar> Catenary<S> {
-    /// The ends under a force; H must be positive.
+    /// The span under a force; H must be positive.
     pub fn span(&self, force: &EndForce<S>) -> Span<S> {
         let hanging = self.hanging(force);
         let EndForce { horizontal, vertical } = *force;
@@ -94,7 +94,7 @@ impl<S: Scalar> Catenary<S> {
         }
     }
 
-    /// The force under given ends: along a seabed none where the line is slack. Not a number where an end is none.
+    /// The force for given ends; along a seabed it is 0 if the line is slack. NaN if an end is NaN.
     pub fn force(&self, span: &Span<S>) -> EndForce<S> {
         let span = self.above_seabed(span);
         let Self { unstretched_length, weight, axial_stiffness, on_seabed } = *self;
@@ -106,7 +106,7 @@ impl<S: Scalar> Catenary<S> {
         });
         let pulls = horizontal.select_below(f64::MIN_POSITIVE, || S::ZERO, || S::ONE);
         let or = |other: S, value: S| pulls.select_below(0.5, || other, || value);
-        // The derivatives come with a last step of Newton's method.
+        // A last Newton step gives the derivatives.
         let found = EndForce { horizontal: or(S::ONE, horizontal), vertical };
         let step = self.newton_step(&found, &span);
         EndForce {
@@ -115,7 +115,7 @@ impl<S: Scalar> Catenary<S> {
         }
     }
 
-    /// Energy of weight and stretch, J, where the ends are and the force is theirs.
+    /// Energy of weight and stretch, J, for the ends and their force.
     pub fn potential_energy(&self, span: &Span<S>, force: &EndForce<S>) -> S {
         let span = self.above_seabed(span);
         let slack = force.horizontal.select_below(f64::MIN_POSITIVE, || S::ONE, || S::ZERO);
@@ -123,7 +123,7 @@ impl<S: Scalar> Catenary<S> {
         let at = EndForce { horizontal: or(S::ONE, force.horizontal), vertical: force.vertical };
         let hanging = self.hanging(&at);
         let (h, v, v_a) = (force.horizontal, force.vertical, hanging.lower_vertical);
-        // Where H is none, so is the tension below.
+        // Where H is 0, so is the tension at the lower end.
         let tension = or(v, hanging.tension);
         let height = hanging.length * (v + v_a) / (tension + or(S::ZERO, hanging.lower_tension));
         let of_weight = hanging.length * tension + v_a * height + h * h / self.weight * hanging.turn;
@@ -134,16 +134,17 @@ impl<S: Scalar> Catenary<S> {
         h * span.across + v * span.up - complementary
     }
 
-    /// The tension at the upper end, at the lower one (N), and how much lies on the seabed (m).
+    /// The tension at the upper and at the lower end (N), and the length on the seabed (m).
     pub fn tensions(&self, force: &EndForce<S>) -> [S; 3] {
         let hanging = self.hanging(force);
         [hanging.tension, hanging.lower_tension, hanging.grounded]
     }
 
-    /// From the lower end to the point at this share of the unstretched length from it, under a force that holds the
-    /// upper end at `span`: what hangs below a point is itself a catenary, with the vertical force that is left there.
+    /// The position, from the lower end, of the point at this share of the unstretched length, under the force that
+    /// holds the upper end at `span`. The part below a point is itself a catenary with the vertical force at that
+    /// point.
     pub fn place(&self, force: &EndForce<S>, span: &Span<S>, share: S) -> Span<S> {
-        // Where nothing pulls along, a line that hangs straight down still has a shape.
+        // Without a horizontal force the line hangs straight down, which is also a shape.
         let least = self.weight * self.unstretched_length * S::constant(LEAST_PULL);
         let horizontal = force.horizontal.select_less(least, || least, || force.horizontal);
         let below = |share: S| {
@@ -153,12 +154,12 @@ impl<S: Scalar> Catenary<S> {
             part.span(&EndForce { horizontal, vertical: lies.select_below(0.5, || vertical, || S::ZERO) })
         };
         let (point, top) = (below(share), below(S::ONE));
-        // The shape ends where the line does: what is off there is shared out along it.
+        // The shape must end at the line's end: the error there is distributed along it.
         let along = point.across / top.across;
         Span { across: along * span.across, up: point.up + along * (span.up - top.up) }
     }
 
-    fn hanging(&self, force: &EndForce<S>) -> Hanging<S> {
+    fn hanging(&self, force: &EndForce<S>) -> HangingPart<S> {
         let EndForce { horizontal: h, vertical: v } = *force;
         let free = v - self.weight * self.unstretched_length;
         let lies = if self.on_seabed { free.select_below(0.0, || S::ONE, || S::ZERO) } else { S::ZERO };
@@ -168,16 +169,16 @@ impl<S: Scalar> Catenary<S> {
         let tension = (h * h + v * v).sqrt();
         let lower_tension = or((h * h + lower_vertical * lower_vertical).sqrt(), h);
         let weight = self.weight * length;
-        // Each form where nothing cancels in it.
+        // Each form is used where it has no cancellation.
         let turn = (v * lower_vertical).select_below(
             0.0,
             || asinh(v / h) + asinh(-lower_vertical / h),
             || (weight * S::constant(2.0) / (tension + lower_tension - weight)).ln_1p(),
         );
-        Hanging { length, grounded: self.unstretched_length - length, lower_vertical, tension, lower_tension, turn }
+        HangingPart { length, grounded: self.unstretched_length - length, lower_vertical, tension, lower_tension, turn }
     }
 
-    /// What Newton's method adds to a force for these ends.
+    /// The Newton step of the force for these ends.
     fn newton_step(&self, force: &EndForce<S>, span: &Span<S>) -> EndForce<S> {
         let at = self.span(force);
         let (across, up) = (span.across - at.across, span.up - at.up);
@@ -199,13 +200,13 @@ impl<S: Scalar> Catenary<S> {
         ]
     }
 
-    /// The weight that a vertical line to this height carries: z = V / w + V^2 / 2 EA w.
+    /// The force at the top of a vertical line of this height: z = V / w + V^2 / 2 EA w.
     fn hanging_weight(&self, up: S) -> S {
         let weight = self.weight * up * S::constant(2.0);
         weight / (S::ONE + (S::ONE + weight / self.axial_stiffness).sqrt())
     }
 
-    /// An upper end in the seabed counts as lying on it.
+    /// An upper end below the seabed counts as lying on it.
     fn above_seabed(&self, span: &Span<S>) -> Span<S> {
         if !self.on_seabed {
             return *span;
@@ -234,8 +235,8 @@ impl Catenary {
         EndForce { horizontal: f64::NAN, vertical: f64::NAN }
     }
 
-    /// One step downhill to the least of C - H x - V z, which is convex, by Newton's method: shortened where it would
-    /// leave the forces that there are, or climb.
+    /// One Newton step towards the minimum of C - H x - V z, which is convex; it is shortened if it would leave the
+    /// admissible forces or go uphill.
     fn improved(&self, force: &EndForce, span: &Span) -> EndForce {
         let step = self.newton_step(force, span);
         let after = |share: f64| EndForce {
@@ -274,7 +275,7 @@ fn half<S: Scalar>() -> S {
     S::constant(0.5)
 }
 
-/// Of what is not negative.
+/// For arguments that are not negative.
 fn asinh<S: Scalar>(x: S) -> S {
     let size = x.select_below(0.0, || -x, || x);
     let of_size = (size + size * size / (S::ONE + (S::ONE + size * size).sqrt())).ln_1p();

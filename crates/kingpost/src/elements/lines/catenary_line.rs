@@ -3,14 +3,14 @@
 use super::catenary::{Catenary, EndForce, Span};
 use super::{declaration, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Declaration, Element, Moment};
+use crate::elements::{Context, Declaration, Element};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A [`Catenary`] from a fairlead on a body to an anchor in the world: at every moment in the shape that it would have
-/// at rest, without inertia and drag of its own. It pulls with H towards the anchor and with V downwards, and the
-/// energy of its weight and stretch is potential energy.
+/// A [`Catenary`] from a fairlead on a body to an anchor in the world: quasi-static, in its shape at rest at every
+/// moment, without inertia and drag. It pulls with H towards the anchor and with V downwards, and the energy of its
+/// weight and stretch is potential energy.
 #[derive(Clone, Debug)]
 pub struct CatenaryLine<S = f64> {
     /// Name in the results.
@@ -19,11 +19,12 @@ pub struct CatenaryLine<S = f64> {
     pub fairlead: Attachment<S>,
     /// Its lower end in the world, m.
     pub anchor: Vector3<S>,
-    /// What hangs between them.
+    /// The catenary between them.
     pub line: Catenary<S>,
 }
 
-/// Where the fairlead stands above the anchor, nearer than this of the length, H grows with the distance.
+/// If the horizontal distance between fairlead and anchor is below this share of the length, H grows in proportion to
+/// it.
 const NEAREST: f64 = 1e-6;
 
 impl<S: Scalar> Element<S> for CatenaryLine<S> {
@@ -36,7 +37,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     /// Adds the pull at the fairlead.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (way, span) = self.way(at.model, at.links);
         let EndForce { horizontal, vertical } = self.line.force(&span);
         let per_length = horizontal / span.across;
@@ -44,12 +45,12 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         pull_at(&self.fairlead, pull, at, loads);
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (_, span) = self.way(at.model, at.links);
         out.extend(self.line.tensions(&self.line.force(&span)));
     }
 
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let (way, span) = self.way(at.model, at.links);
         let force = self.line.force(&span);
         for share in shares::<S>() {
@@ -72,7 +73,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     /// Energy of its weight and stretch, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let (way, span) = self.way(at.model, at.links);
         let force = self.line.force(&span);
         let nearer = way[0] * way[0] + way[1] * way[1] - span.across * span.across;

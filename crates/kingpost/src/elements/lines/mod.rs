@@ -8,7 +8,7 @@ pub use catenary::{Catenary, EndForce, Span};
 pub use catenary_line::CatenaryLine;
 pub use spring_line::SpringLine;
 
-use super::{Declaration, DrawnLine, LineStyle, Moment, Output};
+use super::{Context, Declaration, DrawnLine, LineStyle, Output};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
@@ -17,19 +17,19 @@ use crate::spatial::{Vector3, Wrench};
 /// Points that a line is drawn through.
 const POINTS: usize = 49;
 
-/// What every line declares: its tensions, and itself to draw.
+/// The declaration of every line: its tensions and its drawn line.
 fn declaration(name: &str) -> Declaration {
     let drawn = DrawnLine { name: name.to_owned(), style: LineStyle::Line, radius_m: 0.0, points: POINTS };
     Declaration { outputs: outputs(name), lines: vec![drawn], ..Declaration::default() }
 }
 
-/// Shares of a line's length at which its points stand, from its first end.
+/// Shares of a line's length at which its points are drawn, from its first end.
 fn shares<S: Scalar>() -> impl Iterator<Item = S> {
     (0..POINTS).map(|i| S::constant(i as f64 / (POINTS - 1) as f64))
 }
 
-/// What every line shows: the tension at its first end, or its fairlead, and at its second, or its anchor, N; how much of
-/// its unstretched length lies on the seabed, m.
+/// The outputs of every line: the tension at its first end or fairlead and at its second end or anchor, N; the
+/// unstretched length on the seabed, m.
 fn outputs(name: &str) -> Vec<Output> {
     let first = "tension at the first end of a line, or its fairlead";
     let second = "tension at the second end of a line, or its anchor";
@@ -41,14 +41,14 @@ fn outputs(name: &str) -> Vec<Output> {
     ]
 }
 
-/// Where an end is in the world, m.
+/// Position of an end in the world, m.
 pub(super) fn place<S: Scalar>(end: &Attachment<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
     let point = end.in_body.position;
     end.body.map_or(point, |body| links.body_frame(model, body).point(point))
 }
 
-/// How an end moves in the world, m/s.
-pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Vector3<S> {
+/// Velocity of an end in the world, m/s.
+pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Context<'_, S>) -> Vector3<S> {
     let Some(body) = end.body else { return Vector3::zero() };
     let twist = at.links.body_twist(at.model, body);
     let in_body = twist.linear + twist.angular.cross(end.in_body.position);
@@ -56,7 +56,7 @@ pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Ve
 }
 
 /// Adds a force in world axes at an end; on the world itself nothing is added.
-fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
     let Some(body) = end.body else { return };
     let force = at.links.to_body_axes(at.model, body, pull);
     loads.wrenches.push((body, Wrench { moment: end.in_body.position.cross(force), force }));

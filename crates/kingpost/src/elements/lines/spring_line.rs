@@ -1,27 +1,27 @@
-//! A rope without weight between two points: a mooring hawser, a towline, a tugger line.
+//! A weightless line between two points: a mooring hawser, a towline, a tugger line.
 
 use super::{declaration, place, pull_at, shares, velocity};
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Moment, hunt_crossley};
+use crate::elements::{Context, Declaration, Element, hunt_crossley};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A spring that pulls only. At the stretch s = L - L0 beyond the unstretched length L0,
+/// A spring that only pulls. At the stretch s = L - L0 beyond the unstretched length L0,
 ///
 /// ```text
 /// T = EA / L0 s max(1 + a L', 0),   and 0 where s <= 0
 /// ```
 ///
-/// so that the damping begins with the tension, which does not jump as the line comes taut, and never
-/// pushes (the law of [`hunt_crossley`]). Of its energy EA / L0 s^2 / 2 is stored, the rest is heat.
+/// so the tension does not jump when the line comes taut, and the line never pushes (the law of [`hunt_crossley`]). The
+/// energy EA / L0 s^2 / 2 is stored, the rest becomes heat.
 #[derive(Clone, Debug)]
 pub struct SpringLine<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// Its end on one body.
+    /// Its first end, on a body.
     pub first: Attachment<S>,
-    /// Its end on the other, or in the world.
+    /// Its second end, on another body or in the world.
     pub second: Attachment<S>,
     /// L0, m.
     pub unstretched_length: S,
@@ -41,7 +41,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
     }
 
     /// Adds the pull at both ends, and the heat that the line makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
         let (tension, heat) = self.tension(length, direction.dot(rate));
@@ -51,16 +51,16 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         pull_at(&self.second, -pull, at, loads);
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
         let (tension, _) = self.tension(length, direction.dot(rate));
         out.extend([tension, tension, S::ZERO]);
     }
 
-    /// Straight where it pulls; where it is slack with a sag: of a flat parabola that is longer than its chord d by e
-    /// the sag is sqrt(3/8 d e).
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    /// Straight if it pulls; with a sag if it is slack: a flat parabola that is longer than its chord d by e has the
+    /// sag sqrt(3/8 d e).
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let first = place(&self.first, at.model, at.links);
         let way = place(&self.second, at.model, at.links) - first;
         let (length, _) = length_and_direction(way);
@@ -83,7 +83,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let way = self.way(at).0;
         let stretch = self.stretch(length_and_direction(way).0);
         self.stiffness() * stretch * stretch * S::constant(0.5)
@@ -92,7 +92,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
 
 impl<S: Scalar> SpringLine<S> {
     /// From the first end to the second in the world, m, and its rate, m/s.
-    fn way(&self, at: &Moment<'_, S>) -> (Vector3<S>, Vector3<S>) {
+    fn way(&self, at: &Context<'_, S>) -> (Vector3<S>, Vector3<S>) {
         let way = place(&self.second, at.model, at.links) - place(&self.first, at.model, at.links);
         (way, velocity(&self.second, at) - velocity(&self.first, at))
     }
@@ -111,7 +111,7 @@ impl<S: Scalar> SpringLine<S> {
     }
 }
 
-/// Of a way; without length it has no direction, and a line is slack.
+/// Length and direction of a vector. At length 0 it has no direction, and a line is slack.
 fn length_and_direction<S: Scalar>(way: Vector3<S>) -> (S, Vector3<S>) {
     let square = way.norm_squared();
     let there = |value: S| square.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);

@@ -1,11 +1,11 @@
-//! What ends a step of an operation.
+//! The condition that ends a step of an operation.
 
 use crate::elements::significant;
 
 /// What ends a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
-    /// The step has lasted so long, s.
+    /// The step has lasted this long, s.
     After(f64),
     /// A column of the results is in a range.
     Column(ColumnRange),
@@ -31,7 +31,7 @@ pub struct ColumnRange {
 }
 
 impl Condition {
-    /// Whether it holds so long after the step began, s, with these numbers in the columns.
+    /// Whether it holds at this time after the start of the step, s, with these numbers in the columns.
     pub fn holds(&self, elapsed_s: f64, columns: &[f64]) -> bool {
         match self {
             Self::After(time_s) => elapsed_s >= *time_s,
@@ -41,7 +41,7 @@ impl Condition {
         }
     }
 
-    /// What does not hold, as an error says it.
+    /// The part that does not hold, in the words of an error.
     pub fn missing(&self, elapsed_s: f64, columns: &[f64]) -> String {
         let of = |conditions: &[Self], link: &str| {
             let open = conditions.iter().filter(|one| !one.holds(elapsed_s, columns));

@@ -4,12 +4,12 @@ mod condition;
 
 pub use condition::{ColumnRange, Condition};
 
-use crate::elements::{Declaration, Element, Moment, Output, Own};
+use crate::elements::{Context, Declaration, Element, Output, Own};
 use crate::scalar::Scalar;
 
-/// A timeline. It looks at its condition where a step of the integrator begins, so a step of the operation ends at most
-/// one of the integrator's late. Where an input moves over a time, it stands over each step of the integrator at its value in the
-/// middle of that step: what follows it is then of second order in the step.
+/// A timeline. It checks its condition at the start of each integrator step, so a step of the operation ends at most
+/// one integrator step late. An input that moves gradually has, during each integrator step, its value at the middle of
+/// that step, which makes the motion accurate to second order in the step.
 #[derive(Clone, Debug)]
 pub struct Operation<S = f64> {
     /// Name in the table of events.
@@ -33,24 +33,24 @@ pub struct OperationStep<S = f64> {
     pub moves: Vec<(usize, Vec<Move<S>>)>,
     /// What ends it.
     pub until: Condition,
-    /// The run ends with an error where the step lasts longer, s.
+    /// The run ends with an error if the step lasts longer, s.
     pub time_out_s: Option<f64>,
 }
 
 /// An input goes to a value.
 #[derive(Clone, Copy, Debug)]
 pub struct Move<S = f64> {
-    /// When it begins, s since the step began.
+    /// When it begins, s after the start of the step.
     pub at_s: f64,
-    /// How long it takes, s; at once where that is 0.
+    /// Its duration, s; 0 is at once.
     pub in_s: f64,
     /// In the input's unit.
     pub to: S,
 }
 
-/// Shares of a step of the integrator by which a time may be early: rounding.
+/// Share of an integrator step by which a time may be early: rounding.
 const TIME_SLACK: f64 = 1e-9;
-/// The one mode: the step under way, from 1; 0 before the first, one more than there are after the last.
+/// The only mode: the current step, from 1; 0 before the first, the number of steps plus 1 after the last.
 const STEP: usize = 0;
 /// Numbers: when the step began, s, and from [`FROM`] on the value of each input then.
 const BEGAN: usize = 0;
@@ -65,7 +65,7 @@ impl<S: Scalar> Element<S> for Operation<S> {
         let from = self.inputs.iter().map(|input| format!("{input}_at_its_start"));
         let step = Output::number(
             "operation_step",
-            "step of an operation that is under way, from 1; 0 before the first, one more than there are after the last",
+            "current step of an operation, from 1; 0 before the first, the number of steps plus 1 after the last",
             "operation",
             &self.name,
             &["1"],
@@ -81,13 +81,13 @@ impl<S: Scalar> Element<S> for Operation<S> {
         }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         out.push(S::constant(at.modes[STEP] as f64));
     }
 
     fn steer(
         &mut self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         read: &[S],
         own: &mut Own<'_, S>,
         inputs: &mut [S],
@@ -132,7 +132,8 @@ impl<S: Scalar> Operation<S> {
         self.under_way(own).map_or_else(|| "ends".to_owned(), |step| format!("begins {:?}", step.name))
     }
 
-    /// An input so long after the step began, which it began at `from`; it stays `now` before its first move.
+    /// The value of an input at this time after the start of the step, where it was `from`; it stays `now` before its
+    /// first move.
     fn value(&self, moves: &[Move<S>], elapsed_s: f64, from: S, now: S) -> S {
         let begun = moves.partition_point(|one| one.at_s <= elapsed_s + TIME_SLACK * self.step_s);
         let Some(one) = begun.checked_sub(1).map(|last| &moves[last]) else { return now };

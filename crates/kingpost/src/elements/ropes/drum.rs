@@ -1,19 +1,20 @@
-//! A drum: the length that it pays out by its angle.
+//! A drum: the length that it pays out as a function of its angle.
 //!
-//! With the angle phi from the start, positive as it pays out, and the radius R0 to the middle of the rope there, one layer of
-//! rope pays out R0 phi. In layers of height h with n turns each the radius falls as in a spiral, by c = h / (2 pi n) per angle:
+//! With the angle phi from the start, positive as it pays out, and the radius R0 to the middle of the rope there, one
+//! layer of rope pays out R0 phi. With layers of height h and n turns each, the radius falls like a spiral, by c = h /
+//! (2 pi n) per angle:
 //!
 //! ```text
 //! R = R0 - c phi,   L = L0 + R0 phi - c phi^2 / 2
 //! ```
 //!
-//! which gives the mean radius of every layer. Rope leaves the drum at R0 for all that: its side of the drum shifts by less than
-//! the height of the layers.
+//! which gives the mean radius of every layer. The point where the rope leaves the drum is kept at R0: it would shift
+//! by less than the height of the layers.
 
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 
-/// A drum: a coordinate that a rope is wound up by.
+/// A drum: the coordinate that winds up a rope.
 #[derive(Clone, Copy, Debug)]
 pub struct Drum<S = f64> {
     /// Index in q.
@@ -26,7 +27,7 @@ pub struct Drum<S = f64> {
     pub radius: S,
     /// Its angle at the start, rad.
     pub start: S,
-    /// Without them all rope is paid out at R0.
+    /// The layers; without them all rope is paid out at R0.
     pub layers: Option<Layers<S>>,
 }
 
@@ -35,11 +36,11 @@ pub struct Drum<S = f64> {
 pub struct Layers<S = f64> {
     /// c, m/rad.
     pub thinning: S,
-    /// Angle at which the innermost layer is the last, rad; from there on its radius stays.
+    /// Angle at which the innermost layer is reached, rad; from there on the radius is constant.
     pub innermost_from: S,
 }
 
-/// What a drum has paid out since the start.
+/// The rope that a drum has paid out since the start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PaidOut<S> {
     /// L - L0, m.
@@ -48,14 +49,14 @@ pub(super) struct PaidOut<S> {
     pub per_angle: S,
     /// L', m/s.
     pub rate: S,
-    /// L'' where the drum does not accelerate, m/s^2.
+    /// L'' without acceleration of the drum, m/s^2.
     pub drift: S,
     /// phi left until the innermost layer, rad.
     pub left: S,
 }
 
 impl<S: Scalar> Drum<S> {
-    pub(super) fn paid_out(&self, at: &Moment<'_, S>) -> PaidOut<S> {
+    pub(super) fn paid_out(&self, at: &Context<'_, S>) -> PaidOut<S> {
         let angle = self.sense * (at.q[self.position] - self.start);
         let speed = self.sense * at.v[self.coordinate];
         let radius = self.radius;

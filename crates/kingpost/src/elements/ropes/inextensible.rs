@@ -1,22 +1,23 @@
-//! A rope that does not stretch: its path is no longer than it.
+//! A rope that does not stretch: its path cannot become longer than the rope.
 //!
-//! With the length l of the path and the length L that lies on it, taut the rope holds the constraint
+//! With the length l of the path and the length L of the rope on it, the taut rope holds the constraint
 //!
 //! ```text
 //! phi = L - l = 0,   T = lambda >= 0
 //! ```
 //!
-//! by a row of J that the pull of a unit tension gives. It lets go where T would fall below 0. Where its path is as long as it
-//! again it comes taut with an impact, v+ = v - M^-1 J^T (J M^-1 J^T)^-1 J v, after which l' = L': what moved along the rope has
-//! lost its energy to heat, as in a stiff rope whose damper leaves no rebound (Pfeiffer & Glocker, *Multibody Dynamics with
-//! Unilateral Contacts*, 1996, ch. 8, with a coefficient of restitution of 0). This is the limit of a rope without compliance.
+//! with a row of J from the forces of a unit tension. It goes slack when T would become negative. When the path is as
+//! long as the rope again it comes taut with an impact, v+ = v - M^-1 J^T (J M^-1 J^T)^-1 J v, after which l' = L': the
+//! energy of the motion along the rope becomes heat, as in a stiff rope whose damper leaves no rebound (Pfeiffer &
+//! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, ch. 8, with a coefficient of restitution of 0). This
+//! is the limit of a rope without compliance.
 
-use super::path::{Place, Wrap};
-use super::station::Motion;
-use super::{PARTED, Path, ROUNDING_M, Rope, Round, SLACK, Station, TAUT};
+use super::path::{PlacedStation, Wrap};
+use super::station::StationMotion;
+use super::{PARTED, ROUNDING_M, Rope, RopePath, Round, SLACK, Station, TAUT};
 use crate::dynamics::Restraint;
 use crate::elements::ropes::Efficiency;
-use crate::elements::{Holding, Moment};
+use crate::elements::{Context, Holding};
 use crate::model::Attachment;
 use crate::scalar::{Dual, Scalar};
 use crate::spatial::{Frame, Vector3};
@@ -24,21 +25,21 @@ use crate::spatial::{Frame, Vector3};
 /// A number with its rate in time.
 type Rated<S> = Dual<1, S>;
 
-/// How fast a rope may become shorter than its path, or longer, and count as just taut, m/s: rounding.
+/// Largest rate of l - L, m/s, at which a rope still counts as just taut: rounding.
 const ROUNDING_M_S: f64 = 1e-9;
 
-/// What an inextensible rope has beside its path.
+/// What an inextensible rope needs in addition to its path.
 #[derive(Clone, Debug)]
 pub struct Inextensible<S = f64> {
-    /// The same path over numbers with their rates: the rate of its length has the second derivative beside it.
-    rated: Path<Rated<S>>,
-    /// T, as the accelerations were found last, N.
+    /// The same path over numbers with their rates, so that the rate of the length carries the second derivative.
+    rated: RopePath<Rated<S>>,
+    /// T from the last solution for the accelerations, N.
     pub(super) tension: S,
 }
 
 impl<S: Scalar> Inextensible<S> {
-    /// Over a path, whose stations hand their places over.
-    pub fn new(path: &Path<S>) -> Self {
+    /// For a path; its stations are copied.
+    pub fn new(path: &RopePath<S>) -> Self {
         let stations = path.stations().iter().map(|station| Station {
             centre: Attachment { body: None, in_body: Frame::identity(), link: None, in_link: Frame::identity() },
             round: station.round.map(|round| Round {
@@ -48,20 +49,28 @@ impl<S: Scalar> Inextensible<S> {
             }),
             falls: Dual::still(station.falls),
         });
-        Self { rated: Path::new(stations.collect()), tension: S::ZERO }
+        Self { rated: RopePath::new(stations.collect()), tension: S::ZERO }
     }
 
-    /// l'' where every station's point x accelerates by omega x x' and nothing turns faster, m/s^2; `path` has seen the bodies.
-    fn drift(&mut self, path: &Path<S>) -> S {
+    /// l'' if every station's point x accelerates by omega x x' and no angular velocity changes, m/s^2; `path` has been
+    /// evaluated at the present positions.
+    fn drift(&mut self, path: &RopePath<S>) -> S {
         let own = &mut self.rated;
         own.drum = path.drum.map(|wrap| Wrap { from: still(wrap.from), length: Dual::still(wrap.length) });
         for (own, place) in own.places.iter_mut().zip(&path.places) {
-            let Motion { centre, velocity, angular_velocity: omega } = place.motion;
+            let StationMotion { centre, velocity, angular_velocity: omega } = place.motion;
             let turning = |vector: Vector3<S>| rated(vector, omega.cross(vector));
-            let motion =
-                Motion { centre: rated(centre, velocity), velocity: turning(velocity), angular_velocity: still(omega) };
-            *own =
-                Place { motion, axis: turning(place.axis), from: turning(place.from), moments: [Vector3::zero(); 2] };
+            let motion = StationMotion {
+                centre: rated(centre, velocity),
+                velocity: turning(velocity),
+                angular_velocity: still(omega),
+            };
+            *own = PlacedStation {
+                motion,
+                axis: turning(place.axis),
+                from: turning(place.from),
+                moments: [Vector3::zero(); 2],
+            };
         }
         own.lay();
         own.measure().rate.derivative[0]
@@ -77,9 +86,9 @@ fn rated<S: Scalar>(vector: Vector3<S>, rate: Vector3<S>) -> Vector3<Rated<S>> {
 }
 
 impl<S: Scalar> Rope<S> {
-    /// The mode of an inextensible rope where a run begins: taut where its path is as long as it and stays so. One that its
-    /// ends pull apart there comes taut as an event, at once.
-    pub(super) fn held_at_start(&mut self, at: &Moment<'_, S>) -> i64 {
+    /// The mode of an inextensible rope at the start of a run: taut if the path is as long as the rope and stays so. If
+    /// its ends move apart, it comes taut at once, as an event.
+    pub(super) fn held_at_start(&mut self, at: &Context<'_, S>) -> i64 {
         let now = self.laid(at);
         let longer = now.stretch.all(|stretch| stretch > ROUNDING_M);
         let just_taut = now.stretch.all(|stretch| stretch >= -ROUNDING_M)
@@ -93,7 +102,7 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         self.inextensible.is_some() && modes.first() == Some(&TAUT)
     }
 
-    fn restrain(&mut self, at: &Moment<'_, S>, held: &mut Restraint<S>) {
+    fn restrain(&mut self, at: &Context<'_, S>, held: &mut Restraint<S>) {
         let now = self.laid(at);
         let Self { path, inextensible, drum, .. } = self;
         held.clear();

@@ -1,22 +1,22 @@
-//! How far a rope leads off from the vertical of its crane: offlead and sidelead.
+//! Offlead and sidelead: the angles of a rope from the vertical below its crane.
 
-use super::Path;
+use super::RopePath;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Where a rope leaves its crane.
+/// The place where a rope leaves its crane.
 struct Leaves {
     /// The leg between crane and load.
     leg: usize,
-    /// Whether the rope runs along it from the load to the crane, as one does whose dead end is on the crane.
+    /// Whether the rope runs along it from the load to the crane, as for a rope whose dead end is on the crane.
     runs_up: bool,
-    /// The station of the sheave or drum whose axis lies across the plane of the boom.
+    /// The sheave or drum whose axis is perpendicular to the plane of the boom.
     across: usize,
 }
 
-impl<S: Scalar> Path<S> {
-    /// The last leg between two bodies, and whether the rope runs along it from the load to the crane. The crane's body is the
-    /// one that the path comes to first.
+impl<S: Scalar> RopePath<S> {
+    /// The last leg between two bodies, and whether the rope runs along it from the load to the crane. The crane's body
+    /// is the first one on the path.
     pub(super) fn leaving_leg(&self) -> Option<(usize, bool)> {
         let body = |k: usize| self.stations()[k].centre.body;
         let leg = (0..self.stations().len().saturating_sub(1)).rev().find(|&k| body(k) != body(k + 1))?;
@@ -24,7 +24,7 @@ impl<S: Scalar> Path<S> {
         Some((leg, first(leg + 1) < first(leg)))
     }
 
-    /// The plane of the boom is across the last sheave, or the drum, on the crane.
+    /// The plane of the boom is perpendicular to the axis of the last sheave, or the drum, on the crane.
     fn leaves(&self) -> Option<Leaves> {
         let (leg, runs_up) = self.leaving_leg()?;
         let crane = self.stations()[leg + usize::from(runs_up)].centre.body;
@@ -38,10 +38,10 @@ impl<S: Scalar> Path<S> {
         self.leaves().is_some()
     }
 
-    /// Offlead and sidelead of the leg between crane and load, rad: the angle between the leg and the vertical in the plane of the
-    /// boom, positive away from what the rope comes from, and the angle between the leg and that plane, positive along the
-    /// axis of the sheave. With the unit vectors u down the leg, z up, a along the axis, and h across a, level and outward:
-    /// offlead = atan2(u.h, -u.z), sidelead = asin(u.a). `None` where no sheave and no drum is on the crane. After
+    /// Offlead and sidelead of the leg between crane and load, rad: the angle between the leg and the vertical in the
+    /// plane of the boom, positive outward, and the angle between the leg and that plane, positive along the axis of
+    /// the sheave. With the unit vectors u down the leg, z up, a along the axis, and h across a, level and outward:
+    /// offlead = atan2(u.h, -u.z), sidelead = asin(u.a). `None` without a sheave or drum on the crane. Call after
     /// [`extent`](Self::extent).
     pub fn leads(&self) -> Option<[S; 2]> {
         let Leaves { leg, runs_up, across } = self.leaves()?;
@@ -51,7 +51,7 @@ impl<S: Scalar> Path<S> {
         let level = axis.cross(Vector3([S::ZERO, S::ZERO, S::ONE]));
         let outward =
             across.checked_sub(1).map_or(S::ONE, |before| level.dot(self.centre(across) - self.centre(before)));
-        // About an upright axis no direction is outward: the offlead is then 0.
+        // With a vertical axis no direction is outward: the offlead is then 0.
         let size = (level.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt();
         let level = level * (S::ONE / outward.select_below(0.0, || -size, || size));
         let (out, aside, down) = (down_the_leg.dot(level), down_the_leg.dot(axis), -down_the_leg[2]);

@@ -1,21 +1,21 @@
-//! The load chart of a crane: what it may lift at which radius.
+//! The load chart of a crane: its rated load at each radius.
 
 use super::stretch::Stretched;
-use super::{Path, Rope};
+use super::{Rope, RopePath};
 use crate::elements::lines::place;
 use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
-use crate::elements::{AnyWatcher, Moment, Output};
+use crate::elements::{AnyWatcher, Context, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Rated loads over the radius, held against the load on a hoisting rope.
+/// Rated loads over the radius, compared with the load on a hoisting rope.
 ///
-/// The radius is the distance from the slewing axis to where the rope leaves the crane for the load, m. The rated load is linear
-/// between the radii of the chart, and before the first and beyond the last as there: a [watcher](LoadChart::watcher) warns of
-/// a radius outside of the chart. The hook load is the sum of the rope's pulls on what hangs on it over the acceleration of free
-/// fall, kg, as a load indicator shows it: with hook block and slings, and with what motion adds. (The rated capacity, the hook
-/// load and the radius of EN 13852-1.)
+/// The radius is the distance from the slewing axis to the point where the rope leaves the crane, m. The rated load is
+/// linear between the radii of the chart and constant outside; a [watcher](LoadChart::watcher) warns of a radius
+/// outside the chart. The hook load is the force of the rope on the load over the acceleration of free fall, kg, as a
+/// load indicator shows it: it contains hook block, slings and dynamic effects. (The rated capacity, the hook load and
+/// the radius of EN 13852-1.)
 #[derive(Clone, Debug)]
 pub struct LoadChart<S = f64> {
     /// A point of the slewing axis, on the body that carries the joint.
@@ -29,7 +29,7 @@ pub struct LoadChart<S = f64> {
 }
 
 impl<S: Scalar> LoadChart<S> {
-    /// What a rope of this name with a chart shows: radius, rated load, hook load, utilisation.
+    /// The outputs of a rope with this name and a chart: radius, rated load, hook load, utilisation.
     pub(super) fn outputs(name: &str) -> [Output; 4] {
         let number = |variable, description, unit| Output::number(variable, description, "rope", name, unit);
         [
@@ -41,11 +41,11 @@ impl<S: Scalar> LoadChart<S> {
     }
 
     /// The distance of a point (world, m) from the slewing axis, m.
-    fn radius(&self, at: &Moment<'_, S>, point: Vector3<S>) -> S {
+    fn radius(&self, at: &Context<'_, S>, point: Vector3<S>) -> S {
         let axis = self.centre.body.map_or(self.axis, |body| at.links.body_frame(at.model, body).rotation * self.axis);
         let way = point - place(&self.centre, at.model, at.links);
         let across = way - axis * axis.dot(way);
-        // On the axis itself a root has no derivative.
+        // On the axis itself the root has no derivative.
         (across.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt()
     }
 
@@ -59,7 +59,7 @@ impl<S: Scalar> LoadChart<S> {
         })
     }
 
-    /// What warns of a load beyond the chart of the rope of this name.
+    /// The watcher that warns of a load beyond the chart of the rope with this name.
     pub(super) fn watcher(&self, name: &str) -> AnyWatcher {
         let ends_m = [self.radii[0], self.radii[self.radii.len() - 1]];
         let (load, outside_m) = (Extreme::default(), Extreme::default());
@@ -68,13 +68,14 @@ impl<S: Scalar> LoadChart<S> {
 }
 
 impl<S: Scalar> Rope<S> {
-    /// Radius, rated load, hook load and utilisation, as its chart shows them; the path has seen the bodies.
-    pub(super) fn on_chart(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Option<[S; 4]> {
+    /// Radius, rated load, hook load and utilisation, for its chart; the path has been evaluated at the present
+    /// positions.
+    pub(super) fn on_chart(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Option<[S; 4]> {
         let chart = self.load_chart.as_ref()?;
         let radius = chart.radius(at, self.path.leaves_crane_at()?);
         let rated = chart.rated_load(radius);
         let (square, gravity) = (self.pull_on_load(at, now).norm_squared(), at.world.gravity);
-        // Of a slack rope the root has no derivative.
+        // The root has no derivative for a slack rope.
         let pull = || square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();
         let weighs = square.select_below(f64::MIN_POSITIVE, || S::ZERO, pull);
         let hook = gravity.select_below(f64::MIN_POSITIVE, || S::ZERO, || weighs / gravity);
@@ -82,7 +83,7 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// The sum of its forces on the body at the lower end of the leg between crane and load, world, N.
-    fn pull_on_load(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Vector3<S> {
+    fn pull_on_load(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Vector3<S> {
         let Some(load) = self.path.load() else { return Vector3::zero() };
         let mut sum = Vector3::zero();
         self.path.pull(now.tension, now.rate, |station, wrench| {
@@ -99,8 +100,8 @@ impl<S: Scalar> Rope<S> {
     }
 }
 
-impl<S: Scalar> Path<S> {
-    /// Where the rope leaves the crane for the load, world, m; the path has seen the bodies.
+impl<S: Scalar> RopePath<S> {
+    /// The point where the rope leaves the crane, world, m; the path has been evaluated at the present positions.
     fn leaves_crane_at(&self) -> Option<Vector3<S>> {
         let (leg, runs_up) = self.leaving_leg()?;
         Some(self.straights().nth(leg)?[usize::from(runs_up)])
@@ -113,7 +114,7 @@ impl<S: Scalar> Path<S> {
     }
 }
 
-/// Watches a load against its chart.
+/// Compares a load with its chart in every row.
 #[derive(Clone, Debug)]
 struct ChartWatcher {
     rope: String,
@@ -123,7 +124,7 @@ struct ChartWatcher {
     load: Extreme,
     /// When it first passed 1, s.
     load_since_s: Option<f64>,
-    /// How far the radius was outside of the chart at most, m, and the radius there.
+    /// Largest distance of the radius outside the chart, m, and that radius.
     outside_m: Extreme,
     radius_m: f64,
 }

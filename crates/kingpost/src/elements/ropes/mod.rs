@@ -13,44 +13,45 @@ mod weight;
 pub use drum::{Drum, Layers};
 pub use inextensible::Inextensible;
 pub use load_chart::LoadChart;
-pub use path::{Extent, Path};
+pub use path::{PathLength, RopePath};
 pub use station::{Efficiency, Round, Station};
 pub use tugger_line::TuggerLine;
 pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Moment, Output, Own,
+    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Output, Own,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use stretch::condition;
 
-/// A rope without inertia over a [`Path`], which pulls and never pushes: elastic, or inextensible where nothing gives way.
+/// A rope without inertia over a [`RopePath`], which pulls and never pushes: elastic, or inextensible if it has no
+/// stiffness.
 ///
-/// Of an elastic rope, with the length l of the path, the unstretched length L that lies on it, the stretch e = l - L and
-/// 1/k = L/EA + 1/k_s, where k_s is the stiffness of all that gives way in series with it (the crane's own, as the *simple wire coupling* of
-/// SIMO has it),
+/// For an elastic rope, with the length l of the path, the unstretched length L on it, the stretch e = l - L and 1/k =
+/// L/EA + 1/k_s, where k_s is the stiffness in series with it (that of the crane, as in the *simple wire coupling* of
+/// SIMO),
 ///
 /// ```text
 /// T = max(k (e + tau e'), 0) where e > 0, else 0
 /// V = k e^2 / 2,       -dV/dL = k e + (k e)^2 / (2 EA)
 /// ```
 ///
-/// A [`Drum`] that turns by theta pays out R theta, R its radius there. Its torque is R times the tension and R (k e)^2 / (2 EA): what is
-/// wound on stores strain energy, and without this term the rope would make or lose energy as it is paid out under
-/// tension. At the sheaves and at the drum friction takes its share; damping and friction are heat.
+/// A [`Drum`] that turns by theta pays out R theta, with R its radius. Its torque is R times the tension plus R (k e)^2
+/// / (2 EA): the wound rope stores strain energy, and without this term rope paid out under tension would gain or lose
+/// energy. Friction acts at the sheaves and at the drum; damping and friction become heat.
 #[derive(Clone, Debug)]
 pub struct Rope<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it runs over.
-    pub path: Path<S>,
+    /// Its path.
+    pub path: RopePath<S>,
     /// The drum at its first end.
     pub drum: Option<Drum<S>>,
     /// L at the start, m.
     pub unstretched_length: S,
-    /// EA, N; infinite where the rope itself does not stretch.
+    /// EA, N; infinite if the rope itself does not stretch.
     pub axial_stiffness: S,
     /// 1/k_s, m/N.
     pub series_compliance: S,
@@ -58,26 +59,26 @@ pub struct Rope<S = f64> {
     pub damping_time: S,
     /// Tension at which it parts, N.
     pub breaking_load: Option<S>,
-    /// The mass whose weight is its tension at rest in air, kg.
+    /// The mass whose weight equals its tension at rest in air, kg.
     pub carried_mass: Option<S>,
     /// Whether an input of its name releases it.
     pub can_be_released: bool,
-    /// Its weight; without it, it has none.
+    /// Its weight; without it, the rope is weightless.
     pub weight: Option<RopeWeight<S>>,
-    /// What the crane may lift by it, where that is known.
+    /// The crane's load chart for it, if known.
     pub load_chart: Option<LoadChart<S>>,
-    /// What a rope has in place of its elasticity where nothing lets it stretch.
+    /// The constraint of an inextensible rope, instead of elasticity.
     pub inextensible: Option<Inextensible<S>>,
 }
 
-/// The one mode: how the rope is, which events change, so that no step mixes two laws. Runs side by side that begin
-/// differently go by their stretch until the first event of one. A rope whose damper takes all of its pull goes slack while it
-/// is still longer; as it shortens, what the spring has left becomes heat.
+/// The only mode: the state of the rope. Only events change it, so no step mixes two laws. Runs in lanes that begin
+/// differently use the stretch instead until the first event in one of them. A rope whose damper cancels all of its
+/// pull goes slack while it is still stretched; as it shortens, the energy left in the spring becomes heat.
 const BY_STRETCH: i64 = 0;
 const TAUT: i64 = 1;
 const SLACK: i64 = 2;
 const PARTED: i64 = 3;
-/// How far a taut rope may be short of its length before it goes slack, m: rounding.
+/// Negative stretch at which a taut rope goes slack, m: rounding.
 const ROUNDING_M: f64 = 1e-10;
 /// Events, in the order of [`Rope::declare`].
 const EVENTS: [Event; 7] = [
@@ -96,13 +97,13 @@ const LEAVES_RANGE: usize = 3;
 const INNERMOST_LAYER: usize = 4;
 const IS_RELEASED: usize = 5;
 const PARTS: usize = 6;
-/// What the table of events says of a rope whose breaking load is reached.
+/// The words in the table of events for a rope that reaches its breaking load.
 pub const PARTS_WORDS: &str = "parts";
-/// L, of that at the start, below which a rope is hauled in to its end: its stiffness stays that of this length.
+/// Share of L at the start below which a rope counts as hauled in to its end: its stiffness stays that of this length.
 const SHORTEST: f64 = 1e-3;
 /// The lever at which a rope is released.
 const RELEASES: f64 = 0.5;
-/// Points that the last leg of a picture is drawn through.
+/// Number of points that the last leg is drawn through.
 const POINTS_OF_LAST_LEG: usize = 17;
 
 impl<S: Scalar> Element<S> for Rope<S> {
@@ -126,8 +127,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         ];
         let leads = leads.into_iter().filter(|_| self.path.has_leads());
         let amplification = self.carried_mass.map(|_| {
-            let what =
-                "dynamic amplification factor of a rope: its tension over that of what it carries at rest in air";
+            let what = "dynamic amplification factor of a rope: its tension over that with its load at rest in air";
             number("rope_daf", what, &["1"])
         });
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
@@ -163,7 +163,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let now = self.stretched(at);
         let pull = self.pull_length(&now);
         let released = at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES));
@@ -176,7 +176,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         };
     }
 
-    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         if own.modes[0] == PARTED {
             return;
         }
@@ -189,7 +189,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     /// Adds the pulls at all stations, the torque on the drum, and the heat.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let now = self.stretched(at);
         self.weigh(at, &now, loads);
         if self.inextensible.is_some() {
@@ -207,12 +207,12 @@ impl<S: Scalar> Element<S> for Rope<S> {
         loads.power.dissipated += -(power + stored);
     }
 
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let now = self.stretched(at);
         self.energy_of_weight(at, &now) + now.elastic * now.stretch * S::constant(0.5)
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let now = self.stretched(at);
         let ([first, last], _) = self.tensions(at, &now);
         out.extend([last, first, now.unstretched, now.paid_out.rate, now.stretch]);
@@ -226,7 +226,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         self.load_chart.iter().map(|chart| chart.watcher(&self.name)).collect()
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let now = self.stretched(at);
         let (mode, pull) = (condition(at), self.pull_length(&now));
         let holds = self.inextensible.is_some();
@@ -246,7 +246,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         values.iter_mut().enumerate().for_each(|(event, value)| *value = of_event(event));
     }
 
-    fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn respond(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         match event {
             GOES_SLACK => own.modes[0] = SLACK,
             COMES_TAUT => self.pull_or_part(at, own),
@@ -255,9 +255,9 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    /// Straight but for the last leg of a slack rope, which sags: of a flat parabola that is longer than its chord d by e the sag is
-    /// sqrt(3/8 d e).
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    /// Straight except for the last leg of a slack rope, which sags: a flat parabola that is longer than its chord d by
+    /// e has the sag sqrt(3/8 d e).
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let now = self.stretched(at);
         let last = self.path.stations().len().saturating_sub(2);
         let slack = now.stretch.select_below(0.0, || -now.stretch, || S::ZERO);

@@ -1,7 +1,7 @@
-//! The path of a rope over points, sheaves and a drum: its length, and what a tension in it does to the bodies.
+//! The path of a rope over points, sheaves and a drum: its length, and the forces of a tension in it on the bodies.
 //!
 //! With the centres c_i of the stations, the way w = c_(i+1) - c_i of a leg, d = |w|, u = w / d, the sheaves' radii R_i
-//! and axes a_i, about which the rope turns on its way from its first end to its last,
+//! and axes a_i, about which the rope turns on its path from its first end to its last,
 //!
 //! ```text
 //! l = sum over legs of sqrt(d^2 - rho^2) + rho asin(rho / d),  plus the sum over sheaves of R_i beta_i
@@ -9,11 +9,12 @@
 //! beta_i = atan2(a_i . (u_(i-1) x u_i), u_(i-1) . u_i),  from -90 to 270 degrees
 //! ```
 //!
-//! This is the length of a belt where its legs lie in the planes of the sheaves, and a smooth function of centres and axes
-//! where they do not. Forces and moments are its derivatives times the tension: they agree with the energy on any path.
+//! This is the length of a belt if its legs lie in the planes of the sheaves, and a smooth function of centres and axes
+//! if not. Forces and moments are its derivatives times the tension, so they are consistent with the energy on any
+//! path.
 
-use super::station::{Motion, Round, Station};
-use crate::elements::Moment;
+use super::station::{Round, Station, StationMotion};
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 use core::f64::consts::FRAC_PI_2;
@@ -21,37 +22,37 @@ use core::f64::consts::FRAC_PI_2;
 /// The largest angle at a sheave from the middle of its range, rad: 175 degrees.
 const FARTHEST: f64 = 175.0 * core::f64::consts::PI / 180.0;
 
-/// Speed of the rope over a sheave or on a drum about which the friction changes its sign smoothly, m/s.
+/// Scale of the rope's speed over a sheave or on a drum over which friction changes sign smoothly, m/s.
 const SMOOTHING_M_S: f64 = 0.01;
 
 /// The stations of a rope in their order, and the memory to evaluate them.
 #[derive(Clone, Debug)]
-pub struct Path<S = f64> {
+pub struct RopePath<S = f64> {
     /// At least two. The last is a point; the first is a point or a drum.
     stations: Vec<Station<S>>,
-    /// Of a drum at the first station.
+    /// The wrap, if the first station is a drum.
     pub(super) drum: Option<Wrap<S>>,
-    pub(super) places: Vec<Place<S>>,
+    pub(super) places: Vec<PlacedStation<S>>,
     legs: Vec<Leg<S>>,
 }
 
-/// How the rope lies on a drum where a run begins.
+/// The wrap of the rope on a drum at the start of a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wrap<S> {
-    /// The direction that the angle of the wrap is counted from, in the axes of the body that carries the drum.
+    /// The direction from which the wrap angle is measured, in the axes of the body that carries the drum.
     pub from: Vector3<S>,
     /// Length from there to where the rope leaves the drum, m.
     pub length: S,
 }
 
-/// A station where the bodies are; vectors in world axes.
+/// A station at the present positions; vectors in world axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<S> {
-    pub motion: Motion<S>,
+pub(super) struct PlacedStation<S> {
+    pub motion: StationMotion<S>,
     pub axis: Vector3<S>,
-    /// Of a drum: the direction that the angle of the wrap is counted from.
+    /// For a drum: the direction from which the wrap angle is measured.
     pub from: Vector3<S>,
-    /// Moments on the station's body per tension of the legs before and behind it, m.
+    /// Moments on the station's body per tension of the legs before and after it, m.
     pub moments: [Vector3<S>; 2],
 }
 
@@ -62,13 +63,13 @@ struct Leg<S> {
     along: Vector3<S>,
     /// Between the centres, m.
     distance: S,
-    /// The axis about which the rope is turned from the line of centres, by the angle of this sine and cosine.
+    /// The axis about which the rope is rotated from the line of centres, by the angle with this sine and cosine.
     axis: Vector3<S>,
     sine: S,
     cosine: S,
     /// The sum of both radii, m.
     radii: S,
-    /// Derivative of the path's length by the place of the station behind.
+    /// Derivative of the path's length with respect to the position of the station after it.
     gradient: Vector3<S>,
     /// Its share of the rate of the path's length, m/s.
     rate: S,
@@ -76,22 +77,22 @@ struct Leg<S> {
 
 /// Length of a path.
 #[derive(Clone, Copy, Debug)]
-pub struct Extent<S> {
+pub struct PathLength<S> {
     /// From the first end, or from where the rope leaves its drum, to the last end, m; all falls of a leg count.
     pub length: S,
     /// Its rate, m/s.
     pub rate: S,
-    /// The least of what is left of the range of the angle at every sheave and drum, rad, less 5 degrees, and of the gaps between
-    /// sheaves over the distance of their centres; below 0 the path is none any more.
+    /// The smallest margin: of the wrap angle's range at every sheave and drum, rad, less 5 degrees, and of the gaps
+    /// between sheaves over the distance of their centres. Below 0 the path is no longer valid.
     pub range_left: S,
 }
 
-impl<S: Scalar> Path<S> {
+impl<S: Scalar> RopePath<S> {
     /// A path over at least two stations.
     pub fn new(stations: Vec<Station<S>>) -> Self {
         let zero = Vector3::zero();
-        let motion = Motion { centre: zero, velocity: zero, angular_velocity: zero };
-        let place = Place { motion, axis: zero, from: zero, moments: [zero; 2] };
+        let motion = StationMotion { centre: zero, velocity: zero, angular_velocity: zero };
+        let place = PlacedStation { motion, axis: zero, from: zero, moments: [zero; 2] };
         let (distance, sine, cosine, rate) = (S::ONE, S::ZERO, S::ONE, S::ZERO);
         let leg = Leg { along: zero, distance, axis: zero, sine, cosine, radii: S::ZERO, gradient: zero, rate };
         let (places, legs) = (vec![place; stations.len()], vec![leg; stations.len().saturating_sub(1)]);
@@ -103,34 +104,34 @@ impl<S: Scalar> Path<S> {
         &self.stations
     }
 
-    /// The pairs of bodies that the legs lead between.
+    /// The pairs of bodies that the legs connect.
     pub fn ties(&self) -> Vec<[Option<usize>; 2]> {
         self.stations.windows(2).map(|ends| [ends[0].centre.body, ends[1].centre.body]).collect()
     }
 
-    /// The axis of a station, a unit vector in the world, as [`extent`](Self::extent) saw the bodies.
+    /// The axis of a station, a unit vector in the world, at the positions of the last [`extent`](Self::extent).
     pub(super) fn axis(&self, station: usize) -> Vector3<S> {
         self.places[station].axis
     }
 
-    /// The centre of a station in the world, m; the same.
+    /// The centre of a station in the world, m; likewise.
     pub(super) fn centre(&self, station: usize) -> Vector3<S> {
         self.places[station].motion.centre
     }
 
-    /// The way between the centres of a leg's stations, m, and its falls; the same.
+    /// The vector between the centres of a leg's stations, m, and its falls; likewise.
     pub(super) fn line(&self, leg: usize) -> (Vector3<S>, S) {
         let Leg { along, distance, .. } = self.legs[leg];
         (along * distance, self.stations[leg + 1].falls)
     }
 
-    /// The heights of the centres of a leg's stations, m; the same.
+    /// The heights of the centres of a leg's stations, m; likewise.
     pub(super) fn heights(&self, leg: usize) -> [S; 2] {
         [leg, leg + 1].map(|station| self.centre(station)[2])
     }
 
-    /// Where a run begins: the wrap on the drum is counted from here.
-    pub fn begin(&mut self, at: &Moment<'_, S>) {
+    /// Called at the start of a run: the wrap on the drum is measured from here.
+    pub fn begin(&mut self, at: &Context<'_, S>) {
         let Some(drum) = self.stations[0].round else { return };
         self.stand(at);
         let across = self.legs[0].along.cross(self.places[0].axis);
@@ -140,14 +141,13 @@ impl<S: Scalar> Path<S> {
     }
 
     /// The first leg between places that overlap: its number, the distance of the centres and the sum of the radii, m.
-    pub fn overlap(&mut self, at: &Moment<'_, S>) -> Option<(usize, [S; 2])> {
+    pub fn overlap(&mut self, at: &Context<'_, S>) -> Option<(usize, [S; 2])> {
         self.stand(at);
         let mut legs = self.legs.iter().enumerate().map(|(k, leg)| (k, [leg.distance, leg.radii]));
         legs.find(|(_, [distance, radii])| !(*distance - *radii).all(|apart| apart > 0.0))
     }
 
-    /// The angles by which the rope turns about its sheaves where the bodies are, each with the number of the station, rad;
-    /// after [`extent`](Self::extent).
+    /// The wrap angles at the sheaves, each with the number of the station, rad; call after [`extent`](Self::extent).
     pub fn wraps(&mut self) -> Vec<(usize, S)> {
         let inner = 1..self.legs.len();
         let of = |i: usize| {
@@ -160,21 +160,21 @@ impl<S: Scalar> Path<S> {
         inner.filter_map(of).collect()
     }
 
-    /// Whether the axis of the drum points along the rope, which then has no side to leave it on.
-    pub fn drum_is_along(&mut self, at: &Moment<'_, S>) -> bool {
+    /// Whether the axis of the drum points along the rope, which then cannot leave it on either side.
+    pub fn drum_is_along(&mut self, at: &Context<'_, S>) -> bool {
         self.stand(at);
         let across = self.legs[0].along.cross(self.places[0].axis).norm_squared();
         self.stations[0].round.is_some() && !across.all(|across| across > 1e-6)
     }
 
-    /// Length and rate where the bodies are.
-    pub fn extent(&mut self, at: &Moment<'_, S>) -> Extent<S> {
+    /// Length and rate at the present positions.
+    pub fn extent(&mut self, at: &Context<'_, S>) -> PathLength<S> {
         self.stand(at);
         self.measure()
     }
 
-    /// Length and rate with the stations where they stand.
-    pub(super) fn measure(&mut self) -> Extent<S> {
+    /// Length and rate with the stations as placed.
+    pub(super) fn measure(&mut self) -> PathLength<S> {
         let mut length = self.drum.map_or(S::ZERO, |wrap| -wrap.length);
         for (k, leg) in self.legs.iter_mut().enumerate() {
             let (behind, lean) = (&self.stations[k + 1], leg.lean());
@@ -207,14 +207,19 @@ impl<S: Scalar> Path<S> {
                 - second.angular_velocity.dot(before_second);
             rate += leg.rate;
         }
-        Extent { length, rate, range_left }
+        PathLength { length, rate, range_left }
     }
 
-    /// Places of the stations and ways of the legs.
-    fn stand(&mut self, at: &Moment<'_, S>) {
+    /// Places the stations and lays the legs.
+    fn stand(&mut self, at: &Context<'_, S>) {
         for (place, station) in self.places.iter_mut().zip(&self.stations) {
             let axis = station.round.map_or(Vector3::zero(), |round| station.to_world(at, round.axis));
-            *place = Place { motion: station.motion(at), axis, from: Vector3::zero(), moments: [Vector3::zero(); 2] };
+            *place = PlacedStation {
+                motion: station.motion(at),
+                axis,
+                from: Vector3::zero(),
+                moments: [Vector3::zero(); 2],
+            };
         }
         if let Some(wrap) = self.drum {
             self.places[0].from = self.stations[0].to_world(at, wrap.from);
@@ -222,7 +227,7 @@ impl<S: Scalar> Path<S> {
         self.lay();
     }
 
-    /// Ways of the legs between the stations where they stand.
+    /// Lays the legs between the stations as placed.
     pub(super) fn lay(&mut self) {
         for (k, leg) in self.legs.iter_mut().enumerate() {
             let ends = [k, k + 1].map(|i| (self.stations[i].round.map(|round| round.radius), self.places[i].axis));
@@ -242,7 +247,8 @@ impl<S: Scalar> Path<S> {
         }
     }
 
-    /// beta of a round station less 90 degrees; adds R times its derivatives to the legs beside it, and notes its moments.
+    /// beta of a round station less 90 degrees; adds R times its derivatives to the adjacent legs, and stores its
+    /// moments.
     fn turn(&mut self, i: usize, round: &Round<S>) -> S {
         let (axis, behind) = (self.places[i].axis, self.legs[i].along);
         let before = match (i.checked_sub(1), self.drum) {
@@ -256,7 +262,7 @@ impl<S: Scalar> Path<S> {
         let by_before = (behind.cross(axis) * cosine - behind * sine) * scale;
         self.legs[i].turns_with(by_behind);
         self.places[i].moments[1] += behind.cross(by_behind);
-        // The direction that the wrap on a drum is counted from stands still in the station's body.
+        // The direction from which the wrap on a drum is measured is fixed in the station's body.
         if let Some(k) = i.checked_sub(1) {
             self.legs[k].turns_with(by_before);
             self.places[i].moments[0] += before.cross(by_before);
@@ -264,11 +270,11 @@ impl<S: Scalar> Path<S> {
         (-cosine).atan2(sine)
     }
 
-    /// Hands a tension at the last end to the bodies, as [`extent`](Self::extent) saw them: to each station the wrench, in
-    /// world axes, of the legs beside it, whose tensions differ by what friction takes at the sheaves. The rope runs over a
-    /// sheave as fast as the drum pays out more than the legs before it lengthen; all of them lengthen by `stretch_rate`, m/s, more
-    /// than it pays out. So friction never gives energy. Returns the tension at the first end, N, and the power that the
-    /// bodies received, W.
+    /// Applies a tension at the last end to the bodies, at the positions of the last [`extent`](Self::extent): each
+    /// station gets the wrench, in world axes, of its adjacent legs, whose tensions differ by the friction at the
+    /// sheaves. The speed of the rope over a sheave is the rate that the drum pays out less the rate at which the legs
+    /// before it lengthen; together all legs lengthen by `stretch_rate`, m/s, more than the drum pays out. So friction
+    /// never adds energy. Returns the tension at the first end, N, and the power given to the bodies, W.
     pub fn pull(&self, tension: S, stretch_rate: S, hand: impl FnMut(&Station<S>, &Wrench<S>)) -> [S; 2] {
         self.hand_on(tension, stretch_rate, |round, speed| round.efficiency.ratio(speed, SMOOTHING_M_S), hand)
     }
@@ -301,13 +307,13 @@ impl<S: Scalar> Path<S> {
         [behind, power]
     }
 
-    /// What the drum must hold over the tension of the rope that it pays out at a speed, m/s.
+    /// The force that the drum must hold over the tension of the rope, at a speed of paying out, m/s.
     pub(super) fn ratio_at_drum(&self, paid_out: S) -> S {
         self.stations[0].round.map_or(S::ONE, |drum| drum.efficiency.ratio(paid_out, SMOOTHING_M_S))
     }
 
-    /// The straight parts of the legs, as [`extent`](Self::extent) saw the bodies: from where each touches the station before it to
-    /// where it touches the one behind, world, m.
+    /// The straight parts of the legs at the positions of the last [`extent`](Self::extent): from the contact point at
+    /// the station before to that at the station after, world, m.
     pub fn straights(&self) -> impl Iterator<Item = [Vector3<S>; 2]> + '_ {
         let touches = |i: usize, leg: &Leg<S>| {
             let foot = leg.direction().cross(self.places[i].axis);
@@ -329,13 +335,14 @@ impl<S: Scalar> Leg<S> {
         self.along * self.cosine + self.axis.cross(self.along) * self.sine
     }
 
-    /// Adds what a derivative by the unit vector along the leg is by the place of the station behind it.
+    /// Adds the derivative with respect to the position of the station after the leg, from that with respect to the
+    /// unit vector along it.
     fn turns_with(&mut self, by_along: Vector3<S>) {
         self.gradient += (by_along - self.along * self.along.dot(by_along)) * (S::ONE / self.distance);
     }
 }
 
-/// A number that is not negative, or the least that can be divided by.
+/// A number that is not negative, but at least the smallest one that one can divide by.
 fn at_least_something<S: Scalar>(x: S) -> S {
     x.select_below(f64::MIN_POSITIVE, || S::constant(f64::MIN_POSITIVE), || x)
 }

@@ -1,6 +1,6 @@
-//! What a rope runs over: points, sheaves, a drum.
+//! The stations of a rope: points, sheaves, a drum.
 
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::elements::lines::{place, velocity};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
@@ -11,7 +11,7 @@ use crate::spatial::{Vector3, Wrench};
 pub struct Station<S = f64> {
     /// A point, or the centre of a sheave or a drum: on a body or in the world.
     pub centre: Attachment<S>,
-    /// What is round there; `None` for a point that the rope ends at or runs through.
+    /// The sheave or drum; `None` for a point where the rope ends or runs through.
     pub round: Option<Round<S>>,
     /// Parallel falls of the leg that ends here.
     pub falls: S,
@@ -22,9 +22,9 @@ pub struct Station<S = f64> {
 pub struct Round<S = f64> {
     /// Unit vector about which the rope turns on its way from its first end, body axes.
     pub axis: Vector3<S>,
-    /// To the middle of the rope, m.
+    /// Radius to the middle of the rope, m.
     pub radius: S,
-    /// What friction in the bearing and bending of the rope leave.
+    /// Its efficiency, with bearing friction and bending of the rope.
     pub efficiency: Efficiency<S>,
 }
 
@@ -38,8 +38,8 @@ pub struct Efficiency<S = f64> {
 }
 
 impl<S: Scalar> Efficiency<S> {
-    /// Tension before a sheave over that behind it; `speed` is that of the rope towards its last end, m/s. Smooth, 1 at rest,
-    /// and never on the side that would give energy.
+    /// Tension before a sheave over that after it; `speed` is the rope's towards its last end, m/s. It is smooth, 1 at
+    /// rest, and never adds energy.
     pub fn ratio(&self, speed: S, smoothing_m_s: f64) -> S {
         let smoothing = S::constant(smoothing_m_s);
         let way = speed / (speed * speed + smoothing * smoothing).sqrt();
@@ -49,40 +49,40 @@ impl<S: Scalar> Efficiency<S> {
     }
 }
 
-/// How a station moves: all in world axes.
+/// The motion of a station, in world axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Motion<S> {
+pub(super) struct StationMotion<S> {
     /// m.
     pub centre: Vector3<S>,
     /// m/s.
     pub velocity: Vector3<S>,
-    /// Of its body, rad/s.
+    /// Angular velocity of its body, rad/s.
     pub angular_velocity: Vector3<S>,
 }
 
 impl<S: Scalar> Station<S> {
-    /// Where the station is and how it moves.
-    pub(super) fn motion(&self, at: &Moment<'_, S>) -> Motion<S> {
+    /// The position and motion of the station.
+    pub(super) fn motion(&self, at: &Context<'_, S>) -> StationMotion<S> {
         let angular_velocity = self.centre.body.map_or(Vector3::zero(), |body| {
             at.links.body_frame(at.model, body).rotation * at.links.body_twist(at.model, body).angular
         });
         let centre = place(&self.centre, at.model, at.links);
-        Motion { centre, velocity: velocity(&self.centre, at), angular_velocity }
+        StationMotion { centre, velocity: velocity(&self.centre, at), angular_velocity }
     }
 
     /// A vector in the axes of the station's body, in world axes.
-    pub(super) fn to_world(&self, at: &Moment<'_, S>, vector: Vector3<S>) -> Vector3<S> {
+    pub(super) fn to_world(&self, at: &Context<'_, S>, vector: Vector3<S>) -> Vector3<S> {
         self.centre.body.map_or(vector, |body| at.links.body_frame(at.model, body).rotation * vector)
     }
 
     /// A vector in world axes, in the axes of the station's body.
-    pub(super) fn to_body(&self, at: &Moment<'_, S>, vector: Vector3<S>) -> Vector3<S> {
+    pub(super) fn to_body(&self, at: &Context<'_, S>, vector: Vector3<S>) -> Vector3<S> {
         self.centre.body.map_or(vector, |body| at.links.to_body_axes(at.model, body, vector))
     }
 
     /// The body that a wrench at the station acts on, and the wrench in its axes about its centre of mass; `None` on the
     /// world.
-    pub(super) fn on_body(&self, at: &Moment<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
+    pub(super) fn on_body(&self, at: &Context<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
         let body = self.centre.body?;
         let (force, moment) = (self.to_body(at, in_world.force), self.to_body(at, in_world.moment));
         Some((body, Wrench { moment: moment + self.centre.in_body.position.cross(force), force }))

@@ -1,30 +1,30 @@
-//! How far a rope is stretched, and what it pulls with.
+//! The stretch of a rope, and its tension.
 
 use super::drum::PaidOut;
-use super::{BY_STRETCH, Extent, PARTED, PARTS, Rope, SHORTEST, SLACK, TAUT};
-use crate::elements::{Moment, Own, Situation};
+use super::{BY_STRETCH, PARTED, PARTS, PathLength, Rope, SHORTEST, SLACK, TAUT};
+use crate::elements::{Context, Own, Situation};
 use crate::scalar::Scalar;
 
 /// A rope at a moment.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretched<S> {
-    /// L, m, and what the drum has paid out of it.
+    /// L, m, including the rope that the drum has paid out.
     pub unstretched: S,
     pub paid_out: PaidOut<S>,
     /// e, m, and its rate, m/s.
     pub stretch: S,
     pub rate: S,
-    /// k e and T at the last end, N; both 0 where it is slack.
+    /// k e and T at the last end, N; both 0 if it is slack.
     pub elastic: S,
     pub tension: S,
-    /// (k e)^2 / (2 EA), N: strain energy of the rope that the drum takes up, per length.
+    /// (k e)^2 / (2 EA), N: strain energy per length of the rope that is wound on the drum.
     pub carried: S,
     /// rad.
     pub range_left: S,
 }
 
-/// The mode of a rope; at rest one that has not parted goes by its stretch.
-pub(super) fn condition<S>(at: &Moment<'_, S>) -> i64 {
+/// The mode of a rope; at rest, unless it has parted, it follows from the stretch.
+pub(super) fn condition<S>(at: &Context<'_, S>) -> i64 {
     let mode = at.modes.first().copied().unwrap_or(BY_STRETCH);
     if at.situation == Situation::Running || mode == PARTED { mode } else { BY_STRETCH }
 }
@@ -35,9 +35,9 @@ impl<S: Scalar> Rope<S> {
         now.stretch + self.damping_time * now.rate.select_below(0.0, || now.rate, || S::ZERO)
     }
 
-    /// Where a run begins, before an equilibrium is sought: counts the drum's wrap and the rope that it pays out from here.
-    /// Returns the length of the path, m.
-    pub fn begin_at(&mut self, at: &Moment<'_, S>) -> S {
+    /// Called at the start of a run, before an equilibrium is sought: the drum's wrap and the rope paid out are
+    /// measured from here. Returns the length of the path, m.
+    pub fn begin_at(&mut self, at: &Context<'_, S>) -> S {
         self.path.begin(at);
         if let Some(drum) = &mut self.drum {
             drum.start = at.q[drum.position];
@@ -45,18 +45,18 @@ impl<S: Scalar> Rope<S> {
         self.path.extent(at).length
     }
 
-    /// The tension that a stretch of a length at rest makes, N; negative for one that is short.
+    /// The tension of a stretch at rest, N; negative for a negative stretch.
     pub fn tension_at_rest(&self, stretch: S) -> S {
         stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
     }
 
-    /// A rope that begins to pull: its damper alone may part it as it comes taut.
-    pub(super) fn pull_or_part(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    /// A rope begins to pull: its damper force alone may part it as it comes taut.
+    pub(super) fn pull_or_part(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         own.modes[0] = TAUT;
         if self.inextensible.is_some() {
             return;
         }
-        let now = self.stretched(&Moment { modes: &[TAUT], ..*at });
+        let now = self.stretched(&Context { modes: &[TAUT], ..*at });
         let largest = self.tensions(at, &now).1;
         if self.breaking_load.is_some_and(|load| (largest - load).all(|beyond| beyond > 0.0)) {
             own.modes[0] = PARTED;
@@ -64,15 +64,15 @@ impl<S: Scalar> Rope<S> {
         }
     }
 
-    /// The largest tension on its path where the bodies are, N.
-    pub fn tension_here(&mut self, at: &Moment<'_, S>) -> S {
+    /// The largest tension on its path at the present positions, N.
+    pub fn tension_here(&mut self, at: &Context<'_, S>) -> S {
         let now = self.stretched(at);
         self.tensions(at, &now).1
     }
 
-    /// How it lies, as if nothing pulled.
-    pub(super) fn laid(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
-        let Extent { length, rate, range_left } = self.path.extent(at);
+    /// Its geometry and stretch, without tension.
+    pub(super) fn laid(&mut self, at: &Context<'_, S>) -> Stretched<S> {
+        let PathLength { length, rate, range_left } = self.path.extent(at);
         let no_drum = PaidOut { length: S::ZERO, per_angle: S::ZERO, rate: S::ZERO, drift: S::ZERO, left: S::ONE };
         let paid_out = self.drum.map_or(no_drum, |drum| drum.paid_out(at));
         let unstretched = self.unstretched_length + paid_out.length;
@@ -81,7 +81,7 @@ impl<S: Scalar> Rope<S> {
         Stretched { unstretched, paid_out, stretch, rate, elastic, tension, carried, range_left }
     }
 
-    pub(super) fn stretched(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
+    pub(super) fn stretched(&mut self, at: &Context<'_, S>) -> Stretched<S> {
         let laid = self.laid(at);
         let Stretched { unstretched, stretch, rate, .. } = laid;
         if let Some(own) = &self.inextensible {
@@ -97,7 +97,8 @@ impl<S: Scalar> Rope<S> {
         let where_longer = |force: S| stretch.select_below(0.0, || S::ZERO, || force);
         let (elastic, tension) = match condition(at) {
             TAUT => (elastic, pull),
-            // Without a damper a slack rope is never longer, but for rounding, which would spoil the energy of a step.
+            // Without a damper a slack rope is never stretched, except by rounding, which would spoil the energy of a
+            // step.
             SLACK if self.damping_time.all(|time| time == 0.0) => (S::ZERO, S::ZERO),
             SLACK => (where_longer(elastic), S::ZERO),
             PARTED => (S::ZERO, S::ZERO),
@@ -109,7 +110,7 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// The tensions at its first and its last end, and the largest on its path, N.
-    pub(super) fn tensions(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> ([S; 2], S) {
+    pub(super) fn tensions(&self, at: &Context<'_, S>, now: &Stretched<S>) -> ([S; 2], S) {
         let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
         self.with_weight(at, now, [first, now.tension])
     }

@@ -1,18 +1,18 @@
-//! A line whose winch keeps its tension: tugger lines and tag lines.
+//! A line with a constant-tension winch: tugger lines and tag lines.
 
-use super::Path;
+use super::RopePath;
 use crate::dynamics::Loads;
-use crate::elements::{Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Moment, Output};
+use crate::elements::{Context, Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Output};
 use crate::scalar::Scalar;
 
-/// A line over a [`Path`] whose winch, at its first end, pays out and hauls in so that the tension T at its last end stays the same,
-/// however fast the load moves: V = T l, with the length l of the path. At the sheaves friction takes its share.
+/// A line over a [`RopePath`] whose winch, at its first end, pays out and hauls in so that the tension T at its last
+/// end is constant, however fast the load moves: V = T l, with the length l of the path. Friction acts at the sheaves.
 #[derive(Clone, Debug)]
 pub struct TuggerLine<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it runs over; without a drum.
-    pub path: Path<S>,
+    /// Its path, without a drum.
+    pub path: RopePath<S>,
     /// T, N.
     pub tension: S,
 }
@@ -41,32 +41,32 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
         }
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = self.path.extent(at).rate;
         let [at_winch, power] = self.path.pull(self.tension, S::ZERO, |station, wrench| {
             loads.wrenches.extend(station.on_body(at, wrench));
         });
-        // V has the work of T; what friction takes besides is the winch's to give.
+        // V contains the work of T; the winch also supplies the energy lost to friction.
         let given = (self.tension - at_winch) * rate;
         loads.power.drives += given;
         loads.power.dissipated += given - (power + self.tension * rate);
     }
 
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         self.tension * self.path.extent(at).length
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let extent = self.path.extent(at);
         let [at_winch, _] = self.path.pull(self.tension, S::ZERO, |_, _| {});
         out.extend([at_winch, extent.length, extent.rate]);
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values.fill(self.path.extent(at).range_left);
     }
 
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         self.path.extent(at);
         points.extend(self.path.straights().flatten().flat_map(|point| point.0));
     }

@@ -1,24 +1,24 @@
 //! The weight of a rope, without its inertia.
 //!
-//! Its legs are taken as straight, between the centres of its stations, and its mass as spread evenly over the length l of its
-//! path; what lies on the sheaves is left out. With the weight per length w(z), in air above the still water line z = 0 and less the
-//! displaced water below, W(z) its integral from 0, the n falls and the distance d of each leg, and the length L that lies on
-//! the path, L0 of it at the start,
+//! Its legs are taken as straight, between the centres of its stations, and its mass as spread evenly over the length l
+//! of its path; the rope on the sheaves is left out. With the weight per length w(z), in air above the still water line
+//! z = 0 and less the displaced water below, W(z) its integral from 0, the n falls and the distance d of each leg, and
+//! the length L that lies on the path, L0 of it at the start,
 //!
 //! ```text
 //! V = L Wm - (L - L0) W(z_1),   Wm = sum n d <W> / l,   <W> = mean of W over the leg
 //! T(z) = T + (L / l) (W(z) - Wm)
 //! ```
 //!
-//! where T is the tension that stretches the rope, its mean, and z_1 the height of the drum, which the rope that it pays out
-//! has left. The forces are -dV/dx, and a drum holds -dV/dL = W(z_1) - Wm beside T: under a drum at rest a rope with a load M
-//! pulls with M g at its last end and with M g + w L at the drum (Irvine, *Cable Structures*, 1981, ch. 1: tension of a taut
-//! cable changes by w per height).
+//! where T is the mean tension, which stretches the rope, and z_1 the height of the drum, from which the rope is paid
+//! out. The forces are -dV/dx, and a drum holds -dV/dL = W(z_1) - Wm in addition to T: below a drum at rest a rope with
+//! a load M pulls with M g at its last end and with M g + w L at the drum (Irvine, *Cable Structures*, 1981, ch. 1:
+//! tension of a taut cable changes by w per height).
 
 use super::stretch::{Stretched, condition};
-use super::{PARTED, Path, Rope, Station};
+use super::{PARTED, Rope, RopePath, Station};
 use crate::dynamics::Loads;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 use core::f64::consts::FRAC_PI_4;
@@ -28,7 +28,7 @@ use core::f64::consts::FRAC_PI_4;
 pub struct RopeWeight<S = f64> {
     /// kg/m.
     pub mass_per_length: S,
-    /// Of the circle that displaces as much water, m.
+    /// Diameter of the circle that displaces as much water, m.
     pub diameter: S,
 }
 
@@ -39,9 +39,9 @@ struct PerLength<S> {
     in_water: S,
 }
 
-/// How the weight of a rope is spread over its path.
+/// The distribution of a rope's weight over its path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hanging<S> {
+pub(super) struct WeightOnPath<S> {
     per_length: PerLength<S>,
     /// L / l.
     density: S,
@@ -50,13 +50,13 @@ pub(super) struct Hanging<S> {
 }
 
 impl<S: Scalar> RopeWeight<S> {
-    fn per_length(&self, at: &Moment<'_, S>) -> PerLength<S> {
+    fn per_length(&self, at: &Context<'_, S>) -> PerLength<S> {
         let area = self.diameter * self.diameter * S::constant(FRAC_PI_4);
         let in_air = self.mass_per_length * at.world.gravity;
         PerLength { in_air, in_water: in_air - at.world.water_density * at.world.gravity * area }
     }
 
-    fn hanging(&self, at: &Moment<'_, S>, path: &Path<S>, now: &Stretched<S>) -> Hanging<S> {
+    fn hanging(&self, at: &Context<'_, S>, path: &RopePath<S>, now: &Stretched<S>) -> WeightOnPath<S> {
         let per_length = self.per_length(at);
         let length = now.unstretched + now.stretch;
         let of_leg = |k: usize| {
@@ -64,7 +64,7 @@ impl<S: Scalar> RopeWeight<S> {
             way.norm() * falls * per_length.mean(path.heights(k))
         };
         let sum = (0..path.stations().len() - 1).fold(S::ZERO, |sum, k| sum + of_leg(k));
-        Hanging { per_length, density: now.unstretched / length, mean: sum / length }
+        WeightOnPath { per_length, density: now.unstretched / length, mean: sum / length }
     }
 }
 
@@ -87,7 +87,7 @@ impl<S: Scalar> PerLength<S> {
         (from * to).select_below(0.0, across, on_one_side)
     }
 
-    /// The derivatives of the mean by both heights, N/m.
+    /// The derivatives of the mean with respect to both heights, N/m.
     fn slopes(&self, [from, to]: [S; 2]) -> [S; 2] {
         let product = from * to;
         let on_one_side = || self.at(from + to) * S::constant(0.5);
@@ -98,36 +98,37 @@ impl<S: Scalar> PerLength<S> {
     }
 }
 
-impl<S: Scalar> Hanging<S> {
-    /// What the tension at a height is above the mean, N.
+impl<S: Scalar> WeightOnPath<S> {
+    /// The tension at a height less the mean, N.
     fn above_mean(&self, height: S) -> S {
         self.density * (self.per_length.integral(height) - self.mean)
     }
 }
 
 impl<S: Scalar> Rope<S> {
-    /// Where it weighs something and has not parted; the path has seen the bodies.
-    fn hanging(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Option<Hanging<S>> {
+    /// The distribution, if the rope has weight and has not parted; the path has been evaluated at the present
+    /// positions.
+    fn hanging(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Option<WeightOnPath<S>> {
         let weight = self.weight.filter(|_| condition(at) != PARTED)?;
         Some(weight.hanging(at, &self.path, now))
     }
 
     /// Adds -dV/dx on the bodies and -dV/dL on the drum.
-    pub(super) fn weigh(&self, at: &Moment<'_, S>, now: &Stretched<S>, loads: &mut Loads<S>) {
+    pub(super) fn weigh(&self, at: &Context<'_, S>, now: &Stretched<S>, loads: &mut Loads<S>) {
         self.weight_on_stations(at, now, |station, wrench| loads.wrenches.extend(station.on_body(at, wrench)));
         let (Some(drum), Some(hanging)) = (&self.drum, self.hanging(at, now)) else { return };
         let above_mean = hanging.per_length.integral(self.path.centre(0)[2]) - hanging.mean;
         loads.force[drum.coordinate] += now.paid_out.per_angle * above_mean;
     }
 
-    /// Hands over -dV/dx at every station, in world axes.
+    /// Passes on -dV/dx at every station, in world axes.
     pub(super) fn weight_on_stations(
         &self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         now: &Stretched<S>,
         mut hand: impl FnMut(&Station<S>, &Wrench<S>),
     ) {
-        let Some(Hanging { per_length, density, mean }) = self.hanging(at, now) else { return };
+        let Some(WeightOnPath { per_length, density, mean }) = self.hanging(at, now) else { return };
         let path = &self.path;
         path.pull_freely(-density * mean, &mut hand);
         let up = |force: S| Vector3([S::ZERO, S::ZERO, force]);
@@ -148,14 +149,14 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// V, J.
-    pub(super) fn energy_of_weight(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> S {
+    pub(super) fn energy_of_weight(&self, at: &Context<'_, S>, now: &Stretched<S>) -> S {
         let Some(hanging) = self.hanging(at, now) else { return S::ZERO };
         now.unstretched * hanging.mean - now.paid_out.length * hanging.per_length.integral(self.path.centre(0)[2])
     }
 
-    /// The tension at each end with what the weight adds there, and the largest at any place of the path with that of the
-    /// larger end; `tensions` without it, first and last, N. None is below 0.
-    pub(super) fn with_weight(&self, at: &Moment<'_, S>, now: &Stretched<S>, tensions: [S; 2]) -> ([S; 2], S) {
+    /// The tension at the first and the last end including the weight, and the largest on the path; `tensions` are
+    /// those of the first and the last end without weight, N. None is below 0.
+    pub(super) fn with_weight(&self, at: &Context<'_, S>, now: &Stretched<S>, tensions: [S; 2]) -> ([S; 2], S) {
         let larger = |a: S, b: S| a.select_less(b, || b, || a);
         let [first, last] = tensions;
         let largest = larger(first, last);

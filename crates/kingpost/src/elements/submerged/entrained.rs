@@ -1,14 +1,14 @@
-//! Water that a load holds inside: it comes in through holes as the load sinks, and drains as it is lifted out.
+//! Water that a load holds inside: it enters through holes as the load sinks, and drains as the load is lifted out.
 
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3, Wrench};
 
-/// An upright inner space of constant section A and height H about the solid's centre, with holes of area A_h at its floor
-/// and open to the air above.
+/// An upright inner space of constant section A and height H about the solid's centre, with holes of area A_h in its
+/// floor and open at the top.
 ///
-/// With the level h of the water inside and H_o of the sea outside, over the floor and both from 0 to H, along the vertical
-/// (Torricelli's law with a discharge coefficient: White, *Fluid Mechanics*, on Bernoulli's equation and orifices; that water
-/// which has not drained yet is part of the weight: DNV-RP-N103 on lifting through the surface)
+/// With the level h of the water inside and H_o of the sea outside, over the floor and both from 0 to H, along the
+/// vertical (Torricelli's law with a discharge coefficient: White, *Fluid Mechanics*, on Bernoulli's equation and
+/// orifices; water that has not drained is part of the weight: DNV-RP-N103 on lifting through the surface)
 ///
 /// ```text
 /// h' = C_d A_h / A sqrt(2 g) d / (d^2 + e^2)^(1/4),   d = H_o - h,   e = 1 mm
@@ -16,8 +16,8 @@ use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3, Wrench
 /// m = rho A (h - H_o)     moves with the body, while it is more than 0
 /// ```
 ///
-/// e takes away the infinite slope of the square root where the levels meet. What is inside below the level of the sea weighs
-/// nothing there, and moves with the added mass; where the sea stands higher, the empty space lifts.
+/// e removes the infinite slope of the square root at equal levels. Water inside below the level of the sea has no net
+/// weight, and is part of the added mass; if the sea is higher, the empty space has buoyancy.
 #[derive(Clone, Copy, Debug)]
 pub struct EntrainedWater<S = f64> {
     /// A, m^2.
@@ -26,14 +26,14 @@ pub struct EntrainedWater<S = f64> {
     pub height: S,
     /// C_d A_h, m^2.
     pub hole: S,
-    /// h over H where a run begins; `None`: as high as the sea.
+    /// h over H at the start of a run; `None`: the level of the sea.
     pub filling: Option<S>,
 }
 
 /// e, m.
 const SMOOTHING_M: f64 = 1e-3;
 
-/// The levels inside and outside at one moment, m over the floor.
+/// The levels inside and outside at one moment, m above the floor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Levels<S> {
     pub inside: S,
@@ -41,7 +41,7 @@ pub(super) struct Levels<S> {
 }
 
 impl<S: Scalar> Levels<S> {
-    /// By how much the water inside stands higher.
+    /// Height of the water inside above that outside.
     fn excess(&self) -> S {
         self.inside - self.outside
     }
@@ -53,7 +53,7 @@ impl<S: Scalar> EntrainedWater<S> {
         Vector3::new(S::ZERO, S::ZERO, self.height * S::constant(-0.5))
     }
 
-    /// H_o where the floor is so far below the sea.
+    /// H_o for a floor at this depth below the sea.
     pub(super) fn outside(&self, depth: S) -> S {
         depth.clipped(S::ZERO, self.height)
     }

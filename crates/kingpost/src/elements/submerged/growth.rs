@@ -1,21 +1,21 @@
-//! How added mass grows with the share that is under water.
+//! How added mass grows with the share of the volume under water.
 
 use crate::scalar::Scalar;
 
 /// phi over s, from phi(0) = 0: in proportion, or a smooth curve through points that overshoots none of them (the monotone
 /// cubic of Fritsch and Butland, *SIAM J. Sci. Stat. Comput.* 5, 1984, 300-304, with slopes that are harmonic means).
 #[derive(Clone, Debug, Default)]
-pub struct Growth<S = f64> {
+pub struct AddedMassGrowth<S = f64> {
     /// s, phi and dphi/ds at the points; none for phi = s.
     points: Vec<[S; 3]>,
 }
 
-/// What keeps points from being a curve.
+/// Why points make no curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthError {
     /// `shares` or `factors`.
     pub column: &'static str,
-    /// Which, if it is one.
+    /// Which row, if the error is in one.
     pub row: Option<usize>,
     /// What it is.
     pub found: String,
@@ -23,7 +23,7 @@ pub struct GrowthError {
     pub allowed: String,
 }
 
-impl<S: Scalar> Growth<S> {
+impl<S: Scalar> AddedMassGrowth<S> {
     /// phi = s.
     pub fn in_proportion() -> Self {
         Self { points: Vec::new() }
@@ -31,8 +31,7 @@ impl<S: Scalar> Growth<S> {
 
     /// Through points whose shares go from 0 to 1.
     ///
-    /// # Errors
-    /// [`GrowthError`], of the first thing that is wrong.
+    /// # Errors [`GrowthError`], for the first point that is wrong.
     pub fn new(shares: &[f64], factors: &[S]) -> Result<Self, GrowthError> {
         let error = |column, row, found: String, allowed: &str| {
             Err(GrowthError { column, row, found, allowed: allowed.to_owned() })
@@ -60,7 +59,7 @@ impl<S: Scalar> Growth<S> {
         Ok(Self { points: with_slopes(shares, factors) })
     }
 
-    /// phi and its rate where s has this rate.
+    /// phi and its rate, for this s and its rate.
     pub fn at(&self, share: S, rate: S) -> [S; 2] {
         let Some([_, last, _]) = self.points.last() else { return [share, rate] };
         let mut found = [*last, S::ZERO];
@@ -81,7 +80,7 @@ impl<S: Scalar> Growth<S> {
     }
 }
 
-/// Harmonic means of the neighbouring chords' slopes where both go one way, else 0; at the ends the chord's.
+/// Harmonic means of the neighbouring chords' slopes if both have the same sign, else 0; at the ends the chord's slope.
 fn with_slopes<S: Scalar>(shares: &[f64], factors: &[S]) -> Vec<[S; 3]> {
     let width = |k: usize| shares[k + 1] - shares[k];
     let chord = |k: usize| (factors[k + 1] - factors[k]) / S::constant(width(k));

@@ -1,7 +1,7 @@
-//! How a solid lies in the water, and what the water does there.
+//! The immersion of a solid, and the motion of the water there.
 
 use super::{ROUNDING_M, has_phases};
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::elements::hull::{HullFrame, HullMotion};
 use crate::scalar::Scalar;
 use crate::sea::hull::{Below, Solid};
@@ -9,8 +9,8 @@ use crate::sea::waves::{LocalSurface, WavesAtBody};
 use crate::spatial::{Frame, Twist, Vector3};
 use crate::world::CurrentAt;
 
-/// Where a solid is, so that no step mixes two laws: events change it. Runs side by side that begin differently go by the
-/// level until the first event of one.
+/// The phase of a solid: out of the water, at the surface or under it. Only events change it, so no step mixes two
+/// laws. Runs in lanes that begin differently use the level instead until the first event in one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Phase {
     ByLevel = 0,
@@ -20,7 +20,7 @@ pub(super) enum Phase {
 }
 
 impl Phase {
-    /// By how far the lowest and the highest point are below the surface.
+    /// From the depths of the lowest and the highest point below the surface.
     pub fn of<S: Scalar>(low: S, high: S) -> Self {
         if low.all(|low| low < 0.0) {
             Self::Dry
@@ -33,7 +33,7 @@ impl Phase {
         }
     }
 
-    pub fn at<S>(at: &Moment<'_, S>) -> Self {
+    pub fn at<S>(at: &Context<'_, S>) -> Self {
         match at.modes.first().filter(|_| has_phases(at.situation)) {
             Some(1) => Self::Dry,
             Some(2) => Self::Cut,
@@ -53,11 +53,11 @@ pub struct Waters<S = f64> {
 pub(super) struct Immersion<S> {
     /// The solid's axes in the world, its centre their origin.
     pub frame: Frame<S>,
-    /// Of the body about that centre.
+    /// Twist of the body about that centre.
     pub twist: Twist<S>,
-    /// What is below the surface.
+    /// The part below the surface.
     pub below: Below<S>,
-    /// b: the centre of that, m.
+    /// b: the centre of that part, m.
     pub centre: Vector3<S>,
     /// s, and its rate, 1/s.
     pub share: S,
@@ -82,24 +82,24 @@ impl<S: Scalar> Immersion<S> {
         self.twist.linear + self.twist.angular.cross(self.centre)
     }
 
-    /// How far a point of the solid's axes is below the sea, along the vertical, m.
+    /// Depth of a point below the sea, along the vertical, m; the point is in the solid's axes.
     pub fn depth(&self, point: Vector3<S>) -> S {
         depth(&self.frame, point, self.elevation, self.slopes)
     }
 }
 
-/// How far a point of a frame is below the plane of the sea that has this elevation and these slopes over the frame's origin.
+/// Depth of a point of a frame below the plane of the sea with this elevation and these slopes at the frame's origin.
 fn depth<S: Scalar>(frame: &Frame<S>, point: Vector3<S>, elevation: S, [x, y]: [S; 2]) -> S {
     let off = frame.rotation * point;
     elevation + x * off[0] + y * off[1] - frame.position[2] - off[2]
 }
 
-/// The surface as the solid sees it: N . r < L is below, with the normal N = (-slopes, 1) in the body's axes; both by the
-/// length of N.
+/// The surface in the solid's axes: N . r < L is below, with the normal N = (-slopes, 1); both divided by the length of
+/// N.
 struct Plane<S> {
     normal: Vector3<S>,
     level: S,
-    /// Their rates, for points of the body, and 1 / |N|.
+    /// The rates of both for points fixed in the body, and 1 / |N|.
     normal_rate: Vector3<S>,
     level_rate: S,
     scale: S,
@@ -123,42 +123,42 @@ impl<S: Scalar> Plane<S> {
         }
     }
 
-    /// dV/dt: what the plane sweeps of the solid.
+    /// dV/dt: the volume of the solid that the plane sweeps per time.
     fn volume_rate(&self, below: &Below<S>) -> S {
         (self.level_rate * below.area - self.normal_rate.dot(below.area_moment)) * self.scale
     }
 }
 
 impl<S: Scalar> Waters<S> {
-    /// In these waves, if there are any.
+    /// For the waves of this world, if there are any.
     pub fn new(world: &crate::world::World<S>) -> Self {
         Self { waves: world.waves.as_ref().map(WavesAtBody::new) }
     }
 
-    fn surface(&mut self, at: &Moment<'_, S>, [x, y, _]: [S; 3]) -> LocalSurface<S> {
+    fn surface(&mut self, at: &Context<'_, S>, [x, y, _]: [S; 3]) -> LocalSurface<S> {
         match (&mut self.waves, &at.world.waves) {
             (Some(waves), Some(field)) if at.situation.has_waves() => waves.surface(field, [x, y], at.clock.time_s),
             _ => LocalSurface::still(),
         }
     }
 
-    /// How far the lowest and the highest point of a solid are below the surface, square to it, m.
-    pub(super) fn margins(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> [S; 2] {
+    /// Depths of the lowest and the highest point of a solid below the surface, perpendicular to it, m.
+    pub(super) fn margins(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> [S; 2] {
         let motion = place.motion(at);
         let plane = Plane::of(&self.surface(at, motion.frame.position.0), &motion);
         let reach = solid.reach(plane.normal);
         [plane.level + reach, plane.level - reach]
     }
 
-    /// How far a point of the solid's axes is below the sea, along the vertical, m: [`Immersion::depth`].
-    pub(super) fn depth(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, point: Vector3<S>) -> S {
+    /// Depth of a point below the sea, along the vertical, m: [`Immersion::depth`].
+    pub(super) fn depth(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, point: Vector3<S>) -> S {
         let frame = place.frame(at.model, at.links);
         let surface = self.surface(at, frame.position.0);
         depth(&frame, point, surface.elevation, surface.slopes)
     }
 
-    /// How a solid lies in the water; phi is left out.
-    pub(super) fn immersion(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> Immersion<S> {
+    /// The immersion of a solid, without phi.
+    pub(super) fn immersion(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> Immersion<S> {
         let motion = place.motion(at);
         let surface = self.surface(at, motion.frame.position.0);
         let plane = Plane::of(&surface, &motion);
@@ -169,7 +169,7 @@ impl<S: Scalar> Waters<S> {
             Phase::Dry => none,
             Phase::Wet => Below { volume: whole, ..none },
             Phase::Cut => {
-                // Where it just touches, the section is there from the first.
+                // At first contact the water line section must already exist.
                 let reach = solid.reach(plane.normal) - S::constant(1e-3 * ROUNDING_M);
                 solid.below(plane.normal, plane.level.clipped(-reach, reach))
             }
@@ -199,7 +199,7 @@ impl<S: Scalar> Waters<S> {
     /// Velocity and acceleration of the water at the depth of a solid's wet part, in the body's axes.
     fn water(
         &self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         motion: &HullMotion<S>,
         surface: &LocalSurface<S>,
         centre: Vector3<S>,

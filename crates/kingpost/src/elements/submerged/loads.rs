@@ -1,21 +1,21 @@
 //! The loads of the water on a solid, about its centre in the body's axes.
 
-use super::growth::Growth;
+use super::growth::AddedMassGrowth;
 use super::immersion::Immersion;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 use crate::world::GustsAtHeight;
 
-/// Of a density of 1: the added mass of what is under water as a whole, and how it grows.
+/// The added mass for a density of 1: that of the whole object under water, and how it grows with immersion.
 #[derive(Clone, Debug)]
 pub struct AddedMassOf<S = f64> {
     /// C_A V_R along the body's axes, m^3.
     pub linear: Vector3<S>,
-    /// The same about them, m^5.
+    /// The moments about them, m^5.
     pub angular: Vector3<S>,
     /// phi(s).
-    pub growth: Growth<S>,
+    pub growth: AddedMassGrowth<S>,
 }
 
 /// Drag by axis.
@@ -27,20 +27,20 @@ pub struct Drag<S = f64> {
     pub linear: Vector3<S>,
 }
 
-/// Drag of the wind on what is dry.
+/// Drag of the wind on the dry part.
 #[derive(Clone, Debug)]
 pub struct WindOnDry<S = f64> {
     /// C_D A_p along the body's axes, m^2.
     pub areas: Vector3<S>,
-    /// The height whose wind counts, m.
+    /// The height at which the wind speed is taken, m.
     pub height: S,
-    /// The wind's gusts there, where it has any.
+    /// The gusts at that height, if the wind has any.
     pub gusts: Option<GustsAtHeight<S>>,
 }
 
-/// Loads by what makes them.
+/// The loads by cause.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Parts<S> {
+pub(super) struct SubmergedLoads<S> {
     pub buoyancy: Wrench<S>,
     pub drag: Wrench<S>,
     pub inertia: Wrench<S>,
@@ -49,7 +49,7 @@ pub(super) struct Parts<S> {
     pub entrained: Wrench<S>,
 }
 
-impl<S: Scalar> Parts<S> {
+impl<S: Scalar> SubmergedLoads<S> {
     pub fn sum(&self) -> Wrench<S> {
         self.buoyancy + self.drag + self.inertia + self.slamming + self.wind + self.entrained
     }
@@ -66,7 +66,7 @@ fn by_square<S: Scalar>(velocity: Vector3<S>, areas: Vector3<S>) -> Vector3<S> {
 }
 
 impl<S: Scalar> AddedMassOf<S> {
-    /// A of so much of it, about the solid's centre.
+    /// A times the growth factor, about the solid's centre.
     pub fn inertia(&self, density: S, factor: S) -> SpatialInertia<S> {
         let scale = density * factor;
         SpatialInertia {
@@ -76,9 +76,9 @@ impl<S: Scalar> AddedMassOf<S> {
         }
     }
 
-    /// Of the equation of motion F = -(A nu_r' + nu_r x* A nu_r) - A' nu_r the part that is not already in the body's
-    /// inertia, `-(A nu' + nu x* A nu)`; and the last term, while A grows. In the body's axes the velocity u of the water has
-    /// the rate a - omega x u.
+    /// The force F = -(A nu_r' + nu_r x* A nu_r) - A' nu_r, less the part `-(A nu' + nu x* A nu)` that is already in
+    /// the body's inertia; the last term only while A grows. In the body's axes the rate of the water's velocity u is
+    /// a - omega x u.
     pub(super) fn forces(&self, density: S, now: &Immersion<S>) -> (Wrench<S>, Wrench<S>) {
         let added = self.inertia(density, now.factor);
         let through = Twist { linear: now.twist.linear - now.stream, ..now.twist };
@@ -101,8 +101,8 @@ impl<S: Scalar> Drag<S> {
 }
 
 impl<S: Scalar> WindOnDry<S> {
-    /// 1/2 rho C_D A_p |w - v| (w - v) of the dry share, at the solid's centre.
-    pub(super) fn force(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+    /// 1/2 rho C_D A_p |w - v| (w - v) on the dry share, at the solid's centre.
+    pub(super) fn force(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let Some(wind) = &at.world.wind else { return Wrench::zero() };
         let mut flow = wind.at_height(self.height);
         if let (Some(gusts), true) = (&self.gusts, at.situation.has_waves()) {

@@ -6,28 +6,30 @@ mod immersion;
 mod loads;
 
 pub use entrained::EntrainedWater;
-pub use growth::{Growth, GrowthError};
+pub use growth::{AddedMassGrowth, GrowthError};
 pub use immersion::Waters;
 pub use loads::{AddedMassOf, Drag, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
-    Components, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, ShownWaves, Situation,
+    Components, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, ShownWaves, Situation,
+    VectorFrame,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
 use crate::sea::hull::Solid;
-use crate::spatial::{Frame as Axes, Vector3, Wrench};
+use crate::spatial::{Frame, Vector3, Wrench};
 use entrained::Levels;
 use immersion::{Immersion, Phase};
-use loads::Parts;
+use loads::SubmergedLoads;
 
-/// A plain solid on a body that is lowered through the surface of the sea, small beside the waves.
+/// A simple solid on a body that is lowered through the surface of the sea and is small compared with the waves.
 ///
-/// The sea's surface is a plane at the solid's centre, at its elevation and slope there. With V below it, the share
-/// s = V / V_0, the centre b of V, the water's velocity u and acceleration a at its depth, and the added mass A = phi(s) A_0
-/// about the solid's centre (DNV-RP-N103, *Modelling and analysis of marine operations*; Newman, *Marine Hydrodynamics*,
-/// 1977, sec. 4.14 on the last two; Faltinsen, *Sea Loads*, 1990, sec. 9.2 on slamming as dA/dt v)
+/// The sea's surface is taken as a plane with the elevation and slope at the solid's centre. With the volume V below
+/// it, the share s = V / V_0, the centre b of V, the water's velocity u and acceleration a at its depth, and the added
+/// mass A = phi(s) A_0 about the solid's centre (DNV-RP-N103, *Modelling and analysis of marine operations*; Newman,
+/// *Marine Hydrodynamics*, 1977, sec. 4.14 on the last two; Faltinsen, *Sea Loads*, 1990, sec. 9.2 on slamming as dA/dt
+/// v)
 ///
 /// ```text
 /// buoyancy and Froude-Krylov force   rho V (g + a), at b
@@ -36,20 +38,20 @@ use loads::Parts;
 /// slamming                           -A' nu_r while A grows
 /// ```
 ///
-/// As the body comes out, the momentum A nu_r of the water that lets go stays with the water, and what is left has A nu_r:
-/// A falls without a force. (By d(A v)/dt it would push the body out and give it energy.) Both ways the water takes
-/// |A'| v^2 / 2 out of the motion.
+/// As the body comes out, the momentum of the water that detaches stays with that water, so A falls without a force. (A
+/// force d(A v)/dt would push the body out and add energy.) Going in and coming out, the motion loses the power
+/// `|A'| v^2 / 2` to the water.
 #[derive(Clone, Debug)]
 pub struct Submerged<S = f64> {
     /// Name in the results.
     pub name: String,
     /// The body, and the solid's centre; its axes are the body's.
     pub place: HullFrame<S>,
-    /// What cuts the surface.
+    /// The solid that the surface cuts.
     pub solid: Solid<S>,
-    /// Volume of the water that it displaces, of the solid's.
+    /// Displaced volume over the solid's volume.
     pub displaced: S,
-    /// A_0 of rho 1, and phi.
+    /// A_0 for rho = 1, and phi.
     pub added_mass: AddedMassOf<S>,
     /// Drag of the wet share.
     pub drag: Drag<S>,
@@ -72,7 +74,7 @@ const MEETS: usize = 0;
 const IS_UNDER: usize = 1;
 const COMES_UP: usize = 2;
 const LEAVES: usize = 3;
-/// How far a solid may be out of the phase that it is in, m: rounding.
+/// Distance by which a solid may be outside its phase, m: rounding.
 const ROUNDING_M: f64 = 1e-9;
 
 impl<S: Scalar> Element<S> for Submerged<S> {
@@ -82,7 +84,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 
     fn declare(&self) -> Declaration {
         Declaration {
-            states: self.entrained.iter().map(|_| Kept::new("entrained_level", "m")).collect(),
+            states: self.entrained.iter().map(|_| ElementState::new("entrained_level", "m")).collect(),
             modes: vec!["phase".to_owned()],
             outputs: outputs(&self.name, self.entrained.is_some()),
             events: EVENTS.to_vec(),
@@ -90,7 +92,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         self.renew(at, own);
         if let Some(water) = &self.entrained {
             let depth = self.waters.depth(at, &self.place, water.floor());
@@ -98,19 +100,19 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
         own.modes[0] = Phase::of(low, high) as i64;
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let Some(water) = self.entrained else { return };
         let outside = water.outside(self.waters.depth(at, &self.place, water.floor()));
         rates[0] = water.rate(at.world.gravity, &Levels { inside: at.states[0], outside });
     }
 
-    /// Adds the loads, the added mass, and who does the work.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    /// Adds the loads, the added mass and the power.
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let now = self.immersion(at);
         let parts = self.parts(at, &now);
         let (about_centre, twist) = (|wrench: &Wrench<S>| self.place.about_centre(wrench), &now.twist);
@@ -121,16 +123,16 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         loads.wrenches.push((self.place.body, about_centre(&parts.sum())));
         if !now.share.all(|share| share == 0.0) {
             let added = self.added_mass.inertia(at.world.water_density, now.factor);
-            loads.added_inertia.push((self.place.body, added.to_parent(&Axes::translation(self.place.origin))));
+            loads.added_inertia.push((self.place.body, added.to_parent(&Frame::translation(self.place.origin))));
         }
         if let Some((water, levels)) = self.inside(at, &now) {
             let carried = water.inertia(at.world.water_density, &levels);
-            loads.added_inertia.push((self.place.body, carried.to_parent(&Axes::translation(self.place.origin))));
+            loads.added_inertia.push((self.place.body, carried.to_parent(&Frame::translation(self.place.origin))));
         }
     }
 
-    /// What it took to push it into still water, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    /// The work of pushing it into still water, J.
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let frame = self.place.frame(at.model, at.links);
         let (vertical, level) = (frame.rotation.row(2), -frame.position[2]);
         let below = self.solid.below(vertical, level);
@@ -138,7 +140,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         -(height_moment * at.world.specific_weight() * self.displaced)
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let now = self.immersion(at);
         let parts = self.parts(at, &now);
         let world = |vector: Vector3<S>| now.frame.rotation * vector;
@@ -156,7 +158,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let phase = Phase::at(at);
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
         for (event, value) in values.iter_mut().enumerate() {
@@ -176,7 +178,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn respond(&mut self, event: usize, _at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn respond(&mut self, event: usize, _at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         own.modes[0] = match event {
             MEETS | COMES_UP => Phase::Cut,
             IS_UNDER => Phase::Wet,
@@ -199,16 +201,16 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 }
 
 impl<S: Scalar> Submerged<S> {
-    fn immersion(&mut self, at: &Moment<'_, S>) -> Immersion<S> {
+    fn immersion(&mut self, at: &Context<'_, S>) -> Immersion<S> {
         let mut now = self.waters.immersion(at, &self.place, &self.solid);
         [now.factor, now.factor_rate] = self.added_mass.growth.at(now.share, now.share_rate);
         now
     }
 
-    fn parts(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Parts<S> {
+    fn parts(&self, at: &Context<'_, S>, now: &Immersion<S>) -> SubmergedLoads<S> {
         let density = at.world.water_density;
         let (inertia, slamming) = self.added_mass.forces(density, now);
-        Parts {
+        SubmergedLoads {
             buoyancy: self.buoyancy(at, now),
             drag: self.drag.force(density, now),
             inertia,
@@ -220,8 +222,8 @@ impl<S: Scalar> Submerged<S> {
         }
     }
 
-    /// The water inside, where there may be some. At rest it stands as high as the sea.
-    fn inside(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
+    /// The water inside, if it can hold any. At rest it has the level of the sea.
+    fn inside(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
         let water = self.entrained?;
         let outside = water.outside(now.depth(water.floor()));
         let inside = if has_phases(at.situation) { *at.states.first()? } else { outside };
@@ -229,14 +231,14 @@ impl<S: Scalar> Submerged<S> {
     }
 
     /// rho V (g + a), at the centre of V.
-    fn buoyancy(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+    fn buoyancy(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let vertical = now.frame.rotation.row(2);
         let field = (vertical * at.world.gravity + now.acceleration) * (at.world.water_density * self.displaced);
         Wrench { moment: now.below.first_moment.cross(field), force: field * now.below.volume }
     }
 
-    /// That in still water, which has a potential.
-    fn still_buoyancy(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+    /// The buoyancy in still water, which has a potential.
+    fn still_buoyancy(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let vertical = now.frame.rotation.row(2);
         let below = if now.in_waves { self.solid.below(vertical, -now.frame.position[2]) } else { now.below };
         let field = vertical * (at.world.specific_weight() * self.displaced);
@@ -244,7 +246,7 @@ impl<S: Scalar> Submerged<S> {
     }
 }
 
-/// What it shows, in the order of [`Submerged::outputs`](Element::outputs).
+/// Its outputs, in the order of [`Submerged::outputs`](Element::outputs).
 fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     let number = |variable, description, unit| Output::number(variable, description, "submerged", name, unit);
     let vector = |variable, description, frame, unit| Output {
@@ -252,26 +254,24 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
         frame,
         ..number(variable, description, unit)
     };
-    let force = |variable, description| vector(variable, description, Frame::World, &["N"]);
+    let force = |variable, description| vector(variable, description, VectorFrame::World, &["N"]);
     let mut all = vec![
         number("submerged_share", "volume below the surface over the whole volume", &["1"]),
         force("submerged_buoyancy", "buoyancy with the Froude-Krylov force of the waves"),
-        force("submerged_drag", "drag of the water on what is wet"),
+        force("submerged_drag", "drag of the water on the wet part"),
         force(
             "submerged_inertia",
-            "force of the water's acceleration on the added mass, and of its velocity as the body turns; what the body's own \
-             acceleration takes is in its inertia",
+            "force of the water's acceleration on the added mass, and of its velocity as the body turns; the force of the body's own acceleration is in its inertia",
         ),
         force("submerged_slamming", "force of the added mass that grows"),
         Output::wrench(
             "submerged_force",
-            "sum of the loads of water and wind, with the moment about the solid's centre; without what the body's own \
-             acceleration takes",
+            "sum of the loads of water and wind, with the moment about the solid's centre; without the force of the body's own acceleration",
             "submerged",
             name,
-            Frame::World,
+            VectorFrame::World,
         ),
-        vector("submerged_added_mass", "added mass along the body's axes", Frame::Body, &["kg"]),
+        vector("submerged_added_mass", "added mass along the body's axes", VectorFrame::Body, &["kg"]),
     ];
     if holds_water {
         let what = "weight of the water inside a lifted object that stands above the sea outside; negative: the sea stands higher";
@@ -281,7 +281,7 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     all
 }
 
-/// At rest there are no phases: a solid goes by its level.
+/// At rest there are no phases: the level decides.
 fn has_phases(situation: Situation) -> bool {
     situation == Situation::Running
 }

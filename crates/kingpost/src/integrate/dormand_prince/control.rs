@@ -1,15 +1,15 @@
-//! How long the steps are.
+//! Control of the step length.
 
 use super::{Interval, STAGES, Stages, StepError};
 use crate::integrate::largest;
 use crate::scalar::Scalar;
 
-/// What the error of a step may be, and how long a step.
+/// Tolerances of the error of a step, and the largest step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
-    /// On every coordinate, rad or m, and on every rate, rad/s or m/s.
+    /// Absolute error of every coordinate, rad or m, and of every rate, rad/s or m/s.
     pub absolute: f64,
-    /// Beside it: of the coordinate's motion in the step, and of the rate.
+    /// Added to it: error relative to the coordinate's motion in the step, and to the rate.
     pub relative: f64,
     /// Largest step, s.
     pub largest_step_s: f64,
@@ -19,7 +19,7 @@ pub struct Tolerances {
 const ERROR: [f64; STAGES] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// The smallest step, as part of the step between two states that are handed out.
+/// The smallest step, as a share of the step between two output states.
 const LEAST: f64 = 1e-5;
 
 /// A step is this much shorter than its error would allow.
@@ -33,17 +33,17 @@ const GROWTH: f64 = 5.0;
 const PROPORTIONAL: f64 = 0.04;
 const INTEGRAL: f64 = 0.2 - 0.75 * PROPORTIONAL;
 
-/// Errors below this count as this, so that one lucky step does not set the next.
+/// Smaller errors count as this, so that one step with a small error by chance does not set the next.
 const SMALLEST_ERROR: f64 = 1e-4;
 
-/// Gustafsson's controller: `h (0.9 / e^0.17) e_before^0.04` after a step whose error is e of what
-/// is allowed (Hairer & Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., 1996,
-/// section IV.2), and `0.9 h / e^0.2` after one that is rejected.
+/// Gustafsson's controller: `h (0.9 / e^0.17) e_before^0.04` after a step whose error is e times the allowed one
+/// (Hairer & Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., 1996, section IV.2), and `0.9 h / e^0.2`
+/// after one that is rejected.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Controller {
     pub(super) tolerances: Tolerances,
     first_s: f64,
-    /// The step that is wanted next, s; zero before the first.
+    /// The proposed next step, s; zero before the first.
     wanted_s: f64,
     /// Error of the last step.
     before: f64,
@@ -55,7 +55,7 @@ impl Controller {
         Self { tolerances, first_s, wanted_s: 0.0, before: 0.0, rejected: false }
     }
 
-    /// What it carries from step to step.
+    /// Its memory from step to step.
     pub(super) fn memory(&self) -> (f64, f64) {
         (self.wanted_s, self.before)
     }
@@ -68,7 +68,7 @@ impl Controller {
         LEAST * self.first_s
     }
 
-    /// The step to try: onto the edge where it is near, half way where it is not far.
+    /// The step to try: to the edge if it is near, half way if it is not far.
     pub(super) fn interval(&self, start_s: f64, edge_s: f64) -> Interval {
         let wanted_s = if self.wanted_s > 0.0 { self.wanted_s } else { self.first_s };
         let (wanted_s, left_s) = (wanted_s.min(self.tolerances.largest_step_s), edge_s - start_s);
@@ -82,8 +82,7 @@ impl Controller {
         Interval { start_s, end_s }
     }
 
-    /// Whether a step with this error stands, and the length of the next. An error that is not a
-    /// number is rejected.
+    /// Whether a step with this error is accepted; sets the length of the next. A step whose error is NaN is rejected.
     pub(super) fn accepts(&mut self, step: Interval, error: f64) -> Result<bool, StepError> {
         let h = step.end_s - step.start_s;
         let least_s = self.least_s();
@@ -93,7 +92,7 @@ impl Controller {
             let factor = SAFETY * libm::pow(before, PROPORTIONAL) / libm::pow(error, INTEGRAL);
             let most = if self.rejected { 1.0 } else { GROWTH };
             let next_s = h * factor.clamp(SHRINK, most);
-            // A step that an edge cut short says nothing against a longer one.
+            // A step that was cut short at an edge is no reason against a longer one.
             let whole = h >= self.wanted_s || self.wanted_s == 0.0;
             self.wanted_s = if whole { next_s } else { next_s.max(self.wanted_s) }.max(least_s);
             (self.before, self.rejected) = (error, false);
@@ -108,8 +107,8 @@ impl Controller {
     }
 }
 
-/// The largest error of a coordinate or a rate over what the tolerances allow, of all lanes; not a
-/// number where an entry is not. `v` holds the rates at the start, the stages stand at the end.
+/// The largest error of a coordinate or a rate over its tolerance, over all lanes; NaN if an entry is NaN. `v` holds
+/// the rates at the start, the stages stand at the end.
 pub(super) fn error<S: Scalar>(stages: &Stages<S>, tolerances: Tolerances, h: f64, v: &[S]) -> f64 {
     let size = |x: S| x.select_below(0.0, || -x, || x);
     let larger = |a: S, b: S| a.select_less(b, || b, || a);

@@ -10,9 +10,9 @@ use control::{Controller, error};
 
 pub use control::Tolerances;
 
-/// The pair's scheme of order 5 (Dormand & Prince 1980; Hairer, Norsett & Wanner, *Solving Ordinary
-/// Differential Equations I*, 2nd ed., 1993, table II.5.2). The last stage stands at the end of the
-/// step: it is the first of the next.
+/// The pair's scheme of order 5 (Dormand & Prince 1980; Hairer, Norsett & Wanner, *Solving Ordinary Differential
+/// Equations I*, 2nd ed., 1993, table II.5.2). The last stage is at the end of the step: it is the first stage of the
+/// next.
 static TABLEAU: Tableau = Tableau {
     a: &[
         &[1.0 / 5.0],
@@ -42,20 +42,19 @@ const DENSE: [f64; STAGES] = [
     69997945.0 / 29380423.0,
 ];
 
-/// Numbers at the head of the memory: begin and end of the inner step, s, and the controller's.
+/// Numbers at the head of the memory: start and end of the inner step, s, and the controller's two.
 const HEAD: usize = 4;
 
-/// The scheme takes inner steps as long as its tolerances allow, and hands out the state at the end
-/// of each interval by dense output, of order 4. An inner step may reach beyond the interval, but
-/// never beyond the next edge; it goes on at the next interval where the state was left as it is,
-/// its closed loops closed, and begins anew where it was changed: a lever, another state. Loops are
-/// closed at the end of each inner step, whose last stage is then evaluated again. The state's memory
-/// holds the inner step, so that a snapshot resumes to the same bits. Extra states take the same
-/// weights; they have no part in the error.
+/// The scheme takes inner steps as long as its tolerances allow, and gives the state at the end of each interval by
+/// dense output of order 4. An inner step may reach beyond the interval, but never beyond the next edge. It continues
+/// in the next interval if the state was not changed, and restarts if it was: by a lever, or a new state. Loops are
+/// closed at the end of each inner step, and its last stage is then evaluated again. The state's memory holds the inner
+/// step, so a snapshot continues with the same bits. Extra states have the same weights; they do not count in the
+/// error.
 #[derive(Clone, Debug)]
 pub struct DormandPrince<S = f64> {
     controller: Controller,
-    /// The inner step that was made last; of no length where there is none.
+    /// The last inner step; of length 0 if there is none.
     inner: Interval,
     q: Vec<S>,
     v: Vec<S>,
@@ -77,13 +76,13 @@ impl<S: Scalar> DormandPrince<S> {
         }
     }
 
-    /// Numbers that the state's memory holds beside `discrete` discrete numbers and modes.
+    /// Numbers of the state's memory, with `discrete` discrete numbers and modes.
     pub fn memory_len(&self, discrete: usize) -> usize {
         let (velocities, extras) = (self.v.len(), self.s.len());
         HEAD + self.q.len() + velocities + extras + STAGES * (2 * velocities + extras) + discrete
     }
 
-    /// Moves the state over the interval; `edge_s` is where a law changes its form next, s.
+    /// Moves the state over the interval; `edge_s` is the next time at which a law changes form, s.
     pub fn step<Y: System<S>>(
         &mut self,
         system: &mut Y,
@@ -100,7 +99,7 @@ impl<S: Scalar> DormandPrince<S> {
         }
         self.hand_out(system, interval.end_s, state);
         if self.inner.end_s == edge_s {
-            // The rates at an edge are of the law that ends there.
+            // The rates at an edge belong to the law that ends there.
             self.inner.start_s = edge_s;
         }
         self.save(state);
@@ -124,8 +123,8 @@ impl<S: Scalar> DormandPrince<S> {
         self.stages.hand_out(&mut state.q, &mut state.v, &mut state.s);
     }
 
-    /// Whether the state is where the last inner step has it. The rates of coordinates that are not free are given over time;
-    /// that they differ by rounding changes no law.
+    /// Whether the state is that of the last inner step. The rates of coordinates that are not free are functions of
+    /// time; a difference by rounding has no effect.
     fn continues<Y: System<S>>(&mut self, system: &mut Y, time_s: f64, state: &State<S>) -> bool {
         let Interval { start_s, end_s } = self.inner;
         if start_s == end_s || !(start_s..=end_s).contains(&time_s) || !self.same_discrete(state) {
@@ -139,7 +138,7 @@ impl<S: Scalar> DormandPrince<S> {
         same_rates && q[..] == state.q[..] && s[..] == state.s[..]
     }
 
-    /// Whether the discrete numbers and modes are those that the memory was written with.
+    /// Whether the discrete numbers and modes are those in the memory.
     fn same_discrete(&self, state: &State<S>) -> bool {
         let (modes, numbers) = (state.m.len(), state.d.len());
         let (_, held) = state.memory.split_at(state.memory.len() - numbers - modes);
@@ -147,7 +146,7 @@ impl<S: Scalar> DormandPrince<S> {
         held.iter().copied().eq(state.d.iter().copied().chain(of_modes))
     }
 
-    /// An inner step of no length at the state, with its first stage.
+    /// An inner step of length 0 at the state, with its first stage.
     fn begin<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &State<S>) {
         self.inner = Interval { start_s: interval.start_s, end_s: interval.start_s };
         self.q.copy_from_slice(&state.q);
@@ -158,7 +157,7 @@ impl<S: Scalar> DormandPrince<S> {
         system.accept();
     }
 
-    /// The next inner step: tried shorter and shorter until its error is within the tolerances.
+    /// The next inner step: shortened until its error is within the tolerances.
     fn inner_step<Y: System<S>>(&mut self, system: &mut Y, edge_s: f64, state: &State<S>) -> Result<(), StepError> {
         self.move_to_end(system, state);
         let Self { controller, inner, q, v, s, stages } = self;
@@ -179,7 +178,7 @@ impl<S: Scalar> DormandPrince<S> {
         }
     }
 
-    /// Makes the end of the last inner step the base of the next; its last stage the first.
+    /// Makes the end of the last inner step the base of the next, and its last stage the first.
     fn move_to_end<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>) {
         if self.inner.start_s == self.inner.end_s {
             return;
@@ -239,7 +238,7 @@ impl<S: Scalar> DormandPrince<S> {
         modes.iter_mut().zip(&state.m).for_each(|(held, mode)| *held = S::constant(*mode as f64));
     }
 
-    /// What the memory holds of the inner step: its base and the rates of its stages.
+    /// The parts of the inner step in the memory: its base and the rates of its stages.
     fn parts(&mut self) -> impl Iterator<Item = &mut [S]> {
         let rates = self.stages.rates.iter_mut().map(Triple::all_mut);
         [&mut self.q, &mut self.v, &mut self.s].into_iter().map(Vec::as_mut_slice).chain(rates)

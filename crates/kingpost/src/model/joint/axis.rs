@@ -1,10 +1,10 @@
-//! One elementary axis: what joints of several axes are lists of.
+//! One elementary axis: joints of several axes are lists of them.
 
 use super::Mode;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Twist, Vector3, hat};
 
-/// Whether an axis is turned about or slid along.
+/// Whether an axis rotates or slides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisMotion {
     /// Its coordinate is an angle, rad.
@@ -16,11 +16,11 @@ pub enum AxisMotion {
 /// A rotation about or a translation along a unit vector, in the frame after the axes before it.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementaryAxis<S = f64> {
-    /// What it lets happen.
+    /// Its motion.
     pub motion: AxisMotion,
     /// Unit vector.
     pub direction: Vector3<S>,
-    /// How its coordinate comes by its acceleration.
+    /// How the acceleration of its coordinate is determined.
     pub mode: Mode,
 }
 

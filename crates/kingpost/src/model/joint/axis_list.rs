@@ -1,11 +1,8 @@
 //! Joints of several axes, one after another.
 
-use super::{AxisMotion, Columns, ElementaryAxis, JointKind, Mode, Prismatic, Revolute};
+use super::{AxisMotion, Columns, ElementaryAxis, JointKind, MOST_AXES, Mode, Prismatic, Revolute};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
-
-/// Most axes that one joint can have.
-pub const MOST_AXES: usize = 6;
 
 /// A joint of up to six elementary axes: `E(child/parent) = placement A1(q1) ... An(qn) [I, s_C]`.
 ///
@@ -14,7 +11,7 @@ pub const MOST_AXES: usize = 6;
 /// turn with the axes after them, `S_i' = -(sum_{j>i} S_j q_j') x S_i`.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisList<S = f64> {
-    /// The joint's frame in the parent's: child axes and the joint's origin where all q are 0.
+    /// The joint's frame in the parent's: child axes and the joint's origin with all q at 0.
     placement: Frame<S>,
     /// From the joint to the child's centre of mass, child axes, m: the paper's s_C.
     to_child: Vector3<S>,
@@ -26,8 +23,7 @@ pub struct AxisList<S = f64> {
 impl<S: Scalar> AxisList<S> {
     /// A joint of these axes, from the parent to the child.
     ///
-    /// # Panics
-    /// Where there are no axes, more than six, or not a label for each.
+    /// # Panics If there are no axes, more than six, or not a label for each.
     pub fn new(
         placement: Frame<S>,
         axes: &[ElementaryAxis<S>],
@@ -44,8 +40,7 @@ impl<S: Scalar> AxisList<S> {
 
     /// The same joint with the modes of its coordinates.
     ///
-    /// # Panics
-    /// Where there are fewer modes than axes.
+    /// # Panics If there are fewer modes than axes.
     pub fn with_modes(mut self, modes: &[Mode]) -> Self {
         for (axis, mode) in self.axes.iter_mut().zip(&modes[..self.labels.len()]) {
             axis.mode = *mode;
@@ -63,7 +58,7 @@ impl<S: Scalar> AxisList<S> {
         &self.axes[..self.labels.len()]
     }
 
-    /// What each coordinate is called within the joint.
+    /// The name of each coordinate within the joint.
     pub fn labels(&self) -> &'static [&'static str] {
         self.labels
     }
@@ -101,7 +96,7 @@ impl<S: Scalar> AxisList<S> {
         rates
     }
 
-    /// The same joint as joints of one axis, with nothing but frames between them.
+    /// The same joint as joints of one axis with massless frames between them.
     pub fn split(&self) -> impl Iterator<Item = (JointKind<S>, Mode)> + '_ {
         let last = self.labels.len() - 1;
         self.axes().iter().enumerate().map(move |(i, axis)| {

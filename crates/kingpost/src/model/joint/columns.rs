@@ -1,12 +1,13 @@
 //! The columns of a joint's motion.
 
-use super::axis_list::MOST_AXES;
 use crate::scalar::Scalar;
 use crate::spatial::Twist;
 use core::ops::{Deref, DerefMut};
 
-/// One twist a coordinate of a joint, in child axes about the child's centre of mass; a slice of
-/// none to six.
+/// Largest number of axes of one joint.
+pub const MOST_AXES: usize = 6;
+
+/// One twist per coordinate of a joint, in child axes about the child's centre of mass; a slice of zero to six.
 #[derive(Clone, Copy, Debug)]
 pub struct Columns<S = f64> {
     twists: [Twist<S>; MOST_AXES],
@@ -14,7 +15,7 @@ pub struct Columns<S = f64> {
 }
 
 impl<S: Scalar> Columns<S> {
-    /// So many columns of zeros, at most six.
+    /// This number of zero columns, at most six.
     pub fn new(count: usize) -> Self {
         Self { twists: [Twist::zero(); MOST_AXES], count }
     }

@@ -1,4 +1,4 @@
-//! The ways in which one segment of a beam gives way against the next.
+//! The deformations between one segment of a beam and the next.
 
 use super::{AxisList, ElementaryAxis};
 use crate::scalar::Scalar;

@@ -49,7 +49,7 @@ impl Floating {
         columns
     }
 
-    /// Rates of the columns: what stands still in the world turns in the body, by `-omega x`.
+    /// Rates of the columns: a direction fixed in the world turns in the body, by `-omega x`.
     pub fn column_rates<S: Scalar>(columns: &Columns<S>, omega: Vector3<S>) -> Columns<S> {
         let mut rates = Columns::new(6);
         for k in 0..3 {

@@ -1,8 +1,8 @@
 //! Joints, one file each.
 //!
-//! A joint carries the child's centre of mass from the parent's: "translate, rotate, translate".
-//! Joints of several axes are an [`AxisList`]: a new one is one new file that says which axes. Any
-//! other joint is one new file and one arm in each `match` of [`JointKind`].
+//! A joint carries the child's centre of mass from the parent's: "translate, rotate, translate". Joints of several axes
+//! are an [`AxisList`]: a new one is one new file with its list of axes. Any other joint is one new file and one arm in
+//! each `match` of [`JointKind`].
 
 mod axis;
 mod axis_list;
@@ -19,8 +19,8 @@ mod spherical;
 mod universal;
 
 pub use axis::{AxisMotion, ElementaryAxis};
-pub use axis_list::{AxisList, MOST_AXES};
-pub use columns::Columns;
+pub use axis_list::AxisList;
+pub use columns::{Columns, MOST_AXES};
 pub use fixed::Fixed;
 pub use floating::Floating;
 pub use prismatic::Prismatic;
@@ -30,14 +30,14 @@ pub use spherical::Spherical;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
-/// How a coordinate comes by its acceleration.
+/// How the acceleration of a coordinate is determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// From the equations of motion.
     Free,
-    /// It stands still; whatever holds it does no work.
+    /// It is held at rest; the holding force does no work.
     Held,
-    /// It is given as a function of time; the drive behind it does what work that takes.
+    /// It is given as a function of time; the drive behind it does the work.
     Prescribed,
 }
 
@@ -46,10 +46,10 @@ pub enum Mode {
 pub struct Joint<S = f64> {
     /// Unique name.
     pub name: String,
-    /// What it lets move.
+    /// Its kind.
     pub kind: JointKind<S>,
-    /// How a joint of one degree of freedom moves, and whether a spherical joint is held. Floating
-    /// joints and lists of axes have their own modes.
+    /// The mode of a joint with one degree of freedom, or whether a spherical joint is held. Floating joints and lists
+    /// of axes have their own modes.
     pub mode: Mode,
 }
 
@@ -128,8 +128,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// The same joint, the child's frame put to `to`, seen from where it was; a floating joint's stays. Only a joint of one
-    /// axis lets it be turned: other joints have coordinates along its axes.
+    /// The same joint with the child's frame moved to `to`, relative to its old place; for a floating joint it stays.
+    /// It can be rotated only for a joint of one axis: other joints have coordinates along its axes.
     pub fn with_child_moved(self, to: &Frame<S>) -> Self {
         let offset = to.position;
         match self {
@@ -192,8 +192,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Whether coordinate k of the joint is turned about or slid along; `None` for those of floating
-    /// and spherical joints, which are no positions' derivatives.
+    /// Whether coordinate k of the joint rotates or slides; `None` for floating and spherical joints, whose rates are
+    /// not derivatives of positions.
     pub fn axis_motion(&self, k: usize) -> Option<AxisMotion> {
         match self {
             JointKind::Revolute(_) => Some(AxisMotion::Rotation),
@@ -203,14 +203,13 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Whether it leaves its body to swing to all sides about a point.
+    /// Whether its body can swing freely in all directions about a point.
     pub fn swings(&self) -> bool {
         let turns = |axis: usize| self.axis_motion(axis) == Some(AxisMotion::Rotation);
         matches!(self, JointKind::Spherical(_)) || (self.velocity_count() == 2 && turns(0) && turns(1))
     }
 
-    /// Where in the joint's entries of q a unit quaternion begins, and where in those of v the body
-    /// rates that turn it.
+    /// Index of a unit quaternion in the joint's entries of q, and of its body rates in those of v.
     pub fn quaternion(&self) -> Option<(usize, usize)> {
         match self {
             JointKind::Floating(_) => Some((3, 3)),

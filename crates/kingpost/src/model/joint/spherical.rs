@@ -4,8 +4,8 @@ use super::Columns;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion, Twist, Vector3, dexp_inverse_body};
 
-/// A ball joint. q: unit quaternion (w, x, y, z) from child axes to those of the placement.
-/// v: angular velocity against the parent in child axes, rad/s. It is held as a whole.
+/// A ball joint. q: unit quaternion (w, x, y, z) from child axes to those of the placement. v: angular velocity
+/// relative to the parent in child axes, rad/s. It can only be held as a whole.
 #[derive(Clone, Copy, Debug)]
 pub struct Spherical<S = f64> {
     /// The joint's frame in the parent's: child axes at no rotation, origin at the ball.

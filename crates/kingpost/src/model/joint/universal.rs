@@ -5,9 +5,8 @@ use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
 impl<S: Scalar> AxisList<S> {
-    /// Turns about the unit vector `first`, which stays with the parent, then about the unit vector
-    /// `second`, which stays with the child: coordinates `first` and `second`, rad. Both are in
-    /// child axes at angle 0, and perpendicular.
+    /// Turns about the unit vector `first`, fixed in the parent, then about the unit vector `second`, fixed in the
+    /// child: coordinates `first` and `second`, rad. Both are in child axes at angle 0, and perpendicular.
     pub fn universal(placement: Frame<S>, first: Vector3<S>, second: Vector3<S>, to_child: Vector3<S>) -> Self {
         let axes = [ElementaryAxis::rotation(first), ElementaryAxis::rotation(second)];
         Self::new(placement, &axes, &["first", "second"], to_child)

@@ -1,4 +1,4 @@
-//! Axes of joints without the difference between turning and sliding, and what acts in them.
+//! Axes of joints, rotating and sliding alike, and the forces in them.
 
 use super::super::schema::{self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode};
 use super::FieldError;
@@ -7,43 +7,43 @@ use crate::model::{AxisMotion, Mode};
 use crate::scenario::leaf::Quantity;
 
 /// An axis of a joint, in rad and N m or in m and N.
-pub struct Axis<S> {
-    /// Its name within the joint; empty where that has one axis.
+pub struct JointAxis<S> {
+    /// Its name within the joint; empty if the joint has one axis.
     pub label: &'static str,
     pub motion: AxisMotion,
     pub initial: S,
     pub initial_rate: S,
     pub mode: Mode,
-    /// Its motion, where that is given.
+    /// Its prescribed motion, if any.
     pub given: Option<GivenMotion<S>>,
     pub damping: S,
     /// Friction and smoothing.
     pub friction: Option<[S; 2]>,
     /// Stiffness and rest.
     pub spring: Option<[S; 2]>,
-    pub limits: Option<Limits<S>>,
-    /// Of the rotor, times the gear ratio squared.
+    pub limits: Option<AxisStops<S>>,
+    /// Inertia of the rotor times the gear ratio squared.
     pub rotor_inertia: S,
 }
 
-/// A motion that a scenario gives.
+/// A prescribed motion.
 pub enum GivenMotion<S> {
     /// A rate over time.
     Rate { full: S, history: History, pulse: Option<RatePulse>, list: Option<HistoryList<S>> },
-    /// A way from rest to rest, and its times, s.
+    /// A distance from rest to rest, and its times, s.
     Travel { way: S, start_s: f64, duration_s: f64, ramp_s: f64 },
 }
 
 /// Stops of an axis.
-pub struct Limits<S> {
+pub struct AxisStops<S> {
     pub lower: Option<S>,
     pub upper: Option<S>,
     /// Stiffness and dissipation.
     pub contact: [S; 2],
 }
 
-/// The axes of a joint, from the parent to the child; none of floating, spherical and fixed joints.
-pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<Axis<S>> {
+/// The axes of a joint, from the parent to the child; empty for floating, spherical and fixed joints.
+pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<JointAxis<S>> {
     match joint {
         schema::Joint::Revolute(joint) => vec![angle("", &joint.only_axis())],
         schema::Joint::Prismatic(joint) => vec![length("", &joint.only_axis())],
@@ -57,13 +57,13 @@ pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<Axis<S>> {
         schema::Joint::MovedByWaves(_) => {
             let slides = ["x", "y", "z"].map(|label| length(label, &LengthAxis::default()));
             let turns = ["yaw", "pitch", "roll"].map(|label| angle(label, &AngleAxis::default()));
-            slides.into_iter().chain(turns).map(|axis| Axis { mode: Mode::Prescribed, ..axis }).collect()
+            slides.into_iter().chain(turns).map(|axis| JointAxis { mode: Mode::Prescribed, ..axis }).collect()
         }
         schema::Joint::Floating(_) | schema::Joint::Spherical(_) | schema::Joint::Fixed(_) => Vec::new(),
     }
 }
 
-fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
+fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> JointAxis<S> {
     let (mode, given) = match &axis.mode {
         RevoluteMode::Free => (Mode::Free, None),
         RevoluteMode::Held => (Mode::Held, None),
@@ -76,7 +76,7 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
             (Mode::Prescribed, Some(GivenMotion::Travel { way: t.angle_rad, start_s, duration_s, ramp_s }))
         }
     };
-    Axis {
+    JointAxis {
         label,
         motion: AxisMotion::Rotation,
         initial: axis.initial_angle_rad,
@@ -86,7 +86,7 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
         damping: axis.damping_n_m_s.get(),
         friction: axis.friction.as_ref().map(|f| [f.torque_n_m.get(), f.smoothing_rad_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_m_per_rad.get(), s.rest_rad]),
-        limits: axis.limits.as_ref().map(|l| Limits {
+        limits: axis.limits.as_ref().map(|l| AxisStops {
             lower: l.lower_rad,
             upper: l.upper_rad,
             contact: [l.stiffness_n_m_per_rad.get(), l.dissipation_s_per_rad.get()],
@@ -95,7 +95,7 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
     }
 }
 
-fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> Axis<S> {
+fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> JointAxis<S> {
     let (mode, given) = match &axis.mode {
         PrismaticMode::Free => (Mode::Free, None),
         PrismaticMode::Held => (Mode::Held, None),
@@ -108,7 +108,7 @@ fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> Axis<S> {
             (Mode::Prescribed, Some(GivenMotion::Travel { way: t.length_m, start_s, duration_s, ramp_s }))
         }
     };
-    Axis {
+    JointAxis {
         label,
         motion: AxisMotion::Translation,
         initial: axis.initial_extension_m,
@@ -118,7 +118,7 @@ fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> Axis<S> {
         damping: axis.damping_n_s_m.get(),
         friction: axis.friction.as_ref().map(|f| [f.force_n.get(), f.smoothing_m_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_per_m.get(), s.rest_m]),
-        limits: axis.limits.as_ref().map(|l| Limits {
+        limits: axis.limits.as_ref().map(|l| AxisStops {
             lower: l.lower_m,
             upper: l.upper_m,
             contact: [l.stiffness_n_per_m.get(), l.dissipation_s_per_m.get()],
@@ -128,7 +128,7 @@ fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> Axis<S> {
     }
 }
 
-impl<S: Quantity> Axis<S> {
+impl<S: Quantity> JointAxis<S> {
     /// The name of its coordinate.
     pub fn coordinate_name(&self, joint: &str) -> String {
         if self.label.is_empty() { joint.to_owned() } else { format!("{joint}.{}", self.label) }
@@ -148,7 +148,7 @@ impl<S: Quantity> Axis<S> {
         if self.motion == AxisMotion::Rotation { turning } else { sliding }
     }
 
-    /// An error unless the limits leave a travel; `joint` is the path of the joint.
+    /// An error unless the lower limit is below the upper; `joint` is the path of the joint.
     fn check_limits(&self, joint: &str) -> Result<(), FieldError> {
         let Some(limits) = &self.limits else { return Ok(()) };
         let (lower, upper) = (self.either("lower_rad", "lower_m"), self.either("upper_rad", "upper_m"));
@@ -164,11 +164,11 @@ impl<S: Quantity> Axis<S> {
     }
 }
 
-/// What acts in an axis of a joint, whose coordinate is at these places of q and v; `path` is the
-/// joint's. Refuses limits that cross.
+/// The forces in an axis of a joint, whose coordinate has these indices in q and v; `path` is the joint's. Refuses
+/// limits that cross.
 pub fn forces_in_axis<S: Quantity>(
     path: &str,
-    axis: &Axis<S>,
+    axis: &JointAxis<S>,
     (position, coordinate): (usize, usize),
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     axis.check_limits(path)?;
@@ -182,7 +182,7 @@ pub fn forces_in_axis<S: Quantity>(
     if let Some([stiffness, rest]) = axis.spring {
         forces.push(Box::new(JointSpring { position, coordinate, stiffness, rest }));
     }
-    if let Some(Limits { lower, upper, contact: [stiffness, dissipation] }) = axis.limits {
+    if let Some(AxisStops { lower, upper, contact: [stiffness, dissipation] }) = axis.limits {
         let stop = |(side, limit): (StopSide, Option<S>)| -> Option<AnyElement<S>> {
             Some(Box::new(JointStop { position, coordinate, side, limit: limit?, stiffness, dissipation }))
         };

@@ -6,39 +6,39 @@ use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
 use super::{FieldError, known};
 use crate::elements::{AnyElement, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
-use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
+use crate::model::{Axis, BodyDefinition, Joint, JointKind, Mode, Model, Shape};
 use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
 use std::collections::HashSet;
 
-/// The model and where it begins.
+/// The model and its initial state.
 pub struct Bodies<S> {
     pub model: Model<S>,
     pub q: Vec<S>,
     pub v: Vec<S>,
-    /// What acts in the joints.
+    /// The forces in the joints.
     pub forces: Vec<AnyElement<S>>,
 }
 
 pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<Bodies<S>, FieldError> {
-    let mut growth = Growth::default();
+    let mut growth = TreeBuilder::default();
     for name in order(scenario)? {
         growth.add(scenario, name)?;
     }
     Ok(growth.finish())
 }
 
-/// The tree while it grows, parents first.
+/// The tree while it is built, parents first.
 #[derive(Default)]
-struct Growth<S> {
-    descriptions: Vec<BodyDescription<S>>,
+struct TreeBuilder<S> {
+    descriptions: Vec<BodyDefinition<S>>,
     q: Vec<S>,
     v: Vec<S>,
     forces: Vec<AnyElement<S>>,
     rotors: Vec<(usize, S)>,
 }
 
-impl<S: Quantity> Growth<S> {
+impl<S: Quantity> TreeBuilder<S> {
     fn add(&mut self, scenario: &Scenario<S>, name: &str) -> Result<(), FieldError> {
         let body = &scenario.bodies[name];
         let flexible = FlexibleBody::read(name, body)?;
@@ -56,14 +56,14 @@ impl<S: Quantity> Growth<S> {
                 let points =
                     body.points.iter().map(|(name, point)| (name.to_string(), Vector3(point.position_m) - centre));
                 let points = points.collect();
-                self.descriptions.push(BodyDescription { name: name.to_owned(), parent, joint, mass, inertia, points });
+                self.descriptions.push(BodyDefinition { name: name.to_owned(), parent, joint, mass, inertia, points });
                 Ok(())
             }
             Some(beam) => self.add_beam(body, &beam, parent, joint),
         }
     }
 
-    /// The body that a body hangs on, and its centre of mass in the drawing frame.
+    /// The parent of a body, and the parent's centre of mass in the drawing frame.
     fn parent(
         &self,
         scenario: &Scenario<S>,
@@ -111,7 +111,7 @@ impl<S: Quantity> Growth<S> {
     }
 }
 
-/// Names of the bodies that are there, parents first, otherwise in the order of the file.
+/// Names of the bodies that exist, parents first, otherwise in the order of the file.
 fn order<S: Quantity>(scenario: &Scenario<S>) -> Result<Vec<&str>, FieldError> {
     check_names(scenario)?;
     let (mut order, mut placed) = (Vec::new(), HashSet::new());
@@ -127,13 +127,13 @@ fn order<S: Quantity>(scenario: &Scenario<S>) -> Result<Vec<&str>, FieldError> {
     Ok(order)
 }
 
-/// Parents exist; joints have names of their own, those of bodies that are not enabled too, so that
-/// a drive never changes its joint with a switch.
+/// Checks that parents exist and that joint names are unique, including joints of disabled bodies, so that enabling a
+/// body never moves a drive to another joint.
 fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     let mut joints = HashSet::new();
     for (name, body) in &scenario.bodies {
         if name.as_str() == schema::WORLD {
-            return Err(FieldError::new("bodies.world", "world", "another name: the world is what bodies stand on"));
+            return Err(FieldError::new("bodies.world", "world", "another name: world stands for the world itself"));
         }
         if let Some(parent) = body.parent_body() {
             let others = scenario.bodies.keys().filter(|other| *other != name).map(|other| other.as_str());
@@ -148,7 +148,7 @@ fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// A joint without a name has that of its body.
+/// The name of a joint: its own, else its body's.
 pub fn joint_name<'a, S: Quantity>(body_name: &'a str, body: &'a schema::Body<S>) -> &'a str {
     body.joint.name().map_or(body_name, |name| name.as_str())
 }
@@ -222,7 +222,7 @@ fn joint<S: Quantity>(
     Ok(Joint { name: joint_name(name, body).to_owned(), kind, mode })
 }
 
-/// How far two directions may be from a right angle, rad: what six written digits leave.
+/// How far two directions may be from a right angle, rad: the rounding of six written digits.
 const NEARLY_PERPENDICULAR: f64 = 1e-5;
 
 /// An error unless the two directions of a joint that has two are perpendicular.
@@ -236,7 +236,7 @@ fn check_perpendicular<S: Quantity>(name: &str, joint: &schema::Joint<S>) -> Res
     Err(FieldError::new(field, found, format!("one perpendicular to {first}")))
 }
 
-/// What acts in the joint of a body whose coordinates come next in q and v.
+/// The forces in the joint of a body whose coordinates come next in q and v.
 fn forces_in_joint<S: Quantity>(
     name: &str,
     body: &schema::Body<S>,
@@ -324,12 +324,12 @@ fn inertia<S: Quantity>(name: &str, body: &schema::Body<S>) -> Result<SpatialIne
                 let [x, y, z] = given.radii_m.map(|radius| radius.get());
                 (
                     format!("radii {x}, {y}, {z} m"),
-                    "a body's: no square of a radius greater than the sum of the other two",
+                    "those of a real body: no square of a radius greater than the sum of the other two",
                 )
             }
             _ => (
                 format!("moments {xx}, {yy}, {zz} kg m^2 with products {xy}, {xz}, {yz}"),
-                "a body's: no principal moment greater than the sum of the other two",
+                "those of a real body: no principal moment greater than the sum of the other two",
             ),
         };
         return Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed));

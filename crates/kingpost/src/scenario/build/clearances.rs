@@ -1,18 +1,18 @@
-//! Clearances and air gaps: the points, and what they are to stay clear of.
+//! Clearances and air gaps: the points, and the solids that they stay clear of.
 
 use super::super::schema::{self, ClearanceShape, Name, Pin, Scenario, WORLD};
 use super::bodies::axis;
 use super::cylinders::attachment;
 use super::damping::rigid;
 use super::{FieldError, known};
-use crate::elements::contact::Solid;
+use crate::elements::contact::ContactSolid;
 use crate::elements::{AirGap, AnyElement, Clearance};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
-/// One clearance, where it is on and both bodies are there.
+/// One clearance, if it is enabled and both bodies exist.
 pub fn clearance<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -42,7 +42,7 @@ pub fn clearance<S: Quantity>(
     Ok(Some(Box::new(Clearance { name: name.to_owned(), point, place, solid })))
 }
 
-/// One air gap, where it is on and its body there.
+/// One air gap, if it is enabled and its body exists.
 pub fn air_gap<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -78,7 +78,7 @@ fn pin<S: Quantity>(
     Ok(Pin { body: body.clone(), position_m })
 }
 
-/// Where that is in the model; `None` on a body that is not there.
+/// Its place in the model; `None` if the body does not exist.
 fn place<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -95,22 +95,22 @@ fn is_own<S>(given: &schema::ClearanceFrom<S>) -> bool {
     matches!(given.shape, Some(ClearanceShape::Own))
 }
 
-/// What the point is to stay clear of; another point is a sphere of radius 0.
+/// The solid that the point stays clear of; a point is a sphere of radius 0.
 fn solid<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     given: &schema::ClearanceFrom<S>,
-) -> Result<Solid<S>, FieldError> {
-    let Some(shape) = &given.shape else { return Ok(Solid::Sphere { radius: S::ZERO }) };
+) -> Result<ContactSolid<S>, FieldError> {
+    let Some(shape) = &given.shape else { return Ok(ContactSolid::Sphere { radius: S::ZERO }) };
     if scenario.bodies.contains_key(&given.body) {
         rigid(scenario, format!("{field}.body"), &given.body)?;
     }
     Ok(match shape {
         ClearanceShape::Own => own(scenario, field, given)?,
-        ClearanceShape::Plane(given) => Solid::Plane { normal: Vector3(given.normal.get()).direction() },
+        ClearanceShape::Plane(given) => ContactSolid::Plane { normal: Vector3(given.normal.get()).direction() },
         ClearanceShape::Box(given) => of_box(given),
         ClearanceShape::Cylinder(given) => of_cylinder(given),
-        ClearanceShape::Sphere(given) => Solid::Sphere { radius: given.radius_m.get() },
+        ClearanceShape::Sphere(given) => ContactSolid::Sphere { radius: given.radius_m.get() },
     })
 }
 
@@ -119,7 +119,7 @@ fn own<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     given: &schema::ClearanceFrom<S>,
-) -> Result<Solid<S>, FieldError> {
+) -> Result<ContactSolid<S>, FieldError> {
     let is_placed = |numbers: &[S; 3]| !numbers.iter().all(|number| number.vanishes());
     for (name, placed) in [
         ("point", given.point.is_some()),
@@ -127,27 +127,27 @@ fn own<S: Quantity>(
         ("orientation_rad", is_placed(&given.orientation_rad)),
     ] {
         if placed {
-            let allowed = "none: the own shape of a body stands on its centre of mass";
+            let allowed = "none: the own shape of a body is centred on its centre of mass";
             return Err(FieldError::new(format!("{field}.{name}"), "a place", allowed));
         }
     }
     match scenario.bodies.get(&given.body).and_then(|body| body.shape.as_ref()) {
         Some(schema::Shape::Box(given)) => Ok(of_box(given)),
         Some(schema::Shape::Cylinder(given)) => Ok(of_cylinder(given)),
-        Some(schema::Shape::Sphere(given)) => Ok(Solid::Sphere { radius: given.radius_m.get() }),
+        Some(schema::Shape::Sphere(given)) => Ok(ContactSolid::Sphere { radius: given.radius_m.get() }),
         Some(schema::Shape::Point(_)) | None => {
-            let found = format!("own, and {} is no solid", given.body);
+            let found = format!("own, but {} is not a solid", given.body);
             Err(FieldError::new(format!("{field}.shape"), found, "plane, box, cylinder or sphere, with its fields"))
         }
     }
 }
 
-fn of_box<S: Quantity>(given: &schema::BoxShape<S>) -> Solid<S> {
+fn of_box<S: Quantity>(given: &schema::BoxShape<S>) -> ContactSolid<S> {
     let edges = [given.length_m, given.width_m, given.height_m];
-    Solid::Box { half: edges.map(|edge| edge.get() * S::constant(0.5)) }
+    ContactSolid::Box { half: edges.map(|edge| edge.get() * S::constant(0.5)) }
 }
 
-fn of_cylinder<S: Quantity>(given: &schema::CylinderShape<S>) -> Solid<S> {
+fn of_cylinder<S: Quantity>(given: &schema::CylinderShape<S>) -> ContactSolid<S> {
     let (radius, half_length) = (given.radius_m.get(), given.length_m.get() * S::constant(0.5));
-    Solid::Cylinder { radius, half_length, axis: axis(given.axis) }
+    ContactSolid::Cylinder { radius, half_length, axis: axis(given.axis) }
 }

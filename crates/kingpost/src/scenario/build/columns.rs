@@ -1,4 +1,4 @@
-//! Columns of the results that a scenario names, and the units that it writes their bounds in.
+//! Columns of the results that a scenario names, and the units of their bounds.
 
 use super::FieldError;
 use crate::elements::Layout;
@@ -11,13 +11,13 @@ use crate::simulation::Setup;
 /// A column of the results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// As a table has it.
+    /// Its name in a table.
     pub name: String,
     /// SI.
     pub unit: &'static str,
 }
 
-/// Names that an error lists: those that are most alike.
+/// Number of similar names that an error lists.
 const MOST_LISTED: usize = 12;
 
 /// Every column of a run.
@@ -35,14 +35,14 @@ pub fn find<'a>(columns: &'a [Column], field: &str, name: &str) -> Result<&'a Co
         return Ok(column);
     }
     let all: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
-    // Those that share most parts of the name: of the same body, say, or the same variable of another.
+    // Names that share most parts, such as the same body or the same variable of another body, come first.
     let shared = |column: &str| column.split('.').filter(|part| name.split('.').any(|other| other == *part)).count();
     let mut alike: Vec<&str> = all.iter().copied().filter(|column| shared(column) > 0).collect();
     alike.sort_by_key(|column| core::cmp::Reverse(shared(column)));
     alike.truncate(MOST_LISTED);
     let meant = nearest(&all, name).map_or_else(String::new, |name| format!("; did you mean {name}?"));
     let allowed = match alike.as_slice() {
-        [] => format!("a column of the results, as the head of a table of a run has it{meant}"),
+        [] => format!("a column of the results, as in the header of a run's table{meant}"),
         alike => format!("{}, or another column of the results{meant}", one_of(alike)),
     };
     Err(FieldError::new(field, name, allowed))

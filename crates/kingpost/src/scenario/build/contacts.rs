@@ -1,4 +1,4 @@
-//! Contacts: what touches what, and whether a load begins inside of its surface.
+//! Contacts: their shapes, and whether a load begins inside its surface.
 
 use super::super::schema::{self, LoadShape, Scenario, SurfaceShape};
 use super::bodies::axis;
@@ -7,7 +7,7 @@ use super::damping::rigid;
 use super::ropes_at_start::at_rest;
 use super::{FieldError, known};
 use crate::dynamics::LinkKinematics;
-use crate::elements::contact::{Facing, Friction, Solid, Spot, dissipation};
+use crate::elements::contact::{ContactSolid, Facing, Friction, Spot, dissipation};
 use crate::elements::{AnyElement, Contact, of_kind, of_kind_mut};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
@@ -17,13 +17,13 @@ use crate::spatial::{Vector3, rotation_from_roll_pitch_yaw};
 /// Points of one load, at most.
 const MOST_POINTS: usize = 64;
 
-/// The least restitution: what is less than this bounces no more than this.
+/// The least restitution: below it the rebound is not visible.
 const LEAST_RESTITUTION: f64 = 0.1;
 
-/// How much the ends of a cylinder are bulged, of its radius.
+/// Bulge of a cylinder's ends, as a share of its radius.
 const BULGE: f64 = 0.02;
 
-/// One contact, where it is on and both bodies are there.
+/// One contact, if it is enabled and both bodies exist.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -67,7 +67,7 @@ pub fn build<S: Quantity>(
     })))
 }
 
-/// Both bodies exist, are rigid and two.
+/// Checks that both bodies exist, are rigid and are different.
 fn check_bodies<S: Quantity>(
     scenario: &Scenario<S>,
     given: &schema::Contact<S>,
@@ -87,7 +87,7 @@ fn check_bodies<S: Quantity>(
     Ok(())
 }
 
-type Shapes<S> = (Vec<(Facing, Spot<S>)>, [Option<Solid<S>>; 2]);
+type Shapes<S> = (Vec<(Facing, Spot<S>)>, [Option<ContactSolid<S>>; 2]);
 
 /// The spots of both sides and the solids that they meet.
 fn shapes<S: Quantity>(
@@ -117,10 +117,10 @@ fn shapes<S: Quantity>(
         }
     };
     let solid = match &load.shape {
-        LoadShape::Box(given) => Some(Solid::Box { half: half(given) }),
+        LoadShape::Box(given) => Some(ContactSolid::Box { half: half(given) }),
         LoadShape::Cylinder(given) => {
             let (radius, half_length) = (given.radius_m.get(), given.length_m.get() * S::constant(0.5));
-            Some(Solid::Cylinder { radius, half_length, axis: axis(given.axis) })
+            Some(ContactSolid::Cylinder { radius, half_length, axis: axis(given.axis) })
         }
         LoadShape::Sphere(_) | LoadShape::Points(_) => None,
     };
@@ -128,7 +128,7 @@ fn shapes<S: Quantity>(
     Ok(match (&surface.shape, &load.shape) {
         (SurfaceShape::Plane(given), _) => {
             let normal = Vector3(given.normal.get()).direction();
-            (of_load(own).collect(), [None, Some(Solid::Plane { normal })])
+            (of_load(own).collect(), [None, Some(ContactSolid::Plane { normal })])
         }
         (SurfaceShape::Box(_), LoadShape::Cylinder(_)) => {
             let allowed = "box, sphere or points, on a box: a cylinder touches planes and spheres";
@@ -136,13 +136,13 @@ fn shapes<S: Quantity>(
         }
         (SurfaceShape::Box(given), _) => {
             let half = half(given);
-            // A ball sees edges and corners by itself; feet have no solid.
+            // A ball meets edges and corners by its own distance; feet have no solid.
             let theirs =
                 corners(half).filter(|_| solid.is_some()).map(|corner| (Facing::Surface, ball(corner, S::ZERO)));
-            (of_load(own).chain(theirs).collect(), [solid, Some(Solid::Box { half })])
+            (of_load(own).chain(theirs).collect(), [solid, Some(ContactSolid::Box { half })])
         }
         (SurfaceShape::Sphere(given), LoadShape::Sphere(_) | LoadShape::Points(_)) => {
-            (of_load(own).collect(), [None, Some(Solid::Sphere { radius: given.radius_m.get() })])
+            (of_load(own).collect(), [None, Some(ContactSolid::Sphere { radius: given.radius_m.get() })])
         }
         (SurfaceShape::Sphere(given), _) => {
             (vec![(Facing::Surface, ball(Vector3::zero(), given.radius_m.get()))], [solid, None])
@@ -154,7 +154,7 @@ fn corners<S: Quantity>(half: [S; 3]) -> impl Iterator<Item = Vector3<S>> {
     (0..8).map(move |k| Vector3(core::array::from_fn(|i| if k >> i & 1 == 0 { -half[i] } else { half[i] })))
 }
 
-/// Both ends of a cylinder, which is longer than their bulges.
+/// Both ends of a cylinder; it must be longer than their bulges.
 fn ends<S: Quantity>(given: &schema::CylinderShape<S>, field: &str) -> Result<Vec<Spot<S>>, FieldError> {
     let (radius, bulge) = (given.radius_m.get(), given.radius_m.get() * S::constant(BULGE));
     let middle = given.length_m.get() * S::constant(0.5) - bulge;
@@ -168,10 +168,9 @@ fn ends<S: Quantity>(given: &schema::CylinderShape<S>, field: &str) -> Result<Ve
     Ok(vec![end(along * middle), end(-(along * middle))])
 }
 
-/// Where a run begins, its loops closed: bristles are straight here.
+/// Called at the start of a run, with loops closed: the bristles are straight here.
 ///
-/// # Errors
-/// A load that is in its surface by more than the tolerance.
+/// # Errors A load that penetrates its surface by more than the tolerance.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -184,7 +183,7 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     })
 }
 
-/// Where it rests, a load is not deeper than the tolerance either.
+/// Checks that a load at rest is no deeper than the tolerance.
 pub fn check_rest(setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);

@@ -11,7 +11,7 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::spatial::{Frame, Vector3};
 
-/// One cylinder, where it is on and between bodies that are there.
+/// One cylinder, if it is enabled and its bodies exist.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -51,7 +51,7 @@ pub fn build<S: Quantity>(
     }))
 }
 
-/// The bodies exist, the stroke is one, and the target lies in it.
+/// Checks that the bodies exist, the stroke is positive, and the target lies within it.
 fn check<S: Quantity>(scenario: &Scenario<S>, name: &str, given: &schema::Cylinder<S>) -> Result<(), FieldError> {
     let field = |rest: &str| format!("drives.{name}.cylinder.{rest}");
     for (pin, which) in [(&given.first, "first.body"), (&given.second, "second.body")] {
@@ -75,7 +75,7 @@ fn within<S: Quantity>(length: S, [shortest, longest]: [S; 2]) -> bool {
     (length - shortest).all(|beyond| beyond >= 0.0) && (longest - length).all(|left| left >= 0.0)
 }
 
-/// A pin seen from the centre of mass of its body; `field` is the path of its place.
+/// A pin relative to the centre of mass of its body; `field` is the path of its position.
 pub(super) fn attachment<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -86,11 +86,10 @@ pub(super) fn attachment<S: Quantity>(
     Ok(model.attachment(body, Frame::translation(Vector3(pin.position_m) - centre)))
 }
 
-/// Takes the lengths where the run begins, its loops closed.
+/// Takes the lengths at the start of the run, with loops closed.
 ///
-/// # Errors
-/// A length outside of the stroke; pins that coincide have the length 0. A length wanted that arrives at several
-/// times, in several lanes: steps end there.
+/// # Errors A length outside the stroke; pins that coincide have the length 0. A target length that is reached at
+/// different times in different lanes, since a step ends there.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -105,7 +104,7 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
             return Err(FieldError::new(field(), found, allowed));
         }
         if matches!(cylinder.aim, Aim::Length(_)) && cylinder.arrival_s.is_none() {
-            return Err(FieldError::new(field(), "several times at which it arrives", "one"));
+            return Err(FieldError::new(field(), "a target reached at different times", "one"));
         }
     }
     Ok(())

@@ -10,7 +10,7 @@ use crate::spatial::Vector3;
 use core::array;
 use nalgebra::Matrix6;
 
-/// Linear damping, where it is on and its body there.
+/// Linear damping, if it is enabled and its body exists.
 pub fn viscous<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -43,11 +43,11 @@ fn against(given: schema::DampedAgainst) -> DampedAgainst {
     }
 }
 
-/// By how much the symmetric part of a matrix of damping may be negative, of its diagonal: rounding in what was printed.
+/// How negative the symmetric part of a damping matrix may be, as a share of its diagonal: rounding of printed numbers.
 const ROUNDING: f64 = 1e-6;
 
-/// Damping takes energy from every motion: its matrix has a symmetric part without negative eigenvalues, whatever the
-/// units of length.
+/// Checks that damping adds energy to no motion: the symmetric part of its matrix has no negative eigenvalue, whatever
+/// the unit of length.
 fn check_heat<S: Quantity>(field: &str, matrix: &[[S; 6]; 6]) -> Result<(), FieldError> {
     let entries: [S; 36] = array::from_fn(|k| matrix[k / 6][k % 6]);
     let [least] = S::from_values(entries, |entries| {
@@ -62,14 +62,14 @@ fn check_heat<S: Quantity>(field: &str, matrix: &[[S; 6]; 6]) -> Result<(), Fiel
     ))
 }
 
-/// The least eigenvalue of the symmetric part, its diagonal scaled to 1; not a number where an entry is none.
+/// The smallest eigenvalue of the symmetric part, its diagonal scaled to 1; NaN if an entry is NaN.
 fn least_eigenvalue(matrix: &[[f64; 6]; 6]) -> f64 {
     let size = |i: usize| if matrix[i][i] > 0.0 { libm::sqrt(matrix[i][i]) } else { 1.0 };
     let scaled = Matrix6::from_fn(|i, j| 0.5 * (matrix[i][j] + matrix[j][i]) / (size(i) * size(j)));
     if scaled.iter().all(|entry| entry.is_finite()) { scaled.symmetric_eigenvalues().min() } else { f64::NAN }
 }
 
-/// Quadratic damping, where it is on and its body there.
+/// Quadratic damping, if it is enabled and its body exists.
 pub fn quadratic<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -92,7 +92,7 @@ pub(super) fn from_centre<S: Quantity>(scenario: &Scenario<S>, body: &str, point
     point - Vector3(scenario.bodies[body].centre_of_mass_m)
 }
 
-/// An error unless a body is there and rigid.
+/// An error unless a body exists and is rigid.
 pub(super) fn rigid<S: Quantity>(scenario: &Scenario<S>, field: String, body: &str) -> Result<(), FieldError> {
     known(&field, body, scenario.bodies.keys().map(|body| body.as_str()))?;
     if scenario.bodies.get(body).is_some_and(|body| body.flexible.is_some()) {

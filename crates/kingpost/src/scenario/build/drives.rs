@@ -13,7 +13,7 @@ use crate::scenario::leaf::Quantity;
 use crate::world::World;
 use indexmap::IndexMap;
 
-/// The drives that are on, of a model that starts at `q`; gives prescribed joints their initial rate in `v`.
+/// The drives that are enabled, for a model that starts at `q`; gives prescribed joints their initial rate in `v`.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -23,7 +23,7 @@ pub fn build<S: Quantity>(
     let mut drives: Vec<AnyElement<S>> = Vec::new();
     let mut driven = IndexMap::new();
     for (name, drive) in &scenario.drives {
-        let Some(parts) = Parts::of(name, drive) else {
+        let Some(parts) = JointDrive::of(name, drive) else {
             if let Some(cylinder) = cylinders::build(scenario, name, model)? {
                 drives.push(Box::new(cylinder));
             }
@@ -83,7 +83,7 @@ pub fn build<S: Quantity>(
     Ok(drives)
 }
 
-/// The input that a wire sets a servo's target off by.
+/// The input through which a wire offsets a servo's target.
 fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<Input> {
     let name = sensors::offset_of(name);
     let unit = if motion == Rotation { "rad" } else { "m" };
@@ -91,23 +91,23 @@ fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<I
     sensors::leads_to(scenario, &name).then_some(Input { name, unit, lower, upper, value: 0.0, signal: None })
 }
 
-/// Of a servo's target, rad or m.
+/// Largest offset of a servo's target, rad or m.
 const FARTHEST_OFFSET: f64 = 1e6;
 
-/// A drive that is on has nothing to say where the coordinate is held or prescribed.
-fn check_free<S: Quantity>(parts: &Parts<'_, S>, mode: Mode) -> Result<(), FieldError> {
+/// A drive that is enabled would have no effect on a coordinate that is held or prescribed.
+fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: Mode) -> Result<(), FieldError> {
     let mode = match mode {
         Mode::Free => return Ok(()),
         Mode::Held => "held",
         Mode::Prescribed => "prescribed",
     };
     let found = format!("{}, which is {mode}", parts.joint);
-    Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for a drive that is on"))
+    Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for an enabled drive"))
 }
 
-/// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes add to what is there.
+/// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes are added.
 fn check_alone<'a, S: Quantity>(
-    parts: &Parts<'_, S>,
+    parts: &JointDrive<'_, S>,
     name: &'a str,
     drives_it: &mut Option<&'a str>,
 ) -> Result<(), FieldError> {
@@ -119,12 +119,12 @@ fn check_alone<'a, S: Quantity>(
     Err(FieldError::new(
         format!("{}.joint", parts.field),
         found,
-        "one drive that follows a set-point and is on for each joint; motors and brakes may stand beside it",
+        "one enabled drive with a set-point for each joint; motors and brakes may be added",
     ))
 }
 
-/// A drive of a joint, without the difference between turning and sliding.
-struct Parts<'a, S> {
+/// A drive of a joint, rotating and sliding alike.
+struct JointDrive<'a, S> {
     field: String,
     enabled: bool,
     joint: &'a str,
@@ -132,7 +132,7 @@ struct Parts<'a, S> {
     law: Law<'a, S>,
 }
 
-/// What a drive does, in N m and rad or in N and m.
+/// The law of a drive, in N m and rad or in N and m.
 enum Law<'a, S> {
     Motor {
         effort: S,
@@ -158,8 +158,8 @@ enum Law<'a, S> {
     },
 }
 
-impl<'a, S: Quantity> Parts<'a, S> {
-    /// `None` for a drive that is in no joint.
+impl<'a, S: Quantity> JointDrive<'a, S> {
+    /// `None` for a drive outside a joint.
     fn of(name: &str, drive: &'a schema::Drive<S>) -> Option<Self> {
         let motor = |effort, history, pulse: &'a Option<schema::Pulse>, list: &'a Option<schema::HistoryList<S>>| {
             Law::Motor { effort, history, pulse: pulse.as_ref(), list: list.as_ref() }
@@ -229,7 +229,7 @@ impl<'a, S: Quantity> Parts<'a, S> {
     }
 }
 
-/// Names of the coordinates that turn or that slide, those of bodies that are not enabled too.
+/// Names of the coordinates that turn or that slide, including those of disabled bodies.
 fn coordinates<S: Quantity>(scenario: &Scenario<S>, motion: AxisMotion) -> Vec<String> {
     let of_body = |(name, body): (&schema::Name, &schema::Body<S>)| {
         let axes = axes(&body.joint).into_iter().filter(|axis| axis.motion == motion);

@@ -1,4 +1,4 @@
-//! Runs that begin at rest where they balance.
+//! Runs that begin at an equilibrium.
 
 use super::super::schema::Scenario;
 use super::FieldError;
@@ -13,14 +13,14 @@ use crate::state::State;
 
 const FIELD: &str = "simulation.begin_at_equilibrium";
 
-/// Moves a setup to its equilibrium, where the scenario asks for it; its velocities stay.
+/// Moves a setup to its equilibrium if the scenario asks for it; its velocities stay.
 pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> {
     if !scenario.simulation.begin_at_equilibrium {
         return Ok(());
     }
     let mut simulation = Simulation::new(setup.clone());
     let refused = |why: String| {
-        let allowed = "true, for a model that comes to rest near where its bodies are put; else false";
+        let allowed = "true, for a model with an equilibrium near its initial position; else false";
         FieldError::new(FIELD, format!("true, and {why}"), allowed)
     };
     let (found, trims) = simulation.settle_with_trims().map_err(|error| refused(error.to_string()))?;
@@ -32,8 +32,7 @@ pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> 
     Ok(())
 }
 
-/// The same over another scalar: the equilibria of the setups side by side, or one with its
-/// derivatives.
+/// The same over another scalar: the equilibria of several setups in lanes, or one with its derivatives.
 pub fn follow<S: Quantity>(alone: &[&Setup], setup: &mut Setup<S>) -> Result<(), FieldError> {
     for i in free_positions(&setup.model) {
         setup.q[i] = S::of_each(|k| alone[k].q[i]);
@@ -49,18 +48,18 @@ pub fn follow<S: Quantity>(alone: &[&Setup], setup: &mut Setup<S>) -> Result<(),
     Ok(())
 }
 
-/// The elements that hold the model in place with what they find.
+/// The elements that find a holding force.
 fn settling<S: Scalar>(elements: &mut [AnyElement<S>]) -> impl Iterator<Item = &mut dyn Settling<S>> {
     elements.iter_mut().filter_map(|element| element.settling_mut())
 }
 
-/// What one of them has found.
+/// The force that one of them has found.
 fn trim_of(elements: &[AnyElement], which: usize, entry: usize) -> f64 {
     let mut trims = elements.iter().filter_map(|element| Some(element.settling()?.trim()));
     trims.nth(which).map_or(0.0, |trim| trim[entry])
 }
 
-/// Entries of q that free coordinates move.
+/// Entries of q that belong to free coordinates.
 fn free_positions<S: Scalar>(model: &Model<S>) -> Vec<usize> {
     let of = |node: &Node<S>| {
         let rates = node.kind.velocity_count();
@@ -72,11 +71,11 @@ fn free_positions<S: Scalar>(model: &Model<S>) -> Vec<usize> {
     model.tree.nodes.iter().flat_map(of).collect()
 }
 
-/// Handovers to integrals: each leaves a hundredth or so of the derivatives' errors.
+/// Number of handovers to integrals: each reduces the errors of the derivatives to about a hundredth.
 const HANDOVERS: usize = 12;
 
-/// One more of Newton's moves, whose value is nothing and whose derivatives are the equilibrium's
-/// (the implicit function theorem).
+/// One more Newton step, whose value is 0 and whose derivatives are those of the equilibrium (implicit function
+/// theorem).
 fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let compliance = Simulation::new(plain.clone()).compliance();
     let compliance = compliance.ok_or_else(|| {
@@ -86,7 +85,7 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
     let still = vec![S::ZERO; setup.v.len()];
     let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
     let mut state = State { q: setup.q.clone(), v: still.clone(), ..State::default() };
-    // As a run begins there: a search that began anew would take the place of rest for where friction is nothing.
+    // As at the start of a run: a new search would take the present position as that without friction.
     plant.begin(0.0, &inputs, &mut state);
     plant.set_situation(Situation::Settling);
     plant.follow_restraints(0.0, &state, &mut setup.q);

@@ -4,17 +4,17 @@ use super::super::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, 
 use super::FieldError;
 use crate::elements::{AnyElement, JointDamping, JointSpring};
 use crate::model::joint::AxisList;
-use crate::model::{Beam, BodyDescription, Joint, JointKind, Mode, Model, Section};
+use crate::model::{Beam, BodyDefinition, Joint, JointKind, Mode, Model, Section};
 use crate::scenario::leaf::{Leaf, Quantity};
 use crate::spatial::{Frame, Matrix3, Vector3};
 
 /// Axes of an elastic joint.
 pub const ELASTIC_AXES: usize = 5;
 
-/// Most elastic joints of one body.
+/// Largest number of elastic joints of one body.
 const MOST_SEGMENTS: u64 = 64;
 
-/// A flexible body and where it lies in its drawing frame.
+/// A flexible body and its place in its drawing frame.
 pub struct FlexibleBody<S> {
     name: String,
     beam: Beam<S>,
@@ -33,11 +33,10 @@ pub fn owner(name: &str) -> (&str, usize) {
     }
 }
 
-/// The segment of a body of this name at a place in its drawing frame, counted from the body itself, and its centre of
-/// mass there; of a rigid body the body.
+/// The segment of the body with this name at a position in its drawing frame, counted from the body itself, and the
+/// segment's centre of mass; for a rigid body, the body itself.
 ///
-/// # Errors
-/// A place that is on several segments, in several lanes; `field` is its x.
+/// # Errors A position that is on different segments in different lanes; `field` is its x.
 pub fn carrier<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -54,8 +53,8 @@ pub fn carrier<S: Quantity>(
     }
 }
 
-/// The body of the model that carries a place of a named body, or of the world, and its centre of mass in the drawing
-/// frame of that body. `field` is the path of the place.
+/// The body of the model that carries a position on a named body, or in the world, and its centre of mass in that
+/// body's drawing frame. `field` is the path of the position.
 ///
 /// # Errors
 /// As [`carrier`].
@@ -91,7 +90,7 @@ impl<S: Quantity> FlexibleBody<S> {
         Ok(Some(read))
     }
 
-    /// The body's joint must be in its first segment.
+    /// Checks that the body's joint is in its first segment.
     fn check_root(&self, body: &schema::Body<S>) -> Result<(), FieldError> {
         if let schema::Joint::Floating(_) = body.joint {
             let allowed = "a joint to another body or to the world, for a flexible body";
@@ -107,12 +106,12 @@ impl<S: Quantity> FlexibleBody<S> {
         Err(FieldError::new(field, place[0], allowed))
     }
 
-    /// The segment at a place in the drawing frame, whose x is `field`.
+    /// The segment at a position in the drawing frame; `field` is the path of its x.
     fn segment_at(&self, field: &str, place_m: [S; 3]) -> Result<usize, FieldError> {
         Ok(self.beam.segment_at(place_m[0] - self.start.0[0]).same(field)? as usize)
     }
 
-    /// The named points of the body, each with its segment and its place in the drawing frame.
+    /// The named points of the body, each with its segment and its position in the drawing frame.
     pub fn points(&self, body: &schema::Body<S>) -> Result<Vec<(usize, String, Vector3<S>)>, FieldError> {
         let point = |(name, point): (&schema::Name, &schema::Point<S>)| {
             let field = format!("bodies.{}.points.{name}.position_m.0", self.name);
@@ -126,24 +125,24 @@ impl<S: Quantity> FlexibleBody<S> {
         self.start + Vector3([self.beam.segment_middle(segment), S::ZERO, S::ZERO])
     }
 
-    /// The segment as a body: the first with the body's own joint and parent, the others behind it.
+    /// The segment as a body: the first with the body's own joint and parent, the others attached to the one before.
     pub fn describe(
         &self,
         segment: usize,
         parent: Option<usize>,
         joint: Joint<S>,
         points: Vec<(String, Vector3<S>)>,
-    ) -> BodyDescription<S> {
+    ) -> BodyDefinition<S> {
         let name = if segment == 0 { self.name.clone() } else { self.segment_name(segment) };
         let (mass, inertia) = (self.beam.segment_mass(segment), self.beam.segment_inertia(segment));
-        BodyDescription { name, parent, joint, mass, inertia, points }
+        BodyDefinition { name, parent, joint, mass, inertia, points }
     }
 
     fn segment_name(&self, segment: usize) -> String {
         format!("{}.{segment}", self.name)
     }
 
-    /// Number of segments behind the first.
+    /// Number of segments after the first.
     pub fn joints(&self) -> usize {
         self.beam.pieces
     }
@@ -156,7 +155,7 @@ impl<S: Quantity> FlexibleBody<S> {
         Joint { name: self.segment_name(segment), kind, mode: Mode::Free }
     }
 
-    /// Springs and dampers of an elastic joint whose coordinates begin at these places in q and v.
+    /// Springs and dampers of an elastic joint whose coordinates begin at these indices in q and v.
     pub fn forces(&self, position: usize, coordinate: usize) -> impl Iterator<Item = AnyElement<S>> {
         let time = self.damping_time;
         let damped = !time.vanishes();
@@ -179,7 +178,7 @@ fn length<S: Leaf>(body: &schema::Body<S>) -> Option<S> {
     Some(length.get())
 }
 
-/// The length, and what the types do not check.
+/// The length, and the checks that the types do not make.
 fn check<S: Quantity>(name: &str, body: &schema::Body<S>, flexible: &Flexible<S>) -> Result<S, FieldError> {
     let error = |field: &str, found: String, allowed: &str| {
         Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed))
@@ -247,7 +246,7 @@ fn damping_time<S: Quantity>(flexible: &Flexible<S>) -> S {
     }
 }
 
-/// What a body or a segment of it looks like: the body's shape, cut to the segment's length and to its cross-section.
+/// The drawn shape of a body or a segment: the body's shape, cut to the segment's length and its cross-section.
 pub fn shape(body: &schema::Body, segment: usize) -> Option<schema::Shape> {
     let (Some(flexible), Some(length)) = (&body.flexible, length(body)) else { return body.shape.clone() };
     let at_an_end = segment == 0 || segment as u64 == flexible.segments;

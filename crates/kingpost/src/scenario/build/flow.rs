@@ -10,7 +10,7 @@ use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
 use crate::world::{CurrentAt, CurrentProfile, World};
 
-/// The wind on a body, where it is on and its body there.
+/// The wind on a body, if it is enabled and its body exists.
 pub fn wind<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -22,7 +22,7 @@ pub fn wind<S: Quantity>(
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let coefficients = table(&format!("{field}.coefficients"), &given.coefficients)?;
     let Some(wind) = &scenario.wind else {
-        return Err(FieldError::new(field, "the load of a wind, and no wind", "a wind, at the top of the scenario"));
+        return Err(FieldError::new(field, "a wind load, but no wind", "a wind, at the top of the scenario"));
     };
     check_height(wind, given.height_m.get(), &field)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
@@ -36,7 +36,7 @@ pub fn wind<S: Quantity>(
     })))
 }
 
-/// The current on a body, where it is on and its body there.
+/// The current on a body, if it is enabled and its body exists.
 pub fn water<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -82,10 +82,10 @@ fn table<S: Quantity>(field: &str, given: &schema::FlowCoefficients<S>) -> Resul
     })
 }
 
-/// The lowest height of the NPD profile, m: further down it goes through 0.
+/// The lowest height of the NPD profile, m: below it the wind would reach 0.
 const LEAST_NPD_M: f64 = 1.0;
 
-/// An error unless the wind has a speed at a height.
+/// An error unless the wind's profile is valid at a height.
 pub(super) fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field: &str) -> Result<(), FieldError> {
     if wind.profile == schema::WindProfile::Npd && !height.all(|height| height >= LEAST_NPD_M) {
         return Err(FieldError::new(
@@ -107,7 +107,7 @@ pub(super) fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field
     Ok(())
 }
 
-/// The velocity that counts of a current; an error where a profile has none over the draught or at the depth.
+/// The velocity of a current that a load uses; an error if the profile is not defined over the draught or at the depth.
 fn current_at<S: Quantity>(
     world: &World<S>,
     load: &schema::CurrentLoad<S>,

@@ -1,4 +1,4 @@
-//! How motors' efforts and given motions go with time.
+//! Histories of motors' efforts and of prescribed motions over time.
 
 use super::super::schema::{self, History, HistoryList, Scenario};
 use super::FieldError;
@@ -27,7 +27,7 @@ pub fn of_motor<S: Quantity>(
     }
 }
 
-/// The motions of the coordinates that have a given one and are there.
+/// The prescribed motions of the coordinates that exist.
 pub fn given_motions<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -54,7 +54,7 @@ pub fn given_motions<S: Quantity>(
     Ok(motions)
 }
 
-/// How a prescribed rate goes with time: it has no lever, and does not jump.
+/// The history of a prescribed rate: it has no lever and no jump.
 fn of_rate<S: Quantity>(field: &str, given: &GivenMotion<S>) -> Result<Profile<S>, FieldError> {
     let GivenMotion::Rate { history, pulse, list, .. } = given else { return Ok(Profile::constant()) };
     match history {
@@ -105,7 +105,7 @@ fn listed<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<Profile<S>,
     Ok(Profile::list(&times_s, &list.share))
 }
 
-/// A rate that jumps would take an infinite force.
+/// A jump of the rate would need an infinite force.
 fn check_no_jump<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<(), FieldError> {
     let (times, shares) = (&list.time_s, &list.share);
     if times[0].get() > 0.0 && !shares[0].all(|share| share == 0.0) {

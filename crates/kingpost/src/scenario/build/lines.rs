@@ -1,4 +1,4 @@
-//! Mooring lines and hawsers: their ends, and what they are made of.
+//! Mooring lines and hawsers: their ends and properties.
 
 use super::super::schema::{self, Scenario};
 use super::cylinders::attachment;
@@ -12,7 +12,7 @@ use crate::simulation::Setup;
 use crate::spatial::Vector3;
 use crate::world::World;
 
-/// A line without weight, where it is on and between bodies that are there.
+/// A weightless line, if it is enabled and its bodies exist.
 pub fn spring<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -40,7 +40,7 @@ pub fn spring<S: Quantity>(
     })))
 }
 
-/// A mooring line, where it is on and its body there.
+/// A mooring line, if it is enabled and its body exists.
 pub fn catenary<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -77,10 +77,10 @@ pub fn catenary<S: Quantity>(
     })))
 }
 
-/// How far an anchor may be from the seabed, of the depth: rounding.
+/// How far an anchor may be from the seabed, as a share of the depth: rounding.
 const SAME_DEPTH: f64 = 1e-9;
 
-/// Where a run begins, fairleads are above the seabed.
+/// Checks that at the start of a run fairleads are above the seabed.
 pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
     let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -96,7 +96,7 @@ pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// An end seen from the centre of mass of its body; `None` on a body that is not there.
+/// An end relative to the centre of mass of its body; `None` if the body does not exist.
 fn end<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,

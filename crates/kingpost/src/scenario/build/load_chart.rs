@@ -2,13 +2,13 @@
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;
-use super::ropes::hinge;
+use super::hinges::hinge;
 use crate::elements::ropes::LoadChart;
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::spatial::Frame;
 
-/// The chart of the rope of this name; `None` where the slewing joint is not there.
+/// The chart of the rope with this name; `None` if the slewing joint does not exist.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     rope: &str,
@@ -26,7 +26,7 @@ pub fn build<S: Quantity>(
     }))
 }
 
-/// Two radii or more that increase, and a rated load for each.
+/// Checks that there are two or more increasing radii, with a rated load for each.
 fn check_rows<S: Quantity>(given: &schema::LoadChart<S>, field: impl Fn(&str) -> String) -> Result<(), FieldError> {
     let (radii, count) = (&given.radii_m, given.radii_m.len());
     if count < 2 {

@@ -1,5 +1,5 @@
-//! Closed loops: their attachments, whether their constraints are independent, and whether they
-//! close from where they start.
+//! Closed loops: their attachments, whether their constraints are independent, and whether they can be closed from the
+//! start.
 
 use super::super::schema::{self, Scenario};
 use super::flexible::carrier_in_model;
@@ -12,7 +12,7 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
-/// The model with the loops that are on, between bodies that are there.
+/// The model with the loops that are enabled, between bodies that exist.
 pub fn build<S: Quantity>(scenario: &Scenario<S>, model: Model<S>) -> Result<Model<S>, FieldError> {
     let mut loops = Vec::new();
     for (name, given) in &scenario.loops {
@@ -41,7 +41,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, model: Model<S>) -> Result<Mod
     Ok(model.with_loops(loops))
 }
 
-/// An attachment seen from the centre of mass of its body.
+/// An attachment relative to the centre of mass of its body.
 fn attachment<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -54,7 +54,7 @@ fn attachment<S: Quantity>(
     Ok(Attachment::on(body, Frame { rotation, position }))
 }
 
-/// The constraints in the engine's terms, with their names.
+/// The constraints as types of the engine, with their names.
 fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<S>)> {
     let turn = |constraint: &schema::Constraint<S>| match constraint {
         schema::Constraint::Roll => Some(Turn::Roll),
@@ -78,12 +78,10 @@ fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<
     given.constraints.iter().map(constraint).collect()
 }
 
-/// Brings the start to where the loops are closed, and its velocities to a motion that keeps them
-/// so.
+/// Moves the initial state so that the loops are closed, and its velocities so that they stay closed.
 ///
-/// # Errors
-/// A gap larger than the author allows, a constraint that follows from others or moves nothing, a
-/// loop that cannot be closed.
+/// # Errors A gap larger than the scenario allows, a constraint that follows from others or moves nothing, a loop that
+/// cannot be closed.
 pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     if model.loops.is_empty() {
@@ -91,7 +89,7 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
     }
     let (mut links, mut work, mut loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
     let mut solver = LoopSolver::new(model, 0);
-    // Ropes are laid once the loops are closed.
+    // Ropes are placed after the loops are closed.
     let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [Restraint<S>]| {};
     let mut on = Projection { model, links: &mut links, work: &mut work, loads: &mut loads, hold };
     solver.begin_at(&mut on, q, v);
@@ -102,11 +100,11 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
         return Ok(());
     }
     let (name, gaps) = gaps(model, solver.rows()).into_iter().next().unwrap_or_default();
-    let found = format!("a loop that stays open by {gaps} as near as its joints bring it");
+    let found = format!("a loop that stays open by {gaps} at the closest position of its joints");
     Err(FieldError::new(format!("loops.{name}"), found, "lengths and a start from which the loop closes"))
 }
 
-/// The gap at the start must be one that may be closed.
+/// Checks that the gap at the start may be closed.
 fn check_start<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>, rows: &[Row<S>]) -> Result<(), FieldError> {
     let mut rows = rows.iter();
     for closed in &model.loops {
@@ -125,7 +123,7 @@ fn check_start<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>, rows: &[Ro
     Ok(())
 }
 
-/// No constraint may follow from those before it, or move nothing.
+/// Checks that no constraint follows from those before it or moves nothing.
 fn check_independence<S: Quantity>(model: &Model<S>, solver: &LoopSolver<S>) -> Result<(), FieldError> {
     let Some(dependent) = solver.factor().dependent() else { return Ok(()) };
     let all = model.constraint_names();

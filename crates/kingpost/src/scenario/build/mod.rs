@@ -1,4 +1,4 @@
-//! Scenario -> what a simulation is made of, with every check that needs more than one field.
+//! Builds the setup of a simulation from a scenario, with every check that needs more than one field.
 
 mod axes;
 mod bodies;
@@ -11,6 +11,7 @@ mod drives;
 mod equilibrium;
 pub(super) mod flexible;
 mod flow;
+mod hinges;
 mod histories;
 mod limits;
 mod lines;
@@ -25,6 +26,7 @@ mod sea_spectra;
 mod sensors;
 mod soft_hold;
 mod station;
+mod still_water;
 mod submerged;
 mod tanks;
 mod watchers;
@@ -51,13 +53,13 @@ use crate::spatial::Frame;
 use crate::world::World;
 pub use sea_spectra::{SeaSpectrum, SeaWaves};
 
-/// Numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
+/// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;
 
-/// Steps that one run may take: beyond it the count would no longer be exact in the time.
+/// Largest number of steps of one run: beyond it the time would no longer be exact.
 const MOST_STEPS: f64 = 1e15;
 
-/// Builds the model, forces, drives, settings and initial state, and checks what takes numbers.
+/// Builds the model, forces, drives, settings and initial state, and checks all numbers.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     let mut setup = open(scenario)?;
     positioning::check_stability(scenario)?;
@@ -77,11 +79,10 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     Ok(setup)
 }
 
-/// The same over another scalar, of one scenario or several of one structure; `alone` are the setups that each has by
-/// itself.
+/// The same over another scalar, for one scenario or several with the same structure; `alone` are their separate
+/// setups.
 ///
-/// # Errors
-/// A number that decides how the run is made up, where lanes differ or it has a derivative: its field.
+/// # Errors A number that decides the structure of the run but differs between lanes or has a derivative: its field.
 pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result<Setup<S>, FieldError> {
     let mut setup = open(scenario)?;
     loops::close(scenario, &mut setup)?;
@@ -95,7 +96,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     Ok(setup)
 }
 
-/// The same as it is written, its closed loops not yet closed.
+/// The same before its closed loops are closed.
 fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let settings = settings(&scenario.simulation)?;
     let world = world::build(scenario)?;
@@ -141,7 +142,7 @@ fn settings(given: &schema::SimulationSettings) -> Result<Settings, FieldError> 
     Ok(Settings { scheme, step_s, duration_s, record_every_s, rate_limit, form })
 }
 
-/// Least share of a step that the steps within it may be held to: more of them would keep a step from ending.
+/// Smallest share of a step that largest_step_s may be: with smaller ones a step would hardly end.
 const LEAST_SHARE: f64 = 1e-3;
 
 /// The integrator with its settings.
@@ -182,7 +183,7 @@ fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> 
     })
 }
 
-/// What a run records must fit in memory.
+/// Checks that the recording fits in memory.
 fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     let Settings { duration_s, record_every_s, .. } = setup.settings;
     let columns = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).columns();
@@ -194,14 +195,14 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// A run begins with a row of numbers: the arithmetic has none beyond 1e308, and squares of 1e154 are there already.
+/// Checks that the first row is finite: numbers beyond 1e308 overflow, and so do squares beyond 1e154.
 fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let mut simulation = Simulation::recursive(setup.clone());
     let mut row = Vec::new();
     simulation.write_row(&mut row);
     let columns = simulation.channels().iter().flat_map(|channel| &channel.columns);
     let bad: Vec<(&String, f64)> = columns.zip(row).filter(|(_, value)| !value.is_finite()).collect();
-    // What an element shows leads closest to the number that is too large.
+    // The outputs of an element lead closest to the number that is too large.
     let owner = |names: Vec<&str>, of: &str| {
         let first = |(column, _): &&(&String, f64)| names.iter().any(|name| column.split('.').next() == Some(name));
         bad.iter().find(first).map(|found| (format!("{of}.{}", found.0.split('.').next().unwrap_or_default()), *found))
@@ -210,14 +211,14 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
         .or_else(|| owner(scenario.drives.keys().map(|name| name.as_str()).collect(), "drives"))
         .or_else(|| owner(scenario.sensors.keys().map(|name| name.as_str()).collect(), "sensors"))
         .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
-        // Energy alone: what is stored in a force.
+        // Only the energy is too large: that stored in a force.
         .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));
     let Some((field, (column, value))) = named else { return Ok(()) };
-    let found = format!("numbers with which {column} is {value} where the run begins");
-    Err(FieldError::new(field, found, "numbers with which it is finite"))
+    let found = format!("numbers that make {column} {value} at the start");
+    Err(FieldError::new(field, found, "numbers that keep it finite"))
 }
 
-/// The forces that are on, on bodies that are there.
+/// The forces that are enabled, on bodies that exist.
 fn forces<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -228,7 +229,7 @@ fn forces<S: Quantity>(
     for (name, force) in &scenario.forces {
         match force {
             ForceSchema::Gravity(gravity) => {
-                // The world has the sum of all.
+                // The world holds the sum of all.
                 if gravity.enabled && of_kind::<S, Gravity>(&forces).next().is_none() {
                     forces.push(Box::new(Gravity));
                 }
@@ -246,7 +247,7 @@ fn forces<S: Quantity>(
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
             ForceSchema::SoftHold(given) => forces.extend(soft_hold::build(scenario, name, given, model, start)?),
-            // With what it does to the model: see `water`.
+            // It also changes the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}
         }
     }
@@ -266,20 +267,20 @@ fn known<'a>(field: &str, found: &str, names: impl Iterator<Item = &'a str>) -> 
     Err(FieldError::new(field, found, format!("one of {}", names.join(", "))))
 }
 
-/// Bodies stand somewhere: sums and squares of what a joint is given may be infinite or NaN.
+/// Checks that all positions are finite: sums and squares of a joint's numbers may be infinite or NaN.
 fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError> {
     for (body, named) in model.bodies.iter().enumerate() {
         let Frame { rotation, position } = links.body_frame(model, body);
         if !rotation.0.iter().flatten().chain(&position.0).all(|x| x.is_finite()) {
             let field = format!("bodies.{}.joint", flexible::owner(&named.name).0);
-            return Err(FieldError::new(field, "a place that is not finite", "finite places and angles"));
+            return Err(FieldError::new(field, "a position that is not finite", "finite positions and angles"));
         }
     }
     Ok(())
 }
 
-/// M* must be positive definite where the run begins: a coordinate that moves no mass, or masses
-/// too far apart for the arithmetic, would give infinite or NaN accelerations.
+/// Checks that M* is positive definite at the start: a coordinate that moves no mass, or masses too far apart for the
+/// arithmetic, would give infinite or NaN accelerations.
 fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -298,6 +299,6 @@ fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldErro
             "finite positions",
         ));
     }
-    let found = format!("no inertia along {coordinate} that a number of 16 digits could tell from zero");
+    let found = format!("an inertia along {coordinate} that is zero to 16 digits");
     Err(FieldError::new(field, found, "a mass or an inertia that its joint moves, greater than 0"))
 }

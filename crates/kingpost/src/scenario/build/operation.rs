@@ -13,7 +13,7 @@ use crate::simulation::Setup;
 /// Its name in the table of events.
 const NAME: &str = "operation";
 
-/// Puts the operation, if it runs, behind all other elements.
+/// Adds the operation, if it is enabled, after all other elements.
 pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Some(given) = scenario.operation.as_ref().filter(|operation| operation.enabled) else { return Ok(()) };
     if given.steps.is_empty() {
@@ -31,7 +31,7 @@ pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<
     Ok(())
 }
 
-/// A step that moves nothing lasts until something; only the last needs no end.
+/// Checks that every step that moves nothing has a condition; only the last needs none.
 fn check_ends<S>(steps: &[schema::OperationStep<S>]) -> Result<(), FieldError> {
     for (i, step) in steps.iter().enumerate().filter(|(_, step)| step.until.is_none()) {
         let field = format!("operation.steps.{i}");
@@ -46,7 +46,7 @@ fn check_ends<S>(steps: &[schema::OperationStep<S>]) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// What the steps name, gathered as they are read.
+/// The inputs and columns that the steps name, collected while they are read.
 struct Reader<'a> {
     layout: &'a Layout,
     known: Vec<Column>,
@@ -61,7 +61,7 @@ impl Reader<'_> {
         step: &schema::OperationStep<S>,
     ) -> Result<OperationStep<S>, FieldError> {
         if step.name.trim().is_empty() {
-            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text that says what is done"));
+            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text: what the step does"));
         }
         let mut moves: Vec<(usize, Vec<Move<S>>)> = Vec::new();
         let mut last_s: f64 = 0.0;
@@ -156,7 +156,7 @@ impl Reader<'_> {
     }
 }
 
-/// A move begins when the one before it of the same input has ended.
+/// Checks that a move begins after the previous one of the same input has ended.
 fn check_order<S>(field: &str, before: &[Move<S>], one: &Move<S>) -> Result<(), FieldError> {
     let Some(last) = before.last() else { return Ok(()) };
     let ends_s = last.at_s + last.in_s;

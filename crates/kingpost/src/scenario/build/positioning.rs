@@ -3,7 +3,7 @@
 use super::super::schema::{self, Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};
 use super::FieldError;
 use super::damping::{from_centre, rigid};
-use super::positioning_loop::{Growth, Loop};
+use super::positioning_loop::{ControlLoop, RootGrowth};
 use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
@@ -13,7 +13,7 @@ use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
 use core::f64::consts::{PI, TAU};
 
-/// Dynamic positioning, where it is on and its body there. Its states are placed later: see [`place_states`].
+/// Dynamic positioning, if it is enabled and its body exists. Its states are placed later: see [`place_states`].
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -33,8 +33,7 @@ pub fn build<S: Quantity>(
         FieldError::new(
             format!("{field}.thrusters"),
             found,
-            "thrusters that run and give surge, sway and yaw independently: two of them one behind the other, and one \
-             along the ship",
+            "enabled thrusters that give surge, sway and yaw independently: two transverse ones at different places along the ship, and one along the ship",
         )
     })?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
@@ -50,7 +49,7 @@ pub fn build<S: Quantity>(
     })))
 }
 
-/// Numbers that may be anything finite.
+/// Checks the numbers that may have any finite value.
 fn check_finite<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Result<(), FieldError> {
     let target = [("x_m", given.target.x_m), ("y_m", given.target.y_m), ("heading_rad", given.target.heading_rad)];
     let of_target = target.map(|(name, number)| (format!("target.{name}"), number));
@@ -95,7 +94,7 @@ fn numbers<S: Quantity>(gains: &PositioningGains<S>) -> [Planar<S>; 3] {
     }
 }
 
-/// How one of surge, sway and yaw is to answer.
+/// The desired response in surge, sway or yaw.
 #[derive(Clone, Copy)]
 struct Tuning<S> {
     inertia: S,
@@ -137,8 +136,9 @@ fn check_gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) 
     for (name, tuning) in each.filter(|_| periods.integral) {
         let least = tuning.period_s / (S::constant(4.0 * PI) * tuning.damping_ratio);
         if !(tuning.integral_time() - least).all(|room| room > 0.0) {
-            let allowed =
-                format!("more than period_s / (4 pi damping_ratio), {least}: else even a ship alone is unstable");
+            let allowed = format!(
+                "more than period_s / (4 pi damping_ratio), {least}: else the ship is unstable even without delays"
+            );
             let field = format!("{field}.gains.natural_periods.{name}.integral_time_s");
             return Err(FieldError::new(field, tuning.integral_time(), allowed));
         }
@@ -146,8 +146,8 @@ fn check_gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) 
     Ok(())
 }
 
-/// The delays of filter and thrusters must leave a free ship of each dynamic positioning's stated mass stable: of one that
-/// acts or not.
+/// Checks that a free ship with the stated mass is stable in spite of the delays of filter and thrusters, for every
+/// dynamic positioning, enabled or not.
 pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
     scenario.forces.iter().try_for_each(|(name, force)| match force {
         ForceSchema::DynamicPositioning(given) => check_loops(given, &format!("forces.{name}.dynamic_positioning")),
@@ -155,7 +155,7 @@ pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
     })
 }
 
-/// Periods of waves, s: a filter of waves has no use for others.
+/// Periods of waves, s: a wave filter needs no others.
 const WAVE_PERIODS_S: core::ops::RangeInclusive<f64> = 0.1..=1e3;
 
 fn check_filter(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
@@ -174,7 +174,7 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
     let running = given.thrusters.values().filter(|thruster| thruster.enabled());
     let slowest = running.map(|thruster| thruster.numbers()[2]).fold(0.0, f64::max);
     for (k, (name, tuning)) in ["surge", "sway", "yaw"].into_iter().zip(tunings(periods)).enumerate() {
-        let of = Loop {
+        let of = ControlLoop {
             inertia: tuning.inertia,
             gains: gains.map(|gains| gains[k]),
             filter: given.wave_filter.as_ref(),
@@ -182,21 +182,21 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
         };
         let delays = "the delays of wave filter and thrusters";
         let (found, allowed) = match of.growth() {
-            Growth::None => continue,
-            Growth::Of(root) => (
+            RootGrowth::None => continue,
+            RootGrowth::Of(root) => (
                 format!(
                     "{} s, with which {delays} make an oscillation of {:.1} s grow",
                     tuning.period_s,
                     TAU / root.im.abs()
                 ),
-                "a longer natural period, or filter periods and thrusters' time constants that are shorter",
+                "a longer natural period, or shorter filter periods and thrusters' time constants",
             ),
-            Growth::Unknown => (
+            RootGrowth::Unknown => (
                 format!(
-                    "{} s, with which {delays} differ so much in size that their stability cannot be found",
+                    "{} s, with which {delays} differ so much in magnitude that their stability cannot be found",
                     tuning.period_s
                 ),
-                "filter periods and thrusters' time constants whose sizes compare with it",
+                "filter periods and thrusters' time constants of comparable magnitude",
             ),
         };
         return Err(FieldError::new(format!("{field}.gains.natural_periods.{name}.period_s"), found, allowed));
@@ -220,7 +220,7 @@ fn gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Res
     Ok(Gains { stiffness, damping, integral, integrates, tracking_time })
 }
 
-/// Whether a gain is greater than 0; with one that is 0 there is nothing that could grow along a direction.
+/// Whether a gain is greater than 0; without a gain nothing can become unstable in that direction.
 fn is_there<S: Quantity>(gain: S, field: &str) -> Result<bool, FieldError> {
     let there = gain.decides(field, |gain| gain > 0.0)?;
     if !there {
@@ -241,7 +241,7 @@ fn filter<S: Quantity>(given: &schema::DynamicPositioning<S>) -> WaveFilter<S> {
     filter
 }
 
-/// The thrusters that run, seen from the point that is kept.
+/// The thrusters that are enabled, relative to the held point.
 fn thrusters<S: Quantity>(given: &schema::DynamicPositioning<S>, point: Vector3<S>) -> Vec<Thruster<S>> {
     let running = given.thrusters.iter().filter(|(_, thruster)| thruster.enabled());
     let build = |(name, given): (&schema::Name, &schema::Thruster<S>)| {

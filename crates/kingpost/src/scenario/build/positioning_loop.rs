@@ -1,53 +1,54 @@
-//! Whether a controller with its filter and thrusters holds the ship that its gains are made for.
+//! Stability of a controller with its filter and thrusters, for the ship that its gains are made for.
 
 use super::super::schema;
 use core::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix};
 
-/// What a controlled ship does when it is left alone.
-pub(super) enum Growth {
+/// The stability of a controlled ship without disturbance.
+pub(super) enum RootGrowth {
     /// It comes to rest.
     None,
     /// This root grows.
     Of(Complex<f64>),
-    /// Rates of such different sizes that no roots are found.
+    /// Rates of such different magnitudes that no roots are found.
     Unknown,
 }
 
-/// Of the search for roots; it takes a few for each root where their sizes compare.
+/// Iterations of the search for roots; it needs a few per root if their magnitudes are comparable.
 const MOST_ITERATIONS: usize = 1000;
 
 /// One of surge, sway and yaw.
-pub(super) struct Loop<'a> {
+pub(super) struct ControlLoop<'a> {
     /// m, K_p, K_d, K_i.
     pub(super) inertia: f64,
     pub(super) gains: [f64; 3],
     pub(super) filter: Option<&'a schema::WaveFilter>,
-    /// Of the slowest thruster, s.
+    /// Time constant of the slowest thruster, s.
     pub(super) time_constant_s: f64,
 }
 
-impl Loop<'_> {
+impl ControlLoop<'_> {
     /// The root that grows fastest of a free ship, m x'' = T, under the controller.
-    pub(super) fn growth(&self) -> Growth {
-        let Some(schur) = self.rates().try_schur(f64::EPSILON, MOST_ITERATIONS) else { return Growth::Unknown };
+    pub(super) fn growth(&self) -> RootGrowth {
+        let Some(schur) = self.rates().try_schur(f64::EPSILON, MOST_ITERATIONS) else { return RootGrowth::Unknown };
         let roots = schur.complex_eigenvalues();
         let fastest = roots.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re)).unwrap_or_default();
         if fastest.re > ROUNDING * fastest.im.abs().max(1.0 / self.time_constant_s) {
-            Growth::Of(fastest)
+            RootGrowth::Of(fastest)
         } else {
-            Growth::None
+            RootGrowth::None
         }
     }
 
-    /// The matrix of the rates of x, v, thrust, integral (both over m), and the filter's states, all without units but s.
+    /// The matrix of the rates of x, v, thrust and integral (both over m) and the filter's states; the only unit left
+    /// is s.
     fn rates(&self) -> DMatrix<f64> {
         let sections = self.filter.map(sections).unwrap_or_default();
         let n = 4 + 2 * sections.len();
         let [stiffness, damping, integral] = self.gains.map(|gain| gain / self.inertia);
         let mut a = DMatrix::zeros(n, n);
         (a[(0, 1)], a[(1, 2)], a[(3, 0)]) = (1.0, 1.0, -integral);
-        // What enters the next section, by the states.
+        // The input of the next section as a combination of the states.
         let mut signal = DMatrix::zeros(1, n);
         (signal[(0, 0)], signal[(0, 1)]) = (-stiffness, -damping);
         for (k, section) in sections.iter().enumerate() {
@@ -72,24 +73,25 @@ impl Loop<'_> {
     }
 }
 
-/// A root that grows by less than this share of the fastest rate is rounding: a controller without integral has one at 0.
+/// A root with a growth rate below this share of the fastest rate is rounding: a controller without integral has a root
+/// at 0.
 const ROUNDING: f64 = 1e-6;
 
-/// A section as [`WaveFilter`](crate::elements::dynamic_positioning::WaveFilter) has it.
-struct Section {
+/// A section of [`WaveFilter`](crate::elements::dynamic_positioning::WaveFilter) in plain numbers.
+struct PlainSection {
     frequency: f64,
     damping_ratio: f64,
     notch: Option<f64>,
 }
 
-fn sections(filter: &schema::WaveFilter) -> Vec<Section> {
+fn sections(filter: &schema::WaveFilter) -> Vec<PlainSection> {
     let notch = Some(2.0 * (1.0 - filter.notch_damping_ratio.get()));
-    let notches = filter.notch_periods_s.iter().map(|period| Section {
+    let notches = filter.notch_periods_s.iter().map(|period| PlainSection {
         frequency: TAU / period.get(),
         damping_ratio: 1.0,
         notch,
     });
-    let low_pass = filter.cutoff_period_s.map(|period| Section {
+    let low_pass = filter.cutoff_period_s.map(|period| PlainSection {
         frequency: TAU / period.get(),
         damping_ratio: filter.cutoff_damping_ratio.get(),
         notch: None,

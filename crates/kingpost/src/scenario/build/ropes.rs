@@ -1,19 +1,19 @@
-//! Ropes and tugger lines: what they run over.
+//! Ropes and tugger lines: their paths.
 
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
+use super::hinges::hinge;
 use super::{FieldError, flexible, known, load_chart};
-use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, Path, RopeWeight, Round, Station};
+use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, RopePath, RopeWeight, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
-use crate::model::joint::Revolute;
-use crate::model::{Attachment, JointKind, Model, Node};
+use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Vector3};
 
 /// Falls of one leg, at most.
 const MOST_FALLS: u32 = 100;
 
-/// One rope, where it is on and all that it runs over is there.
+/// One rope, if it is enabled and every body on its path exists.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -21,7 +21,7 @@ pub fn build<S: Quantity>(
     model: &Model<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     if given.can_be_released && scenario.drives.contains_key(name) {
-        let found = format!("true, with an input {name} beside that of drives.{name}");
+        let found = format!("true, with an input {name} that drives.{name} has too");
         let allowed = "a name for the rope that no drive has";
         return Err(FieldError::new(format!("forces.{name}.rope.can_be_released"), found, allowed));
     }
@@ -32,7 +32,7 @@ pub fn build<S: Quantity>(
         given.load_chart.as_ref().map(|chart| load_chart::build(scenario, name, chart, model)).transpose()?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
     let load_chart = load_chart.flatten();
-    let path = Path::new(stations);
+    let path = RopePath::new(stations);
     let gives_way = given.axial_stiffness_n.is_some() || given.series_stiffness_n_per_m.is_some();
     if !gives_way {
         check_inextensible(&format!("forces.{name}.rope"), given)?;
@@ -54,8 +54,8 @@ pub fn build<S: Quantity>(
     })))
 }
 
-/// What needs a rope that stretches: a damper, a breaking load, for what breaks a rope is its snap, and friction at sheaves and
-/// drum, which goes by the tension.
+/// Refuses options that need a rope that stretches: a damper, a breaking load, since a snap load breaks a rope, and
+/// friction at sheaves and drum, which depends on the tension.
 fn check_inextensible<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<(), FieldError> {
     let allowed = |what| {
         format!("{what} for a rope without axial_stiffness_N and series_stiffness_N_per_m, which does not stretch")
@@ -83,7 +83,7 @@ fn check_inextensible<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<
     Ok(())
 }
 
-/// What it weighs; a rope that displaces water and has no mass would float up.
+/// The weight of a rope; one that displaces water without mass would float up.
 fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeWeight<S>>, FieldError> {
     let diameter = given.diameter_m.as_ref().map(|diameter| diameter.get());
     match (&given.mass_kg_per_m, diameter) {
@@ -96,7 +96,7 @@ fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeW
     }
 }
 
-/// The mass whose weight is the rope's tension at rest in air; `None` where none of what it carries is there.
+/// The mass whose weight is the rope's tension at rest in air; `None` if no body that it carries exists.
 fn carried_mass<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
@@ -109,7 +109,7 @@ fn carried_mass<S: Quantity>(
     for (i, carried) in given.carries.iter().enumerate() {
         known(&format!("{field}.carries.{i}.body"), &carried.body, scenario.bodies.keys().map(|body| body.as_str()))?;
         let share = carried.share.map_or(S::constant(1.0 / f64::from(falls)), |share| share.get());
-        // A flexible body is several of the model's.
+        // A flexible body is several bodies of the model.
         for body in model.bodies.iter().filter(|body| flexible::owner(&body.name).0 == &*carried.body) {
             sum = Some(sum.unwrap_or(S::ZERO) + body.mass * share);
         }
@@ -117,7 +117,7 @@ fn carried_mass<S: Quantity>(
     Ok(sum)
 }
 
-/// One tugger line, where it is on and all that it runs over is there.
+/// One tugger line, if it is enabled and every body on its path exists.
 pub fn tugger<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -131,13 +131,13 @@ pub fn tugger<S: Quantity>(
     }
     let Laid { stations, .. } = lay(scenario, &field, &given.path, model)?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
-    let (name, path, tension) = (name.to_owned(), Path::new(stations), given.tension_n.get());
+    let (name, path, tension) = (name.to_owned(), RopePath::new(stations), given.tension_n.get());
     Ok(Some(Box::new(TuggerLine { name, path, tension })))
 }
 
-/// A path as it is laid.
+/// A path with its stations.
 struct Laid<S> {
-    /// `None` where a body is not there.
+    /// `None` if a body does not exist.
     stations: Option<Vec<Station<S>>>,
     drum: Option<Drum<S>>,
 }
@@ -169,7 +169,7 @@ fn lay<S: Quantity>(
     Ok(Laid { stations: stations.into_iter().collect(), drum })
 }
 
-/// A rope begins at a point or a drum and ends at a point, with no drum between.
+/// Checks that a rope begins at a point or a drum and ends at a point, with no drum between.
 fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     if path.len() < 2 {
         return Err(FieldError::new(field("path".to_owned()), format!("{} places", path.len()), "at least two"));
@@ -179,7 +179,7 @@ fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
         let allowed = match (i, station) {
             (0, RopeStation::Sheave(_)) => "a point or a drum, where a rope begins",
             (i, RopeStation::Sheave(_) | RopeStation::Drum(_)) if i == last => "a point, where a rope ends",
-            (i, RopeStation::Drum(_)) if i > 0 => "a point or a sheave: a drum stands where the rope begins",
+            (i, RopeStation::Drum(_)) if i > 0 => "a point or a sheave: a drum can only be where the rope begins",
             _ => continue,
         };
         return Err(FieldError::new(field(format!("path.{i}")), format!("a {}", station.on().0), allowed));
@@ -187,12 +187,12 @@ fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     Ok(())
 }
 
-/// Several falls run between points: rope on a sheave is led one fall at a time.
+/// Checks that several falls run between points only: a sheave leads a single fall.
 fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     if let Some(RopeStation::Point(RopePoint { falls, .. })) = path.first()
         && *falls != 1
     {
-        let allowed = "1: falls lead to a point from the one before it";
+        let allowed = "1: falls run from one point to the next, and this is the first";
         return Err(FieldError::new(field("path.0.point.falls".to_owned()), falls, allowed));
     }
     for (i, pair) in path.windows(2).enumerate() {
@@ -209,7 +209,7 @@ fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     Ok(())
 }
 
-/// A rope whose places are all on one body holds and moves nothing; one on a drum is wound up there.
+/// A rope whose stations are all on one body would hold and move nothing.
 fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     let Some(first) = path.first().and_then(|station| station.on().1) else { return Ok(()) };
     if path.iter().any(|station| station.on().1 != Some(first)) {
@@ -219,30 +219,10 @@ fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) ->
     Err(FieldError::new(field("path".to_owned()), format!("places that are all on {first}"), allowed))
 }
 
-/// A body's node and the revolute joint that it turns by.
-type Hinged<'a, S> = (&'a Node<S>, &'a Revolute<S>);
-
-/// The joint of a drum or of a crane that slews: a revolute one of this name; `None` where it is not there.
-pub(super) fn hinge<'a, S: Quantity>(
-    scenario: &Scenario<S>,
-    field: &str,
-    joint: &str,
-    model: &'a Model<S>,
-) -> Result<Option<Hinged<'a, S>>, FieldError> {
-    let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
-    let joints = scenario.bodies.iter().filter(revolute).map(|(name, body)| super::bodies::joint_name(name, body));
-    known(field, joint, joints)?;
-    let owner = model.coordinate(joint).and_then(|coordinate| model.owner(coordinate));
-    Ok(owner.and_then(|(body, _)| {
-        let node = &model.tree.nodes[body];
-        if let JointKind::Revolute(hinge) = &node.kind { Some((node, hinge)) } else { None }
-    }))
-}
-
-/// The station of a drum and the drum, where its joint is there.
+/// The station of a drum and the drum, if its joint exists.
 type OnDrum<S> = Option<(Station<S>, Drum<S>)>;
 
-/// Where a station is read, and its field.
+/// The context in which a station is read, and its field.
 struct Placing<'a, S> {
     scenario: &'a Scenario<S>,
     model: &'a Model<S>,
@@ -250,7 +230,7 @@ struct Placing<'a, S> {
 }
 
 impl<S: Quantity> Placing<'_, S> {
-    /// A point of a body, or of the world; `None` on a body that is not there.
+    /// A point on a body or in the world; `None` if the body does not exist.
     fn centre(&self, body: &schema::Name, position_m: [S; 3]) -> Result<Option<Attachment<S>>, FieldError> {
         let bodies = self.scenario.bodies.keys().map(|body| body.as_str());
         known(&format!("{}.body", self.field), body, bodies.chain([schema::WORLD]))?;

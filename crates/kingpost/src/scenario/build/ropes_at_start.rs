@@ -1,34 +1,34 @@
-//! Ropes where a run begins: how they lie, how long they are, what they carry.
+//! Ropes at the start of a run: their geometry, length and load.
 
 use super::FieldError;
 use crate::dynamics::LinkKinematics;
-use crate::elements::ropes::Path;
-use crate::elements::{Moment, Rope, TuggerLine, of_kind, of_kind_mut};
+use crate::elements::ropes::RopePath;
+use crate::elements::{Context, Rope, TuggerLine, of_kind, of_kind_mut};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::world::World;
 
-/// Strain at the start beyond which a length is a mistake: steel has parted long before.
+/// Strain at the start beyond which a length is an error: steel parts long before.
 const LARGEST_STRAIN: f64 = 0.05;
 
-/// By how much an inextensible rope may be short of its path, m: a length from a file has so many digits.
+/// By how much an inextensible rope may be shorter than its path, m: rounding of a length in a file.
 const SHORT_BY_ROUNDING_M: f64 = 1e-9;
 
-/// The largest angle about a sheave at the start, degrees: beyond, the axis is the wrong way round. Under way the rope may
-/// turn farther.
+/// The largest wrap angle of a sheave at the start, degrees: beyond it the axis points the wrong way. During the run
+/// the angle may be larger.
 const LARGEST_WRAP_DEG: f64 = 200.0;
 
-/// The least length of a path, m: the arithmetic's own is not quite 0 where all places are one.
+/// The smallest length of a path, m: it is not exactly 0 when all stations coincide.
 const LEAST_LENGTH_M: f64 = 1e-6;
 
-/// A rope that runs straight past a sheave, degrees.
+/// Wrap angle below which a rope runs straight past a sheave, degrees.
 const ROUNDING_DEG: f64 = 1.0;
 
-/// Takes the lengths where the run begins, its loops closed.
+/// Takes the lengths at the start of the run, with loops closed.
 ///
-/// # Errors
-/// Sheaves that overlap, or that the rope does not lie against; a rope that is shorter than its path by more than it can stretch.
+/// # Errors Sheaves that overlap or that the rope does not touch; a rope that is shorter than its path by more than it
+/// can stretch.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -45,7 +45,7 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     })
 }
 
-fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), FieldError> {
+fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Context<'_, S>) -> Result<(), FieldError> {
     let of = format!("forces.{}.rope", rope.name);
     check_apart(&mut rope.path, at, &of)?;
     let length = rope.begin_at(at);
@@ -66,7 +66,7 @@ fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), 
     Ok(())
 }
 
-/// An inextensible rope is as long as its path or longer.
+/// Checks that an inextensible rope is as long as its path or longer.
 fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Result<(), FieldError> {
     if (length - rope.unstretched_length).all(|short| short <= SHORT_BY_ROUNDING_M) {
         return Ok(());
@@ -77,21 +77,21 @@ fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Resul
     Err(FieldError::new(field, found, allowed))
 }
 
-/// No two places of the path meet, and a drum stands across the rope.
-fn check_apart<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
+/// Checks that no two stations of the path overlap, and that a drum's axis is across the rope.
+fn check_apart<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     if let Some((leg, [distance, radii])) = path.overlap(at) {
         let found = format!("a place {distance:.4} m from the one before it");
         let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
         return Err(FieldError::new(format!("{of}.path.{}", leg + 1), found, allowed));
     }
     if path.drum_is_along(at) {
-        let (found, allowed) = ("an axis along the rope", "a joint whose axis stands across the rope");
+        let (found, allowed) = ("an axis along the rope", "a joint whose axis is across the rope");
         return Err(FieldError::new(format!("{of}.path.0.drum.joint"), found, allowed));
     }
     Ok(())
 }
 
-fn check_length<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
+fn check_length<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     let length = path.extent(at).length;
     if length.all(|length| length >= LEAST_LENGTH_M) {
         return Ok(());
@@ -100,8 +100,8 @@ fn check_length<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -
     Err(FieldError::new(format!("{of}.path"), format!("a path of {length:.4} m"), allowed))
 }
 
-/// The rope lies against every sheave, on the side that the axis says.
-fn check_sides<S: Quantity>(path: &mut Path<S>, of: &str) -> Result<(), FieldError> {
+/// Checks that the rope touches every sheave, on the side given by its axis.
+fn check_sides<S: Quantity>(path: &mut RopePath<S>, of: &str) -> Result<(), FieldError> {
     for (i, wrap) in path.wraps() {
         let degrees = wrap * S::constant(180.0 / core::f64::consts::PI);
         if !degrees.all(|degrees| (-ROUNDING_DEG..=LARGEST_WRAP_DEG).contains(&degrees)) {
@@ -114,7 +114,7 @@ fn check_sides<S: Quantity>(path: &mut Path<S>, of: &str) -> Result<(), FieldErr
     Ok(())
 }
 
-/// Where a run begins, ropes carry what they can.
+/// Checks that at the start no rope carries more than its breaking load.
 pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -123,21 +123,20 @@ pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
         let Some(load) = rope.breaking_load else { continue };
         let tension = at_rest(world, model, &links, (q, v), |at| rope.clone().tension_here(at));
         if tension > load {
-            let (name, allowed) =
-                (&rope.name, format!("more than {tension:.0} N, which it carries where the run begins"));
+            let (name, allowed) = (&rope.name, format!("more than {tension:.0} N, which it carries at the start"));
             return Err(FieldError::new(format!("forces.{name}.rope.breaking_load_N"), load, allowed));
         }
     }
     Ok(())
 }
 
-/// What an element without entries of its own sees of a model at rest.
+/// The context of an element without entries of its own, for a model at rest.
 pub(super) fn at_rest<S: Quantity, R>(
     world: &World<S>,
     model: &Model<S>,
     links: &LinkKinematics<S>,
     (q, v): (&[S], &[S]),
-    see: impl FnOnce(&Moment<'_, S>) -> R,
+    see: impl FnOnce(&Context<'_, S>) -> R,
 ) -> R {
-    see(&Moment::at_rest(world, model, links, (q, v)))
+    see(&Context::at_rest(world, model, links, (q, v)))
 }

@@ -1,8 +1,8 @@
 //! The energy of a scenario's sea over frequency and direction, whatever a seed draws of it.
 
 use super::FieldError;
-use super::waves::{Place, of_spectrum, record, regular};
-use super::world::{gravity, water_of};
+use super::still_water::{gravity, water_of};
+use super::waves::{SystemField, of_spectrum, record, regular};
 use crate::scenario::ScenarioError;
 use crate::scenario::schema::{Name, Scenario, Waves};
 use crate::sea::waves::{Water, WaveComponent};
@@ -60,7 +60,7 @@ impl Scenario {
         frequencies_rad_s: &[f64],
         directions: usize,
     ) -> Result<SeaSpectrum, FieldError> {
-        let at = Place::of(waves);
+        let at = SystemField::of(waves);
         let lines = |components: Vec<WaveComponent>| SeaSpectrum {
             name: String::new(),
             directions_rad: Vec::new(),

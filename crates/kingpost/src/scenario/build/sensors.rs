@@ -1,4 +1,4 @@
-//! Sensors, and wires from what they say.
+//! Sensors, and the wires from their outputs.
 
 use super::super::schema::{self, Drive, Scenario, Sensor};
 use super::damping::{from_centre, rigid};
@@ -10,10 +10,10 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
 use crate::spatial::Vector3;
 
-/// Most samples that a sensor may be late by: each is a number that a snapshot carries.
+/// Largest delay of a sensor, in samples: each is a number in a snapshot.
 const MOST_DELAY: usize = 1000;
 
-/// The sensors that are on, on bodies that are there.
+/// The sensors that are enabled, on bodies that exist.
 pub fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut sensors: Vec<AnyElement<S>> = Vec::new();
     for (name, sensor) in &scenario.sensors {
@@ -47,7 +47,7 @@ fn motion_reference_unit<S: Quantity>(
     })))
 }
 
-/// The input that a servo adds to its target; it has it where a wire leads there.
+/// The input that a servo adds to its target; it exists if a wire leads to it.
 pub fn offset_of(drive: &str) -> String {
     format!("{drive}.target_offset")
 }
@@ -57,7 +57,7 @@ pub fn leads_to<S>(scenario: &Scenario<S>, input: &str) -> bool {
     scenario.wires.values().any(|wire| wire.enabled && *wire.to == *input)
 }
 
-/// The wires that are on, as an input and the signal that it takes.
+/// The wires that are enabled, as an input and the signal that it takes.
 pub fn wires<S: Quantity>(
     scenario: &Scenario<S>,
     elements: &[AnyElement<S>],
@@ -90,10 +90,10 @@ pub fn wires<S: Quantity>(
 }
 
 fn allowed(names: &[&str], found: &str, none: &str) -> String {
-    if names.is_empty() { format!("none: the scenario has not {none}") } else { one_of_with_hint(names, found) }
+    if names.is_empty() { format!("none: the scenario does not have {none}") } else { one_of_with_hint(names, found) }
 }
 
-/// The offset that a servo that acts may take.
+/// The offset input of a servo that is enabled.
 fn offset<S>(name: &str, drive: &Drive<S>) -> Option<String> {
     let acts = match drive {
         Drive::Servo(servo) => servo.enabled,

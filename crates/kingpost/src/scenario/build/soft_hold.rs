@@ -1,4 +1,4 @@
-//! A soft hold: what it holds, where, and how stiff that makes it.
+//! A soft hold: its body, its position and its stiffness.
 
 use super::super::schema::{self, Joint, Scenario, StationTarget};
 use super::FieldError;
@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 
-/// A soft hold, where it is on and its body there; `q` and `v` are those that the scenario gives.
+/// A soft hold, if it is enabled and its body exists; `q` and `v` are the scenario's initial state.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -43,14 +43,14 @@ pub fn build<S: Quantity>(
     })))
 }
 
-/// It holds a body that moves by what acts on it, at a place that is a number.
+/// Checks that it holds a body that moves under forces, at a finite position.
 fn check<S: Quantity>(scenario: &Scenario<S>, given: &schema::SoftHold<S>, field: &str) -> Result<(), FieldError> {
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let joint = &scenario.bodies[&given.body].joint;
     if !matches!(joint, Joint::Floating(_)) {
         let found = format!("{}, whose joint is {}", given.body, joint.kind());
         let allowed =
-            "a body whose joint is floating: no force moves what is prescribed, and joints hold what they join";
+            "a body with a floating joint: no force moves a prescribed body, and other joints already hold theirs";
         return Err(FieldError::new(format!("{field}.body"), found, allowed));
     }
     let Some(target) = given.target else { return Ok(()) };
@@ -61,7 +61,7 @@ fn check<S: Quantity>(scenario: &Scenario<S>, given: &schema::SoftHold<S>, field
     }
 }
 
-/// A ship with all that it carries, where the scenario puts it.
+/// A ship with all that it carries, in its initial position.
 struct Ship<'a, S: Quantity> {
     scenario: &'a Scenario<S>,
     model: &'a Model<S>,
@@ -92,8 +92,8 @@ impl<'a, S: Quantity> Ship<'a, S> {
         forward[1].atan2(forward[0])
     }
 
-    /// Where a point of the body (from its centre of mass, body axes) is held, and the cosine and sine of the heading that is:
-    /// the centre where it is, or where it comes with the drawing frame on its target.
+    /// The position at which the centre of mass is held, and the cosine and sine of the held heading: the initial ones,
+    /// or those with the drawing frame on its target.
     fn held(&self, target: Option<StationTarget<S>>, point: Vector3<S>) -> ([S; 2], [S; 2]) {
         let Some(StationTarget { x_m, y_m, heading_rad }) = target else {
             let (sin, cos) = self.heading().sin_cos();
@@ -105,12 +105,12 @@ impl<'a, S: Quantity> Ship<'a, S> {
         ([x_m + cos * x - sin * y, y_m + sin * x + cos * y], [cos, sin])
     }
 
-    /// Mass along and across the heading and moment of inertia about the vertical through the centre, with the water's of
-    /// slow motions.
+    /// Mass along and across the heading and moment of inertia about the vertical through the centre, with the added
+    /// mass of slow motions.
     fn masses(&self) -> [S; 3] {
         let rotation = rotation_from_roll_pitch_yaw(Vector3::new(S::ZERO, S::ZERO, self.heading()));
         let to_level = Frame { rotation, position: self.centre }.inverse();
-        // Of the water the model has the added mass at infinite frequency.
+        // The model already contains the added mass at infinite frequency.
         let in_model = self.carried.iter().map(|&body| {
             let frame = self.links.body_frame(self.model, body);
             self.model.tree.nodes[body].inertia.to_parent(&to_level.times(&frame))

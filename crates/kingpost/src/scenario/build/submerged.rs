@@ -2,8 +2,8 @@
 
 use super::super::schema::{self, PrincipalAxis, Scenario, SubmergedShape};
 use super::damping::{from_centre, rigid};
-use super::{FieldError, flow, world as worlds};
-use crate::elements::submerged::{AddedMassOf, Drag, EntrainedWater, Growth, Waters, WindOnDry};
+use super::{FieldError, flow, still_water};
+use crate::elements::submerged::{AddedMassGrowth, AddedMassOf, Drag, EntrainedWater, Waters, WindOnDry};
 use crate::elements::{AnyElement, Submerged, hull::HullFrame};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
@@ -11,12 +11,12 @@ use crate::sea::hull::Solid;
 use crate::spatial::Vector3;
 use crate::world::{CurrentProfile, World};
 
-/// The largest share of open area that the reduction of added mass was fitted to.
+/// The largest share of open area for which the reduction of added mass was fitted.
 const LARGEST_PERFORATION: f64 = 0.5;
-/// A volume that is the solid's, but for rounding.
+/// Relative rounding within which a volume equals the solid's.
 const ROUNDING: f64 = 1e-9;
 
-/// One object, where it is on and its body there.
+/// One object, if it is enabled and its body exists.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -84,7 +84,7 @@ fn displaced<S: Quantity>(field: &str, given: &schema::Submerged<S>, solid: &Sol
     Ok(share)
 }
 
-/// The space inside, which fits into the solid beside what is displaced.
+/// The inner space; with the displaced volume it must fit into the solid.
 fn entrained<S: Quantity>(
     field: &str,
     given: &schema::Submerged<S>,
@@ -123,8 +123,8 @@ fn added_mass<S: Quantity>(
         let allowed = format!("a number from 0 to {LARGEST_PERFORATION}");
         return Err(FieldError::new(format!("{field}.perforation"), perforation, allowed));
     }
-    let growth = given.growth.as_ref().map_or(Ok(Growth::in_proportion()), |growth| {
-        Growth::new(&growth.shares, &growth.factors).map_err(|error| {
+    let growth = given.growth.as_ref().map_or(Ok(AddedMassGrowth::in_proportion()), |growth| {
+        AddedMassGrowth::new(&growth.shares, &growth.factors).map_err(|error| {
             let field = format!("{field}.growth.{}", error.column);
             FieldError::new(error.row.map_or(field.clone(), |row| format!("{field}.{row}")), error.found, error.allowed)
         })
@@ -138,8 +138,8 @@ fn added_mass<S: Quantity>(
     })
 }
 
-/// What open area of p percent leaves of the added mass: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34, exp((10 - p) / 28)
-/// from there to 50 (DNV-RP-N103, sec. 4.6, on the effect of perforation).
+/// Factor on the added mass for an open area of p percent: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34, exp((10 -
+/// p) / 28) from there to 50 (DNV-RP-N103, sec. 4.6, on the effect of perforation).
 fn left_by_perforation<S: Quantity>(perforation: S) -> S {
     let percent = perforation * S::constant(100.0);
     let wave = || {
@@ -156,15 +156,15 @@ fn check_wind<S: Quantity>(
     given: &schema::SubmergedWind<S>,
 ) -> Result<(), FieldError> {
     let Some(wind) = &scenario.wind else {
-        return Err(FieldError::new(field, "the drag of a wind, and no wind", "a wind, at the top of the scenario"));
+        return Err(FieldError::new(field, "wind drag, but no wind", "a wind, at the top of the scenario"));
     };
     flow::check_height(wind, given.height_m.get(), field)
 }
 
-/// Water needs weight, and a current over infinite depth no power of it.
+/// Checks that there is gravity, and that a power-law current has a finite depth.
 fn check_world<S: Quantity>(scenario: &Scenario<S>, field: &str, world: &World<S>) -> Result<(), FieldError> {
-    if worlds::gravity(scenario).is_err() {
-        return Err(FieldError::new(field, "buoyancy, and no gravity", "gravity that is enabled"));
+    if still_water::gravity(scenario).is_err() {
+        return Err(FieldError::new(field, "buoyancy, but no gravity", "gravity that is enabled"));
     }
     if matches!(world.current.profile, CurrentProfile::PowerLaw(_)) && world.depth.is_none() {
         let found = "power_law, over infinite depth";

@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::damping::{from_centre, rigid};
-use super::{FieldError, world};
+use super::{FieldError, still_water};
 use crate::elements::hull::HullFrame;
 use crate::elements::{AnyElement, SlackTank};
 use crate::model::Model;
@@ -10,7 +10,7 @@ use crate::scenario::leaf::Quantity;
 use crate::sea::hull::BoxTank;
 use crate::spatial::Vector3;
 
-/// A slack tank, where it is on and its body there.
+/// A slack tank, if it is enabled and its body exists.
 pub fn slack<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -21,8 +21,8 @@ pub fn slack<S: Quantity>(
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     check_body(scenario, model, body, &format!("{field}.body"))?;
-    if world::gravity(scenario).is_err() {
-        return Err(FieldError::new(field, "a free surface, and no gravity", "gravity that is enabled"));
+    if still_water::gravity(scenario).is_err() {
+        return Err(FieldError::new(field, "a free surface, but no gravity", "gravity that is enabled"));
     }
     Ok(Some(Box::new(SlackTank {
         name: name.to_owned(),
@@ -35,7 +35,7 @@ pub fn slack<S: Quantity>(
     })))
 }
 
-/// A body with tanks moves, and is no lighter than what is in them.
+/// Checks that a body with tanks can move and is at least as heavy as their liquid.
 fn check_body<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -60,7 +60,7 @@ fn check_body<S: Quantity>(
     Err(FieldError::new(field, found, "a body whose mass is at least that of the liquid, which is part of it"))
 }
 
-/// Of a tank's liquid, kg/m^3.
+/// Density of a tank's liquid, kg/m^3.
 fn density<S: Quantity>(scenario: &Scenario<S>, tank: &schema::SlackTank<S>) -> S {
     let of_sea = || scenario.sea.clone().unwrap_or_default().density_kg_m3;
     tank.density_kg_m3.unwrap_or_else(of_sea).get()

@@ -1,4 +1,4 @@
-//! What watches the joints and closed loops of a run, its hulls beside each other, and its energy.
+//! Watchers of the joints and closed loops of a run, of the gaps between hulls, and of its energy.
 
 use crate::elements::hull::HullGap;
 use crate::elements::{AnyWatcher, Hull, JointSpring, Pendant, Rod, of_kind};
@@ -6,7 +6,7 @@ use crate::ledger::EnergyBalance;
 use crate::model::{Attachment, Constraint, Loop, Mode, Model};
 use crate::simulation::Setup;
 
-/// Of joints and loops that stand for ropes, of every two hulls, and of the energy of all.
+/// Watchers of joints and loops that stand for ropes, of every pair of hulls, and of the energy.
 pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     let Setup { model, world, elements, .. } = setup;
     let springs: Vec<usize> = of_kind(elements).map(|spring: &JointSpring| spring.coordinate).collect();
@@ -22,7 +22,7 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     pendants.chain(rods).chain(gaps(model, &hulls)).chain([energy]).collect()
 }
 
-/// Each hull has its own hydrodynamics: none feels another.
+/// Each hull has its own hydrodynamics, without interaction.
 fn gaps<'a>(model: &'a Model, hulls: &'a [&'a Hull]) -> impl Iterator<Item = AnyWatcher> + 'a {
     let of = |hull: &Hull| (model.bodies[hull.frame.body].name.as_str(), hull.plan);
     let pairs =
@@ -31,8 +31,7 @@ fn gaps<'a>(model: &'a Model, hulls: &'a [&'a Hull]) -> impl Iterator<Item = Any
     pairs.map(move |pair| -> AnyWatcher { Box::new(HullGap::new(pair.map(|hull| of(hull)))) })
 }
 
-/// Whether a body that carries no other swings to all sides about a point of its parent off its centre, and no spring
-/// keeps it.
+/// Whether a body without children swings freely about a point of its parent away from its centre, without a spring.
 fn hangs(model: &Model, springs: &[usize], body: usize) -> bool {
     let node = &model.tree.nodes[body];
     let own = node.velocities..node.velocities + node.kind.velocity_count();

@@ -2,10 +2,10 @@
 
 use super::super::schema::{self, Force as ForceSchema, Hydrostatics as HydrostaticsSchema, Scenario};
 use super::damping::from_centre;
-use super::{FieldError, known, world};
+use super::{FieldError, known, still_water};
 use crate::elements::hull::{
-    AddedMass, Carried, CoefficientFrame, Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits,
-    MeanAttitude, MeshInWaves, Parts, Plan, QuadraticTerms, Radiation, added_inertia,
+    AddedMass, Carried, CoefficientFrame, FloatingMesh, HullFrame, Hydrostatics, LinearLimits, MeanAttitude,
+    MeshInWaves, Plan, QuadraticTerms, Radiation, WaveExcitation, WaveForces, added_inertia,
 };
 use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
@@ -17,7 +17,7 @@ use crate::sea::waves::WaveField;
 use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 use crate::world::World;
 
-/// The model with the water's inertia, and the water's loads.
+/// The model with the added mass of the water, and the loads of the water.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     mut model: Model<S>,
@@ -29,7 +29,7 @@ pub fn build<S: Quantity>(
         let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
         let body = floating_body(scenario, &model, &field("body"), &given.body)?;
         let Some(database) = scenario.files.database(&given.database) else { continue };
-        world::gravity(scenario)?;
+        still_water::gravity(scenario)?;
         check_water(&field("database"), database, world)?;
         let origin = from_centre(scenario, &given.body, Vector3(given.origin_m));
         let coefficients = CoefficientFrame { body, in_body: Frame::translation(origin).times(&attitude(database)) };
@@ -66,14 +66,14 @@ pub fn build<S: Quantity>(
     Ok((model, hulls))
 }
 
-/// The axes of a database's coefficients in those of the upright hull.
+/// The axes of a database's coefficients, relative to the upright hull's.
 fn attitude<S: Scalar>(database: &Database) -> Frame<S> {
     let Some(Attitude { roll_rad, pitch_rad, height_m }) = database.hull.attitude else { return Frame::identity() };
     let rotation = rotation_from_roll_pitch_yaw(Vector3([roll_rad, pitch_rad, 0.0].map(S::constant)));
     Frame { rotation, position: Vector3([0.0, 0.0, height_m].map(S::constant)) }.inverse()
 }
 
-/// All that a hull carries, each with its share of the mass of all.
+/// All bodies that a hull carries, each with its share of the total mass.
 fn carried<S: Scalar>(model: &Model<S>, hull: usize) -> Carried<S> {
     let bodies = model.carried(hull);
     let mass = bodies.iter().fold(S::ZERO, |sum, &body| sum + model.bodies[body].mass);
@@ -93,7 +93,7 @@ fn has_current_table<S>(scenario: &Scenario<S>, given: &schema::Hydrodynamics<S>
     })
 }
 
-/// A hull floats: its body's joint leaves it to the water.
+/// Checks that the body of a hull has a floating joint.
 fn floating_body<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -105,7 +105,7 @@ fn floating_body<S: Quantity>(
     body.ok_or_else(|| FieldError::new(field, name, "a body that is enabled and has a floating joint"))
 }
 
-/// What the memory of the water adds to a body's inertia in slow motions, in body axes about the centre of mass.
+/// The contribution of the water's memory to a body's inertia in slow motions, in body axes about the centre of mass.
 pub(super) fn memory_of_slow_motions<S: Quantity>(scenario: &Scenario<S>, body: &str) -> SpatialInertia<S> {
     let hulls = scenario.forces.values().filter_map(hydrodynamics_of);
     let remembers = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
@@ -137,7 +137,7 @@ fn hydrostatics<S: Quantity>(
         }
         HydrostaticsSchema::Mesh => {
             let Some(mesh) = &database.hull.mesh else {
-                return Err(FieldError::new(field, "mesh, with a database that holds none", "linear, or none"));
+                return Err(FieldError::new(field, "mesh, with a database without a mesh", "linear, or none"));
             };
             let mesh = HullMesh::new(mesh.vertices_m.clone(), mesh.triangles.clone());
             let mesh = mesh.map_err(|error| FieldError::new(field, error, "a closed mesh whose normals point out"))?;
@@ -146,8 +146,8 @@ fn hydrostatics<S: Quantity>(
     }
 }
 
-/// What linear hydrodynamics hold for: the attitude of its coefficients, and where it floats by them, small motions; and the
-/// heading of a hull in waves.
+/// The watchers of linear hydrodynamics: the attitude of the coefficients, small motions, and the heading of a hull in
+/// waves.
 fn watchers<S>(
     given: &schema::Hydrodynamics<S>,
     database: &Database,
@@ -169,7 +169,7 @@ fn watchers<S>(
     watchers
 }
 
-/// The mesh in the waves that excite the hull.
+/// The mesh for the pressure of the waves on the hull.
 fn wave_pressure<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &str,
@@ -182,7 +182,7 @@ fn wave_pressure<S: Quantity>(
             Ok(Some(Box::new(MeshInWaves::new((**floating).clone(), waves))))
         }
         (Hydrostatics::Mesh(_), None) => Ok(None),
-        _ => Err(FieldError::new(field, "true, with hydrostatics that are not of the mesh", "hydrostatics: mesh")),
+        _ => Err(FieldError::new(field, "true, without hydrostatics: mesh", "hydrostatics: mesh")),
     }
 }
 
@@ -194,11 +194,11 @@ fn radiation<S>(
     match &database.radiation {
         _ if !given.radiation => Ok(None),
         Some(fitted) => Ok(Some(Radiation::new(fitted))),
-        None => Err(FieldError::new(field, "true, with a database that holds no model of radiation", "false")),
+        None => Err(FieldError::new(field, "true, with a database without a radiation model", "false")),
     }
 }
 
-/// An error unless the database is of the world's water.
+/// An error unless the database was computed for the world's water.
 fn check_water<S: Quantity>(field: &str, database: &Database, world: &World<S>) -> Result<(), FieldError> {
     let (water, infinite) = (&database.water, f64::INFINITY);
     same(field, "density of", water.density_kg_m3, "kg/m^3", world.water_density)?;
@@ -206,15 +206,15 @@ fn check_water<S: Quantity>(field: &str, database: &Database, world: &World<S>) 
     same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", world.depth.unwrap_or(S::constant(infinite)))
 }
 
-/// What the world's waves do to a hull.
+/// The forces of the world's waves on a hull.
 fn excitation<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &impl Fn(&str) -> String,
     database: &Database,
     world: &World<S>,
-) -> Result<Option<Excitation<S>>, FieldError> {
+) -> Result<Option<WaveExcitation<S>>, FieldError> {
     if given.wave_drift && database.mean_drift.is_none() {
-        let found = "true, with a database that holds no mean drift";
+        let found = "true, with a database without mean drift";
         return Err(FieldError::new(
             field("wave_drift"),
             found,
@@ -222,7 +222,7 @@ fn excitation<S: Quantity>(
         ));
     }
     if given.wave_pressure && !database.has_froude_krylov() {
-        let found = "true, with a database whose excitation is not told apart into Froude-Krylov force and diffraction";
+        let found = "true, with a database that does not separate Froude-Krylov force and diffraction";
         return Err(FieldError::new(field("wave_pressure"), found, "false"));
     }
     if given.wave_pressure && given.wave_drift {
@@ -238,16 +238,19 @@ fn excitation<S: Quantity>(
     }
     let Some(waves) = world.waves.as_ref().filter(|_| given.excitation) else { return Ok(None) };
     check_coverage(&field("database"), database.band_rad_s(), world)?;
-    let parts =
-        Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift, drift_damping: given.wave_drift_damping };
-    Ok(Some(Excitation::new(database, waves, parts)))
+    let parts = WaveForces {
+        froude_krylov: !given.wave_pressure,
+        drift: given.wave_drift,
+        drift_damping: given.wave_drift_damping,
+    };
+    Ok(Some(WaveExcitation::new(database, waves, parts)))
 }
 
 /// By how much a database's water may differ from the sea's, relative.
 const SAME_WATER: f64 = 1e-4;
 
 fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) -> Result<(), FieldError> {
-    // Infinite depth is near to no other.
+    // Infinite depth equals only infinite depth.
     let near = |sea: f64| found.is_finite() && sea.is_finite() && (found - sea).abs() <= SAME_WATER * sea.abs();
     if sea.all(|sea| found == sea || near(sea)) {
         return Ok(());
@@ -258,7 +261,8 @@ fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) ->
 /// Share of the waves' energy that may lie outside the frequencies of a table.
 const MOST_UNCOVERED: f64 = 0.01;
 
-/// An error where a table of a hull's response, from `band_rad_s[0]` to `band_rad_s[1]`, leaves out what the waves hold.
+/// An error if a hull's response table, from `band_rad_s[0]` to `band_rad_s[1]`, does not cover the energy of the
+/// waves.
 pub(super) fn check_coverage<S: Quantity>(
     field: &str,
     [lowest, highest]: [f64; 2],

@@ -2,19 +2,19 @@
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;
+use super::still_water;
 use super::water::check_coverage;
-use super::world;
 use crate::elements::drives::WaveMotion;
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
-use crate::sea::raos::{RaoTable, Response};
+use crate::sea::raos::{MotionResponse, RaoTable};
 use crate::sea::waves::{WaveComponent, WaveField};
 use crate::world::World;
 
 /// Mode of each coordinate of the joint: x, y, z, yaw, pitch, roll.
 const MODE_OF: [usize; 6] = [0, 1, 2, 5, 4, 3];
 
-/// The motions of the bodies that move so and are there.
+/// The motions of the bodies that exist and move by RAOs.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -28,7 +28,7 @@ pub fn build<S: Quantity>(
         let table = table.whole_circle(given.symmetric).map_err(|error| {
             FieldError::new(format!("{field}.raos"), format!("{}: {}", error.field, error.found), error.allowed)
         })?;
-        world::gravity(scenario)?;
+        still_water::gravity(scenario)?;
         check_coverage(&format!("{field}.raos"), table.band_rad_s(), world)?;
         let waves = world.waves.iter().flat_map(WaveField::components);
         let node = &model.tree.nodes[index];
@@ -41,8 +41,8 @@ pub fn build<S: Quantity>(
     Ok(motions)
 }
 
-/// X a of each coordinate in a wave, at the origin of the vessel's axes: what moves at the RAOs' own origin r is carried over
-/// as a rigid body, `X(0) = X(r) - theta x r`; the wave's phase is that at the origin of the phases.
+/// X a of each coordinate in a wave, at the origin of the vessel's axes: the motion at the RAOs' own origin r is
+/// transferred as that of a rigid body, `X(0) = X(r) - theta x r`; the wave's phase is that at the phase origin.
 fn response<S: Quantity>(
     table: &RaoTable,
     given: &schema::MovedByWaves<S>,
@@ -64,7 +64,7 @@ fn response<S: Quantity>(
     (angular_frequency_rad_s, MODE_OF.map(|mode| of_wave(carried[mode])))
 }
 
-fn carried_to_axes<S: Quantity>(at: &Response<S>, origin_m: [f64; 3]) -> Response<S> {
+fn carried_to_axes<S: Quantity>(at: &MotionResponse<S>, origin_m: [f64; 3]) -> MotionResponse<S> {
     let ([x, y, z], [roll, pitch, yaw]) = (origin_m.map(S::constant), [at[3], at[4], at[5]]);
     let minus = |k: usize, turn: &dyn Fn(usize) -> S| [0, 1].map(|part| at[k][part] - turn(part));
     [

@@ -2,24 +2,25 @@
 
 use super::super::schema::{self, Positive, Scenario, WaveAmplitudes, WaveRealisation, Waves};
 use super::FieldError;
-use super::world::{gravity, water_of};
+use super::still_water::{gravity, water_of};
 use crate::scenario::leaf::Quantity;
 use crate::sea::waves::{
     Amplitudes, Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading,
     Torsethaugen, Water, WaveComponent, WaveError, WaveSystem, unbroken,
 };
 
-/// A wave of the sea: its amplitude may carry derivatives, or be another in each lane; what else it is decides the structure.
+/// A wave of the sea: its amplitude may carry derivatives or differ between lanes; its other properties are part of the
+/// structure.
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S> {
-    /// The wave, with the amplitude that all lanes share or that of the first.
+    /// The wave, with the amplitude shared by all lanes or that of the first lane.
     pub of: WaveComponent,
     /// Amplitude, m.
     pub amplitude_m: S,
 }
 
 impl<S: Quantity> Wave<S> {
-    /// The wave in the engine's terms.
+    /// The wave as a type of the engine.
     pub fn component(&self) -> WaveComponent<S> {
         WaveComponent { amplitude_m: self.amplitude_m, ..self.of.constant() }
     }
@@ -30,7 +31,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, water: &Water) -> Result<Vec<W
     let (mut components, seed) = (Vec::new(), scenario.simulation.seed);
     let systems = scenario.sea.iter().flat_map(|sea| &sea.waves);
     for (number, (name, waves)) in (0..).zip(systems) {
-        let at = Place { path: format!("sea.waves.{name}.{}", waves.kind()) };
+        let at = SystemField { path: format!("sea.waves.{name}.{}", waves.kind()) };
         let found = match waves {
             _ if !waves.enabled() => continue,
             Waves::Regular(wave) => regular(wave, water).map_err(|error| at.error(error))?,
@@ -47,18 +48,18 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, water: &Water) -> Result<Vec<W
     Ok(components)
 }
 
-/// Waves of plain amplitudes, in proportion to a number that is 1 and carries the derivatives.
+/// Waves with plain amplitudes times a number that is 1 and carries the derivatives.
 fn constant<S: Quantity>(waves: Vec<WaveComponent>, scale: S) -> Vec<Wave<S>> {
     let wave = |of: WaveComponent| Wave { of, amplitude_m: S::constant(of.amplitude_m) * scale };
     waves.into_iter().map(wave).collect()
 }
 
-/// Where a wave system stands.
-pub(super) struct Place {
+/// The path of a wave system.
+pub(super) struct SystemField {
     path: String,
 }
 
-impl Place {
+impl SystemField {
     /// Of waves without a name.
     pub(super) fn of(waves: &Waves) -> Self {
         Self { path: format!("sea.waves.{}", waves.kind()) }
@@ -72,7 +73,7 @@ impl Place {
         FieldError::new(self.field(&error.field), error.found, error.allowed)
     }
 
-    /// The same of a spectrum's waves, some of whose fields are those of the realisation.
+    /// The same for the waves of a spectrum, where some fields belong to the realisation.
     pub(super) fn of_realisation(&self, error: WaveError) -> FieldError {
         let of_realisation = OF_REALISATION.iter().any(|part| error.field.starts_with(part));
         let field = if of_realisation { format!("realisation.{}", error.field) } else { error.field };
@@ -80,18 +81,18 @@ impl Place {
     }
 }
 
-/// Fields of the realisation, among those of a spectrum's waves.
+/// The fields that belong to the realisation.
 const OF_REALISATION: [&str; 4] = ["components", "spreading_exponent", "lowest_rad_s", "highest_rad_s"];
 
-/// What a scenario cuts off its spectra: by the name of the waves, the significant height of the whole spectrum, m, and
-/// the share of its energy that is cut off.
+/// The parts of spectra that a scenario cuts off: by the name of the waves, the significant height of the whole
+/// spectrum, m, and the share of its energy that is cut off.
 pub fn cut_off(scenario: &Scenario) -> Vec<(String, f64, f64)> {
     let Some(sea) = &scenario.sea else { return Vec::new() };
     let water = gravity(scenario).and_then(|gravity| water_of(sea, sea.density_kg_m3.get(), &gravity));
     let Ok(water) = water else { return Vec::new() };
     let systems = sea.waves.iter().filter(|(_, waves)| waves.enabled());
     let cut = systems.filter_map(|(name, waves)| {
-        let (system, _) = of_spectrum(waves, &water, &Place { path: String::new() }).ok()??;
+        let (system, _) = of_spectrum(waves, &water, &SystemField { path: String::new() }).ok()??;
         system.band?;
         Some((name.to_string(), system.spectrum.significant_height_m(), system.energy_cut_off()))
     });
@@ -105,7 +106,7 @@ pub(super) fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water)
     if let Some(height) = height_m.outside(|height| unbroken("height_m", height, period_s.get(), water).is_ok()) {
         unbroken("height_m", height, period_s.get(), water)?;
     }
-    // Each lane's height is one that a wave may have, and all waves are alike but for it.
+    // Each lane's height must be valid for a wave; apart from it the waves are equal.
     match height_m.outside(|height| of(height).is_ok()) {
         Some(height) => of(height).map(|_| Vec::new()),
         None => Ok(vec![Wave { of: of(1.0)?, amplitude_m: S::constant(0.5) * height_m }]),
@@ -123,13 +124,13 @@ pub(super) fn record<S: Quantity>(
     table.components(given.position_m, given.direction_rad, band, water)
 }
 
-/// The random sea of a spectrum, and the factor 1 that carries the derivatives of its amplitudes; waves of another kind are
-/// none. The amplitudes of a spectrum of one peak are in proportion to the significant height. Those of two peaks are not:
-/// their frequencies move with the heights.
+/// The random sea of a spectrum, and the factor 1 that carries the derivatives of its amplitudes; `None` for other
+/// kinds of waves. The amplitudes of a spectrum with one peak are proportional to the significant height. Those with
+/// two peaks are not: their frequencies change with the heights.
 pub(super) fn of_spectrum<S: Quantity>(
     waves: &Waves<S>,
     water: &Water,
-    at: &Place,
+    at: &SystemField,
 ) -> Result<Option<(WaveSystem, S)>, FieldError> {
     let in_place = |error| at.of_realisation(error);
     let unbroken = |part: &str, height: f64, period: &Positive| {
@@ -190,7 +191,7 @@ fn drawn(spectrum: Spectrum, direction_rad: f64, given: &WaveRealisation) -> Res
     Ok(WaveSystem { spectrum, spreading, direction_rad, components: given.components, amplitudes, band })
 }
 
-/// How amplitudes are drawn.
+/// The way in which amplitudes are drawn.
 pub(super) fn amplitudes(given: WaveAmplitudes) -> Amplitudes {
     match given {
         WaveAmplitudes::Deterministic => Amplitudes::Deterministic,
@@ -198,7 +199,7 @@ pub(super) fn amplitudes(given: WaveAmplitudes) -> Amplitudes {
     }
 }
 
-/// The frequencies that are kept, where anything is cut off.
+/// The frequencies that are kept, if anything is cut off.
 fn band(lowest: Option<Positive>, highest: Option<Positive>) -> Option<Band> {
     (lowest.is_some() || highest.is_some()).then(|| Band {
         lowest_rad_s: lowest.map_or(0.0, |lowest| lowest.get()),

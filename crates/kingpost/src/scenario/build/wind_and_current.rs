@@ -31,7 +31,7 @@ pub fn wind<S: Quantity>(scenario: &Scenario<S>) -> Result<Option<Wind<S>>, Fiel
     }))
 }
 
-/// An error unless a law of the wind at 10 m has that.
+/// An error unless the reference height is 10 m, for a law of the wind at 10 m.
 fn check_ten_metres<S: Quantity>(given: &schema::Wind<S>) -> Result<(), FieldError> {
     let height = given.reference_height_m.get();
     if given.profile != schema::WindProfile::Npd || (height - S::constant(10.0)).vanishes() {
@@ -40,7 +40,7 @@ fn check_ten_metres<S: Quantity>(given: &schema::Wind<S>) -> Result<(), FieldErr
     Err(FieldError::new("wind.reference_height_m", height, "10, to which the profile npd refers"))
 }
 
-/// What reads the wind, where there is one: on every body afloat, on the world where none is.
+/// The anemometers, if there is wind: one on every floating body, or one in the world if there is none.
 pub fn anemometers<S: Quantity>(world: &World<S>, model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<AnyElement<S>> {
     let Some(wind) = &world.wind else { return Vec::new() };
     let mut bodies: Vec<Option<usize>> = Vec::new();

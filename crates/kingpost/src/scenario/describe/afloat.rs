@@ -14,15 +14,15 @@ use serde::Serialize;
 pub struct SeaDescription {
     /// Density of the water, kg/m^3.
     pub density_kg_m3: f64,
-    /// Depth of the still water, m; absent where it is infinite.
+    /// Depth of the still water, m; absent if it is infinite.
     pub depth_m: Option<f64>,
-    /// Number of regular waves that the hulls feel; 0 for water that is level.
+    /// Number of regular waves in the sea; 0 for calm water.
     pub wave_components: usize,
-    /// Wave systems of whose spectra something is cut off.
+    /// Wave systems whose spectra are cut off.
     pub cut_spectra: Vec<CutSpectrum>,
 }
 
-/// A spectrum of which not all is in the sea.
+/// A spectrum that is only partly in the sea.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutSpectrum {
@@ -42,7 +42,7 @@ pub struct HullDescription {
     pub name: String,
     /// Its body.
     pub body: String,
-    /// The hull's origin, on the water plane of its data, from the body's centre of mass, body axes, m.
+    /// The hull's origin, on the waterplane of its data, from the body's centre of mass, body axes, m.
     pub origin_m: [f64; 3],
     /// Draught of its data, m.
     pub draught_m: f64,
@@ -50,9 +50,9 @@ pub struct HullDescription {
     pub length_m: f64,
     /// Beam of its water line, m.
     pub beam_m: f64,
-    /// Whether its buoyancy is that of small motions about the draught of its data.
+    /// Whether its buoyancy is linear, for small motions about the draught of its data.
     pub is_linear: bool,
-    /// Its shape, where the data have it.
+    /// Its mesh, if the data have one.
     pub mesh: Option<MeshDescription>,
 }
 
@@ -66,7 +66,7 @@ pub struct MeshDescription {
     pub triangles: Vec<[usize; 3]>,
 }
 
-/// The sea, where the scenario has one or a hull in it.
+/// The sea, if the scenario has a sea or a hull.
 pub fn sea(scenario: &Scenario, setup: &Setup) -> Option<SeaDescription> {
     if scenario.sea.is_none() && of_kind::<f64, Hull>(&setup.elements).next().is_none() {
         return None;
@@ -103,7 +103,7 @@ fn water<'a>(scenario: &'a Scenario, force: &str) -> Option<&'a schema::Hydrodyn
     if let schema::Force::Hydrodynamics(water) = force { Some(water) } else { None }
 }
 
-/// Whether a body by this joint is a ship, or floats as one.
+/// Whether a body with this joint is a ship or floats like one.
 pub fn floats(joint: &schema::Joint) -> bool {
     matches!(joint, schema::Joint::Floating(_) | schema::Joint::MovedByWaves(_))
 }

@@ -1,4 +1,4 @@
-//! What is given of forces, drives, sensors and prescribed motions, ready to print.
+//! The given data of forces, drives, sensors and prescribed motions, ready to print.
 
 use crate::elements::significant;
 use crate::scenario::schema::{Joint, Scenario};
@@ -6,37 +6,37 @@ use crate::scenario::units::si_ending;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// One of the things that act on the model, or read it.
+/// A force, a drive or a sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ElementDescription {
     /// Name.
     pub name: String,
-    /// Where the scenario has it: `forces`, `drives` or `sensors`.
+    /// Its section in the scenario: `forces`, `drives` or `sensors`.
     pub group: &'static str,
-    /// What it is, in words.
+    /// Its kind, in words.
     pub kind: String,
-    /// Whether it is on.
+    /// Whether it is enabled.
     pub enabled: bool,
-    /// What is given of it.
+    /// Its given data.
     pub facts: Vec<Fact>,
 }
 
-/// Something that is given, ready to print.
+/// A given value, ready to print.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Fact {
-    /// What it is, in words.
+    /// Its kind, in words.
     pub label: String,
     /// Its value.
     pub value: String,
-    /// SI unit; empty where it has none.
+    /// SI unit; empty if it has none.
     pub unit: &'static str,
 }
 
 /// Digits of a number.
 const DIGITS: usize = 6;
-/// Fields of a history, of which the one counts that `history` names.
+/// Fields of a history; only the one that `history` names is used.
 const HISTORIES: [&str; 2] = ["pulse", "list"];
 
 /// The forces, the drives and the sensors, in the order of the scenario.
@@ -47,7 +47,7 @@ pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
     forces.chain(drives).chain(sensors).collect()
 }
 
-/// Of what stands under its kind, as in a scenario file.
+/// The description of an entry that stands under its kind, as in a scenario file.
 fn described(name: &str, group: &'static str, tagged: &impl Serialize) -> Option<ElementDescription> {
     let Value::Object(tagged) = serde_json::to_value(tagged).ok()? else { return None };
     let (kind, Value::Object(fields)) = tagged.into_iter().next()? else { return None };
@@ -56,7 +56,7 @@ fn described(name: &str, group: &'static str, tagged: &impl Serialize) -> Option
     Some(ElementDescription { name: name.to_owned(), group, kind: words(&kind), enabled, facts })
 }
 
-/// What is given of how a joint's coordinates are prescribed; nothing where none is.
+/// The given data of a joint's prescribed motions; empty if none is prescribed.
 pub fn prescribed(joint: &Joint) -> Vec<Fact> {
     let Ok(Value::Object(tagged)) = serde_json::to_value(joint) else { return Vec::new() };
     let Some(Value::Object(fields)) = tagged.into_iter().next().map(|(_, fields)| fields) else { return Vec::new() };
@@ -68,7 +68,7 @@ pub fn prescribed(joint: &Joint) -> Vec<Fact> {
     motion(&fields, "").into_iter().chain(of_axes.flatten()).collect()
 }
 
-/// The fields of a thing; those of a field that has some are led by its name.
+/// The fields of an entry; nested fields begin with the name of the outer one.
 fn facts(fields: &Map<String, Value>, lead: &str) -> Vec<Fact> {
     let history = fields.get("history").and_then(Value::as_str);
     let counts = |name: &str| name != "enabled" && (!HISTORIES.contains(&name) || history == Some(name));
@@ -85,7 +85,7 @@ fn facts(fields: &Map<String, Value>, lead: &str) -> Vec<Fact> {
     all
 }
 
-/// A label behind the name of what it is part of, which it does not say again.
+/// A label after the name of its outer field, which it does not repeat.
 fn led_by(lead: &str, label: &str) -> String {
     if lead == label || lead.ends_with(&format!(" {label}")) {
         return lead.to_owned();

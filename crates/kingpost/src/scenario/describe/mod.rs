@@ -1,4 +1,4 @@
-//! What a view needs to draw a scenario and to offer its parameters.
+//! The description that a view needs to draw a scenario and to offer its parameters.
 
 mod afloat;
 mod facts;
@@ -16,7 +16,7 @@ use crate::spatial::{Twist, Vector3};
 use serde::Serialize;
 use serde_json::Value;
 
-/// A scenario as a view shows it.
+/// The description of a scenario for a view.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Description {
@@ -32,7 +32,7 @@ pub struct Description {
     pub record_every_s: f64,
     /// Name of the integrator.
     pub integrator: schema::Integrator,
-    /// The parts that it is made of, those in parts too.
+    /// The parts that it includes, also those within parts.
     pub parts: Vec<PartDescription>,
     /// The bodies in the order of results.
     pub bodies: Vec<BodyDescription>,
@@ -42,23 +42,23 @@ pub struct Description {
     pub loops: Vec<LoopDescription>,
     /// The forces and the drives.
     pub elements: Vec<ElementDescription>,
-    /// Acceleration of gravity, m/s^2; 0 where it is off.
+    /// Acceleration of gravity, m/s^2; 0 if it is disabled.
     pub gravity_m_s2: f64,
-    /// The sea, where there is one.
+    /// The sea, if there is one.
     pub sea: Option<SeaDescription>,
     /// The hulls in it, in the order of results.
     pub hulls: Vec<HullDescription>,
-    /// What columns of the results are to keep.
+    /// The limits on columns of the results.
     pub limits: Vec<LimitDescription>,
-    /// The knobs with their values.
+    /// The parameters with their values.
     pub parameters: Vec<ParameterDescription>,
     /// Settings that can be set during a run, by their paths in the scenario.
     pub live_settings: Vec<&'static str>,
-    /// What a person should know of the model before it runs.
+    /// Warnings about the model before it runs.
     pub warnings: Vec<String>,
 }
 
-/// A part and where it stands.
+/// A part and where it is mounted.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PartDescription {
@@ -66,11 +66,11 @@ pub struct PartDescription {
     pub name: String,
     /// A part of the gallery, or a file.
     pub part: String,
-    /// The body that it stands on, or `world`.
+    /// The body that it is mounted on, or `world`.
     pub on: String,
-    /// In the drawing frame of that body, m.
+    /// Position in the drawing frame of that body, m.
     pub position_m: [f64; 3],
-    /// Its axes in that body's: roll, pitch, yaw, rad.
+    /// Orientation of its axes in that body's: roll, pitch, yaw, rad.
     pub orientation_rad: [f64; 3],
 }
 
@@ -82,14 +82,13 @@ pub struct BodyDescription {
     pub name: String,
     /// Parent, or `world`.
     pub parent: String,
-    /// Whether it is a ship or floats as one: nothing but its floating joint, or the motion that waves give it, joins it
-    /// to the world.
+    /// Whether it is a ship or floats like one: its joint to the world is floating or moved by waves.
     pub floats: bool,
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Inertia about its centre of mass, body axes, kg m^2, without the water's share.
+    /// Inertia about its centre of mass, body axes, kg m^2, without added mass.
     pub inertia_kg_m2: [[f64; 3]; 3],
-    /// As in the scenario; absent where only an inertia is given.
+    /// The shape in the scenario; absent if only an inertia is given.
     pub shape: Option<schema::Shape>,
     /// As `#rrggbb`.
     pub colour: Option<schema::Colour>,
@@ -107,17 +106,17 @@ pub struct JointDescription {
     pub kind: &'static str,
     /// Names of its coordinates that move freely.
     pub free_coordinates: Vec<String>,
-    /// What is given of its prescribed motion.
+    /// The given data of its prescribed motion.
     pub prescribed: Vec<Fact>,
 }
 
-/// A point on a body, or on the world.
+/// A point on a body, or in the world.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PointDescription {
-    /// The body that carries it, a segment where that is flexible; or `world`.
+    /// The body that carries it, or its segment if it is flexible, or `world`.
     pub body: String,
-    /// Seen from the body's centre of mass in body axes, or from the world's origin, m.
+    /// Position from the body's centre of mass in body axes, or from the world's origin, m.
     pub position_m: [f64; 3],
 }
 
@@ -127,15 +126,15 @@ pub struct PointDescription {
 pub struct LoopDescription {
     /// Name.
     pub name: String,
-    /// Where it is tied to the first body.
+    /// The attachment to the first body.
     pub first: PointDescription,
-    /// Where it is tied to the second.
+    /// The attachment to the second body.
     pub second: PointDescription,
-    /// What it constrains, as the scenario names it.
+    /// Its constraints, as named in the scenario.
     pub constraints: Vec<String>,
 }
 
-/// A limit that a run is held against.
+/// A limit that a run is checked against.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LimitDescription {
@@ -145,13 +144,13 @@ pub struct LimitDescription {
     pub column: String,
     /// Unit of the bounds.
     pub unit: String,
-    /// How many of the column's SI unit that is.
+    /// This unit in the column's SI unit.
     pub unit_si: f64,
     /// The smallest value that is allowed.
     pub at_least: Option<f64>,
     /// The largest value that is allowed.
     pub at_most: Option<f64>,
-    /// From when on it counts, s.
+    /// Time from which it applies, s.
     pub from_s: f64,
 }
 
@@ -159,13 +158,13 @@ pub struct LimitDescription {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ParameterDescription {
-    /// Name, as `--set` takes it.
+    /// Name, as used in `--set`.
     pub name: String,
     /// For people.
     pub label: String,
     /// Unit.
     pub unit: String,
-    /// What kind of control fits.
+    /// The kind of control for it.
     pub kind: ParameterKind,
     /// The value in this scenario.
     #[cfg_attr(feature = "schema", schemars(with = "ParameterValue"))]
@@ -174,7 +173,7 @@ pub struct ParameterDescription {
     pub range: Option<[f64; 2]>,
     /// The texts to choose from.
     pub choices: Option<Vec<String>>,
-    /// Whether it may change during a run.
+    /// Whether it can change during a run.
     pub live: bool,
 }
 
@@ -251,7 +250,7 @@ fn describe_loop(model: &Model, closed: &Loop) -> LoopDescription {
     }
 }
 
-/// Of a body, without what the water adds.
+/// The inertia of a body without added mass.
 fn dry_inertia(model: &Model, body: usize, node: &Node) -> [[f64; 3]; 3] {
     let water = || model.added_inertias.iter().filter(|(of, _)| *of == body).map(|(_, added)| added);
     let along = |column: usize| {

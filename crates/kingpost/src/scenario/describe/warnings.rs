@@ -1,4 +1,4 @@
-//! What a person should know of a model before it runs.
+//! Warnings about a model before it runs.
 
 use crate::elements::AnyElement;
 use crate::model::Model;
@@ -11,8 +11,8 @@ pub fn of(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> 
     falling(model, world, elements).into_iter().map(falls).collect()
 }
 
-/// Floating bodies that gravity pulls on and nothing ties to the world: no joint, no closed loop and no element that may
-/// hold one body up by another. Damping slows a fall but carries nothing.
+/// Floating bodies under gravity that nothing connects to the world: no joint, no closed loop and no element that can
+/// carry a body. Damping slows a fall but carries nothing.
 fn falling(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<usize> {
     if world.gravity == 0.0 {
         return Vec::new();

@@ -1,27 +1,28 @@
-//! A part's tree into that of the file that includes it.
+//! Merges a part's tree into that of the file that includes it.
 
 use indexmap::IndexMap;
 use serde_json::Value;
 
-use super::super::error::{Fault, Place};
-use super::super::tree::{Content, Field, Node};
+use super::super::error::{Fault, SourcePlace};
+use super::super::part_names::SECTIONS;
+use super::super::tree::{Content, Field, ScenarioNode};
 use super::super::wording;
-use super::names::SECTIONS;
 use super::{Mount, WORLD, take};
 
-/// A part, its names and places those of the including file.
+/// A part with names and places as in the including file.
 pub struct Part {
-    pub tree: Node,
-    /// Paths of what stands on the mounting with its place: a parameter of the place writes them. Where one of them has a
-    /// place of its own, its path.
+    pub tree: ScenarioNode,
+    /// Paths that hold the position of the mounting: a parameter of the position writes them. `Err` holds the path of
+    /// an entry with a position of its own.
     pub frames: Result<Vec<String>, String>,
 }
 
-/// Takes over the part's entries and parameters.
-pub fn into(tree: &mut Node, mut part: Part, mount: &Mount<'_>) -> Result<(), Fault> {
+/// Takes the part's entries and parameters.
+pub fn into(tree: &mut ScenarioNode, mut part: Part, mount: &Mount<'_>) -> Result<(), Fault> {
     place_of_the_part(tree, &part, mount)?;
     for section in SECTIONS {
-        let Some(Field { node: Node { content: Content::Fields(entries), .. }, .. }) = take(&mut part.tree, section)
+        let Some(Field { node: ScenarioNode { content: Content::Fields(entries), .. }, .. }) =
+            take(&mut part.tree, section)
         else {
             continue;
         };
@@ -37,27 +38,31 @@ pub fn into(tree: &mut Node, mut part: Part, mount: &Mount<'_>) -> Result<(), Fa
     parameters(tree, &mut part.tree, mount)
 }
 
-/// The entries of a section; one that is not there is made.
-fn section_of<'a>(tree: &'a mut Node, section: &str, place: &Place) -> Option<&'a mut IndexMap<String, Field>> {
+/// The entries of a section; the section is created if it does not exist.
+fn section_of<'a>(
+    tree: &'a mut ScenarioNode,
+    section: &str,
+    place: &SourcePlace,
+) -> Option<&'a mut IndexMap<String, Field>> {
     let Content::Fields(fields) = &mut tree.content else { return None };
-    let empty = || Field::new(place.clone(), Node::new(place.clone(), Content::Fields(IndexMap::new())));
+    let empty = || Field::new(place.clone(), ScenarioNode::new(place.clone(), Content::Fields(IndexMap::new())));
     match &mut fields.entry(section.to_owned()).or_insert_with(empty).node.content {
         Content::Fields(entries) => Some(entries),
         _ => None,
     }
 }
 
-/// The part's parameters after those that are there.
-fn parameters(tree: &mut Node, part: &mut Node, mount: &Mount<'_>) -> Result<(), Fault> {
-    let Some(Field { node: Node { content: Content::List(new), .. }, .. }) = take(part, "parameters") else {
+/// Adds the part's parameters after the existing ones.
+fn parameters(tree: &mut ScenarioNode, part: &mut ScenarioNode, mount: &Mount<'_>) -> Result<(), Fault> {
+    let Some(Field { node: ScenarioNode { content: Content::List(new), .. }, .. }) = take(part, "parameters") else {
         return Ok(());
     };
     let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
-    let empty = || Field::new(mount.place.clone(), Node::new(mount.place.clone(), Content::List(Vec::new())));
+    let empty = || Field::new(mount.place.clone(), ScenarioNode::new(mount.place.clone(), Content::List(Vec::new())));
     let Content::List(here) = &mut fields.entry("parameters".to_owned()).or_insert_with(empty).node.content else {
         return Ok(());
     };
-    let name = |parameter: &Node| parameter.field("name").map(|field| field.node.to_value());
+    let name = |parameter: &ScenarioNode| parameter.field("name").map(|field| field.node.to_value());
     for parameter in new {
         if let Some(Value::String(taken)) = name(&parameter)
             && here.iter().any(|other| name(other).is_some_and(|other| other == taken.as_str()))
@@ -72,8 +77,8 @@ fn parameters(tree: &mut Node, part: &mut Node, mount: &Mount<'_>) -> Result<(),
 
 /// Every path that the parameters of a tree write, with the entry's index.
 fn each_write(
-    tree: &mut Node,
-    mut change: impl FnMut(String, &mut Vec<Node>) -> Result<(), Fault>,
+    tree: &mut ScenarioNode,
+    mut change: impl FnMut(String, &mut Vec<ScenarioNode>) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
     let Some(Content::List(parameters)) = fields.get_mut("parameters").map(|field| &mut field.node.content) else {
@@ -88,15 +93,15 @@ fn each_write(
     Ok(())
 }
 
-fn text(node: &Node) -> &str {
+fn text(node: &ScenarioNode) -> &str {
     match &node.content {
         Content::Scalar(Value::String(text)) => text,
         _ => "",
     }
 }
 
-/// Lets parameters that write the part's place write where that stands in the whole.
-fn place_of_the_part(tree: &mut Node, part: &Part, mount: &Mount<'_>) -> Result<(), Fault> {
+/// Redirects parameters that write the part's position to the fields that hold it in the whole.
+fn place_of_the_part(tree: &mut ScenarioNode, part: &Part, mount: &Mount<'_>) -> Result<(), Fault> {
     let own = format!("parts.{}.", mount.name);
     each_write(tree, |field, writes| {
         let mut written = Vec::with_capacity(writes.len());
@@ -106,10 +111,10 @@ fn place_of_the_part(tree: &mut Node, part: &Part, mount: &Mount<'_>) -> Result<
                 (None, _) => written.push(node),
                 (Some(rest), Ok(frames)) => written.extend(frames.iter().map(|frame| {
                     let path = Value::from(format!("{frame}.{rest}"));
-                    Node::new(node.place.clone(), Content::Scalar(path))
+                    ScenarioNode::new(node.place.clone(), Content::Scalar(path))
                 })),
                 (Some(_), Err(with_own)) => {
-                    let found = format!("the place of a part in which {with_own} has one of its own");
+                    let found = format!("the position of a part in which {with_own} has a position of its own");
                     return Err(Fault::new(&node.place, format!("{field}.{nth}"), found, wording::PLACE_OF_A_PART));
                 }
             }
@@ -124,8 +129,8 @@ fn is_place(path: &str) -> bool {
     ["position_m", "orientation_rad", "orientation_deg"].contains(&field)
 }
 
-/// No parameter writes what is gone once parts are mounted.
-pub fn check_writes(tree: &mut Node) -> Result<(), Fault> {
+/// Checks that no parameter writes a field that disappears when parts are mounted.
+pub fn check_writes(tree: &mut ScenarioNode) -> Result<(), Fault> {
     each_write(tree, |field, writes| {
         match writes.iter().enumerate().find(|(_, node)| text(node).starts_with("parts.")) {
             Some((nth, node)) => {
@@ -137,8 +142,8 @@ pub fn check_writes(tree: &mut Node) -> Result<(), Fault> {
     })
 }
 
-/// The body that a part stands on is there.
-pub fn check_mounted_on(tree: &Node, mount: &Mount<'_>) -> Result<(), Fault> {
+/// Checks that the body that a part is mounted on exists.
+pub fn check_mounted_on(tree: &ScenarioNode, mount: &Mount<'_>) -> Result<(), Fault> {
     let on = mount.mounting.on.as_str();
     let bodies = tree.field("bodies").map(|bodies| bodies.node.names()).unwrap_or_default();
     if on == WORLD || bodies.contains(&on) {

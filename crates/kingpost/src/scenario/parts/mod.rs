@@ -1,12 +1,11 @@
 //! Parts: other files mounted into the tree of a scenario, before it is typed as a whole.
 //!
-//! A part's text becomes a tree whose places carry the part's file. Values that its mounting sets are written into it, its
-//! names get the prefix, what stands on the world in it is put on the mounting, and the result is merged into the
+//! A part's text becomes a tree whose places carry the part's file. Values that its mounting sets are written into it,
+//! its names get the prefix, entries on the world are moved to the mounting, and the result is merged into the
 //! including tree, where no `parts` remain.
 
-pub(super) mod files;
 mod merge;
-pub(super) mod names;
+mod names;
 mod overrides;
 mod stand;
 
@@ -15,32 +14,33 @@ pub use names::{FILES, REFERENCES};
 use indexmap::IndexMap;
 use serde_json::{Value, json};
 
-use super::error::{Fault, Place};
+use super::error::{Fault, SourcePlace};
 use super::files::Files;
-use super::parameters::{self, Override, Target};
+use super::parameters::{self, Override, OverrideTarget};
 use super::schema::{Mounting, Name, Scenario, WORLD};
-use super::tree::{Content, Field, Node, segments};
-use super::{parse, read, units, wording};
+use super::tree::{Content, Field, ScenarioNode, segments};
+use super::typed::{check_version, typed};
+use super::{conversion, parse, part_names, wording};
 
-/// Parts in parts, and parts in all: more is a mistake, and would take the machine.
+/// Largest nesting depth and number of parts: more would be an error and exhaust the machine.
 const MOST_LEVELS: usize = 16;
 const MOST_PARTS: usize = 256;
 
-/// What a whole is made of.
+/// The parts of a whole.
 #[derive(Default)]
 pub(super) struct Mounted {
-    /// The parts by their names in the whole, those in parts too.
+    /// The parts by their names in the whole, also those within parts.
     pub(super) parts: IndexMap<Name, Mounting>,
     /// The parts' files, as the main file would name them, each once.
     pub(super) files: Vec<String>,
-    /// Whether a part's file was not there.
+    /// Whether a part's file was missing.
     pub(super) incomplete: bool,
 }
 
-/// Mounts parts, by the texts that the host has.
+/// Mounts parts with the texts of a host.
 pub(super) struct Mounter<'a> {
     host: &'a Files,
-    /// Whether a file that is not there is left out, to learn which files to ask for.
+    /// Whether missing files are skipped, to find out which files are needed.
     only_names: bool,
     mounted: Mounted,
     count: usize,
@@ -50,23 +50,23 @@ pub(super) struct Mounter<'a> {
 struct Level<'a> {
     /// The files that include it, the main one first, and itself.
     chain: Vec<&'a str>,
-    /// What its names begin with in the whole.
+    /// The prefix of its names in the whole.
     prefix: String,
-    /// What the names of its parts begin with in the list of all.
+    /// The prefix of its parts' names in the list of all parts.
     list: String,
 }
 
-/// Converts the units of a scenario just parsed and mounts its parts. Gives back what it is made of, and the overrides that
-/// were not of a mounting.
+/// Converts the units of a scenario just parsed and mounts its parts. Returns its parts, and the overrides that do not
+/// concern a mounting.
 pub(super) fn mount<'a>(
-    tree: &mut Node,
+    tree: &mut ScenarioNode,
     file: &str,
     given: Vec<Override<'a>>,
     host: &Files,
     only_names: bool,
 ) -> Result<(Mounted, Vec<Override<'a>>), Fault> {
     let mut mounter = Mounter { host, only_names, mounted: Mounted::default(), count: 0 };
-    let main = files::of_main(file);
+    let main = part_names::of_main(file);
     let level = Level { chain: vec![&main], prefix: String::new(), list: String::new() };
     let rest = mounter.mount_all(tree, &level, given)?;
     Ok((mounter.mounted, rest))
@@ -76,12 +76,12 @@ impl Mounter<'_> {
     /// Mounts every part of a file.
     fn mount_all<'a>(
         &mut self,
-        tree: &mut Node,
+        tree: &mut ScenarioNode,
         level: &Level<'_>,
         given: Vec<Override<'a>>,
     ) -> Result<Vec<Override<'a>>, Fault> {
         let parts = take(tree, "parts");
-        units::to_si(tree)?;
+        conversion::to_si(tree)?;
         let Some(mut parts) = parts else { return Ok(given) };
         let rest = overrides::write(&mut parts, tree, given)?;
         let mountings = overrides::typed_mountings(&mut parts)?;
@@ -102,10 +102,10 @@ impl Mounter<'_> {
         Ok(rest)
     }
 
-    /// The tree of a part as it goes into the including file; `None` where only names are asked and a file is not there.
+    /// The tree of a part for the including file; `None` if only names are needed and a file is missing.
     fn part(&mut self, mount: &Mount<'_>, level: &Level<'_>) -> Result<Option<merge::Part>, Fault> {
         let from = level.chain.last().copied().unwrap_or_default();
-        let file = files::of_part(from, &mount.mounting.part);
+        let file = part_names::of_part(from, &mount.mounting.part);
         self.check_chain(mount, &level.chain, &file)?;
         if !self.mounted.files.contains(&file) {
             self.mounted.files.push(file.clone());
@@ -132,7 +132,7 @@ impl Mounter<'_> {
         passed_up(&mut tree, &mount.mounting.parameters);
         names::into_whole(&mut tree, &prefix, &file, mount.name)?;
         names::places_with_prefix(&mut tree, &prefix, from);
-        let whole = mount.remapped(read::typed(&tree))?;
+        let whole = mount.remapped(typed(&tree))?;
         let whole = serde_json::to_value(&whole).unwrap_or_default();
         let frames = stand::on_the_mounting(&mut tree, &whole, mount)?;
         Ok(Some(merge::Part { tree, frames }))
@@ -145,7 +145,7 @@ impl Mounter<'_> {
             return Err(mount.fault("part", found, wording::PART_ENDS));
         }
         if chain.len() > MOST_LEVELS || self.count > MOST_PARTS {
-            let found = format!("more than {MOST_LEVELS} parts in each other, or {MOST_PARTS} in all");
+            let found = format!("more than {MOST_LEVELS} nested parts, or {MOST_PARTS} in total");
             return Err(mount.fault("part", found, wording::FEWER_PARTS));
         }
         Ok(())
@@ -159,7 +159,7 @@ struct Mount<'a> {
     mounting: &'a Mounting,
     /// Its fields, with their places.
     node: &'a Field,
-    place: &'a Place,
+    place: &'a SourcePlace,
 }
 
 impl Mount<'_> {
@@ -170,7 +170,7 @@ impl Mount<'_> {
         Fault::new(place, format!("parts.{}{dot}{field}", self.name), found, allowed)
     }
 
-    /// What the names of the part begin with.
+    /// The prefix of the part's names.
     fn prefix(&self) -> Result<String, Fault> {
         match self.mounting.prefix.as_deref() {
             None | Some("") => {}
@@ -182,7 +182,7 @@ impl Mount<'_> {
         Ok(self.mounting.prefix(self.name))
     }
 
-    /// As it stands in the list of all.
+    /// Its entry in the list of all parts.
     fn listed(&self, level: &Level<'_>) -> Option<(Name, Mounting)> {
         let mut mounting = self.mounting.clone();
         if mounting.on != WORLD {
@@ -191,7 +191,7 @@ impl Mount<'_> {
         Some((Name::new(format!("{}{}", level.list, self.name))?, mounting))
     }
 
-    /// What it sets in the part.
+    /// The values that it sets in the part.
     fn overrides(&self) -> Vec<Override<'_>> {
         let Some(Content::Fields(places)) = self.node.node.field("parameters").map(|field| &field.node.content) else {
             return Vec::new();
@@ -201,7 +201,7 @@ impl Mount<'_> {
             .collect()
     }
 
-    /// An error in a value that the mounting sets has the field of the mounting.
+    /// Reports an error in a value that the mounting sets at the field of the mounting.
     fn remapped<T>(&self, result: Result<T, Fault>) -> Result<T, Fault> {
         result.map_err(|mut fault| {
             if let Some(set) = self.overrides().iter().find(|set| set.place == fault.place) {
@@ -213,11 +213,11 @@ impl Mount<'_> {
 }
 
 /// The tree of a part's text, with its places, if it is one that can be mounted.
-fn parsed(text: &str, file: &str) -> Result<Node, Fault> {
+fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
     let in_part = |fault: Fault| Fault { place: names::place_in_part(&fault.place, file), error: fault.error };
     let mut tree = parse::parse(text).map_err(in_part)?;
     names::places_of_part(&mut tree, file);
-    read::check_version(&tree)?;
+    check_version(&tree)?;
     for field in ["simulation", "sea", "wind"] {
         if let Some(found) = tree.field(field) {
             return Err(Fault::new(&found.name_place, field, field, wording::OF_THE_PART));
@@ -232,15 +232,15 @@ fn parsed(text: &str, file: &str) -> Result<Node, Fault> {
     Ok(tree)
 }
 
-/// Writes a part's own defaults and then what is set.
-fn apply(tree: &mut Node, given: &[Override<'_>]) -> Result<(), Fault> {
-    let as_written: Scenario = read::typed(tree)?;
+/// Writes a part's own defaults and then the values that are set.
+fn apply(tree: &mut ScenarioNode, given: &[Override<'_>]) -> Result<(), Fault> {
+    let as_written: Scenario = typed(tree)?;
     let whole = serde_json::to_value(&as_written).unwrap_or_default();
-    parameters::apply(Target { tree, whole: &whole }, &as_written.parameters, given)
+    parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given)
 }
 
-/// Leaves the parameters that are not set, without defaults: their values stand in the fields.
-fn passed_up(tree: &mut Node, set: &IndexMap<String, Value>) {
+/// Keeps the parameters that are not set, without defaults: their values are in the fields.
+fn passed_up(tree: &mut ScenarioNode, set: &IndexMap<String, Value>) {
     let Content::Fields(fields) = &mut tree.content else { return };
     let Some(Content::List(parameters)) = fields.get_mut("parameters").map(|field| &mut field.node.content) else {
         return;
@@ -257,22 +257,22 @@ fn passed_up(tree: &mut Node, set: &IndexMap<String, Value>) {
 }
 
 /// A field taken out of a tree.
-fn take(tree: &mut Node, name: &str) -> Option<Field> {
+fn take(tree: &mut ScenarioNode, name: &str) -> Option<Field> {
     match &mut tree.content {
         Content::Fields(fields) => fields.shift_remove(name),
         _ => None,
     }
 }
 
-/// Puts a value that comes from a place at a path of named fields and places in lists; fields that are not there are made.
-fn put(tree: &mut Node, path: &[&str], value: &Value, place: &Place) {
+/// Writes a value, which comes from `place`, at a path of field names and list indices; missing fields are created.
+fn put(tree: &mut ScenarioNode, path: &[&str], value: &Value, place: &SourcePlace) {
     let Some((name, rest)) = path.split_first() else {
-        *tree = Node::from_value(value, place);
+        *tree = ScenarioNode::from_value(value, place);
         return;
     };
     match &mut tree.content {
         Content::Fields(fields) => {
-            let new = || Field::new(place.clone(), Node::from_value(&json!({}), place));
+            let new = || Field::new(place.clone(), ScenarioNode::from_value(&json!({}), place));
             put(&mut fields.entry((*name).to_owned()).or_insert_with(new).node, rest, value, place);
         }
         Content::List(entries) => {

@@ -2,17 +2,14 @@
 
 use serde_json::Value;
 
-use super::super::error::{Fault, Place};
-use super::super::tree::{Content, Node};
+use super::super::error::{Fault, SourcePlace};
+use super::super::part_names::{self, SECTIONS};
+use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
-use super::files;
 
-/// The fields of a scenario whose entries have names of their own in the whole.
-pub const SECTIONS: [&str; 7] = ["bodies", "loops", "forces", "drives", "sensors", "wires", "limits"];
-
-/// Fields below the sections that name something of the scenario, whatever they stand in.
+/// Fields below the sections that name another entry of the scenario.
 pub const REFERENCES: [&str; 7] = [
-    // The body that a body hangs on.
+    // The parent of a body.
     "parent", // The body that something acts on or is tied to.
     "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
     "joint",  // A joint's own.
@@ -24,15 +21,6 @@ pub const REFERENCES: [&str; 7] = [
 /// Fields below the sections that name files.
 pub const FILES: [&str; 2] = ["database", "raos"];
 
-/// The field of an error in the whole as the part's file has it.
-pub fn in_part(field: &str, prefix: &str) -> String {
-    let own = |section: &str, rest: &str| {
-        let named = SECTIONS.contains(&section).then(|| rest.strip_prefix(prefix)).flatten();
-        named.map(|rest| format!("{section}.{rest}"))
-    };
-    field.split_once('.').and_then(|(section, rest)| own(section, rest)).unwrap_or_else(|| field.to_owned())
-}
-
 /// A path of a part in the whole.
 fn in_whole(path: &str, prefix: &str) -> String {
     match path.split_once('.') {
@@ -41,8 +29,8 @@ fn in_whole(path: &str, prefix: &str) -> String {
     }
 }
 
-/// Puts the prefix before every name of a part, and the paths of its files where the main file would look for them.
-pub fn into_whole(tree: &mut Node, prefix: &str, file: &str, label: &str) -> Result<(), Fault> {
+/// Adds the prefix to every name of a part, and makes the paths of its files relative to the main file.
+pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
     for (section, field) in fields.iter_mut() {
         match &mut field.node.content {
@@ -62,8 +50,8 @@ pub fn into_whole(tree: &mut Node, prefix: &str, file: &str, label: &str) -> Res
     Ok(())
 }
 
-/// The same inside of an entry.
-fn references(node: &mut Node, prefix: &str, file: &str) {
+/// The same within an entry.
+fn references(node: &mut ScenarioNode, prefix: &str, file: &str) {
     match &mut node.content {
         Content::Scalar(_) => {}
         Content::List(entries) => entries.iter_mut().for_each(|entry| references(entry, prefix, file)),
@@ -76,7 +64,7 @@ fn references(node: &mut Node, prefix: &str, file: &str) {
                         }
                     }
                     Content::Scalar(Value::String(text)) if FILES.contains(&name.as_str()) => {
-                        *text = files::from_folder_of(file, text);
+                        *text = part_names::from_folder_of(file, text);
                     }
                     _ => references(&mut field.node, prefix, file),
                 }
@@ -85,8 +73,8 @@ fn references(node: &mut Node, prefix: &str, file: &str) {
     }
 }
 
-/// A parameter of a part that becomes one of the whole.
-fn parameter(node: &mut Node, index: usize, prefix: &str, label: &str) -> Result<(), Fault> {
+/// Changes a parameter of a part into one of the whole.
+fn parameter(node: &mut ScenarioNode, index: usize, prefix: &str, label: &str) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut node.content else { return Ok(()) };
     if let Some(writes) = fields.get_mut("writes")
         && let Content::List(paths) = &mut writes.node.content
@@ -101,7 +89,7 @@ fn parameter(node: &mut Node, index: usize, prefix: &str, label: &str) -> Result
             *text = in_whole(text, prefix);
         }
     }
-    let text = |node: &Node| node.to_value().as_str().map(str::to_owned);
+    let text = |node: &ScenarioNode| node.to_value().as_str().map(str::to_owned);
     let name = fields.get("name").and_then(|field| text(&field.node)).unwrap_or_default();
     let shown = fields.get("label").and_then(|field| text(&field.node)).unwrap_or_else(|| name.clone());
     if let Some(field) = fields.get_mut("name") {
@@ -114,25 +102,25 @@ fn parameter(node: &mut Node, index: usize, prefix: &str, label: &str) -> Result
     Ok(())
 }
 
-/// Makes the places of a file just parsed those of a part.
-pub fn places_of_part(node: &mut Node, file: &str) {
+/// Changes the places of a parsed file into places of a part.
+pub fn places_of_part(node: &mut ScenarioNode, file: &str) {
     each_place(node, &mut |place| *place = place_in_part(place, file));
 }
 
-/// A place of a file just parsed as one of a part.
-pub fn place_in_part(place: &Place, file: &str) -> Place {
+/// Changes a place of a parsed file into one of a part.
+pub fn place_in_part(place: &SourcePlace, file: &str) -> SourcePlace {
     match place {
-        Place::File { line, column } => {
-            Place::Part { file: file.into(), prefix: "".into(), line: *line, column: *column }
+        SourcePlace::File { line, column } => {
+            SourcePlace::Part { file: file.into(), prefix: "".into(), line: *line, column: *column }
         }
         other => other.clone(),
     }
 }
 
-/// Remembers a prefix in the places of a part; what the including file `from` sets has its own.
-pub fn places_with_prefix(node: &mut Node, prefix: &str, from: &str) {
+/// Stores a prefix in the places of a part; values that the including file `from` sets keep their own.
+pub fn places_with_prefix(node: &mut ScenarioNode, prefix: &str, from: &str) {
     each_place(node, &mut |place| {
-        if let Place::Part { file, prefix: inner, .. } = place
+        if let SourcePlace::Part { file, prefix: inner, .. } = place
             && **file != *from
         {
             *inner = format!("{prefix}{inner}").into();
@@ -140,7 +128,7 @@ pub fn places_with_prefix(node: &mut Node, prefix: &str, from: &str) {
     });
 }
 
-fn each_place(node: &mut Node, change: &mut impl FnMut(&mut Place)) {
+fn each_place(node: &mut ScenarioNode, change: &mut impl FnMut(&mut SourcePlace)) {
     change(&mut node.place);
     match &mut node.content {
         Content::Scalar(_) => {}

@@ -1,18 +1,19 @@
-//! The mountings of a file: typed, and what is set in them from outside.
+//! The mountings of a file, and the values set in them from outside.
 
 use indexmap::IndexMap;
 use serde_json::{Value, json};
 
-use super::super::error::{Fault, Place};
-use super::super::parameters::{Override, Target};
+use super::super::error::{Fault, SourcePlace};
+use super::super::parameters::{Override, OverrideTarget};
 use super::super::schema::{Mounting, Name, Scenario};
-use super::super::tree::{Content, Field, Node, segments};
-use super::super::{read, units, wording};
+use super::super::tree::{Content, Field, ScenarioNode, segments};
+use super::super::typed::typed;
+use super::super::{conversion, units, wording};
 use super::{put, take};
 
-/// Writes the overrides of mountings, `parts.crane.position_m` and so on, and gives back the others. `tree` is the file
+/// Writes the overrides of mountings, `parts.crane.position_m` and so on, and returns the others. `tree` is the file
 /// without its parts.
-pub fn write<'a>(parts: &mut Field, tree: &Node, given: Vec<Override<'a>>) -> Result<Vec<Override<'a>>, Fault> {
+pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>>) -> Result<Vec<Override<'a>>, Fault> {
     to_si(parts)?;
     let (ours, rest): (Vec<_>, Vec<_>) = given.into_iter().partition(|set| set.name.starts_with("parts."));
     for set in &ours {
@@ -31,8 +32,8 @@ pub fn write<'a>(parts: &mut Field, tree: &Node, given: Vec<Override<'a>>) -> Re
                     return Err(fault);
                 }
                 in_probe(parts, |probe| {
-                    let whole = serde_json::to_value(Mountings::of(&read::typed(probe)?)).unwrap_or_default();
-                    Target { tree: probe, whole: &whole }.write(set.name, set.value, &set.place, &set.place)
+                    let whole = serde_json::to_value(Mountings::of(&typed(probe)?)).unwrap_or_default();
+                    OverrideTarget { tree: probe, whole: &whole }.write(set.name, set.value, &set.place, &set.place)
                 })?;
             }
         }
@@ -40,7 +41,7 @@ pub fn write<'a>(parts: &mut Field, tree: &Node, given: Vec<Override<'a>>) -> Re
     Ok(rest)
 }
 
-/// Mountings with every default, as a scenario has them.
+/// Mountings with every default, as in a scenario.
 #[derive(serde::Serialize)]
 struct Mountings<'a> {
     parts: &'a IndexMap<Name, Mounting>,
@@ -52,8 +53,8 @@ impl<'a> Mountings<'a> {
     }
 }
 
-/// The error of a field that a parameter writes already.
-fn set_by_a_parameter(tree: &Node, set: &Override<'_>, path: &[String]) -> Option<Fault> {
+/// The error for a field that a parameter already writes.
+fn set_by_a_parameter(tree: &ScenarioNode, set: &Override<'_>, path: &[String]) -> Option<Fault> {
     let (path, _) = units::si_path(path);
     let parameters = tree.field("parameters")?.node.to_value();
     let written = parameters.as_array()?.iter().filter_map(|parameter| parameter.get("writes")?.as_array().cloned());
@@ -75,7 +76,7 @@ fn to_si(parts: &mut Field) -> Result<(), Fault> {
             }
         }
     }
-    in_probe(parts, units::to_si)?;
+    in_probe(parts, conversion::to_si)?;
     if let Content::Fields(mountings) = &mut parts.node.content {
         for (name, given) in parameters {
             if let Some(mounting) = mountings.get_mut(&name)
@@ -90,13 +91,14 @@ fn to_si(parts: &mut Field) -> Result<(), Fault> {
 
 /// The mountings by their names.
 pub fn typed_mountings(parts: &mut Field) -> Result<IndexMap<Name, Mounting>, Fault> {
-    in_probe(parts, |probe| Ok(read::typed(probe)?.parts))
+    in_probe(parts, |probe| Ok(typed(probe)?.parts))
 }
 
-/// Does something with a scenario that has these parts and nothing else.
-fn in_probe<T>(parts: &mut Field, work: impl FnOnce(&mut Node) -> Result<T, Fault>) -> Result<T, Fault> {
-    let mut probe = Node::from_value(&json!({"version": 1, "title": "", "bodies": {}}), &Place::START);
-    let hollow = Field::new(parts.name_place.clone(), Node::new(Place::START, Content::Scalar(Value::Null)));
+/// Runs `work` on a scenario that has these parts and nothing else.
+fn in_probe<T>(parts: &mut Field, work: impl FnOnce(&mut ScenarioNode) -> Result<T, Fault>) -> Result<T, Fault> {
+    let mut probe = ScenarioNode::from_value(&json!({"version": 1, "title": "", "bodies": {}}), &SourcePlace::START);
+    let hollow =
+        Field::new(parts.name_place.clone(), ScenarioNode::new(SourcePlace::START, Content::Scalar(Value::Null)));
     if let Content::Fields(fields) = &mut probe.content {
         fields.insert("parts".to_owned(), std::mem::replace(parts, hollow));
     }

@@ -1,15 +1,15 @@
-//! What stands on the world in a part's file stands on its mounting in the whole: roots, pins, anchors, targets.
+//! Moves everything that a part's file attaches to the world to its mounting: root bodies, pins, anchors, targets.
 
 use serde_json::{Value, json};
 
-use super::super::error::{Fault, Place};
+use super::super::error::{Fault, SourcePlace};
 use super::super::schema::Mounting;
-use super::super::tree::{Content, Node};
+use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
 use super::{Mount, WORLD, numbers, put};
 use crate::spatial::{Matrix3, Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
-/// Where a part stands in its body.
+/// The pose of a part on its body.
 struct Pose {
     position: [f64; 3],
     angles: [f64; 3],
@@ -28,7 +28,7 @@ impl Pose {
         self.position == NONE && self.angles == NONE
     }
 
-    /// p + R x. Without a turn nothing is rounded that need not be.
+    /// p + R x. Without a rotation there is no rounding.
     fn point(&self, x: [f64; 3]) -> [f64; 3] {
         (self.vector(x) + Vector3(self.position)).0
     }
@@ -49,10 +49,10 @@ impl Pose {
     }
 }
 
-/// Puts everything that stands on the world on the mounting. Gives back the paths that hold its place, or the path of what
-/// has a place of its own besides.
+/// Moves everything on the world to the mounting. Returns the paths that hold its position, or the path of an entry
+/// with a position of its own.
 pub fn on_the_mounting(
-    tree: &mut Node,
+    tree: &mut ScenarioNode,
     whole: &Value,
     mount: &Mount<'_>,
 ) -> Result<Result<Vec<String>, String>, Fault> {
@@ -85,8 +85,8 @@ pub fn on_the_mounting(
 }
 
 /// Paths of the fields whose `body` is the world.
-fn world_pins(node: &Node, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) {
-    let mut below = |name: String, node: &Node| {
+fn world_pins(node: &ScenarioNode, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) {
+    let mut below = |name: String, node: &ScenarioNode| {
         path.push(name);
         world_pins(node, path, into);
         path.pop();
@@ -103,7 +103,7 @@ fn world_pins(node: &Node, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) 
     }
 }
 
-/// A part on its way to its mounting.
+/// A part while it is moved to its mounting.
 struct Standing<'a> {
     /// The part with every default.
     whole: &'a Value,
@@ -116,18 +116,18 @@ impl Standing<'_> {
         &self.mount.mounting.on
     }
 
-    /// Where a field of the mounting stands.
-    fn place(&self, field: &str) -> Place {
+    /// The place of a field of the mounting in the file.
+    fn place(&self, field: &str) -> SourcePlace {
         self.mount.fault(field, "", "").place
     }
 
-    fn write(&self, tree: &mut Node, path: &str, value: &Value) {
+    fn write(&self, tree: &mut ScenarioNode, path: &str, value: &Value) {
         let place = self.place(if path.ends_with("_rad") { "orientation_rad" } else { "position_m" });
         put(tree, &path.split('.').collect::<Vec<_>>(), value, &place);
     }
 
-    /// Moves the point at a path; gives back whether it was at the origin.
-    fn move_point(&self, tree: &mut Node, path: &str) -> bool {
+    /// Moves the point at a path; returns whether it was at the origin.
+    fn move_point(&self, tree: &mut ScenarioNode, path: &str) -> bool {
         let Some(own) = numbers(self.whole, path) else { return true };
         if !self.pose.is_none() {
             self.write(tree, path, &json!(self.pose.point(own)));
@@ -135,8 +135,8 @@ impl Standing<'_> {
         own == NONE
     }
 
-    /// Turns the axes whose roll, pitch and yaw are at a path; gives back whether they were even.
-    fn turn_axes(&self, tree: &mut Node, path: &str) -> bool {
+    /// Rotates the axes whose roll, pitch and yaw are at a path; returns whether they were parallel.
+    fn turn_axes(&self, tree: &mut ScenarioNode, path: &str) -> bool {
         let Some(own) = numbers(self.whole, path) else { return true };
         if self.pose.angles != NONE {
             self.write(tree, path, &json!(self.pose.turned(own)));
@@ -144,8 +144,8 @@ impl Standing<'_> {
         own == NONE
     }
 
-    /// A body that stands on the world; the path that holds its place, unless it has one of its own.
-    fn root(&self, tree: &mut Node, name: &str, kind: &str) -> Result<Option<String>, Fault> {
+    /// A root body of the part; returns the path that holds its position, unless it has a position of its own.
+    fn root(&self, tree: &mut ScenarioNode, name: &str, kind: &str) -> Result<Option<String>, Fault> {
         let joint = format!("bodies.{name}.joint.{kind}");
         let frame = match kind {
             "floating" => format!("{joint}.initial"),
@@ -175,8 +175,8 @@ impl Standing<'_> {
         Ok((at_origin && even).then_some(frame))
     }
 
-    /// A point, or axes, on the world.
-    fn pin(&self, tree: &mut Node, path: &[String]) {
+    /// A point, or axes, in the world.
+    fn pin(&self, tree: &mut ScenarioNode, path: &[String]) {
         let path = path.join(".");
         self.move_point(tree, &format!("{path}.position_m"));
         self.turn_axes(tree, &format!("{path}.orientation_rad"));
@@ -191,8 +191,8 @@ impl Standing<'_> {
         }
     }
 
-    /// What has a place in the world without naming it: anchors, and the place that a ship keeps.
-    fn in_the_world(&self, tree: &mut Node, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
+    /// Entries with a position in the world that do not name it: anchors, and the target of a ship.
+    fn in_the_world(&self, tree: &mut ScenarioNode, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
         let entry = format!("{section}.{name}.{kind}");
         match (section, kind) {
             ("forces", "catenary_line") => {
@@ -223,7 +223,7 @@ impl Standing<'_> {
         super::super::tree::value_at(self.whole, &super::segments(path)).is_some_and(|value| !value.is_null())
     }
 
-    fn move_target(&self, tree: &mut Node, target: &str) {
+    fn move_target(&self, tree: &mut ScenarioNode, target: &str) {
         if !self.pose.is_none() {
             let [x, y, _] =
                 self.pose.point([self.number(&format!("{target}.x_m")), self.number(&format!("{target}.y_m")), 0.0]);
@@ -233,14 +233,14 @@ impl Standing<'_> {
         self.turn_heading(tree, &format!("{target}.heading_rad"));
     }
 
-    fn turn_heading(&self, tree: &mut Node, path: &str) {
+    fn turn_heading(&self, tree: &mut ScenarioNode, path: &str) {
         let [_, _, by] = self.pose.angles;
         if by != 0.0 {
             self.write(tree, path, &json!(self.number(path) + by));
         }
     }
 
-    /// An error where the part stands on a body.
+    /// An error if the part is mounted on a body.
     fn needs_the_world(&self, what: &str) -> Result<(), Fault> {
         if self.on() == WORLD {
             return Ok(());
@@ -249,7 +249,7 @@ impl Standing<'_> {
         Err(self.mount.fault("on", found, wording::ON_THE_WORLD))
     }
 
-    /// An error where the part is tilted.
+    /// An error if the part is tilted.
     fn needs_to_be_level(&self, what: &str) -> Result<(), Fault> {
         let [roll, pitch, _] = self.pose.angles;
         if roll == 0.0 && pitch == 0.0 {

@@ -1,9 +1,9 @@
-//! Axes of joints: how they begin, what decides their motion, and what acts in them.
+//! Axes of joints: their initial values, how their motion is set, and the forces in them.
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
-use super::{History, NonNegative, Positive};
+use super::histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
+use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
 /// One axis that a joint turns about.
@@ -114,12 +114,12 @@ pub(super) fn slow<S: Leaf>() -> Positive<S> {
     Positive::literal(0.01)
 }
 
-/// A number that may be absent, but not empty where it is named.
+/// A number that may be left out; a field that is written must have a value.
 fn present<'de, D: Deserializer<'de>, S: Leaf>(deserializer: D) -> Result<Option<S>, D::Error> {
     S::deserialize(deserializer).map(Some)
 }
 
-/// What decides the angle about an axis.
+/// How the angle about an axis is set.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -150,7 +150,7 @@ pub enum RevoluteMode<S = f64> {
 pub struct PrescribedRate<S = f64> {
     /// Full rate, rad/s.
     pub rate_rad_s: S,
-    /// How the rate goes with time.
+    /// How the rate varies over time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
@@ -161,7 +161,7 @@ pub struct PrescribedRate<S = f64> {
     pub list: Option<HistoryList<S>>,
 }
 
-/// What decides the extension along an axis.
+/// How the extension along an axis is set.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -192,7 +192,7 @@ pub enum PrismaticMode<S = f64> {
 pub struct PrescribedSpeed<S = f64> {
     /// Full speed, m/s.
     pub speed_m_s: S,
-    /// How the speed goes with time.
+    /// How the speed varies over time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
@@ -215,7 +215,8 @@ pub struct AngleFriction<S = f64> {
     /// Its torque, N m.
     #[serde(rename = "torque_N_m")]
     pub torque_n_m: NonNegative<S>,
-    /// Rate about which it changes its sign smoothly, rad/s; what should stick creeps below it.
+    /// Rate scale over which the friction changes sign smoothly, rad/s. A joint that should stick creeps more slowly
+    /// than this.
     #[serde(default = "slow::<S>")]
     pub smoothing_rad_s: Positive<S>,
 }
@@ -232,7 +233,8 @@ pub struct LengthFriction<S = f64> {
     /// Its force, N.
     #[serde(rename = "force_N")]
     pub force_n: NonNegative<S>,
-    /// Speed about which it changes its sign smoothly, m/s; what should stick creeps below it.
+    /// Speed scale over which the friction changes sign smoothly, m/s. A joint that should stick creeps more slowly
+    /// than this.
     #[serde(default = "slow::<S>")]
     pub smoothing_m_s: Positive<S>,
 }
@@ -249,7 +251,7 @@ pub struct AngleSpring<S = f64> {
     /// Moment per angle, N m/rad.
     #[serde(rename = "stiffness_N_m_per_rad")]
     pub stiffness_n_m_per_rad: NonNegative<S>,
-    /// Angle at which it is slack, rad.
+    /// Angle at which the spring has no moment, rad.
     #[serde(default)]
     pub rest_rad: S,
 }
@@ -266,12 +268,12 @@ pub struct LengthSpring<S = f64> {
     /// Force per extension, N/m.
     #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: NonNegative<S>,
-    /// Extension at which it is slack, m.
+    /// Extension at which the spring has no force, m.
     #[serde(default)]
     pub rest_m: S,
 }
 
-/// Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
+/// Stops. At a depth d beyond a limit a stop pushes back with `stiffness d (1 + dissipation d')`; it never pulls.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -291,12 +293,13 @@ pub struct AngleLimits<S = f64> {
     /// Moment per angle beyond a limit, N m/rad.
     #[serde(rename = "stiffness_N_m_per_rad")]
     pub stiffness_n_m_per_rad: Positive<S>,
-    /// What is lost: of a small rate u a stop gives back about `u (1 - 2/3 dissipation u)`, s/rad.
+    /// Energy loss of the stop, s/rad: after an impact at a small rate u the axis leaves at about `u (1 - 2/3
+    /// dissipation u)`.
     #[serde(default)]
     pub dissipation_s_per_rad: NonNegative<S>,
 }
 
-/// Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
+/// Stops. At a depth d beyond a limit a stop pushes back with `stiffness d (1 + dissipation d')`; it never pulls.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -316,7 +319,8 @@ pub struct LengthLimits<S = f64> {
     /// Force per extension beyond a limit, N/m.
     #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: Positive<S>,
-    /// What is lost: of a small speed u a stop gives back about `u (1 - 2/3 dissipation u)`, s/m.
+    /// Energy loss of the stop, s/m: after an impact at a small speed u the axis leaves at about `u (1 - 2/3
+    /// dissipation u)`.
     #[serde(default)]
     pub dissipation_s_per_m: NonNegative<S>,
 }

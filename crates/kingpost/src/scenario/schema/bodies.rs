@@ -15,10 +15,10 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Body<S = f64> {
-    /// Off leaves out this body and all that hangs on it.
+    /// `false` leaves out this body and every body below it in the tree.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The body that this one hangs on, or `world`.
+    /// The parent body, or `world`: this body's joint connects the two.
     #[serde(default = "Name::world")]
     pub parent: Name,
     /// Mass, kg.
@@ -26,10 +26,10 @@ pub struct Body<S = f64> {
     /// Colour in the views, `#rrggbb`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
-    /// The solid that gives the inertia, unless `inertia` does, and the picture.
+    /// The solid that is drawn, and whose inertia the body has unless `inertia` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<Shape<S>>,
-    /// The inertia in numbers; it replaces that of the shape.
+    /// The inertia in numbers; it replaces the shape's inertia.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inertia: Option<Inertia<S>>,
     /// Makes this body a beam that bends, twists and shears.
@@ -38,7 +38,7 @@ pub struct Body<S = f64> {
     /// The centre of mass in the drawing frame, m.
     #[serde(default)]
     pub centre_of_mass_m: [S; 3],
-    /// How this body moves against its parent.
+    /// The joint to the parent: how this body moves relative to it.
     pub joint: Joint<S>,
     /// Named points of this body, reported in the results.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
@@ -46,7 +46,7 @@ pub struct Body<S = f64> {
 }
 
 impl<S: Leaf> Body<S> {
-    /// The body that this one hangs on; `None` for the world.
+    /// The parent body; `None` for the world.
     pub fn parent_body(&self) -> Option<&Name> {
         (self.parent != WORLD).then_some(&self.parent)
     }
@@ -176,7 +176,7 @@ pub enum Inertia<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct InertiaTensor<S = f64> {
-    /// Ixx, Iyy, Izz, kg m^2. No one of them may exceed the sum of the other two.
+    /// Ixx, Iyy, Izz, kg m^2. None may exceed the sum of the other two.
     pub moments_kg_m2: [NonNegative<S>; 3],
     /// Ixy, Ixz, Iyz, kg m^2, as entries of the tensor: Ixy = -integral(x y dm).
     #[serde(default)]

@@ -1,12 +1,12 @@
-//! Clearances of points, and their air gap.
+//! Clearances and air gaps of points.
 
 use serde::{Deserialize, Serialize};
 
 use super::{BoxShape, ContactPlane, CylinderShape, Name, SphereShape, yes};
 use crate::scenario::leaf::Leaf;
 
-/// The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside of a
-/// solid. Nothing keeps the two apart.
+/// The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
+/// solid. It is only measured: no force keeps the two apart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -20,11 +20,11 @@ pub struct Clearance<S = f64> {
     pub enabled: bool,
     /// The point.
     pub first: OwnPoint<S>,
-    /// What it is to stay clear of.
+    /// The point or solid to stay clear of.
     pub second: ClearanceFrom<S>,
 }
 
-/// A point on a body, by its name there or by its place, or on the world.
+/// A point on a body, by its name or its position, or a point in the world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -38,12 +38,12 @@ pub struct OwnPoint<S = f64> {
     /// The name of one of the body's `points`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<Name>,
-    /// The point in the body's drawing frame, m; from the named one, where there is one.
+    /// The point in the body's drawing frame, m; measured from the named point if one is given.
     #[serde(default)]
     pub position_m: [S; 3],
 }
 
-/// A point, or a solid and where it is on its body.
+/// A point, or a solid with its place on its body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -57,19 +57,19 @@ pub struct ClearanceFrom<S = f64> {
     /// The name of one of the body's `points`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<Name>,
-    /// The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; from the named point,
-    /// where there is one.
+    /// The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; measured from the
+    /// named point if one is given.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// The solid's axes in the body's: roll, pitch, yaw, rad.
+    /// Orientation of the solid's axes in the body's: roll, pitch, yaw, rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
-    /// The solid; without it, the point.
+    /// The solid; without it, the distance is to the point.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<ClearanceShape<S>>,
 }
 
-/// What a point is to stay clear of.
+/// The solid that a point stays clear of.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -78,9 +78,9 @@ pub struct ClearanceFrom<S = f64> {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum ClearanceShape<S = f64> {
-    /// The body's own `shape`, which stands on its centre of mass: no place is given.
+    /// The body's own `shape`, centred on its centre of mass; give no position then.
     Own,
-    /// All below a plane without bounds: a quay, the seabed.
+    /// Everything below an infinite plane: a quay, the seabed.
     Plane(ContactPlane<S>),
     /// A box: a deck, a house.
     Box(BoxShape<S>),
@@ -90,8 +90,8 @@ pub enum ClearanceShape<S = f64> {
     Sphere(SphereShape<S>),
 }
 
-/// The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results; over
-/// the still water where there are none. Negative under water.
+/// The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results;
+/// above the still water where there are no waves. Negative under water.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -108,7 +108,7 @@ pub struct AirGap<S = f64> {
     /// The name of one of the body's `points`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<Name>,
-    /// The point in the body's drawing frame, m; from the named one, where there is one.
+    /// The point in the body's drawing frame, m; measured from the named point if one is given.
     #[serde(default)]
     pub position_m: [S; 3],
 }

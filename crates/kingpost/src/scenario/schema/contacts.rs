@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{BoxShape, CylinderShape, Direction, Fraction, Name, NonNegative, Positive, SphereShape, yes};
 use crate::scenario::leaf::Leaf;
 
-/// Contact of a load with a surface: it is pressed out, and held by friction.
+/// Contact of a load with a surface: a normal force pushes the load out, and friction holds it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -14,33 +14,34 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Contact<S = f64> {
-    /// Whether it is there.
+    /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// What touches.
     pub load: ContactLoad<S>,
-    /// What it touches: a deck, a quay, the seabed, a bumper.
+    /// The surface that the load touches: a deck, a quay, the seabed, a bumper.
     pub surface: ContactSurface<S>,
-    /// Stiffness of each point that touches, N/m: a box that stands on four corners has four times as much.
+    /// Stiffness of each contact point, N/m: a box that stands on four corners has four times this stiffness.
     #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: Positive<S>,
-    /// What is left of the speed of an impact at `restitution_speed_m_s`, from 0.1 to 1; slower impacts leave more.
+    /// Coefficient of restitution, from 0.1 to 1: rebound speed over impact speed, at `restitution_speed_m_s`. It is
+    /// higher for slower impacts.
     #[serde(default = "third::<S>")]
     pub restitution: Fraction<S>,
-    /// The speed of impact that the restitution is for, m/s.
+    /// The impact speed at which `restitution` holds, m/s.
     #[serde(default = "half::<S>")]
     pub restitution_speed_m_s: Positive<S>,
     /// Coulomb's coefficient of friction; 0 for a smooth surface.
     pub friction_coefficient: NonNegative<S>,
-    /// Stiffness of each point along the surface while friction holds it, N/m; without it, that of the contact.
+    /// Tangential stiffness of each contact point while friction holds it, N/m; without it, `stiffness_N_per_m`.
     #[serde(default, rename = "friction_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
     pub friction_stiffness_n_per_m: Option<Positive<S>>,
-    /// Penetration that is refused where a run begins, and that a run warns of, m.
+    /// Largest penetration, m: a deeper one is an error at the start and a warning during the run.
     #[serde(default = "tolerance::<S>")]
     pub penetration_tolerance_m: Positive<S>,
 }
 
-/// The shape that touches, and where it is on its body.
+/// The shape that touches, with its place on its body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -54,7 +55,7 @@ pub struct ContactLoad<S = f64> {
     /// The centre of the shape in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// The shape's axes in the body's: roll, pitch, yaw, rad.
+    /// Orientation of the shape's axes in the body's: roll, pitch, yaw, rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
     /// What touches.
@@ -72,7 +73,7 @@ pub struct ContactLoad<S = f64> {
 pub enum LoadShape<S = f64> {
     /// A box: its corners touch, and corners of the surface touch its faces.
     Box(BoxShape<S>),
-    /// A circular cylinder, that rolls or stands on a plane.
+    /// A circular cylinder that rolls or stands on a plane.
     Cylinder(CylinderShape<S>),
     /// A ball.
     Sphere(SphereShape<S>),
@@ -89,11 +90,11 @@ pub enum LoadShape<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct ContactPoints<S = f64> {
-    /// From the shape's centre, in its axes, m; at most 64.
+    /// Positions from the shape's centre, in its axes, m; at most 64.
     pub positions_m: Vec<[S; 3]>,
 }
 
-/// The surface, and where it is on its body.
+/// The surface, with its place on its body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -107,7 +108,7 @@ pub struct ContactSurface<S = f64> {
     /// A point of the plane, or the centre of the shape, in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// The shape's axes in the body's: roll, pitch, yaw, rad.
+    /// Orientation of the shape's axes in the body's: roll, pitch, yaw, rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
     /// What is touched.
@@ -123,7 +124,7 @@ pub struct ContactSurface<S = f64> {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum SurfaceShape<S = f64> {
-    /// A plane without bounds: the seabed, a quay, a deck that nothing leaves.
+    /// An infinite plane: the seabed, a quay, a deck whose edge no load reaches.
     Plane(ContactPlane<S>),
     /// A box, with edges that a load may slip off: a deck, a platform, a guide.
     Box(BoxShape<S>),
@@ -140,7 +141,7 @@ pub enum SurfaceShape<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct ContactPlane<S = f64> {
-    /// Out of the surface, in its axes, any length.
+    /// The outward normal, in the surface's axes, of any length except 0.
     #[serde(default = "up::<S>")]
     pub normal: Direction<S>,
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{CoordinateName, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// A drive that turns an axis as its set-point says, within its limits: a winch, a slewing gear.
+/// A drive that turns an axis to follow a set-point within limits: a winch, a slewing gear.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -19,7 +19,7 @@ pub struct ControlledDrive<S = f64> {
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
     pub joint: CoordinateName,
-    /// What it follows. An input, named as the drive, adds to it.
+    /// The set-point that it follows. An input with the drive's name is added to it.
     pub set_point: AngleSetPoints<S>,
     /// Largest rate of its reference, rad/s.
     pub speed_limit_rad_s: Positive<S>,
@@ -31,22 +31,21 @@ pub struct ControlledDrive<S = f64> {
     /// Largest torque, N m.
     #[serde(rename = "torque_limit_N_m")]
     pub torque_limit_n_m: Positive<S>,
-    /// Largest power that it gives, W; braking is limited by its torque alone.
+    /// Largest power that it delivers, W. It does not limit braking: only the torque limit does.
     #[serde(default, rename = "power_limit_W", skip_serializing_if = "Option::is_none")]
     pub power_limit_w: Option<Positive<S>>,
-    /// Torque per angle that it is behind its reference, N m/rad.
+    /// Torque per angle error against its reference, N m/rad.
     #[serde(rename = "stiffness_N_m_per_rad")]
     pub stiffness_n_m_per_rad: Positive<S>,
-    /// Torque per rate that it is behind its reference, N m s/rad.
+    /// Torque per rate error against its reference, N m s/rad.
     #[serde(rename = "damping_N_m_s_per_rad")]
     pub damping_n_m_s_per_rad: Positive<S>,
-    /// Time in which its reference comes to a new rate where no limit holds, s; with a limit of jerk it is longer where the
-    /// acceleration takes longer to come.
+    /// Time in which its reference reaches a new rate where no limit acts, s. A jerk limit makes it longer.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }
 
-/// What a drive of an angle follows.
+/// The set-point of a drive that turns an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -105,7 +104,7 @@ pub struct AngleSetPoint<S = f64> {
     pub angle_rad: S,
 }
 
-/// A drive that moves an axis as its set-point says, within its limits.
+/// A drive that slides an axis to follow a set-point within limits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -119,7 +118,7 @@ pub struct LinearControlledDrive<S = f64> {
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
     pub joint: CoordinateName,
-    /// What it follows. An input, named as the drive, adds to it.
+    /// The set-point that it follows. An input with the drive's name is added to it.
     pub set_point: LengthSetPoints<S>,
     /// Largest speed of its reference, m/s.
     pub speed_limit_m_s: Positive<S>,
@@ -131,22 +130,21 @@ pub struct LinearControlledDrive<S = f64> {
     /// Largest force, N.
     #[serde(rename = "force_limit_N")]
     pub force_limit_n: Positive<S>,
-    /// Largest power that it gives, W; braking is limited by its force alone.
+    /// Largest power that it delivers, W. It does not limit braking: only the force limit does.
     #[serde(default, rename = "power_limit_W", skip_serializing_if = "Option::is_none")]
     pub power_limit_w: Option<Positive<S>>,
-    /// Force per extension that it is behind its reference, N/m.
+    /// Force per extension error against its reference, N/m.
     #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: Positive<S>,
-    /// Force per speed that it is behind its reference, N s/m.
+    /// Force per speed error against its reference, N s/m.
     #[serde(rename = "damping_N_s_per_m")]
     pub damping_n_s_per_m: Positive<S>,
-    /// Time in which its reference comes to a new speed where no limit holds, s; with a limit of jerk it is longer where the
-    /// acceleration takes longer to come.
+    /// Time in which its reference reaches a new speed where no limit acts, s. A jerk limit makes it longer.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }
 
-/// What a drive of a length follows.
+/// The set-point of a drive that slides an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",

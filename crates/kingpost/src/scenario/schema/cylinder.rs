@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// A hydraulic cylinder between two pins: a force `stiffness (wanted length - length) - damping rate` along the line
-/// between them, clipped at what it can push and pull. The length wanted moves at the speed limit at most.
+/// A hydraulic cylinder between two pins: a force `stiffness (target length - length) - damping rate` along the line
+/// between them, limited to what it can push and pull. The target length changes no faster than the speed limit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -22,14 +22,14 @@ pub struct Cylinder<S = f64> {
     pub first: Pin<S>,
     /// Pin on the other.
     pub second: Pin<S>,
-    /// Length between the pins where the cylinder is drawn in, m: a stop.
+    /// Length between the pins when fully retracted, m: there is a stop.
     pub shortest_m: Positive<S>,
-    /// Length between the pins where it is all the way out, m: a stop.
+    /// Length between the pins when fully extended, m: there is a stop.
     pub longest_m: Positive<S>,
-    /// What it is after.
+    /// The target length.
     #[serde(default)]
     pub target: CylinderTarget<S>,
-    /// Largest speed of the length wanted, m/s.
+    /// Largest rate of the target length, m/s.
     pub speed_limit_m_s: Positive<S>,
     /// Largest force outwards, N.
     #[serde(rename = "push_limit_N")]
@@ -43,7 +43,7 @@ pub struct Cylinder<S = f64> {
     /// Force per speed, N s/m.
     #[serde(rename = "damping_N_s_per_m")]
     pub damping_n_s_per_m: NonNegative<S>,
-    /// Force per length of the stops at both ends of the stroke, N/m.
+    /// Stiffness of the stops at both ends of the stroke, N/m.
     #[serde(default = "stop_stiffness::<S>", rename = "stop_stiffness_N_per_m")]
     pub stop_stiffness_n_per_m: NonNegative<S>,
     /// Dissipation of the stops, s/m: at a speed u into a stop its force is 1 + dissipation u times that of its spring.
@@ -61,7 +61,7 @@ fn stop_dissipation<S: Leaf>() -> NonNegative<S> {
     NonNegative::literal(1.0)
 }
 
-/// A point on a body, or on the world.
+/// A point on a body, or in the world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -77,7 +77,7 @@ pub struct Pin<S = f64> {
     pub position_m: [S; 3],
 }
 
-/// What a cylinder is after.
+/// The target length of a cylinder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -86,12 +86,12 @@ pub struct Pin<S = f64> {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum CylinderTarget<S = f64> {
-    /// The length that it has at the start.
+    /// Keeps the length that it has at the start.
     #[default]
     Hold,
-    /// A length, from the start on.
+    /// Goes to this length, from the start on.
     Length(TargetLength<S>),
-    /// Where an input in [-1, 1], named as the drive, leads: its share of the speed limit.
+    /// An input in [-1, 1], with the drive's name, times the speed limit is the rate of the target length.
     Lever,
 }
 

@@ -3,11 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::axes::slow;
-use super::histories::HistoryList;
+use super::histories::{History, HistoryList};
 use super::{ControlledDrive, CoordinateName, Cylinder, LinearControlledDrive, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// What acts between two bodies, mostly in the joint that connects them.
+/// Forces between two bodies, mostly in the joint that connects them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -24,9 +24,9 @@ pub enum Drive<S = f64> {
     Servo(Servo<S>),
     /// A spring and damper with a force limit that moves an axis to a target.
     LinearServo(LinearServo<S>),
-    /// A drive that turns an axis as its set-point says, within its limits.
+    /// A drive that turns an axis to follow a set-point within limits.
     ControlledDrive(Box<ControlledDrive<S>>),
-    /// A drive that moves an axis as its set-point says, within its limits.
+    /// A drive that slides an axis to follow a set-point within limits.
     LinearControlledDrive(Box<LinearControlledDrive<S>>),
     /// Dry friction about an axis, set and released.
     Brake(Brake<S>),
@@ -34,22 +34,6 @@ pub enum Drive<S = f64> {
     LinearBrake(LinearBrake<S>),
     /// A hydraulic cylinder between two pins, on any two bodies.
     Cylinder(Cylinder<S>),
-}
-
-/// How a drive's strength goes with time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum History {
-    /// Full strength from the start on.
-    #[default]
-    Constant,
-    /// Up, hold, stop, or up, hold, reverse, stop, by the times of `pulse`.
-    Pulse,
-    /// Straight lines between the shares of `list` at given times.
-    List,
-    /// An input in [-1, 1], named as the drive, times the full strength.
-    Lever,
 }
 
 /// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
@@ -61,11 +45,11 @@ pub struct Pulse {
     /// When it begins, s.
     #[serde(default)]
     pub start_s: NonNegative,
-    /// Length of the ramp from 0 to full strength, s; 0 is a jump.
+    /// Duration of the ramp from 0 to full strength, s; 0 is a jump.
     pub rise_s: NonNegative,
     /// Time at full strength, s.
     pub hold_s: NonNegative,
-    /// Time at full strength the other way, s; 0 is a pulse that does not reverse.
+    /// Time at full strength in the other direction, s; 0 is a pulse that does not reverse.
     #[serde(default)]
     pub reverse_s: NonNegative,
 }
@@ -87,7 +71,7 @@ pub struct Motor<S = f64> {
     /// Full torque, positive about the joint's axis, N m.
     #[serde(rename = "torque_N_m")]
     pub torque_n_m: S,
-    /// How the torque goes with time.
+    /// How the torque varies over time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
@@ -115,7 +99,7 @@ pub struct LinearMotor<S = f64> {
     /// Full force, positive along the joint's axis, N.
     #[serde(rename = "force_N")]
     pub force_n: S,
-    /// How the force goes with time.
+    /// How the force varies over time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
@@ -190,7 +174,7 @@ pub enum BrakeState {
     Set,
     /// Not at all.
     Released,
-    /// By an input in [0, 1], named as the drive, that begins at 1: set.
+    /// By an input in [0, 1] with the drive's name; it begins at 1, set.
     Lever,
 }
 
@@ -203,7 +187,7 @@ pub enum BrakeState {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Brake<S = f64> {
-    /// Whether it is there.
+    /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
@@ -211,10 +195,11 @@ pub struct Brake<S = f64> {
     /// Capacity: the torque that it can hold, N m.
     #[serde(rename = "torque_N_m")]
     pub torque_n_m: NonNegative<S>,
-    /// Rate about which its torque changes its sign smoothly, rad/s; what it holds creeps below it.
+    /// Rate scale over which its torque changes sign smoothly, rad/s. A joint that it holds creeps more slowly than
+    /// this.
     #[serde(default = "slow::<S>")]
     pub smoothing_rad_s: Positive<S>,
-    /// Set, released, or by a lever.
+    /// Set, released, or moved by a lever.
     #[serde(default)]
     pub state: BrakeState,
 }
@@ -228,7 +213,7 @@ pub struct Brake<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct LinearBrake<S = f64> {
-    /// Whether it is there.
+    /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
@@ -236,10 +221,10 @@ pub struct LinearBrake<S = f64> {
     /// Capacity: the force that it can hold, N.
     #[serde(rename = "force_N")]
     pub force_n: NonNegative<S>,
-    /// Speed about which its force changes its sign smoothly, m/s; what it holds creeps below it.
+    /// Speed scale over which its force changes sign smoothly, m/s. A joint that it holds creeps more slowly than this.
     #[serde(default = "slow::<S>")]
     pub smoothing_m_s: Positive<S>,
-    /// Set, released, or by a lever.
+    /// Set, released, or moved by a lever.
     #[serde(default)]
     pub state: BrakeState,
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// A controller that keeps a point of a ship over a place and the ship on a heading by its thrusters.
+/// A controller that holds a point of a ship at a position, and the ship on a heading, with thrusters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -20,7 +20,7 @@ pub struct DynamicPositioning<S = f64> {
     pub enabled: bool,
     /// The ship.
     pub body: Name,
-    /// The point that is kept, and that forces and moments refer to, in the body's drawing frame, m.
+    /// The point that is held, in the body's drawing frame, m. Forces and moments refer to it.
     #[serde(default)]
     pub position_m: [S; 3],
     /// Where.
@@ -28,14 +28,14 @@ pub struct DynamicPositioning<S = f64> {
     pub target: StationTarget<S>,
     /// The controller's gains.
     pub gains: PositioningGains<S>,
-    /// What keeps the thrusters from answering each wave; without it they do.
+    /// The filter that keeps the thrusters from responding to every wave; without it they respond.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wave_filter: Option<WaveFilter<S>>,
-    /// What gives way where a thruster is at its limit.
+    /// What is reduced when a thruster is at its limit.
     #[serde(default)]
     pub priority: ThrustPriority,
-    /// Time within which the integrals follow what the thrusters can give while one of them is at its limit, s; without it
-    /// sqrt(K_d / K_i), of each of surge, sway and yaw.
+    /// Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
+    /// this time constant. Without it sqrt(K_d / K_i), for surge, sway and yaw each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub anti_windup_time_s: Option<Positive<S>>,
     /// The thrusters by name.
@@ -68,7 +68,7 @@ pub struct StationTarget<S = f64> {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum PositioningGains<S = f64> {
-    /// By the natural period and the damping that the ship is to have.
+    /// From the natural period and the damping ratio of the controlled ship.
     NaturalPeriods(Box<NaturalPeriods<S>>),
     /// As numbers.
     Stated(Box<StatedGains<S>>),
@@ -89,12 +89,12 @@ pub struct NaturalPeriods<S = f64> {
     pub sway: TranslationTuning<S>,
     /// About the vertical.
     pub yaw: RotationTuning<S>,
-    /// Whether integrals take up the mean of what pushes the ship.
+    /// Whether integral action balances the mean load on the ship.
     #[serde(default = "yes")]
     pub integral: bool,
 }
 
-/// How surge or sway answers.
+/// The response in surge or sway.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -103,7 +103,7 @@ pub struct NaturalPeriods<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct TranslationTuning<S = f64> {
-    /// Mass, with that of the water that moves with the ship at low frequency, kg.
+    /// Mass with the low-frequency added mass, kg.
     pub mass_kg: Positive<S>,
     /// Natural period, s.
     pub period_s: Positive<S>,
@@ -124,7 +124,7 @@ pub struct TranslationTuning<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct RotationTuning<S = f64> {
-    /// Moment of inertia about the vertical, with that of the water, kg m^2.
+    /// Moment of inertia about the vertical with the added one, kg m^2.
     pub inertia_kg_m2: Positive<S>,
     /// Natural period, s.
     pub period_s: Positive<S>,
@@ -169,7 +169,8 @@ pub struct StatedGains<S = f64> {
     pub yaw_integral_n_m_per_rad_s: NonNegative<S>,
 }
 
-/// Notches, and a low pass after them, in what the controller makes of errors and rates; not in its integrals.
+/// Notch filters and then a low-pass filter on the proportional and derivative part of the controller; the integrals
+/// are not filtered.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -178,10 +179,10 @@ pub struct StatedGains<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct WaveFilter<S = f64> {
-    /// Periods that are notched out, s: the waves' peak period, or several about it.
+    /// Periods of the notches, s: the waves' peak period, or several periods around it.
     #[serde(default)]
     pub notch_periods_s: Vec<Positive<S>>,
-    /// What a notch leaves at its own period: the ratio of the dampings of its numerator and its denominator.
+    /// Gain of a notch at its own period: damping ratio of its numerator over that of its denominator.
     #[serde(default = "notch_ratio::<S>")]
     pub notch_damping_ratio: NonNegative<S>,
     /// Period of the low pass of second order, s; without it there is none.
@@ -200,15 +201,15 @@ fn butterworth<S: Leaf>() -> Positive<S> {
     Positive::literal(core::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// What gives way where a thruster is at its limit.
+/// What is reduced when a thruster is at its limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum ThrustPriority {
-    /// The force, which keeps its direction: the yaw moment is given first.
+    /// The force is reduced and keeps its direction; the yaw moment is given first.
     #[default]
     Heading,
-    /// Force and moment alike.
+    /// Force and moment are reduced alike.
     None,
 }
 
@@ -221,7 +222,7 @@ pub enum ThrustPriority {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum Thruster<S = f64> {
-    /// A propeller in a tunnel through the hull, that pushes both ways alike.
+    /// A propeller in a tunnel through the hull, with the same thrust both ways.
     Tunnel(TunnelThruster<S>),
     /// A propeller on a fixed shaft.
     MainPropeller(MainPropeller<S>),
@@ -249,9 +250,9 @@ pub struct TunnelThruster<S = f64> {
     /// Largest thrust, both ways, N.
     #[serde(rename = "max_thrust_N")]
     pub max_thrust_n: Positive<S>,
-    /// Time constant of the thrust behind its command, s.
+    /// Time constant with which the thrust follows its command, s.
     pub time_constant_s: Positive<S>,
-    /// Weight of its use against that of the others in the allocation.
+    /// Weight in the thrust allocation: a thruster with a larger weight is used less.
     #[serde(default = "one::<S>")]
     pub weight: Positive<S>,
 }
@@ -279,9 +280,9 @@ pub struct MainPropeller<S = f64> {
     /// Largest thrust astern, N.
     #[serde(rename = "max_astern_thrust_N")]
     pub max_astern_thrust_n: Positive<S>,
-    /// Time constant of the thrust behind its command, s.
+    /// Time constant with which the thrust follows its command, s.
     pub time_constant_s: Positive<S>,
-    /// Weight of its use against that of the others in the allocation.
+    /// Weight in the thrust allocation: a thruster with a larger weight is used less.
     #[serde(default = "one::<S>")]
     pub weight: Positive<S>,
 }
@@ -303,9 +304,9 @@ pub struct AzimuthThruster<S = f64> {
     /// Largest thrust in any direction, N.
     #[serde(rename = "max_thrust_N")]
     pub max_thrust_n: Positive<S>,
-    /// Time constant of both components of the thrust behind their commands, s.
+    /// Time constant with which both components of the thrust follow their commands, s.
     pub time_constant_s: Positive<S>,
-    /// Weight of its use against that of the others in the allocation.
+    /// Weight in the thrust allocation: a thruster with a larger weight is used less.
     #[serde(default = "one::<S>")]
     pub weight: Positive<S>,
 }

@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
-/// Makes a body a uniform beam along its x axis, centred on its centre of mass. Its mass is the body's, its length
-/// that of the shape unless it is given.
+/// Makes a body a uniform beam along its x axis, centred on its centre of mass. Its mass is the body's, its length is
+/// the shape's unless it is given.
 ///
-/// The beam is cut into pieces with an elastic joint in the middle of each. The body keeps its name for the first
-/// half piece, with the body's joint; the segments after it are `boom.1`, `boom.2`, and so on. What hangs on the body
-/// hangs on the segment at its `position_m`.
+/// The beam is cut into pieces with an elastic joint in the middle of each. The body keeps its name for the first half
+/// piece, with the body's joint; the segments after it are `boom.1`, `boom.2`, and so on. A child of the body is
+/// attached to the segment at its `position_m`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -58,7 +58,7 @@ pub enum Section<S = f64> {
     General(GeneralSection<S>),
 }
 
-/// A round tube; a bar where the wall is half of the diameter.
+/// A round tube; a solid bar if the wall is half of the diameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -119,13 +119,13 @@ pub struct GeneralSection<S = f64> {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum FlexibleDamping<S = f64> {
-    /// By the damping ratio that a mode of a frequency has.
+    /// From the damping ratio of a mode of a given frequency.
     Ratio(DampingRatio<S>),
     /// By the time.
     StiffnessTime(StiffnessTime<S>),
 }
 
-/// The damping ratio of a mode; modes of other frequencies have it in proportion to theirs.
+/// The damping ratio of a mode; those of other modes are in proportion to their frequencies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{Gusts, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// The wind: the same everywhere at one height, steady or with gusts.
+/// The wind: uniform at each height, steady or with gusts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -18,13 +18,13 @@ pub struct Wind<S = f64> {
     pub speed_m_s: NonNegative<S>,
     /// Direction that the wind goes to, from the world's x axis, counter-clockwise, rad.
     pub direction_rad: S,
-    /// Height above the still water that the speed is given at, m.
+    /// Height above the still water at which the speed is given, m.
     #[serde(default = "ten_metres::<S>")]
     pub reference_height_m: Positive<S>,
-    /// How the mean speed goes with the height.
+    /// How the mean speed varies with height.
     #[serde(default)]
     pub profile: WindProfile<S>,
-    /// What the speed does about its mean; without it, the wind is steady.
+    /// Variation of the speed about its mean; without it, the wind is steady.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gusts: Option<Gusts<S>>,
     /// Density of the air, kg/m^3.
@@ -93,7 +93,7 @@ impl<S: Leaf> Default for PowerLaw<S> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Logarithmic<S = f64> {
-    /// Height at which the law has no wind, m: 0.0001 to 0.01 at sea.
+    /// Height at which the mean wind is zero by this law, m: 0.0001 to 0.01 at sea.
     pub roughness_m: Positive<S>,
 }
 
@@ -111,11 +111,11 @@ pub enum CurrentProfile<S = f64> {
     Uniform,
     /// By a power of the height over the bottom, for tides.
     PowerLaw(PowerLaw<S>),
-    /// By a table, as it is measured; `current_m_s` is then left out.
+    /// By a table, as measured; leave out `current_m_s` then.
     Table(CurrentTable<S>),
 }
 
-/// The current at given depths, its components linear between them and below the last as there.
+/// The current at given depths. Its components are linear between depths and constant below the last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -132,7 +132,7 @@ pub struct CurrentTable<S = f64> {
     pub directions_rad: Vec<S>,
 }
 
-/// Which speed of a current with a profile a load is of.
+/// Which speed of a current profile a load uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -141,7 +141,7 @@ pub struct CurrentTable<S = f64> {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum CurrentSpeed<S = f64> {
-    /// That whose square is the mean over the draught, as drag has it.
+    /// The root mean square over the draught, as drag needs it.
     #[default]
     MeanSquare,
     /// The mean over the draught.
@@ -177,18 +177,18 @@ pub struct WindLoad<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+    /// The point where the force acts and whose velocity is used, in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// Height above the still water whose wind the coefficients refer to, m.
+    /// Height above the still water at which the wind speed is taken, m.
     #[serde(default = "ten_metres::<S>")]
     pub height_m: Positive<S>,
     /// The coefficients.
     pub coefficients: FlowCoefficients<S>,
 }
 
-/// The current on a body by coefficients of its relative velocity. Do not damp surge, sway and yaw by other
-/// forces too.
+/// The current on a body by coefficients of its relative velocity. It damps surge, sway and yaw too: add no other
+/// damping for the current.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -202,13 +202,13 @@ pub struct CurrentLoad<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+    /// The point where the force acts and whose velocity is used, in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// Draught over which the current is averaged where it has a profile, m.
+    /// Draught over which a current profile is averaged, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub draught_m: Option<Positive<S>>,
-    /// Which speed counts where the current has a profile.
+    /// Which speed of a current profile is used.
     #[serde(default)]
     pub speed: CurrentSpeed<S>,
     /// The coefficients.
@@ -226,9 +226,9 @@ pub struct CurrentLoad<S = f64> {
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct FlowCoefficients<S = f64> {
     /// Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-    /// from ahead, as OCIMF's.
+    /// from ahead, as in OCIMF.
     pub directions_rad: Vec<f64>,
-    /// Whether port is as starboard: the directions go from 0 to pi and are mirrored.
+    /// Whether port and starboard are alike: the directions then go from 0 to pi and are mirrored.
     pub symmetric: bool,
     /// C_x at each direction, forward.
     pub surge: Vec<S>,

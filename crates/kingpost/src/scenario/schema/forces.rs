@@ -1,4 +1,4 @@
-//! Forces: what acts on the bodies from outside.
+//! Forces that act on the bodies from outside.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use super::{
 };
 use crate::scenario::leaf::Leaf;
 
-/// What acts on the bodies from outside.
+/// Forces that act on the bodies from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -21,7 +21,7 @@ pub enum Force<S = f64> {
     Gravity(Gravity<S>),
     /// Damping proportional to a body's rates.
     ViscousDamping(ViscousDamping<S>),
-    /// Drag by the square of a body's rates.
+    /// Drag proportional to the square of a body's rates.
     QuadraticDamping(QuadraticDamping<S>),
     /// The water on a hull.
     Hydrodynamics(Hydrodynamics<S>),
@@ -70,15 +70,16 @@ impl<S: Leaf> Default for Gravity<S> {
     }
 }
 
-/// What a damped velocity is relative to, where the sea has a current.
+/// What the velocity is measured against where the sea has a current.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum DampedAgainst {
-    /// The water at its surface: friction and eddies of the hull.
+    /// The water at its surface: for friction and eddies of the hull.
     #[default]
     Water,
-    /// The earth: what chains on the seabed and the slow drift in waves take from a moored ship. A current does not push by it.
+    /// The earth: for the damping of a moored ship by chains on the seabed and by slow drift in waves. A current exerts
+    /// no force through it.
     Earth,
 }
 
@@ -96,10 +97,10 @@ pub struct ViscousDamping<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// What its velocity is relative to.
+    /// What the velocity is measured against.
     #[serde(default)]
     pub relative_to: DampedAgainst,
-    /// The point that the force acts at, and whose velocity counts, in the body's drawing frame, m; without it, the
+    /// The point where the force acts and whose velocity is used, in the body's drawing frame, m; without it, the
     /// centre of mass.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_m: Option<[S; 3]>,
@@ -109,8 +110,8 @@ pub struct ViscousDamping<S = f64> {
     /// Moment per roll, pitch, yaw rate, N m s.
     #[serde(default, rename = "angular_N_m_s")]
     pub angular_n_m_s: [NonNegative<S>; 3],
-    /// Added to these: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity x, y, z (m/s) and roll,
-    /// pitch, yaw rate (rad/s). No motion may gain energy from it.
+    /// A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
+    /// x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub matrix: Option<Box<[[S; 6]; 6]>>,
 }
@@ -129,10 +130,10 @@ pub struct QuadraticDamping<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// What its velocity is relative to.
+    /// What the velocity is measured against.
     #[serde(default)]
     pub relative_to: DampedAgainst,
-    /// The point that the force acts at, and whose velocity counts, in the body's drawing frame, m.
+    /// The point where the force acts and whose velocity is used, in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
     /// Force per square of velocity along x, y, z of the body, N s^2/m^2.

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::{NonNegative, Positive, WaveAmplitudes};
 use crate::scenario::leaf::Leaf;
 
-/// Gusts: the speed of the wind about its mean, drawn from a spectrum with the run's seed. They blow along the mean wind and meet
-/// the whole ship at once.
+/// Gusts: variation of the wind speed about its mean, drawn from a spectrum with the run's seed. They act along the
+/// mean wind and on the whole ship at once.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -21,15 +21,15 @@ pub struct Gusts<S = f64> {
     pub spectrum: GustSpectrum<S>,
     /// Number of components.
     pub components: usize,
-    /// Whether amplitudes are random too, or those of the spectrum.
+    /// Whether the amplitudes are random or those of the spectrum.
     pub amplitudes: WaveAmplitudes,
-    /// Slower gusts are left out, Hz: 1/3600 unless given, for a mean over one hour.
+    /// Lowest frequency, Hz: slower gusts are left out. 1/3600 unless given, for a mean over one hour.
     #[serde(rename = "lowest_Hz")]
     pub lowest_hz: Positive,
-    /// Faster gusts are left out, Hz: they are smaller than a ship.
+    /// Highest frequency, Hz: faster gusts, which are smaller than a ship, are left out.
     #[serde(rename = "highest_Hz")]
     pub highest_hz: Positive,
-    /// Time over which they grow from nothing at the start, s.
+    /// Time over which the gusts grow from zero at the start, s.
     pub ramp_s: NonNegative,
 }
 
@@ -47,7 +47,7 @@ impl<S: Leaf> Default for Gusts<S> {
     }
 }
 
-/// The spectrum of gusts, of the mean wind at the height of the load.
+/// The spectrum of the gusts, for the mean wind at the height of the load.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -56,16 +56,16 @@ impl<S: Leaf> Default for Gusts<S> {
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum GustSpectrum<S = f64> {
-    /// That of the Norwegian Petroleum Directorate, of ISO 19901-1 and API RP 2MET.
+    /// The spectrum of the Norwegian Petroleum Directorate, in ISO 19901-1 and API RP 2MET.
     #[default]
     Npd,
-    /// That of API RP 2A.
+    /// The spectrum of API RP 2A.
     Api(ApiGusts<S>),
-    /// Kaimal's, as IEC 61400-1 writes it.
+    /// Kaimal's spectrum in the form of IEC 61400-1.
     Kaimal(KaimalGusts<S>),
 }
 
-/// S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3), f_p = c U / z, sigma as API RP 2A has it over the height z.
+/// S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3), f_p = c U / z, sigma by API RP 2A at the height z.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -93,8 +93,8 @@ impl<S: Leaf> Default for ApiGusts<S> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct KaimalGusts<S = f64> {
-    /// I, the deviation of the speed as a share of the mean.
+    /// I: standard deviation of the speed over the mean speed.
     pub turbulence_intensity: Positive<S>,
-    /// L, m: by IEC 61400-1 5.67 times the height, from 60 m on 340 m.
+    /// L, m. In IEC 61400-1 it is 5.67 times the height, and 340 m above 60 m.
     pub length_scale_m: Positive<S>,
 }

@@ -1,12 +1,28 @@
-//! How strengths and rates go with time, and motions that are given by how far they go.
+//! Histories of strengths and rates over time, and motions given by their distance.
 
 use serde::{Deserialize, Serialize};
 
 use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
-/// Shares of the full strength at given times, and straight lines between them: none before the first time, the last
-/// share after the last.
+/// How a drive's strength varies over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum History {
+    /// Full strength from the start on.
+    #[default]
+    Constant,
+    /// Up, hold and stop, or up, hold, reverse and stop, at the times of `pulse`.
+    Pulse,
+    /// Straight lines between the shares of `list` at given times.
+    List,
+    /// Full strength times an input in [-1, 1] that has the drive's name.
+    Lever,
+}
+
+/// Shares of the full strength at given times, linear between them: 0 before the first time, the last share after the
+/// last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -15,16 +31,15 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct HistoryList<S = f64> {
-    /// Times, s, none before the one in front of it. The same time twice is a jump, which a motor may make and a
-    /// prescribed rate may not.
+    /// Times in increasing order, s. The same time twice is a jump: a motor may have one, a prescribed rate may not.
     pub time_s: Vec<NonNegative>,
-    /// The share at each time: 1 is full, -1 full the other way.
+    /// The share at each time: 1 is full strength, -1 full strength in the other direction.
     pub share: Vec<S>,
 }
 
 /// Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
-/// `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back to 0.
-/// Without a reverse the way is `R (rise_s + hold_s)`.
+/// `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back
+/// to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -32,11 +47,11 @@ pub struct RatePulse {
     /// When it begins, s.
     #[serde(default)]
     pub start_s: NonNegative,
-    /// Length of the ramp from 0 to the full rate, s.
+    /// Duration of the ramp from 0 to the full rate, s.
     pub rise_s: Positive,
     /// Time at the full rate, s.
     pub hold_s: NonNegative,
-    /// Time at the full rate the other way, s; 0 is a pulse that does not reverse.
+    /// Time at the full rate in the other direction, s; 0 is a pulse that does not reverse.
     #[serde(default)]
     pub reverse_s: NonNegative,
 }
@@ -56,9 +71,9 @@ pub struct AngleTravel<S = f64> {
     /// When it begins, s.
     #[serde(default)]
     pub start_s: NonNegative,
-    /// From rest to rest, both ramps included, s.
+    /// Duration from rest to rest, both ramps included, s.
     pub duration_s: Positive,
-    /// Length of a ramp, s; at most half of the duration.
+    /// Duration of a ramp, s; at most half of the whole duration.
     pub ramp_s: Positive,
 }
 
@@ -77,8 +92,8 @@ pub struct LengthTravel<S = f64> {
     /// When it begins, s.
     #[serde(default)]
     pub start_s: NonNegative,
-    /// From rest to rest, both ramps included, s.
+    /// Duration from rest to rest, both ramps included, s.
     pub duration_s: Positive,
-    /// Length of a ramp, s; at most half of the duration.
+    /// Duration of a ramp, s; at most half of the whole duration.
     pub ramp_s: Positive,
 }

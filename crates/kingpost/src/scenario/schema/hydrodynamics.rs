@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::{Name, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, the waves that the hull makes
-/// and those that come. Weight is no part of it: that is gravity's, on every body.
+/// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
+/// It does not contain weight: `gravity` acts on every body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -29,30 +29,33 @@ pub struct Hydrodynamics<S = f64> {
     /// How buoyancy is computed.
     #[serde(default)]
     pub hydrostatics: Hydrostatics,
-    /// Whether the infinite-frequency added mass moves with the hull.
+    /// Whether the added mass at infinite frequency acts.
     #[serde(default = "yes")]
     pub added_mass: bool,
-    /// Whether the waves that the hull makes act on it.
+    /// Whether the waves that the hull radiates act on it.
     #[serde(default = "yes")]
     pub radiation: bool,
     /// Whether the sea's waves act on it.
     #[serde(default = "yes")]
     pub excitation: bool,
-    /// Whether the waves' own pressure acts on what their surface wets of the mesh, instead of the linear Froude-Krylov
-    /// force: large motions and high waves. Excitation is then by diffraction alone. Needs `hydrostatics: mesh`.
+    /// Whether the pressure of the incident waves acts on the part of the mesh below their surface, instead of the
+    /// linear Froude-Krylov force: for large motions and high waves. The linear excitation is then diffraction only.
+    /// Needs `hydrostatics: mesh`.
     #[serde(default)]
     pub wave_pressure: bool,
-    /// Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and sway
-    /// force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not beside
-    /// `wave_pressure`.
+    /// Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and
+    /// sway force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not
+    /// together with `wave_pressure`.
     #[serde(default)]
     pub wave_drift: bool,
-    /// Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep water:
-    /// damping of slow surge and sway by the waves, and more or less drift in a current. Needs `wave_drift`.
+    /// Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep
+    /// water: it adds wave-drift damping of slow surge and sway, and changes the drift in a current. Needs
+    /// `wave_drift`.
     #[serde(default)]
     pub wave_drift_damping: bool,
-    /// First-order wave loads are taken at the place and heading that pass a filter of sixth order with this cut-off, rad/s:
-    /// well below the waves' frequencies, above those of the ship's drift, which it follows without lag.
+    /// Cut-off of a sixth-order low-pass filter, rad/s. First-order wave loads are computed at the filtered position
+    /// and heading. Choose it well below the wave frequencies and above those of the ship's drift, which the filter
+    /// follows without lag.
     #[serde(default = "slow_motion_cutoff")]
     pub slow_motion_cutoff_rad_s: Positive,
 }
@@ -67,10 +70,10 @@ fn slow_motion_cutoff() -> Positive {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Hydrostatics {
-    /// By the water plane at the database's draught: to second order in the motions.
+    /// From the waterplane at the database's draught, to second order in the motions.
     #[default]
     Linear,
-    /// By the database's mesh as it stands in still water.
+    /// From the wetted part of the database's mesh in still water.
     Mesh,
     /// Not at all.
     None,

@@ -18,8 +18,8 @@ pub enum Integrator {
     /// The classical Runge-Kutta scheme in Munthe-Kaas' form; order 4, on rotations too.
     #[default]
     Rk4,
-    /// Dormand and Prince's pair of order 5(4) with error control and dense output: its own steps follow the tolerances,
-    /// and step_s is how often the state is handed out. See dormand_prince.
+    /// Dormand and Prince's pair of order 5(4) with error control and dense output: it chooses its steps by the
+    /// tolerances; step_s only sets how often the state is output. See dormand_prince.
     DormandPrince,
     /// Newmark's method, implicit; order 2, stable at any step on linear oscillations. See newmark.
     Newmark,
@@ -30,16 +30,16 @@ pub enum Integrator {
     ImplicitMidpoint,
 }
 
-/// What the dormand_prince integrator keeps to.
+/// Tolerances of the dormand_prince integrator.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct DormandPrinceSettings {
-    /// Error that a step may make on each coordinate, rad or m, and on each rate, rad/s or m/s.
+    /// Error that a step may make in each coordinate, rad or m, and in each rate, rad/s or m/s.
     pub absolute_tolerance: Positive,
-    /// Beside it: as a part of the coordinate's motion in the step, and of the rate.
+    /// Added to it: error relative to the coordinate's motion in the step, and to the rate.
     pub relative_tolerance: NonNegative,
-    /// Largest step of its own, s.
+    /// Largest step that it takes, s.
     pub largest_step_s: Positive,
 }
 
@@ -76,7 +76,7 @@ impl Default for NewmarkSettings {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct GeneralizedAlphaSettings {
-    /// What a step leaves of oscillations far faster than it, from 0, all is gone, to 1, nothing is damped.
+    /// Factor by which one step reduces oscillations much faster than the step: from 0, all removed, to 1, no damping.
     pub rho_infinity: Fraction,
 }
 

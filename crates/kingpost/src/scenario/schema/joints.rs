@@ -1,4 +1,4 @@
-//! Joints: how a body moves against its parent.
+//! Joints: how a body moves relative to its parent.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,7 @@ use super::{
 };
 use crate::scenario::leaf::Leaf;
 
-/// How a body moves against its parent.
+/// How a body moves relative to its parent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -34,14 +34,14 @@ pub enum Joint<S = f64> {
     Planar(PlanarJoint<S>),
     /// Turns about a point.
     Spherical(SphericalJoint<S>),
-    /// Does not move against its parent.
+    /// Does not move relative to its parent.
     Fixed(FixedJoint<S>),
-    /// Moves in the world as the waves and its RAOs say.
+    /// Moves in the world by the waves and the body's RAOs.
     MovedByWaves(MovedByWaves<S>),
 }
 
 impl<S: Leaf> Joint<S> {
-    /// `floating`, `revolute` and so on: the key under which it stands.
+    /// The key of the joint in the file: `floating`, `revolute` and so on.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Floating(_) => "floating",
@@ -56,7 +56,7 @@ impl<S: Leaf> Joint<S> {
         }
     }
 
-    /// The name written in the file; a joint without one is named as its body.
+    /// The name written in the file; a joint without one has its body's name.
     pub fn name(&self) -> Option<&Name> {
         match self {
             Self::Floating(joint) => joint.name.as_ref(),
@@ -71,7 +71,7 @@ impl<S: Leaf> Joint<S> {
         }
     }
 
-    /// Where it sits; at the origins for a floating joint.
+    /// Its place; at the origins for a floating joint.
     pub fn place(&self) -> JointPlace<S> {
         let (position_m, child_position_m, orientation_rad) = match self {
             Self::Floating(_) => return JointPlace::default(),
@@ -100,18 +100,18 @@ impl<S: Leaf> Joint<S> {
     }
 }
 
-/// Where a joint sits in its two bodies.
+/// The place of a joint in its two bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JointPlace<S = f64> {
     /// In the parent's drawing frame, m.
     pub position_m: [S; 3],
     /// In the body's drawing frame, m.
     pub child_position_m: [S; 3],
-    /// The body's axes in the parent's: roll, pitch, yaw, rad.
+    /// Orientation of the body's axes in the parent's: roll, pitch, yaw, rad.
     pub orientation_rad: [S; 3],
 }
 
-/// A body free in the world. Its parent is the world.
+/// A body that moves freely in the world. Its parent is the world.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -120,7 +120,7 @@ pub struct JointPlace<S = f64> {
 )]
 #[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
 pub struct FloatingJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// Holds the centre of mass where it is.
@@ -159,10 +159,10 @@ pub struct InitialMotion<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct RevoluteJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
-    /// The axis in this body's axes, of any length but 0.
+    /// The axis in this body's axes, of any length except 0.
     pub axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
@@ -170,7 +170,7 @@ pub struct RevoluteJoint<S = f64> {
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
     pub child_position_m: [S; 3],
-    /// This body's axes in the parent's at angle 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of this body's axes in the parent's at angle 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
     /// Angle at the start, rad.
@@ -228,10 +228,10 @@ impl<S: Leaf> RevoluteJoint<S> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct PrismaticJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
-    /// The axis in this body's axes, of any length but 0.
+    /// The axis in this body's axes, of any length except 0.
     pub axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
@@ -239,7 +239,7 @@ pub struct PrismaticJoint<S = f64> {
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
     pub child_position_m: [S; 3],
-    /// This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of this body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
     /// Extension at the start, m.
@@ -288,7 +288,7 @@ impl<S: Leaf> PrismaticJoint<S> {
     }
 }
 
-/// No motion against the parent.
+/// No motion relative to the parent.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -297,13 +297,13 @@ impl<S: Leaf> PrismaticJoint<S> {
 )]
 #[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
 pub struct FixedJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The joint in the parent's drawing frame, m.
     pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
     pub child_position_m: [S; 3],
-    /// This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of this body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     pub orientation_rad: [S; 3],
 }

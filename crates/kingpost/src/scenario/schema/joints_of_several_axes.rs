@@ -14,10 +14,10 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct CylindricalJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
-    /// The axis in this body's axes, of any length but 0.
+    /// The axis in this body's axes, of any length except 0.
     pub axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
@@ -25,19 +25,20 @@ pub struct CylindricalJoint<S = f64> {
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
     pub child_position_m: [S; 3],
-    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+    /// angles), rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
-    /// The turning about the axis.
+    /// The rotation about the axis.
     #[serde(default)]
     pub rotation: AngleAxis<S>,
-    /// The sliding along the axis.
+    /// The translation along the axis.
     #[serde(default)]
     pub translation: LengthAxis<S>,
 }
 
-/// Turns about an axis that stays with the parent, then about one that stays with this body. Its coordinates are
-/// `first` and `second`.
+/// Turns about an axis fixed in the parent, then about an axis fixed in this body. Its coordinates are `first` and
+/// `second`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -46,12 +47,12 @@ pub struct CylindricalJoint<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct UniversalJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
-    /// The axis that stays with the parent, in this body's axes at angle 0, of any length but 0.
+    /// The axis fixed in the parent, given in this body's axes at angle 0, of any length except 0.
     pub first_axis: Direction<S>,
-    /// The axis that stays with this body, in its axes, perpendicular to the first.
+    /// The axis fixed in this body, in its axes, perpendicular to the first.
     pub second_axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
@@ -59,19 +60,19 @@ pub struct UniversalJoint<S = f64> {
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
     pub child_position_m: [S; 3],
-    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+    /// angles), rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
-    /// The turning about the first axis.
+    /// The rotation about the first axis.
     #[serde(default)]
     pub first: AngleAxis<S>,
-    /// The turning about the second axis.
+    /// The rotation about the second axis.
     #[serde(default)]
     pub second: AngleAxis<S>,
 }
 
-/// Slides in a plane that stays with the parent and turns about its normal. Its coordinates are `x`, `y` and
-/// `rotation`.
+/// Slides in a plane fixed in the parent and turns about its normal. Its coordinates are `x`, `y` and `rotation`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -80,13 +81,13 @@ pub struct UniversalJoint<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct PlanarJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
-    /// The plane's normal in this body's axes, of any length but 0.
+    /// The plane's normal in this body's axes, of any length except 0.
     pub normal: Direction<S>,
-    /// The direction of x in the plane, in this body's axes at angle 0, perpendicular to the normal; y is the normal
-    /// times x.
+    /// The direction of x in the plane, in this body's axes at angle 0, perpendicular to the normal; y is the cross
+    /// product of the normal and x.
     pub x_axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
@@ -94,7 +95,8 @@ pub struct PlanarJoint<S = f64> {
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
     pub child_position_m: [S; 3],
-    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+    /// angles), rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
     /// The sliding along x.
@@ -103,12 +105,12 @@ pub struct PlanarJoint<S = f64> {
     /// The sliding along y.
     #[serde(default)]
     pub y: LengthAxis<S>,
-    /// The turning about the normal.
+    /// The rotation about the normal.
     #[serde(default)]
     pub rotation: AngleAxis<S>,
 }
 
-/// Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity against the parent in this body's
+/// Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity relative to the parent in this body's
 /// axes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
@@ -118,7 +120,7 @@ pub struct PlanarJoint<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct SphericalJoint<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The joint in the parent's drawing frame, m.
@@ -127,20 +129,21 @@ pub struct SphericalJoint<S = f64> {
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
     pub child_position_m: [S; 3],
-    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+    /// angles), rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
-    /// This body's axes at the start in those that `orientation_rad` gives: roll, pitch, yaw (intrinsic z-y-x angles),
-    /// rad.
+    /// Orientation of this body's axes at the start, relative to that of `orientation_rad`: roll, pitch, yaw (intrinsic
+    /// z-y-x angles), rad.
     #[serde(default)]
     pub initial_orientation_rad: [S; 3],
-    /// Angular velocity against the parent at the start, in this body's axes, rad/s.
+    /// Angular velocity relative to the parent at the start, in this body's axes, rad/s.
     #[serde(default)]
     pub initial_angular_velocity_rad_s: [S; 3],
     /// Viscous damping moment per angular velocity, N m s.
     #[serde(default, rename = "damping_N_m_s")]
     pub damping_n_m_s: NonNegative<S>,
-    /// Holds the orientation against the parent as it is.
+    /// Holds the orientation relative to the parent.
     #[serde(default)]
     pub held: bool,
 }

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::{NonNegative, Pin, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// A line without weight between two points on bodies, or on a body and in the world: a spring that pulls when it is
-/// longer than its unstretched length.
+/// A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring when
+/// it is longer than its unstretched length.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -15,10 +15,10 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct SpringLine<S = f64> {
-    /// Whether it is there.
+    /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// One end: the fairlead, say.
+    /// One end: a fairlead, for example.
     pub first: Pin<S>,
     /// The other end: a bollard on the `world`, or on another body.
     pub second: Pin<S>,
@@ -27,13 +27,13 @@ pub struct SpringLine<S = f64> {
     /// EA: tension per strain, N.
     #[serde(rename = "axial_stiffness_N")]
     pub axial_stiffness_n: Positive<S>,
-    /// Damping along the line: a in T = EA/L0 s (1 + a s') at the stretch s, never less than 0, s/m.
+    /// Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never less than 0.
     #[serde(default)]
     pub dissipation_s_per_m: NonNegative<S>,
 }
 
-/// A mooring line from a fairlead to an anchor: at every moment the elastic catenary in which it would rest, without
-/// inertia, drag and seabed friction of its own.
+/// A mooring line from a fairlead to an anchor: quasi-static, an elastic catenary at every moment. It has no inertia,
+/// no drag and no seabed friction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -42,7 +42,7 @@ pub struct SpringLine<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct CatenaryLine<S = f64> {
-    /// Whether it is there.
+    /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The upper end, on a body.
@@ -51,14 +51,13 @@ pub struct CatenaryLine<S = f64> {
     pub anchor_m: [S; 3],
     /// Length without tension, m.
     pub unstretched_length_m: Positive<S>,
-    /// Weight less buoyancy of the unstretched length, N/m.
+    /// Weight in water per unstretched length, N/m.
     #[serde(rename = "weight_in_water_N_per_m")]
     pub weight_in_water_n_per_m: Positive<S>,
     /// EA: tension per strain, N.
     #[serde(rename = "axial_stiffness_N")]
     pub axial_stiffness_n: Positive<S>,
-    /// Whether the anchor stands on a flat seabed, at the anchor's depth everywhere, that carries the line. Without it
-    /// the line hangs freely.
+    /// Whether the line can lie on a flat seabed at the anchor's depth. Without it the line hangs freely.
     #[serde(default = "yes")]
     pub seabed: bool,
 }

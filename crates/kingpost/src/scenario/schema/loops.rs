@@ -1,12 +1,12 @@
-//! Closed loops: what ties two bodies together beside their joints.
+//! Closed loops: constraints between two bodies in addition to their joints.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// A joint that closes a loop, cut out of the tree and written as constraints between the two bodies that it ties. Name
-/// only those that the joints do not keep already: a four-bar linkage in the x-z plane needs x and z.
+/// A joint that closes a loop, written as constraints between the two bodies that it connects. Give only constraints
+/// that the other joints do not already impose: a four-bar linkage in the x-z plane needs x and z.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -18,14 +18,14 @@ pub struct Loop<S = f64> {
     /// Whether it holds.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// Where it is tied to one body. Constraints are along and about these axes.
+    /// The attachment to one body. Constraints are along and about these axes.
     pub first: Attachment<S>,
-    /// Where it is tied to the other.
+    /// The attachment to the other body.
     pub second: Attachment<S>,
-    /// What it constrains, in any order; none may follow from the others.
+    /// The constraints, in any order; none may follow from the others.
     pub constraints: Vec<Constraint<S>>,
-    /// The largest gap at the start that is closed by moving the free joints, m, and rad for angles. They move by the
-    /// least that the masses allow; a larger gap is an error.
+    /// The largest gap at the start, m, and rad for angles. A smaller gap is closed by the smallest mass-weighted
+    /// motion of the free joints; a larger one is an error.
     #[serde(default = "start_gap")]
     pub start_gap_m: NonNegative,
 }
@@ -35,7 +35,7 @@ fn start_gap() -> NonNegative {
     NonNegative::literal(0.1)
 }
 
-/// A point with axes on a body, or on the world.
+/// A point with axes on a body, or in the world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -49,7 +49,7 @@ pub struct Attachment<S = f64> {
     /// The point in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    /// Orientation of the axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
 }
@@ -100,7 +100,7 @@ impl<S: Leaf> Attachment<S> {
 }
 
 impl<S: Leaf> Constraint<S> {
-    /// The name under which it stands.
+    /// Its name in the file.
     pub fn name(&self) -> &'static str {
         match self {
             Self::X => "x",

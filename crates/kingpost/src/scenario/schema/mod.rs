@@ -1,6 +1,6 @@
-//! The types of a scenario: the one schema. The reader, the JSON Schema, the TypeScript types and the reference page
-//! come from here. SI units and radians; the unit of a quantity is in its name. No flattened or untagged enums: they
-//! lose the place of an error.
+//! The types of a scenario: the only schema. The reader, the JSON Schema, the TypeScript types and the reference page
+//! come from here. SI units and radians; the unit of a quantity is in its name. No flattened or untagged enums: with
+//! them serde loses the place of an error.
 
 mod axes;
 mod bodies;
@@ -39,7 +39,7 @@ use serde::{Deserialize, Serialize};
 
 use super::leaf::Leaf;
 
-pub use super::files::NamedFiles;
+pub use super::named_files::NamedFiles;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
 pub use super::text::{Colour, CoordinateName, Name, SignalName, Version, WORLD};
 pub use axes::{
@@ -57,7 +57,7 @@ pub use controlled_drives::{
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
-pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
+pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
     AzimuthThruster, DynamicPositioning, MainPropeller, NaturalPeriods, PositioningGains, RotationTuning, StatedGains,
     StationTarget, ThrustPriority, Thruster, TranslationTuning, TunnelThruster, WaveFilter,
@@ -71,7 +71,7 @@ pub use flow::{
 };
 pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
 pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
-pub use histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
+pub use histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
@@ -109,25 +109,25 @@ pub use waves::{
 pub struct Scenario<S = f64> {
     /// The version of the file format: 1.
     pub version: Version,
-    /// One line that says what this is.
+    /// A title of one line.
     pub title: String,
-    /// What a reader should know: the source, the choices made.
+    /// A description: sources, assumptions, choices.
     #[serde(default)]
     pub description: String,
-    /// The knobs of this scenario, in the order in which views show them.
+    /// The parameters that a user can change, in the order in which views show them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<Parameter>,
     /// Time stepping and recording.
     #[serde(default)]
     pub simulation: SimulationSettings,
-    /// Other files that this scenario is made of, by name. A resolved scenario has them among its own bodies, loops, forces,
-    /// drives and parameters.
+    /// Other files that this scenario includes, by name. In a resolved scenario their contents stand among its own
+    /// bodies, loops, forces, drives and parameters.
     #[serde(default, skip_serializing_if = "mounted")]
     pub parts: IndexMap<Name, Mounting>,
     /// The bodies by name.
     #[serde(default)]
     pub bodies: IndexMap<Name, Body<S>>,
-    /// What ties bodies together beside their joints, by name.
+    /// Constraints between bodies in addition to their joints, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub loops: IndexMap<Name, Loop<S>>,
     /// The water, its depth and its waves.
@@ -136,25 +136,25 @@ pub struct Scenario<S = f64> {
     /// The wind.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wind: Option<Wind<S>>,
-    /// What acts on the bodies from outside, by name.
+    /// Forces on the bodies from outside, by name.
     #[serde(default)]
     pub forces: IndexMap<Name, Force<S>>,
-    /// What acts between the bodies, in their joints, by name.
+    /// Drives between the bodies, in their joints, by name.
     #[serde(default)]
     pub drives: IndexMap<Name, Drive<S>>,
-    /// What measures, by name.
+    /// Sensors by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub sensors: IndexMap<Name, Sensor<S>>,
-    /// Inputs that take what is measured, by name.
+    /// Connections from a sensor's output to an input, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub wires: IndexMap<Name, Wire>,
-    /// The timeline that moves its levers and set-points.
+    /// The timeline that moves levers and set-points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operation: Option<Operation<S>>,
-    /// What columns of the results are to keep, by name.
+    /// Limits on columns of the results, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub limits: IndexMap<Name, Limit>,
-    /// The files that it names, once they are read.
+    /// The contents of the files that it names, once read.
     #[serde(skip)]
     #[cfg_attr(feature = "schema", schemars(skip))]
     pub files: NamedFiles,
@@ -175,10 +175,10 @@ pub struct SimulationSettings {
     pub duration_s: Positive,
     /// Interval between recorded rows, s.
     pub record_every_s: Positive,
-    /// Whether the run begins at the equilibrium near where the bodies are put, found with the waves off: a ship at its
-    /// draught, heel and trim.
+    /// Whether the run begins at the equilibrium near the given positions, found without waves: a ship at its draught,
+    /// heel and trim.
     pub begin_at_equilibrium: bool,
-    /// A run diverges when a rate passes this, rad/s or m/s.
+    /// A run counts as diverged when a rate exceeds this, rad/s or m/s.
     pub rate_limit: Positive,
     /// Seed of every random number in the run.
     pub seed: u64,
@@ -218,11 +218,11 @@ pub enum EquationForm {
     Recursive,
     /// The matrices of the moving frame method, as the paper writes them.
     MovingFrame,
-    /// The same with D set to zero: wrong on purpose, to show what the restricted variation is for.
+    /// The same with D set to zero: wrong on purpose, to show why the restricted variation is needed.
     MovingFrameWithoutD,
 }
 
-/// Parts are mounted once they are read.
+/// A scenario that has been read holds no parts: they are mounted.
 const fn mounted(_: &IndexMap<Name, Mounting>) -> bool {
     true
 }

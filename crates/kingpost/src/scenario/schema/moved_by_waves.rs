@@ -1,12 +1,13 @@
-//! Ships of which nothing is known but how they move in waves.
+//! Ships of which only the RAOs are known.
 
 use serde::{Deserialize, Serialize};
 
 use super::Name;
 use crate::scenario::leaf::Leaf;
 
-/// A body that moves with the waves of the sea by displacement RAOs, whatever acts on it. Its parent is the world. Its
-/// coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes about their mean place.
+/// A body that moves with the waves by displacement RAOs, whatever forces act on it. Its parent is the world. Its
+/// coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes relative to their mean
+/// place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -15,12 +16,12 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct MovedByWaves<S = f64> {
-    /// Name of the joint; the body's when absent.
+    /// Name of the joint; without it, the body's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
-    /// The file of the RAOs: CSV whose names state its conventions, or OrcaFlex's YAML with one vessel type.
+    /// The file of the RAOs: CSV whose column names state the conventions, or OrcaFlex's YAML with one vessel type.
     pub raos: String,
-    /// Whether port is as starboard, where a CSV file holds waves from 0 to 180 degrees only.
+    /// Whether port and starboard are alike, for a CSV file with waves from 0 to 180 degrees only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub symmetric: Option<bool>,
     /// The origin of the file's vessel axes in this body's drawing frame, m.

@@ -1,12 +1,12 @@
-//! An operation as a timeline, and the limits that it is held against.
+//! An operation as a timeline, and limits on the results.
 
 use serde::{Deserialize, Serialize};
 
 use super::{NonNegative, Positive, SignalName, yes};
 use crate::scenario::leaf::Leaf;
 
-/// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. The inputs that it
-/// sets are not a hand's.
+/// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
+/// move the inputs that it sets.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -15,7 +15,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Operation<S = f64> {
-    /// Whether it runs; if not, a hand sets the inputs.
+    /// Whether it runs; if not, the user sets the inputs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The steps.
@@ -31,20 +31,20 @@ pub struct Operation<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct OperationStep<S = f64> {
-    /// What is done: "lift off".
+    /// What the step does: "lift off".
     pub name: String,
-    /// What is moved. An input that is not named keeps its value.
+    /// The inputs that it moves. An input that is not named keeps its value.
     #[serde(default = "none::<S>", skip_serializing_if = "Vec::is_empty")]
     pub set: Vec<InputMove<S>>,
-    /// What ends the step; without it, the end of its last move.
+    /// The condition that ends the step; without it, the step ends with its last move.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until: Option<Condition>,
-    /// The longest that the step may last, s: beyond it the run ends, and says what the step waited for.
+    /// The longest time that the step may take, s. Then the run ends and reports what the step waited for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_out_s: Option<Positive>,
 }
 
-/// Moves an input: a lever, a brake, or what is added to a drive's set-point.
+/// Moves an input: a lever, a brake, or the offset of a drive's set-point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -55,26 +55,26 @@ pub struct OperationStep<S = f64> {
 pub struct InputMove<S = f64> {
     /// The input, mostly by the name of its drive.
     pub input: SignalName,
-    /// The value that it goes to, in `unit`.
+    /// The new value, in `unit`.
     pub to: S,
-    /// Unit of `to`: the input's own in SI (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN for it; without it, the SI
-    /// unit.
+    /// Unit of `to`: the input's SI unit (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN instead; without it,
+    /// the SI unit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
-    /// When it begins, s since the step began.
+    /// When the move begins, s after the start of the step.
     #[serde(default)]
     pub at_s: NonNegative,
-    /// How long it takes, along a straight line from where the input is, s; 0 is at once.
+    /// Duration of the move, s, linear from the input's present value; 0 is at once.
     #[serde(default)]
     pub in_s: NonNegative,
 }
 
-/// What ends a step of an operation.
+/// The condition that ends a step of an operation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Condition {
-    /// The step has lasted so long, s.
+    /// The step has lasted this long, s.
     AfterS(NonNegative),
     /// A column of the results is in a range.
     Value(ColumnRange),
@@ -97,12 +97,12 @@ pub struct ColumnRange {
     /// It is below this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub below: Option<f64>,
-    /// Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+    /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
 }
 
-/// What a column of the results is to keep. A run says of each whether it held, and the worst value with its time.
+/// A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -118,13 +118,13 @@ pub struct Limit {
     /// The smallest value that is allowed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
-    /// The largest size that is allowed, to either side of zero.
+    /// The largest absolute value that is allowed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<NonNegative>,
-    /// Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+    /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
-    /// From when on it counts, s: without it, from the start.
+    /// Time from which the limit applies, s; without it, from the start.
     #[serde(default)]
     pub from_s: NonNegative,
 }

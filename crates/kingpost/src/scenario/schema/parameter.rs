@@ -1,4 +1,4 @@
-//! Parameters: the knobs of a scenario, each with the fields that it writes.
+//! Parameters of a scenario, each with the fields that it sets.
 
 use std::fmt;
 
@@ -8,20 +8,20 @@ use serde_json::{Number, Value};
 use super::Name;
 use crate::scenario::wording::PARAMETER_VALUE;
 
-/// A knob of a scenario. Command line, Python and the app set the fields that it writes by this name.
+/// A parameter that a user can change. Command line, Python and the app set the fields in `writes` by its name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Parameter {
-    /// The name by which it is set; no field at the top of the file may have it.
+    /// The name by which it is set; it may not be the name of a field at the top of the file.
     pub name: Name,
-    /// What views show; the name when absent.
+    /// The label that views show; without it, the name.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub label: String,
     /// Unit, for display.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub unit: String,
-    /// The value written unless another is given; when absent, what stands at the first field.
+    /// The default value; without it, the value of the first field in `writes`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub default: Option<ParameterValue>,
     /// Least and largest value of a number.
@@ -30,15 +30,15 @@ pub struct Parameter {
     /// The texts allowed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub choices: Option<Vec<String>>,
-    /// Whether it may change during a run; else it takes effect at reset.
+    /// Whether it can change during a run; if not, it takes effect at the next reset.
     #[serde(default)]
     pub live: bool,
-    /// The fields that it writes, as dotted paths: `bodies.ship.mass_kg`.
+    /// The fields that it sets, as dotted paths: `bodies.ship.mass_kg`.
     pub writes: Vec<String>,
 }
 
 impl Parameter {
-    /// What views show: the label, or the name where there is none.
+    /// The text that views show: the label, or the name if there is none.
     pub fn shown(&self) -> &str {
         if self.label.is_empty() { &self.name } else { &self.label }
     }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{CurrentProfile, Name, NonNegative, Positive, Waves};
 use crate::scenario::leaf::Leaf;
 
-/// The water that hulls float in, and what moves it.
+/// The water, its waves and its current.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -22,12 +22,12 @@ pub struct Sea<S = f64> {
     pub depth_m: Option<Positive<S>>,
     /// The wave systems by name: wind sea, swell.
     pub waves: IndexMap<Name, Waves<S>>,
-    /// Time over which the waves grow from nothing at the start, s.
+    /// Time over which the waves grow from zero at the start, s.
     pub ramp_s: NonNegative,
-    /// Velocity of the water at the surface along the world's x and y, m/s; of a current by a table left out.
+    /// Velocity of the current at the surface along the world's x and y, m/s; leave it out for a current by a table.
     pub current_m_s: [S; 2],
-    /// How the current goes with depth: for loads of the current by coefficients; damping, radiation and drift see that at
-    /// the surface.
+    /// How the current varies with depth. Current loads by coefficients use it; damping, radiation and drift use the
+    /// current at the surface.
     pub current_profile: CurrentProfile<S>,
 }
 

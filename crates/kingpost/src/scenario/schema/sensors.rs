@@ -1,11 +1,11 @@
-//! Sensors, and the wires from what they say to what takes it.
+//! Sensors, and the wires from their outputs to inputs.
 
 use serde::{Deserialize, Serialize};
 
 use super::{AirGap, Clearance, Name, Positive, SignalName, yes};
 use crate::scenario::leaf::Leaf;
 
-/// What measures: a motion reference unit at its own ticks, the others in every row of the results.
+/// Sensors. A motion reference unit measures at its own interval, the others in every row of the results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -22,9 +22,9 @@ pub enum Sensor<S = f64> {
     AirGap(AirGap<S>),
 }
 
-/// Measures the motion of a point of a body, without noise. It shows, as signals for wires, `measured_roll` and
-/// `measured_pitch` (rad), `measured_heave` (m, over where the run began), `measured_heave_rate` (m/s) and
-/// `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), held between two samples.
+/// Measures the motion of a point of a body, without noise. Its outputs, which wires can use, are `measured_roll` and
+/// `measured_pitch` (rad), `measured_heave` (m, relative to the start of the run), `measured_heave_rate` (m/s) and
+/// `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -43,20 +43,20 @@ pub struct MotionReferenceUnit<S = f64> {
     pub position_m: [S; 3],
     /// Time between two samples, s.
     pub period_s: Positive,
-    /// By how many samples what it shows is late: 0 to 1000.
+    /// Delay of its outputs, in samples: 0 to 1000.
     #[serde(default)]
     pub delay_samples: usize,
 }
 
-/// An input that takes a sampled output, from each sample to the next. Both have the same unit.
+/// A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Wire {
-    /// Whether it connects them; if not, a hand sets the input.
+    /// Whether it connects them; if not, the user sets the input.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The output, as its column in the results: `mru.measured_heave`.
+    /// The output, by its column in the results: `mru.measured_heave`.
     pub from: SignalName,
     /// The input: a drive's lever by the drive's name, or `winch.target_offset`, which a servo adds to its target.
     pub to: SignalName,

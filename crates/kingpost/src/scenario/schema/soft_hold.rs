@@ -1,16 +1,16 @@
-//! A soft hold: what keeps a ship near its place where nothing is said of how it is moored.
+//! A soft hold: it keeps a ship near its position where no mooring is modelled.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Name, NonNegative, Positive, StationTarget, yes};
 use crate::scenario::leaf::Leaf;
 
-/// Springs and dampers in surge, sway and yaw that keep a ship near its place, as soft springs keep a model in a wave basin:
-/// without force in heave, and without moment in roll and pitch. They act at the centre of mass of the ship with all that it
-/// carries, as the scenario puts it, so that they do not roll it as it swings.
+/// Springs and dampers in surge, sway and yaw that keep a ship near its position, like soft springs in a wave basin.
+/// They have no force in heave and no moment in roll and pitch. They act at the centre of mass of the ship with all
+/// that it carries in its initial position, so that they do not excite roll.
 ///
-/// Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` with m that same mass (of yaw, moment of inertia) and the added
-/// mass of slow motions, at frequency zero.
+/// Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` where m is that mass (for yaw the moment of inertia) plus
+/// the added mass at zero frequency.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -24,13 +24,15 @@ pub struct SoftHold<S = f64> {
     pub enabled: bool,
     /// The ship; its joint is floating.
     pub body: Name,
-    /// T of surge, sway and yaw, s: ten times the longest wave period of interest leaves the motions with the waves alone.
+    /// T of surge, sway and yaw, s. At ten times the longest wave period of interest the springs do not change the wave
+    /// motions.
     #[serde(default = "natural_periods::<S>")]
     pub natural_periods_s: [Positive<S>; 3],
-    /// zeta of surge, sway and yaw: share of the critical damping.
+    /// zeta of surge, sway and yaw: damping over critical damping.
     #[serde(default = "damping_ratios::<S>")]
     pub damping_ratios: [NonNegative<S>; 3],
-    /// Where the origin of the body's drawing frame is held, and the heading; without it, where the body starts.
+    /// Position at which the origin of the body's drawing frame is held, and the heading; without it, those at the
+    /// start.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target: Option<StationTarget<S>>,
 }
@@ -40,7 +42,7 @@ fn natural_periods<S: Leaf>() -> [Positive<S>; 3] {
     [120.0; 3].map(Positive::literal)
 }
 
-/// The default of `damping_ratios`: a swing leaves a quarter of itself after a period; of waves of 12 s it changes surge, sway
+/// The default of `damping_ratios`: a motion decays to a quarter in one period; of waves of 12 s it changes surge, sway
 /// and yaw by 0.1 %.
 fn damping_ratios<S: Leaf>() -> [NonNegative<S>; 3] {
     [0.2; 3].map(NonNegative::literal)

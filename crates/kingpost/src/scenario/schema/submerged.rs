@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::{BoxShape, CylinderShape, Fraction, Name, NonNegative, Positive, SphereShape, yes};
 use crate::scenario::leaf::Leaf;
 
-/// The water on an object that is lowered through the surface of the sea, small beside the waves: buoyancy, drag, added
-/// mass that grows as it goes under, slamming. Several may stand on one body, for a long or a composed one.
+/// The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,
+/// slamming, and added mass that grows with immersion. A long or composed body may have several.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -25,25 +25,26 @@ pub struct Submerged<S = f64> {
     pub position_m: Option<[S; 3]>,
     /// The solid that the surface of the sea cuts; its axes are the body's.
     pub shape: SubmergedShape<S>,
-    /// V: volume of water that the whole object displaces, m^3, where that is less than the solid's, as of a frame.
+    /// V: volume of water that the whole object displaces, m^3, if it is less than the solid's volume, as for a frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub displaced_volume_m3: Option<Positive<S>>,
-    /// The water that moves with it.
+    /// Its added mass.
     #[serde(default)]
     pub added_mass: SubmergedAddedMass<S>,
     /// Drag.
     #[serde(default)]
     pub drag: SubmergedDrag<S>,
-    /// Drag of the wind on what is dry.
+    /// Drag of the wind on the dry part.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wind: Option<SubmergedWind<S>>,
-    /// Water inside, that comes in and drains through holes.
+    /// Water inside, which enters and drains through holes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub entrained_water: Option<EntrainedWater<S>>,
 }
 
-/// Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes at its
-/// floor and open to the air above: it comes in and drains by Torricelli's law. What stands higher than the sea is carried.
+/// Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes
+/// in its floor and open at the top. It enters and drains by Torricelli's law. The object carries the water that stands
+/// higher than the sea.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -52,16 +53,16 @@ pub struct Submerged<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct EntrainedWater<S = f64> {
-    /// Volume of water that it holds when full, m^3; beside the displaced volume in the solid.
+    /// Volume of water that it holds when full, m^3; not part of the displaced volume.
     pub volume_m3: Positive<S>,
     /// Height of the space along the body's z axis, m.
     pub height_m: Positive<S>,
     /// A_h: area of the holes, m^2.
     pub hole_area_m2: Positive<S>,
-    /// C_d: what the jet through the holes is of their area times Torricelli's speed; about 0.6 of sharp edges.
+    /// C_d: flow through the holes over their area times Torricelli's speed; about 0.6 for sharp edges.
     #[serde(default = "sharp_edges::<S>")]
     pub discharge_coefficient: Fraction<S>,
-    /// Share of the volume that is water where a run begins; without it, as high as the sea stands.
+    /// Share of the volume that is water at the start; without it, the level of the sea.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_filling: Option<Fraction<S>>,
 }
@@ -87,7 +88,7 @@ pub enum SubmergedShape<S = f64> {
     Sphere(SphereShape<S>),
 }
 
-/// Added mass rho C_A V_R of the whole object under water, by axis; of a part of it, by how it grows.
+/// Added mass rho C_A V_R by axis, of the whole object under water; `growth` gives it for partial immersion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -103,9 +104,9 @@ pub struct SubmergedAddedMass<S = f64> {
     pub reference_volume_m3: Option<Positive<S>>,
     /// Added moments of inertia about x, y and z through the solid's centre, kg m^2.
     pub moments_kg_m2: [NonNegative<S>; 3],
-    /// Open area over the whole of the plates, from 0 to 0.5: it reduces the coefficients.
+    /// Open area over total area of the plates, from 0 to 0.5: it reduces the coefficients.
     pub perforation: Fraction<S>,
-    /// How it grows with the share of the volume that is under water; without it, in proportion.
+    /// How the added mass grows with the share of the volume under water; without it, in proportion.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub growth: Option<SubmergedGrowth<S>>,
 }
@@ -138,8 +139,8 @@ pub struct SubmergedGrowth<S = f64> {
     pub factors: Vec<S>,
 }
 
-/// Drag s (1/2 rho C_D A_p |u_r| + c) u_r by axis, with the share s of the volume that is under water and the velocity u_r of
-/// the water past the centre of that.
+/// Drag s (1/2 rho C_D A_p |u_r| + c) u_r by axis, where s is the share of the volume under water and u_r the velocity
+/// of the water relative to the centre of that share.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -179,7 +180,7 @@ pub struct SubmergedWind<S = f64> {
     /// Areas across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub areas_m2: Option<[Positive<S>; 3]>,
-    /// Height above the still water whose wind counts, m.
+    /// Height above the still water at which the wind speed is taken, m.
     #[serde(default = "ten_metres::<S>")]
     pub height_m: Positive<S>,
 }

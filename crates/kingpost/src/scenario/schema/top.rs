@@ -1,4 +1,4 @@
-//! The names of the fields at the top of a scenario, as its type has them.
+//! The names of the fields at the top of a scenario, from its type.
 
 use super::Scenario;
 use core::cell::Cell;
@@ -9,15 +9,15 @@ use serde::forward_to_deserialize_any;
 /// Whether a name is a field at the top of a scenario: no parameter may have it.
 pub fn is_top_field(name: &str) -> bool {
     let asked = Cell::new([].as_slice());
-    // It reads nothing: asked for a struct, it notes the names of the fields.
-    let nothing = Scenario::<f64>::deserialize(Asked(&asked));
+    // Nothing is read: when serde asks for a struct, it notes the names of the fields.
+    let nothing = Scenario::<f64>::deserialize(FieldNames(&asked));
     nothing.is_err() && asked.get().contains(&name)
 }
 
-/// A source of nothing, which notes the fields that it is asked for.
-struct Asked<'a>(&'a Cell<&'static [&'static str]>);
+/// A deserializer without data, which notes the names of the fields that serde asks for.
+struct FieldNames<'a>(&'a Cell<&'static [&'static str]>);
 
-impl<'de> Deserializer<'de> for Asked<'_> {
+impl<'de> Deserializer<'de> for FieldNames<'_> {
     type Error = Error;
 
     fn deserialize_struct<V: Visitor<'de>>(

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::{Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// One wave system of the sea. Directions are those that the waves go to, from the world's x axis towards y: 180 degrees
-/// is a head sea for a ship at heading 0.
+/// One wave system of the sea. Directions are those towards which the waves travel, from the world's x axis towards y:
+/// 180 degrees is a head sea for a ship at heading 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -17,7 +17,7 @@ use crate::scenario::leaf::Leaf;
 pub enum Waves<S = f64> {
     /// One regular wave.
     Regular(RegularWave<S>),
-    /// A sea that still grows, by the JONSWAP spectrum.
+    /// A developing sea, by the JONSWAP spectrum.
     Jonswap(Jonswap<S>),
     /// A fully developed sea, by the Pierson-Moskowitz spectrum.
     PiersonMoskowitz(PiersonMoskowitz<S>),
@@ -27,7 +27,7 @@ pub enum Waves<S = f64> {
     Torsethaugen(PiersonMoskowitz<S>),
     /// A sea whose spectrum is given as a table.
     Spectrum(SpectrumTable),
-    /// Waves that were measured.
+    /// Measured waves.
     Record(ElevationRecord),
 }
 
@@ -43,14 +43,14 @@ pub struct RegularWave<S = f64> {
     /// Whether it runs.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// From trough to crest, m.
+    /// Height from trough to crest, m.
     pub height_m: Positive<S>,
     /// Period, s.
     pub period_s: Positive,
-    /// Where it goes to, rad.
+    /// Direction that the wave goes to, rad.
     #[serde(default)]
     pub direction_rad: f64,
-    /// Phase at the world's origin at time 0, rad: with 0 a crest is there.
+    /// Phase at the world's origin at time 0, rad: 0 is a crest.
     #[serde(default)]
     pub phase_rad: f64,
 }
@@ -77,7 +77,7 @@ pub struct Jonswap<S = f64> {
     /// Mean direction that the waves go to, rad.
     #[serde(default)]
     pub direction_rad: f64,
-    /// How the realisation is made.
+    /// Settings of the realisation.
     #[serde(default)]
     pub realisation: WaveRealisation,
 }
@@ -106,7 +106,7 @@ pub struct PiersonMoskowitz<S = f64> {
     /// Mean direction that the waves go to, rad.
     #[serde(default)]
     pub direction_rad: f64,
-    /// How the realisation is made.
+    /// Settings of the realisation.
     #[serde(default)]
     pub realisation: WaveRealisation,
 }
@@ -123,10 +123,10 @@ pub struct OchiHubble {
     pub swell: OchiHubblePart,
     /// Wind sea.
     pub wind_sea: OchiHubblePart,
-    /// Mean direction that the waves of both go to, rad.
+    /// Mean direction that the waves of both parts go to, rad.
     #[serde(default)]
     pub direction_rad: f64,
-    /// How the realisation is made.
+    /// Settings of the realisation.
     #[serde(default)]
     pub realisation: WaveRealisation,
 }
@@ -158,13 +158,13 @@ pub struct SpectrumTable {
     /// Mean direction that the waves go to, rad.
     #[serde(default)]
     pub direction_rad: f64,
-    /// How the realisation is made.
+    /// Settings of the realisation.
     #[serde(default)]
     pub realisation: WaveRealisation,
 }
 
-/// Waves that were measured at one point, in a direction that one point cannot tell. The sea repeats after the record's
-/// length; its mean is left out.
+/// Waves measured at one point. The record does not contain their direction: give it. The sea repeats after the
+/// record's length; the mean elevation is removed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -180,30 +180,31 @@ pub struct ElevationRecord {
     /// Direction that the waves go to, rad.
     #[serde(default)]
     pub direction_rad: f64,
-    /// Waves of less than this frequency are left out, rad/s; without it, none.
+    /// Waves below this frequency are left out, rad/s; without it, none are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lowest_rad_s: Option<Positive>,
-    /// Waves of more than this frequency are left out, rad/s; without it, those above half the sampling frequency.
+    /// Waves above this frequency are left out, rad/s; without it, those above half the sampling frequency.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub highest_rad_s: Option<Positive>,
 }
 
-/// How one realisation of a spectrum is made; its random numbers come from the run's seed.
+/// Settings of one realisation of a spectrum. Its random numbers come from the run's seed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct WaveRealisation {
     /// Number of components.
     pub components: usize,
-    /// Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+    /// Whether the amplitudes are random, as in a record of the sea, or those of the spectrum.
     pub amplitudes: WaveAmplitudes,
-    /// s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+    /// s of the spreading function cos^(2 s)(angle / 2), with the angle from the mean direction; without it, the sea is
+    /// long-crested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub spreading_exponent: Option<Positive>,
-    /// Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+    /// Waves below this frequency are left out with their energy, rad/s; without it, none are.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lowest_rad_s: Option<Positive>,
-    /// Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+    /// Waves above this frequency are left out with their energy, rad/s; without it, none are.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub highest_rad_s: Option<Positive>,
 }
@@ -225,10 +226,10 @@ impl Default for WaveRealisation {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum WaveAmplitudes {
-    /// The spectrum's: every realisation has its significant height.
+    /// Those of the spectrum: every realisation has its significant height.
     #[default]
     Deterministic,
-    /// Rayleigh distributed about it: heights vary from realisation to realisation as those of the sea do.
+    /// Rayleigh distributed: heights vary from realisation to realisation as at sea.
     Random,
 }
 

@@ -1,7 +1,7 @@
-//! A scenario over another number: with its derivatives, or several side by side.
+//! A scenario over another scalar: with derivatives, or several scenarios in lanes.
 //!
-//! A resolved scenario is written out, and in what is written a number becomes a list of parts: one for each lane, or the
-//! value and its derivatives. The types read that back. A field that is plain refuses the list, with its path.
+//! A resolved scenario is written out, and some numbers in it become lists of parts: one for each lane, or the value
+//! and its derivatives. The types read it back. A plain field refuses a list, with its path.
 
 #[cfg(not(target_family = "wasm"))]
 mod side_by_side;
@@ -15,15 +15,15 @@ use serde_json::Value;
 use super::build::assemble;
 use super::error::{FieldError, ScenarioError};
 use super::leaf::{Leaf, Quantity};
-use super::read::{TypeError, path_of};
 use super::schema::Scenario;
 use super::tree::segments;
+use super::typed::{TypeError, path_of};
 use super::{units, wording};
 use crate::plant::{DIRECTIONS, Number};
 use crate::simulation::Setup;
 
 impl Scenario {
-    /// What a simulation is made of over another scalar, all numbers constants.
+    /// The setup of a simulation over another scalar, with all numbers constant.
     ///
     /// # Errors
     /// As [`setup`](Self::setup).
@@ -37,11 +37,11 @@ impl Scenario {
         Ok(assemble(&scenario, &vec![alone; S::SCENARIOS])?)
     }
 
-    /// What a simulation is made of, with its derivatives along parameters: direction k is the
-    /// parameter, or the path of a number, `names[k]`, in the unit of its path.
+    /// The setup of a simulation with derivatives along parameters: direction k is the parameter, or the path of a
+    /// number, `names[k]`, in the unit of its path.
     ///
-    /// A name leads to the fields that it writes, each of which begins with the constant factor of its unit as its
-    /// derivative; everything that is computed from them has the derivative of the formula.
+    /// A name stands for the fields that it writes. The derivative of each field is the factor of its unit; everything
+    /// computed from them has the derivative of the formula.
     ///
     /// ```
     /// # let text = include_str!("../../../../../scenarios/paper.yaml");
@@ -52,9 +52,8 @@ impl Scenario {
     /// # Ok::<(), kingpost::scenario::ScenarioError>(())
     /// ```
     ///
-    /// # Errors
-    /// A name that is no parameter and no path of a number, or a number that changes the
-    /// structure, or when laws change their form, or how the run is stepped.
+    /// # Errors A name that is no parameter and no path of a number, or a number that decides the structure, the
+    /// switching times of laws, or the stepping of the run.
     ///
     /// # Panics
     /// When there are more than [`DIRECTIONS`] names.
@@ -80,7 +79,7 @@ impl Scenario {
         Ok(assemble(&scenario, &[alone]).map_err(|error| refused(&seeds, error))?)
     }
 
-    /// The paths that a parameter writes; of any other name itself.
+    /// The paths that a parameter writes; for any other name, the name itself.
     fn paths_of(&self, name: &str) -> Vec<String> {
         let parameter = self.parameters.iter().find(|parameter| parameter.name == name);
         parameter.map_or_else(|| vec![name.to_owned()], |parameter| parameter.writes.clone())
@@ -101,7 +100,7 @@ pub(super) fn untyped(error: &TypeError) -> FieldError {
     FieldError::new(path_of(error).join("."), error.inner(), wording::REQUIRED)
 }
 
-/// An error of a field that has derivatives, by the name that gave them; any other as it is.
+/// An error of a field with derivatives, reported for the name that gave them; other errors unchanged.
 fn refused(seeds: &[(String, &str)], error: FieldError) -> FieldError {
     let seeded = seeds.iter().find(|(path, _)| *path == error.field);
     let within = || seeds.iter().find(|(path, _)| !error.field.is_empty() && path.starts_with(&error.field));
@@ -111,8 +110,8 @@ fn refused(seeds: &[(String, &str)], error: FieldError) -> FieldError {
     }
 }
 
-/// Makes the number at a path one with derivatives, unless it is one, and adds the derivative along a direction. `None`
-/// where there is no number.
+/// Gives the number at a path derivatives, unless it has them, and adds the derivative along a direction. `None` if
+/// there is no number.
 fn seed(written: &mut Value, path: &[String], seeded: bool, (direction, factor): (usize, f64)) -> Option<()> {
     let slot = written.pointer_mut(&format!("/{}", path.join("/")))?;
     if !seeded {

@@ -1,4 +1,4 @@
-//! Several scenarios of one structure as one.
+//! Several scenarios with the same structure as one.
 
 use serde_json::Value;
 
@@ -9,8 +9,8 @@ use super::untyped;
 use crate::scalar::{LANES, Lanes};
 use crate::simulation::Setup;
 
-/// What up to [`LANES`] scenarios of one structure are made of, side by side; the last fills the lanes that are left.
-/// `alone` are their own setups.
+/// The setup of up to [`LANES`] scenarios with the same structure, in lanes; the last one fills the remaining lanes.
+/// `alone` are their separate setups.
 ///
 /// # Errors
 /// A number that must be the same in all of them.
@@ -25,7 +25,7 @@ pub(crate) fn side_by_side(scenarios: &[&Scenario], alone: &[&Setup]) -> Result<
     assemble(&scenario, &setups)
 }
 
-/// One tree of several: numbers that differ become lists. `None` where anything else differs.
+/// One tree from several: numbers that differ become lists. `None` if anything else differs.
 fn merged(values: [&Value; LANES]) -> Option<Value> {
     let same_number = |a: &Value, b: &Value| a == b && a.as_f64().map(f64::to_bits) == b.as_f64().map(f64::to_bits);
     match values[0] {

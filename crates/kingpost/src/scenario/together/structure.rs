@@ -1,11 +1,11 @@
-//! What of a scenario decides how its runs are made up.
+//! The structure of a scenario: everything except its continuous numbers.
 
 use super::super::leaf::Blank;
 use super::super::schema::Scenario;
 
 impl Scenario {
-    /// The scenario without its continuous numbers, as text: runs of which it is the same may go side by side, and one may
-    /// go on as the other.
+    /// The scenario without its continuous numbers, as text. Runs with the same structure can run in lanes, and one can
+    /// continue as the other.
     pub(crate) fn structure(&self) -> String {
         let blank = self.over::<Blank>(&self.written()).ok();
         blank.and_then(|blank| serde_json::to_string(&blank).ok()).unwrap_or_default()

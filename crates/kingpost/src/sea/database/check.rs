@@ -1,18 +1,10 @@
-//! What every database must hold.
+//! Checks that every database must pass.
 
-use super::{Attitude, Database, DatabaseError, Excitation, RadiationModel, SixBySix, physical};
+use super::error::{Checked, unless};
+use super::{Attitude, Database, ExcitationTable, RadiationModel, SixBySix, physical};
 
-/// By how much a direction may miss its place in the regular grid, rad: what seven digits leave.
+/// How far a direction may be from the regular grid, rad: the rounding of seven digits.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
-
-pub(super) type Checked = Result<(), DatabaseError>;
-
-pub(super) fn unless(holds: bool, field: &str, found: impl ToString, allowed: &str) -> Checked {
-    if holds {
-        return Ok(());
-    }
-    Err(DatabaseError { field: field.to_owned(), found: found.to_string(), allowed: allowed.to_owned() })
-}
 
 pub(super) fn check(database: &Database) -> Checked {
     unless(database.format == "kingpost-hydrodynamics", "format", &database.format, "kingpost-hydrodynamics")?;
@@ -97,7 +89,7 @@ fn is_finite(matrix: &SixBySix) -> bool {
     matrix.iter().flatten().all(|x| x.is_finite())
 }
 
-fn check_excitation(field: &str, database: &Database, given: &Excitation) -> Checked {
+fn check_excitation(field: &str, database: &Database, given: &ExcitationTable) -> Checked {
     check_waves(&format!("{field}.real"), database, &given.real)?;
     check_waves(&format!("{field}.imaginary"), database, &given.imaginary)
 }
@@ -106,7 +98,7 @@ fn check_mean_drift(database: &Database) -> Checked {
     database.mean_drift.as_ref().map_or(Ok(()), |drift| check_waves("mean_drift", database, drift))
 }
 
-/// Numbers for each frequency and direction.
+/// Checks that there are numbers for each frequency and direction.
 fn check_waves<const N: usize>(field: &str, database: &Database, given: &[Vec<[f64; N]>]) -> Checked {
     let (frequencies, directions) = (database.frequencies_rad_s.len(), database.wave_directions_rad.len());
     let fits = given.len() == frequencies
@@ -122,7 +114,12 @@ fn check_radiation(model: &RadiationModel) -> Checked {
         unless(poles == residues, &field, format!("{poles} poles and {residues} rows of residues"), "as many of both")?;
         let stable = mode.poles_rad_s.iter().find(|[re, im]| !(*re < 0.0 && *im >= 0.0 && im.is_finite()));
         let found = stable.map_or(String::new(), |[re, im]| format!("the pole {re} + {im} i"));
-        unless(stable.is_none(), &field, found, "poles with a negative real part, of a pair the one above the axis")?;
+        unless(
+            stable.is_none(),
+            &field,
+            found,
+            "poles with a negative real part, of a conjugate pair the one with a positive imaginary part",
+        )?;
         let finite = mode.residues.iter().flatten().flatten().all(|x| x.is_finite());
         unless(finite, &field, "a residue that is not finite", "finite numbers")?;
     }

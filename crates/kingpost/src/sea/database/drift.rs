@@ -4,14 +4,14 @@ use super::Database;
 
 impl Database {
     /// Mean drift at a frequency between two of the grid, linear in frequency: surge and sway force and yaw moment per
-    /// amplitude squared, by direction; nothing where the data has none.
+    /// amplitude squared, by direction; `None` if the data have none.
     pub fn mean_drift(&self, omega_rad_s: f64) -> Vec<[f64; 3]> {
         let Some(drift) = &self.mean_drift else { return Vec::new() };
         self.between(omega_rad_s, |k, direction| drift[k][direction])
     }
 
-    /// How it changes with the frequency, per rad/s: the slope of the parabola through three points of the grid, and linear
-    /// between them; nothing where the data has none.
+    /// Its slope over frequency, per rad/s: the slope of the parabola through three points of the grid, and linear
+    /// between them; `None` if the data have none.
     pub fn mean_drift_slope(&self, omega_rad_s: f64) -> Vec<[f64; 3]> {
         let Some(drift) = &self.mean_drift else { return Vec::new() };
         let grid = &self.frequencies_rad_s;

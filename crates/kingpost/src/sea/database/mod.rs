@@ -1,4 +1,4 @@
-//! What is known of one hull in the water, from potential theory: read from a file.
+//! The hydrodynamic database of one hull, from potential theory: read from a file.
 //!
 //! The frame of the data has x forward, y to port, z up, and z = 0 on the water plane at the stated
 //! draught. Six-vectors are force or translation x, y, z, then moment or rotation x, y, z about its
@@ -7,29 +7,19 @@
 
 mod check;
 mod drift;
+mod error;
 mod physical;
+
+pub use error::DatabaseError;
 
 use serde::Deserialize;
 use serde_json::Value;
-use thiserror::Error;
 
 /// Names of the six modes of motion.
 pub const MODES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
 /// By mode and mode.
 pub type SixBySix = [[f64; 6]; 6];
-
-/// Something that is wrong with a database.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{field}: found {found}, allowed: {allowed}")]
-pub struct DatabaseError {
-    /// The field, dotted.
-    pub field: String,
-    /// What it holds.
-    pub found: String,
-    /// What it may hold.
-    pub allowed: String,
-}
 
 /// The hydrodynamic data of a hull.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -39,11 +29,11 @@ pub struct Database {
     version: u32,
     /// One line.
     pub title: String,
-    /// What made it, from what.
+    /// The program and the data that it was made from.
     #[serde(default)]
     pub provenance: Value,
-    /// The water that it holds for.
-    pub water: Water,
+    /// The water that it was computed for.
+    pub water: DatabaseWater,
     /// The hull at rest.
     pub hull: HullAtRest,
     /// Frequencies, rad/s, increasing.
@@ -56,15 +46,15 @@ pub struct Database {
     pub radiation_damping: Vec<SixBySix>,
     /// A at infinite frequency.
     pub added_mass_infinite: SixBySix,
-    /// Excitation by the incident wave's own pressure, N/m, N m/m.
-    pub froude_krylov: Excitation,
-    /// Excitation by the waves that the hull scatters.
-    pub diffraction: Excitation,
+    /// Froude-Krylov excitation, by the pressure of the incident wave, N/m, N m/m.
+    pub froude_krylov: ExcitationTable,
+    /// Diffraction excitation, by the waves that the hull scatters.
+    pub diffraction: ExcitationTable,
     /// Mean drift by frequency and direction: surge and sway force, yaw moment per amplitude squared, hull axes, N/m^2,
     /// N m/m^2.
     #[serde(default)]
     pub mean_drift: Option<Vec<Vec<[f64; 3]>>>,
-    /// The loading that the mean drift was computed for, where the data say it.
+    /// The loading that the mean drift was computed for, if the data state it.
     #[serde(default)]
     pub mean_drift_loading: Option<DriftLoading>,
     /// The fitted state-space model of radiation.
@@ -72,7 +62,7 @@ pub struct Database {
     pub radiation: Option<RadiationModel>,
 }
 
-/// A hull's loading: it decides how the hull moves in waves, and so how it drifts.
+/// A hull's loading: the motion in waves depends on it, and therefore the drift.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DriftLoading {
@@ -80,21 +70,21 @@ pub struct DriftLoading {
     pub mass_kg: f64,
     /// KG, m.
     pub keel_to_gravity_m: f64,
-    /// In roll, pitch and yaw, about the centre of gravity, m.
+    /// Radii of gyration in roll, pitch and yaw, about the centre of gravity, m.
     pub radii_of_gyration_m: [f64; 3],
-    /// Of the critical roll damping, added for viscosity.
+    /// Viscous roll damping that was added, as a share of the critical damping.
     pub roll_damping_ratio: f64,
 }
 
 /// Water.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Water {
+pub struct DatabaseWater {
     /// kg/m^3.
     pub density_kg_m3: f64,
     /// m/s^2.
     pub gravity_m_s2: f64,
-    /// m; `None` where it is infinite.
+    /// m; `None` if it is infinite.
     pub depth_m: Option<f64>,
 }
 
@@ -113,17 +103,18 @@ pub struct HullAtRest {
     /// Its centre, m.
     pub centre_of_buoyancy_m: [f64; 3],
     /// The water plane.
-    pub waterplane: Waterplane,
+    pub waterplane: WaterplaneMoments,
     /// The whole hull with its deck, closed.
     #[serde(default)]
     pub mesh: Option<Mesh>,
-    /// In which attitude the coefficients were computed, if not upright at that draught. All else here is of the upright hull.
+    /// The attitude of the hull for the coefficients, if not upright at that draught. Everything else here is for the
+    /// upright hull.
     #[serde(default)]
     pub attitude: Option<Attitude>,
 }
 
-/// How the axes of the upright hull stand in those of the coefficients: turned by `Ry(pitch) Rx(roll)`, their origin over or
-/// under that of the coefficients, which is on the water plane.
+/// The axes of the upright hull in those of the coefficients: rotated by `Ry(pitch) Rx(roll)`, with their origin above
+/// or below that of the coefficients, which is on the waterplane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Attitude {
@@ -131,14 +122,14 @@ pub struct Attitude {
     pub roll_rad: f64,
     /// By the bow, rad.
     pub pitch_rad: f64,
-    /// Of the upright hull's origin over the water plane, m.
+    /// Height of the upright hull's origin above the waterplane, m.
     pub height_m: f64,
 }
 
-/// Moments of the water plane's area about the origin.
+/// Moments of the waterplane's area about the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Waterplane {
+pub struct WaterplaneMoments {
     /// m^2.
     pub area_m2: f64,
     /// Integrals of x and y, m^3.
@@ -160,7 +151,7 @@ pub struct Mesh {
 /// Complex excitation by frequency, direction and mode.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Excitation {
+pub struct ExcitationTable {
     /// Real part.
     pub real: Vec<Vec<[f64; 6]>>,
     /// Imaginary part.
@@ -168,7 +159,7 @@ pub struct Excitation {
 }
 
 /// Poles and residues of the retardation functions' transforms: `K_ij(s) = sum r_ij / (s - p) + conjugate` over the
-/// poles of mode j; of a real pole no conjugate.
+/// poles of mode j; without the conjugate for a real pole.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RadiationModel {
@@ -178,21 +169,20 @@ pub struct RadiationModel {
     pub fit_error: f64,
 }
 
-/// What the motion of one mode leaves behind.
+/// The memory of the motion in one mode.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RadiationMode {
-    /// Real and imaginary part; of a pair the one above the axis.
+    /// Real and imaginary part; of a conjugate pair the one with a positive imaginary part.
     pub poles_rad_s: Vec<[f64; 2]>,
-    /// By pole and by the mode that feels it: real and imaginary part.
+    /// By pole and by the mode of the force: real and imaginary part.
     pub residues: Vec<[[f64; 2]; 6]>,
 }
 
 impl Database {
     /// Reads and checks a database's text.
     ///
-    /// # Errors
-    /// The first thing that is wrong: not the format, cut off, or numbers that no hull can have.
+    /// # Errors The first error: another format, a truncated file, or numbers that no hull can have.
     pub fn read(text: &str) -> Result<Self, DatabaseError> {
         let database: Self = serde_json::from_str(text).map_err(|error| DatabaseError {
             field: format!("line {}, column {}", error.line(), error.column()),
@@ -208,7 +198,7 @@ impl Database {
     pub fn excitation(&self, omega_rad_s: f64, froude_krylov: bool) -> Vec<[[f64; 2]; 6]> {
         let (below, share) = self.bracket(omega_rad_s);
         let part = |k: usize, direction: usize, mode: usize| {
-            let of = |x: &Excitation| [x.real[k][direction][mode], x.imaginary[k][direction][mode]];
+            let of = |x: &ExcitationTable| [x.real[k][direction][mode], x.imaginary[k][direction][mode]];
             let (own, scattered) = (of(&self.froude_krylov), of(&self.diffraction));
             if froude_krylov { [own[0] + scattered[0], own[1] + scattered[1]] } else { scattered }
         };
@@ -221,7 +211,7 @@ impl Database {
         (0..self.wave_directions_rad.len()).map(at).collect()
     }
 
-    /// Whether the incident wave's own pressure is told apart from diffraction.
+    /// Whether Froude-Krylov and diffraction are separate.
     pub fn has_froude_krylov(&self) -> bool {
         self.froude_krylov.real.iter().flatten().flatten().any(|force| *force != 0.0)
     }
@@ -237,7 +227,7 @@ impl Database {
         [self.frequencies_rad_s[0], self.frequencies_rad_s[self.frequencies_rad_s.len() - 1]]
     }
 
-    /// The grid's interval that a frequency lies in, and where in it; outside, the nearest end.
+    /// The interval of the grid that contains a frequency, and the position in it; outside the grid the nearest end.
     fn bracket(&self, omega_rad_s: f64) -> (usize, f64) {
         let grid = &self.frequencies_rad_s;
         let below = grid.partition_point(|omega| *omega <= omega_rad_s).clamp(1, grid.len() - 1) - 1;

@@ -1,23 +1,24 @@
-//! Coefficients that a hull can have: symmetric at zero speed, and waves that take energy and give none back.
+//! Physical checks of coefficients: symmetric at zero speed, and radiation that takes energy and gives none.
 
 use nalgebra::{Complex, Matrix6};
 
-use super::check::{Checked, unless};
+use super::error::{Checked, unless};
 use super::{Database, MODES, RadiationModel, SixBySix};
 
-/// Largest `|M_ij - M_ji|` over the root of the diagonals' product, each at its largest: panels keep it only nearly.
+/// Largest `|M_ij - M_ji|` over the root of the diagonals' product, each at its largest: panel methods give symmetry
+/// only approximately.
 const ASYMMETRY: f64 = 0.05;
 
 /// How far below zero an eigenvalue of a symmetric part may be, scaled so that the diagonals are at most 1.
 const NEGATIVE: f64 = 0.05;
 
-/// Diagonals below this share of the displaced water's count as that: a sphere that rolls moves no water.
+/// Diagonals below this share of the displaced water's inertia count as this share: a rolling sphere moves no water.
 const SMALL: f64 = 0.01;
 
-/// What of a memory's parts may be left of their sum at zero frequency: the rounding of seven digits.
+/// Allowed share of the memory's terms in their sum at zero frequency, which should be 0: the rounding of seven digits.
 const DRIFT: f64 = 1e-5;
 
-/// A and B as potential theory demands: J. N. Newman, Marine Hydrodynamics, MIT Press 1977, sections 6.15 and 6.17.
+/// Checks A and B by potential theory: J. N. Newman, Marine Hydrodynamics, MIT Press 1977, sections 6.15 and 6.17.
 pub(super) fn check_matrices(database: &Database) -> Checked {
     let infinite = core::slice::from_ref(&database.added_mass_infinite);
     let mass = scale(&database.added_mass, infinite, displaced(database));
@@ -75,7 +76,7 @@ fn at(field: &str, k: usize, matrices: &[SixBySix]) -> String {
     if matrices.len() > 1 { format!("{field}.{k}") } else { field.to_owned() }
 }
 
-/// A memory that forgets a steady drift, `K(0) = 0`, and at no frequency of the database gives energy.
+/// Checks that the memory has no force on a steady drift, `K(0) = 0`, and adds energy at no frequency of the database.
 pub(super) fn check_radiation(model: &RadiationModel, frequencies_rad_s: &[f64]) -> Checked {
     let (still, parts) = (response(model, 0.0), largest_parts(model));
     for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
@@ -92,7 +93,7 @@ pub(super) fn check_radiation(model: &RadiationModel, frequencies_rad_s: &[f64])
     check_not_negative("radiation", &damping, &largest)
 }
 
-/// `K_ij(j w)`, by the mode i that feels and the mode j that moves.
+/// `K_ij(j w)`, with the mode i of the force and the mode j of the motion.
 fn response(model: &RadiationModel, omega_rad_s: f64) -> [[Complex<f64>; 6]; 6] {
     let s = Complex::new(0.0, omega_rad_s);
     sum(model, |pole, residue| {

@@ -1,13 +1,13 @@
-//! Displacement kept, the turn that is left: how a hull comes to rest in the water.
+//! The search for the floating position of a hull at constant displacement.
 
 use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Loading, StabilityError, Waterplane, WettedHull};
 use crate::spatial::Vector3;
 
 /// Steps towards an equilibrium.
 const MOST_STEPS: usize = 100;
-/// The step that turns the hull by less is the last, rad: convergence is quadratic.
+/// A step that turns the hull by less than this is the last, rad: convergence is quadratic.
 const LAST_TURN: f64 = 1e-9;
-/// No step turns the hull by more, rad.
+/// Largest rotation of the hull in one step, rad.
 const LARGEST_TURN: f64 = 0.2;
 /// Halvings of the height's bracket, at most.
 const MOST_HALVINGS: usize = 200;
@@ -22,8 +22,8 @@ pub(super) fn trim_of(vertical: Vector3) -> f64 {
     libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2]))
 }
 
-/// The ways in which the vertical moves in hull axes when the heel grows, and when the trim grows:
-/// unit vectors across and along the ship, in the water's plane. Upright they are y and -x.
+/// Directions in which the vertical moves in hull axes with increasing heel, and with increasing trim: unit vectors
+/// across and along the ship, in the water's plane. Upright they are y and -x.
 pub(super) fn tangents(vertical: Vector3) -> [Vector3; 2] {
     let forward = Vector3::new(1.0, 0.0, 0.0);
     let along = (vertical * vertical[0] - forward).direction();
@@ -38,20 +38,20 @@ pub(super) struct Afloat {
     pub(super) waterplane: Waterplane,
 }
 
-/// A hull, its weight and the memory to find how they float.
-pub(super) struct Floating<'a> {
+/// A hull, its weight and the working memory of the search.
+pub(super) struct EquilibriumSearch<'a> {
     mesh: &'a HullMesh,
     wetted: WettedHull,
     volume: f64,
     mass: f64,
-    /// With the liquid in its tanks as it lies upright.
+    /// With the liquid in its tanks as in the upright hull.
     centre_of_gravity: Vector3,
     tanks: &'a [HullTank],
-    /// Levers below are none, m.
+    /// Levers below this count as 0, m.
     rounding: f64,
 }
 
-impl<'a> Floating<'a> {
+impl<'a> EquilibriumSearch<'a> {
     pub(super) fn new(mesh: &'a HullMesh, loading: &Loading, tanks: &'a [HullTank]) -> Result<Self, StabilityError> {
         let Loading { mass, centre_of_gravity, water_density } = *loading;
         for (quantity, found) in [("the mass that floats", mass), ("the water's density", water_density)] {
@@ -89,8 +89,8 @@ impl<'a> Floating<'a> {
         height + vertical.dot(centre_of_gravity) - afloat.buoyancy.height_moment / afloat.buoyancy.volume
     }
 
-    /// The height at which the hull displaces its volume: V falls with the height by the area of
-    /// the waterplane; Newton's method, kept between a hull out of the water and one under it.
+    /// The height at which the hull displaces its volume: V falls with the height by the area of the waterplane;
+    /// Newton's method, between a hull out of the water and one under water.
     fn at_volume(&mut self, vertical: Vector3) -> Afloat {
         let (least, greatest) = self.mesh.extent_along(vertical);
         let (mut under, mut out) = (-greatest, -least);
@@ -121,8 +121,8 @@ impl<'a> Floating<'a> {
         Afloat { position, buoyancy, waterplane: self.wetted.waterplane(self.mesh, &position) }
     }
 
-    /// Turns the hull from this vertical until nothing trims it, and nothing heels it if it is free
-    /// to heel.
+    /// Rotates the hull from this vertical until the trimming moment is 0, and the heeling moment too if it is free to
+    /// heel.
     pub(super) fn settle(&mut self, start: Vector3, free_to_heel: bool) -> Result<Afloat, StabilityError> {
         let mut afloat = self.at_volume(start);
         let mut turn = 0.0;
@@ -144,10 +144,9 @@ impl<'a> Floating<'a> {
         })
     }
 
-    /// Newton's step on the sphere of verticals, a tangent there. The slope of Phi / W along t is
-    /// `-(b - c).t`; its second derivatives are those of BM and how much higher b is than c, less
-    /// what free surfaces take, which together are GM. Where they are negative their size is taken,
-    /// so that the step goes down.
+    /// Newton's step on the sphere of verticals: a tangent vector. The slope of Phi / W along t is `-(b - c).t`; its
+    /// second derivatives are BM plus the height of b above c, less the reduction by free surfaces: GM. If one is
+    /// negative, its absolute value is taken, so that the step goes downhill.
     fn newton_step(&self, afloat: &Afloat, free_to_heel: bool) -> Vector3 {
         let (lever, [across, along]) = (self.lever(afloat), tangents(afloat.position.vertical));
         let metacentric = |t: Vector3, u: Vector3| {
@@ -170,7 +169,7 @@ impl<'a> Floating<'a> {
         step_along(across * cos + along * sin, mean + half) + step_along(along * cos - across * sin, mean - half)
     }
 
-    /// As much of a step as does not raise Phi / W, by halves.
+    /// The step, halved until it does not raise Phi / W.
     fn go_down(&mut self, from: &Afloat, mut step: Vector3) -> Afloat {
         let height = self.energy_height(from);
         loop {
@@ -184,7 +183,7 @@ impl<'a> Floating<'a> {
     }
 }
 
-/// The vertical turned along a great circle by a tangent of this length, rad.
+/// The vertical rotated along a great circle by this tangent vector, rad.
 fn turned(vertical: Vector3, step: Vector3) -> Vector3 {
     let angle = step.norm();
     if angle == 0.0 {

@@ -1,17 +1,16 @@
 //! A liquid that stays level in a box: the free surface of a slack tank.
 //!
-//! The surface is taken to be level at once, without sloshing: right where the natural periods of the
-//! liquid in its tank are well below those of the ship. The volume below a plane n . r = l through a box
-//! and its first moment are those of a hull in the water of that plane (see [`super::WettedHull`]), here
-//! of a box whose sizes may carry derivatives.
+//! The surface is taken as always level, without sloshing: valid if the natural periods of the liquid in its tank are
+//! well below those of the ship. The volume below a plane n . r = l through a box, and its first moment, are computed
+//! like those of a hull (see [`super::WettedHull`]), here for a box whose sizes may carry derivatives.
 
 use super::solids::Below;
 use crate::scalar::{Dual, Scalar};
 use crate::spatial::{Matrix3, Vector3};
 
-/// Steps towards the level, at most: those of a level in a corner, each of which leaves two thirds.
+/// Largest number of steps towards the level: for a level in a corner each step leaves two thirds of the error.
 const MOST_STEPS: usize = 60;
-/// A step by less of the tank's extent along the vertical is none.
+/// A step below this share of the tank's extent along the vertical counts as 0.
 const SMALLEST_STEP: f64 = 1e-15;
 
 /// A box with a liquid in it. Its centre is the origin, its sides are along the axes.
@@ -29,11 +28,11 @@ impl<S: Scalar> BoxTank<S> {
         self.edges[0] * self.edges[1] * self.edges[2] * self.filling
     }
 
-    /// V (c - c0), m^4: how the liquid's first moment moves where the vertical, a unit vector in the tank's
-    /// axes, turns from z to n. c0 is the liquid's centre upright, c where its surface is level, in the box as
-    /// it stands and at the same volume. Until the surface meets top or bottom it is that of upright walls,
-    /// with I the second moments of the surface upright about its centroid (Barrass & Derrett, *Ship
-    /// Stability for Masters and Mates*, ch. on free surface):
+    /// V (c - c0), m^4: the change of the liquid's first moment when the vertical, a unit vector in the tank's axes,
+    /// turns from z to n. c0 is the liquid's centre upright, c that with a level surface in the tilted box, at the same
+    /// volume. Until the surface meets top or bottom it is the wall-sided formula, with I the second moments of the
+    /// surface upright about its centroid (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
+    /// surface):
     ///
     /// ```text
     /// V (c - c0) = (-I n_h / n_z, n_h . I n_h / (2 n_z^2)),      n_h = (n_x, n_y)
@@ -61,8 +60,7 @@ impl<S: Scalar> BoxTank<S> {
         Vector3(shift.0.map(|moment| free.select_below(f64::MIN_POSITIVE, || S::ZERO, || moment)))
     }
 
-    /// Not negative where the surface meets upright walls alone: what is left of the height of liquid or air
-    /// at the walls, twice over.
+    /// Not negative if the surface meets only upright walls: twice the remaining height of liquid or air at the walls.
     fn room(&self, vertical: Vector3<S>) -> S {
         let size = |x: S| x.select_below(0.0, || -x, || x);
         let least = self.filling.select_below(0.5, || self.filling, || S::ONE - self.filling);
@@ -82,8 +80,8 @@ impl<S: Scalar> BoxTank<S> {
         self.below(vertical, self.level(vertical)).first_moment - Vector3::new(S::ZERO, S::ZERO, upright)
     }
 
-    /// l: how high the surface is over the centre of the box, m. The last of Newton's steps carries the
-    /// derivatives: by dV/dl, the area, that of l is exact where l is.
+    /// l: height of the surface above the centre of the box, m. The last Newton step carries the derivatives: with
+    /// dV/dl, the area, they are exact if l is.
     fn level(&self, vertical: Vector3<S>) -> S {
         let ([x, y, z], [length, breadth, height]) = (vertical.0, self.edges.0);
         let [level] = S::from_values([x, y, z, length, breadth, height, self.filling], |numbers| {
@@ -95,18 +93,18 @@ impl<S: Scalar> BoxTank<S> {
         level - below.area.select_below(f64::MIN_POSITIVE, || S::ZERO, || excess / below.area)
     }
 
-    /// What is below the plane n . r = l.
+    /// The part below the plane n . r = l.
     fn below(&self, vertical: Vector3<S>, level: S) -> Below<S> {
         Below::of_box(self.edges, vertical, level)
     }
 }
 
 impl BoxTank {
-    /// Newton's method, dV/dl = area. It begins where the surface is if it meets only walls along one axis,
-    /// which is exact where it does. Else more (of a tank more than half full: less) than the liquid is below
-    /// that, and from the middle of the box outward V is convex (concave) over l, being the convolution of
-    /// three even densities: so every step is towards the level and none beyond it, and a step the other way
-    /// is rounding.
+    /// Newton's method, dV/dl = area. It begins with the level for a surface that meets only walls along one axis,
+    /// which is then exact. Otherwise the volume below that level is larger than the liquid (smaller, for a tank more
+    /// than half full). From the middle of the box outward V is convex (concave) over l, because it is the convolution
+    /// of three even densities. So every step goes towards the level and never beyond it, and a step in the other
+    /// direction is rounding.
     fn find_level(&self, vertical: Vector3) -> f64 {
         let extents: [f64; 3] = core::array::from_fn(|k| (vertical[k] * self.edges[k]).abs());
         let fullness = self.filling - 0.5;
@@ -126,9 +124,8 @@ impl BoxTank {
         level
     }
 
-    /// i, m^4: the second moment of the free surface about its centroid along tangents t and u of it, unit
-    /// vectors across the vertical in the tank's axes. It is minus the rate at which V c moves along t where
-    /// the vertical turns towards u.
+    /// i, m^4: the second moment of the free surface about its centroid along tangents t and u of it, unit vectors
+    /// across the vertical in the tank's axes. It is minus the rate of V c along t when the vertical turns towards u.
     pub fn second_moment(&self, vertical: Vector3, t: Vector3, u: Vector3) -> f64 {
         let turning = Vector3(core::array::from_fn(|k| Dual::<1> { value: vertical[k], derivative: [u[k]] }));
         let tank = BoxTank { edges: Vector3::constant(self.edges.0), filling: Dual::constant(self.filling) };
@@ -140,7 +137,7 @@ impl BoxTank {
 /// A slack tank that moves with a hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullTank {
-    /// The box and how full it is.
+    /// The box and its filling.
     pub tank: BoxTank,
     /// From the tank's axes to the hull's.
     pub rotation: Matrix3,
@@ -167,8 +164,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Twelve triangles' shares of the volume, each of its area across the vertical and its depth, are rounded
-        /// a few times and summed; the level is found to 1e-15 of the box's extent.
+        /// Sum of the volumes of twelve triangles, each with a few roundings; the level is found to 1e-15 of the box's
+        /// extent.
         #[test]
         fn the_volume_below_the_surface_is_that_of_the_liquid_in_any_orientation(
             edges in prop::array::uniform3(0.1..10.0_f64),

@@ -11,10 +11,10 @@ use crate::spatial::{Vector3, Wrench};
 /// U = -rho g V (z0 + b.n) + rho g / 2 Int (z0 + x n_x + y n_y)^2 dS
 /// ```
 ///
-/// over the reference waterplane: the displaced water as it was, and the wedges that come and go,
-/// whose heights are taken along the hull's z. Force and moment are minus its gradient, so energy
-/// is exact and no heading is preferred. At the reference its second derivatives are the buoyancy's
-/// part of the linear restoring matrix (Newman, *Marine Hydrodynamics*, 1977, sec. 6.16).
+/// over the reference waterplane: the initial displacement plus the immersed and emerged wedges, whose heights are
+/// taken along the hull's z. Force and moment are minus its gradient, so energy is conserved exactly and no heading is
+/// preferred. At the reference its second derivatives are the buoyancy's part of the linear restoring matrix (Newman,
+/// *Marine Hydrodynamics*, 1977, sec. 6.16).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearHydrostatics {
     /// V: displaced volume, m^3.
@@ -48,7 +48,7 @@ pub struct Restoring {
 }
 
 impl LinearHydrostatics {
-    /// Of a mesh with its origin on the water plane, upright.
+    /// For an upright mesh with its origin on the waterplane.
     ///
     /// # Errors
     /// [`StabilityError::AboveWater`].
@@ -115,8 +115,8 @@ impl LinearHydrostatics {
 }
 
 impl Restoring {
-    /// With a weight, N, whose centre is at this height in hull axes, m: what is left of restoring
-    /// when it tips over.
+    /// With a weight, N, whose centre is at this height in hull axes, m: the restoring including the weight's tipping
+    /// moment.
     #[must_use]
     pub fn with_weight(self, weight: f64, centre_height: f64) -> Self {
         Self { roll: self.roll - weight * centre_height, pitch: self.pitch - weight * centre_height, ..self }

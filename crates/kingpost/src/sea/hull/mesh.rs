@@ -6,8 +6,8 @@ use thiserror::Error;
 /// A volume below this part of the cube of the mesh's extent counts as none.
 const SMALLEST_VOLUME: f64 = 1e-9;
 
-/// A hull's outer surface: triangles that close, with normals out of the hull (the corners run
-/// counter-clockwise as seen from outside). It may have several parts, as a catamaran has.
+/// A hull's outer surface: a closed set of triangles with outward normals (corners counter-clockwise as seen from
+/// outside). It may have several parts, like a catamaran.
 ///
 /// ```
 /// use kingpost::sea::hull::HullMesh;
@@ -31,13 +31,13 @@ pub(super) struct Triangle {
     pub(super) area: Vector3,
 }
 
-/// What keeps triangles from being a hull.
+/// Why triangles make no hull.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum MeshError {
-    /// Too few to enclose anything.
+    /// Too few triangles to enclose a volume.
     #[error("the hull has {triangles} triangles, allowed: at least 4, which close")]
     TooFew {
-        /// How many there are.
+        /// Number of triangles.
         triangles: usize,
     },
     /// A coordinate that is NaN.
@@ -50,38 +50,38 @@ pub enum MeshError {
         /// What it is.
         found: f64,
     },
-    /// A corner that is no vertex.
+    /// A corner that refers to no vertex.
     #[error("triangle {triangle} of the hull: corner {found}, allowed: 0 to {}", vertices.saturating_sub(1))]
     NoSuchVertex {
         /// Index of the triangle, from 0.
         triangle: usize,
         /// The corner.
         found: usize,
-        /// How many vertices there are.
+        /// Number of vertices.
         vertices: usize,
     },
     /// Edges with a triangle on one side only.
     #[error(
         "the hull has holes: {edges} open edges, one from {from_m:?} to {to_m:?} m, allowed: none; \
-         close the hull with its deck and transom, and make vertices that coincide one"
+         close the hull with its deck and transom, and merge coincident vertices"
     )]
     Open {
         /// How many edges.
         edges: usize,
-        /// Where one of them begins, hull axes, m.
+        /// Start of one of these edges, hull axes, m.
         from_m: [f64; 3],
         /// Where it ends.
         to_m: [f64; 3],
     },
-    /// Neighbours of which one looks out and one looks in.
+    /// Neighbours with opposite orientation.
     #[error(
         "the hull's triangles disagree which side is outside: along {edges} edges, one from {from_m:?} to {to_m:?} m, \
          allowed: all normals outward"
     )]
     Inconsistent {
-        /// How many edges lie between such neighbours.
+        /// Number of edges between such neighbours.
         edges: usize,
-        /// Where one of them begins, hull axes, m.
+        /// Start of one of these edges, hull axes, m.
         from_m: [f64; 3],
         /// Where it ends.
         to_m: [f64; 3],
@@ -94,7 +94,7 @@ pub enum MeshError {
     Inward {
         /// A vertex of the part, hull axes, m.
         at_m: [f64; 3],
-        /// What it encloses, negative, m^3.
+        /// Its volume, negative, m^3.
         volume_m3: f64,
     },
     /// A part that is flat.
@@ -106,7 +106,7 @@ pub enum MeshError {
         at_m: [f64; 3],
         /// What it encloses, m^3.
         volume_m3: f64,
-        /// What counts as none for a mesh of this size, m^3.
+        /// Volume that counts as 0 for a mesh of this size, m^3.
         smallest_m3: f64,
     },
 }
@@ -114,8 +114,7 @@ pub enum MeshError {
 impl HullMesh {
     /// A hull of these vertices, in the hull's axes, m, and triangles of indices from 0.
     ///
-    /// # Errors
-    /// [`MeshError`], of the first thing that is wrong.
+    /// # Errors [`MeshError`], for the first error.
     pub fn new(vertices_m: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>) -> Result<Self, MeshError> {
         check_numbers(&vertices_m, &triangles)?;
         check_edges(&vertices_m, &triangles)?;
@@ -139,7 +138,7 @@ impl HullMesh {
         self.triangles.iter().map(|triangle| triangle.corners)
     }
 
-    /// What the whole hull encloses, and so the most that it can displace, m^3.
+    /// Volume of the whole hull, and so its largest displacement, m^3.
     pub fn volume(&self) -> f64 {
         self.volume
     }
@@ -174,7 +173,7 @@ fn check_numbers(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), 
     Ok(())
 }
 
-/// In a closed surface whose triangles agree, every edge is walked as often one way as the other.
+/// In a closed surface with consistent orientation, every edge occurs equally often in both directions.
 fn check_edges(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), MeshError> {
     let mut walks: Vec<([usize; 2], bool)> = triangles
         .iter()
@@ -195,8 +194,7 @@ fn check_edges(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), Me
     Ok(())
 }
 
-/// The volume of all parts together, by the divergence theorem over each; a part is what hangs
-/// together by triangles.
+/// The volume of all parts together, by the divergence theorem over each; a part is a set of connected triangles.
 fn check_volumes(vertices: &[Vector3], triangles: &[[usize; 3]]) -> Result<f64, MeshError> {
     let mut part_of: Vec<usize> = (0..vertices.len()).collect();
     for &[a, b, c] in triangles {
@@ -206,7 +204,7 @@ fn check_volumes(vertices: &[Vector3], triangles: &[[usize; 3]]) -> Result<f64, 
             part_of[part] = first;
         }
     }
-    // About a vertex of the part, so that a mesh far from its origin loses no digits.
+    // About a vertex of the part, so that a mesh far from its origin keeps its digits.
     let mut volumes = vec![0.0; vertices.len()];
     for &corners in triangles {
         let part = root(&part_of, corners[0]);

@@ -1,15 +1,15 @@
-//! A ship's hull in the water: its mesh, its buoyancy as it stands, the linear form, stability; the free surfaces of its
-//! slack tanks; plain solids cut by a plane.
+//! A ship's hull in the water: its mesh, its buoyancy in any position, the linear form, stability; the free surfaces of
+//! its slack tanks; simple solids cut by a plane.
 //!
-//! All wrenches, moments and centres are in the hull's axes (x forward, y to port, z up) about the
-//! hull's origin. Weight is no part of this: hydrostatics know the hull and the water only.
-//! Buoyancy depends on a pose through two things, which [`FloatingPosition`] holds: the height of
-//! the origin and the direction of the vertical. So there is no force but along the vertical, no
-//! moment about it, and no heading that the water prefers.
+//! All wrenches, moments and centres are in the hull's axes (x forward, y to port, z up) about the hull's origin.
+//! Weight is not part of it: hydrostatics concern only hull and water. Buoyancy depends on a pose through two things,
+//! which [`FloatingPosition`] holds: the height of the origin and the direction of the vertical. So the force is
+//! vertical, there is no moment about the vertical, and no heading is preferred.
 
 mod afloat;
 mod box_tank;
 mod linear;
+mod loading;
 mod mesh;
 mod solids;
 mod stability;
@@ -19,9 +19,10 @@ mod wetted;
 
 pub use box_tank::{BoxTank, HullTank};
 pub use linear::{LinearHydrostatics, Restoring};
+pub use loading::{Loading, StabilityError};
 pub use mesh::{HullMesh, MeshError};
 pub use solids::{Below, Solid};
-pub use stability::{Equilibrium, Loading, RightingArm, StabilityError};
+pub use stability::{FloatingEquilibrium, RightingArm};
 pub use waterplane::Waterplane;
 pub use wave_pressure::LocalWater;
 pub use wetted::{Buoyancy, WettedHull};
@@ -29,8 +30,7 @@ pub use wetted::{Buoyancy, WettedHull};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
-/// How a hull floats, as the water at rest sees it. The height of a point r of the hull is
-/// `h = z0 + n . r`.
+/// The position of a hull relative to water at rest. The height of a point r of the hull is `h = z0 + n . r`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatingPosition<S = f64> {
     /// z0: height of the hull's origin above the still water plane, m.

@@ -1,77 +1,15 @@
-//! How a loaded hull floats, and how it rights itself.
+//! The floating position of a loaded hull, and its righting arms.
 
-use super::afloat::{Afloat, Floating, heel_of, tangents, trim_of};
-use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Waterplane};
+use super::afloat::{Afloat, EquilibriumSearch, heel_of, tangents, trim_of};
+use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Loading, StabilityError, Waterplane};
 use crate::spatial::Vector3;
-use thiserror::Error;
-
-/// A hull's weight.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Loading {
-    /// All that floats, kg.
-    pub mass: f64,
-    /// Its centre of gravity, hull axes, m.
-    pub centre_of_gravity: Vector3,
-    /// Of the water, kg/m^3.
-    pub water_density: f64,
-}
-
-/// Why a hull has no equilibrium, or no hydrostatics.
-#[derive(Clone, Copy, Debug, Error, PartialEq)]
-pub enum StabilityError {
-    /// A weight of no size.
-    #[error("{quantity} is {found}, allowed: {allowed}")]
-    Loading {
-        /// What.
-        quantity: &'static str,
-        /// Its value.
-        found: f64,
-        /// What it may be.
-        allowed: &'static str,
-    },
-    /// A weight that the whole hull does not carry.
-    #[error(
-        "the hull cannot float: {mass_t:.3} t displace {displacement_m3:.3} m3 of water, \
-         allowed: less than the {largest_m3:.3} m3 of the whole hull"
-    )]
-    CannotFloat {
-        /// The weight, t.
-        mass_t: f64,
-        /// What it displaces, m^3.
-        displacement_m3: f64,
-        /// What the hull encloses, m^3.
-        largest_m3: f64,
-    },
-    /// A hull that does not reach the water.
-    #[error("the hull is above the water: its lowest point is at {lowest_m} m, allowed: less than 0, the water plane")]
-    AboveWater {
-        /// Height of the lowest point, m.
-        lowest_m: f64,
-    },
-    /// Steps that do not settle.
-    #[error(
-        "no equilibrium at heel {heel_deg:.3} deg to starboard, trim {trim_deg:.3} deg by the bow: a turn of {turn_rad:.1e} rad is left after {steps} steps, allowed: {allowed_rad:e} rad"
-    )]
-    NotSettled {
-        /// Heel to starboard, deg.
-        heel_deg: f64,
-        /// Trim by the bow, deg.
-        trim_deg: f64,
-        /// The step that came next, rad.
-        turn_rad: f64,
-        /// How many there were.
-        steps: usize,
-        /// What counts as settled, rad.
-        allowed_rad: f64,
-    },
-}
 
 /// A loaded hull at rest in still water.
 ///
-/// A loading that balances on an unstable position exactly, as a symmetric one does, is found
-/// there: its metacentric height is negative.
+/// If a loading balances exactly in an unstable position, as a symmetric one can, that position is found: its
+/// metacentric height is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Equilibrium {
+pub struct FloatingEquilibrium {
     /// How it floats.
     pub position: FloatingPosition,
     /// To starboard, rad.
@@ -84,38 +22,36 @@ pub struct Equilibrium {
     pub buoyancy: Buoyancy,
     /// Its waterplane.
     pub waterplane: Waterplane,
-    /// KB: height of the centre of buoyancy over the keel, the hull's lowest vertex, along the
-    /// hull's z, m.
+    /// KB: height of the centre of buoyancy above the keel, the hull's lowest vertex, along the hull's z, m.
     pub keel_to_buoyancy: f64,
     /// BM across and along the ship, `I / V`, m.
     pub metacentric_radius: [f64; 2],
-    /// GM across and along the ship: BM and how much higher the centre of buoyancy is than that of
-    /// gravity, m.
+    /// GM across and along the ship: BM plus the height of the centre of buoyancy above that of gravity, m.
     pub metacentric_height: [f64; 2],
 }
 
 /// One point of a righting-arm curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RightingArm {
-    /// How the hull floats.
+    /// The position of the hull.
     pub position: FloatingPosition,
     /// To starboard, rad.
     pub heel: f64,
-    /// By the bow, at which nothing trims it, rad.
+    /// By the bow, without trimming moment, rad.
     pub trim: f64,
-    /// GZ: how far to starboard of the centre of gravity buoyancy pushes up, m.
+    /// GZ: distance of the buoyancy's line of action to starboard of the centre of gravity, m.
     pub arm: f64,
 }
 
-impl Equilibrium {
-    /// Draught, heel and trim at which weight and buoyancy balance: a stationary point of
-    /// `Phi / W = z0 + n . c - H / V` at constant displacement, by Newton's method from upright
-    /// that only goes down (c the centre of gravity; see [`Buoyancy`]).
+impl FloatingEquilibrium {
+    /// Draught, heel and trim at which weight and buoyancy balance: a stationary point of `Phi / W = z0 + n . c - H /
+    /// V` at constant displacement, by Newton's method from the upright position, which only goes downhill (c the
+    /// centre of gravity; see [`Buoyancy`]).
     ///
     /// # Errors
     /// [`StabilityError`].
     pub fn find(mesh: &HullMesh, loading: &Loading) -> Result<Self, StabilityError> {
-        let mut floating = Floating::new(mesh, loading, &[])?;
+        let mut floating = EquilibriumSearch::new(mesh, loading, &[])?;
         let afloat = floating.settle(FloatingPosition::upright(0.0).vertical, true)?;
         let Afloat { position, buoyancy, waterplane } = afloat;
         let lever = floating.lever(&afloat);
@@ -144,8 +80,8 @@ impl RightingArm {
         Self::curve_with_tanks(mesh, loading, &[], heels)
     }
 
-    /// The same of a hull with slack tanks. The centre of gravity of its loading is that with their
-    /// liquid as it lies upright; at each heel and trim they are level.
+    /// The same for a hull with slack tanks. The centre of gravity of its loading contains their liquid as in the
+    /// upright hull; at each heel and trim the liquid is level.
     ///
     /// # Errors
     /// [`StabilityError`].
@@ -155,7 +91,7 @@ impl RightingArm {
         tanks: &[HullTank],
         heels: &[f64],
     ) -> Result<Vec<Self>, StabilityError> {
-        let mut floating = Floating::new(mesh, loading, tanks)?;
+        let mut floating = EquilibriumSearch::new(mesh, loading, tanks)?;
         let mut trim_before = 0.0;
         let mut point = |&heel: &f64| {
             if !heel.is_finite() {

@@ -19,8 +19,7 @@ pub struct Waterplane {
 }
 
 impl WettedHull<f64> {
-    /// The waterplane of the hull in this position: each triangle that the surface cuts gives a
-    /// side of it.
+    /// The waterplane of the hull in this position: each triangle that the surface cuts gives one edge of it.
     ///
     /// # Panics
     /// When the memory was made for another mesh.

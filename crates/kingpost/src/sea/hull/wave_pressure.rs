@@ -1,4 +1,4 @@
-//! Pressure of still water and of the incident wave on what the wave's own surface wets.
+//! Pressure of still water and of the incident wave on the part of the hull below the wave's surface.
 
 use super::mesh::HullMesh;
 use super::wetted::{DRY, WettedHull, corner_shares, side};
@@ -8,18 +8,18 @@ use crate::spatial::{Frame, Vector3, Wrench};
 /// The undisturbed sea above, at or below a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalWater<S = f64> {
-    /// Of the surface over the point, above still water, m.
+    /// Elevation of the surface above the point, relative to still water, m.
     pub elevation: S,
-    /// What the waves add to the still water's `-rho g z` at the point, N/m^2. At the surface the
-    /// two should cancel; above it they go on smoothly, as the neighbours of what is wet need it.
+    /// Pressure of the waves at the point, in addition to the still water's `-rho g z`, N/m^2. At the surface the sum
+    /// should be 0; above it both continue smoothly, because the triangles that are partly wet need it.
     pub dynamic_pressure: S,
 }
 
 impl<S: Scalar> WettedHull<S> {
-    /// Force and moment of the water's pressure on the hull about its origin, in its axes, N and
-    /// N m: the surface integral of `-(-rho g z + p) N` over what is below the wave's surface
-    /// (Froude-Krylov force and buoyancy together; Faltinsen, *Sea Loads on Ships and Offshore
-    /// Structures*, 1990, ch. 3). `water` tells the sea at a point of the world, once a vertex.
+    /// Force and moment of the water's pressure on the hull about its origin, in its axes, N and N m: the surface
+    /// integral of `-(-rho g z + p) N` over the part below the wave's surface (Froude-Krylov force and buoyancy
+    /// together; Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, ch. 3). `water` gives the sea at a
+    /// point of the world; it is called once per vertex.
     ///
     /// Elevation and pressure are linear between the vertices, so the error is of second order in
     /// the size of the triangles; in still water there is none.
@@ -37,8 +37,8 @@ impl<S: Scalar> WettedHull<S> {
         self.pressure_wrench_below(mesh, hull_in_world, specific_weight, unbounded, water)
     }
 
-    /// The same, to the last bit, where no wave is higher than `highest_m` above still water: the sea is not asked for at
-    /// a vertex above that whose neighbours are all dry.
+    /// The same, to the last bit, if no wave is higher than `highest_m` above still water: `water` is not called for
+    /// vertices above that whose neighbours are all dry.
     ///
     /// # Panics
     /// When the memory was made for another mesh.
@@ -82,7 +82,8 @@ impl<S: Scalar> WettedHull<S> {
         self.sum_of_wet_triangles(mesh, nothing)
     }
 
-    /// Over all triangles, from the heights, sides and pressures of their corners; a force of `first` along x beside.
+    /// The sum over all triangles, from the heights, sides and pressures of their corners; plus a force `first` along
+    /// x.
     fn sum_of_wet_triangles(&self, mesh: &HullMesh, first: S) -> Wrench<S> {
         let mut wrench = Wrench::zero();
         wrench.force[0] = first;

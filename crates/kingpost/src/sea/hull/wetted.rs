@@ -1,10 +1,9 @@
-//! Buoyancy of a hull as it stands in still water, exactly for its mesh.
+//! Buoyancy of a hull in any position in still water, exact for its mesh.
 //!
-//! Every triangle is cut at the water plane. The pressure is linear, so its integral over what is
-//! wet is a closed form. With the height `h = z0 + n . r` (n the vertical in hull axes) and N the
-//! outward normal, the divergence theorem over the submerged part needs no waterplane for an
-//! integrand that vanishes there (as Mirtich, *J. Graphics Tools* 1(2), 1996, 31-50, for whole
-//! polyhedra):
+//! Every triangle is cut at the water plane. The pressure is linear, so its integral over the wetted part is a closed
+//! form. With the height `h = z0 + n . r` (n the vertical in hull axes) and N the outward normal, the divergence
+//! theorem over the submerged part needs no waterplane if the integrand vanishes there (as Mirtich, *J. Graphics Tools*
+//! 1(2), 1996, 31-50, for whole polyhedra):
 //!
 //! ```text
 //! V = Int h n.N dS,     T = Int r h n.N dS = G + n H,     G = Int_V r dV,     H = Int_V h dV
@@ -42,21 +41,20 @@ impl<S: Scalar> Buoyancy<S> {
         }
     }
 
-    /// `U = -rho g Int_V z dV`: what it took to push the hull under, J; [`wrench`](Self::wrench) is
-    /// minus its gradient.
+    /// `U = -rho g Int_V z dV`: the work of immersing the hull, J; [`wrench`](Self::wrench) is minus its gradient.
     #[inline]
     pub fn potential_energy(&self, specific_weight: S) -> S {
         -(self.height_moment * specific_weight)
     }
 
-    /// Centre of buoyancy, hull axes, m; not a number for a hull out of the water.
+    /// Centre of buoyancy, hull axes, m; NaN for a hull out of the water.
     #[inline]
     pub fn centre(&self) -> Vector3<S> {
         Vector3(self.first_moment.0.map(|moment| moment / self.volume))
     }
 }
 
-/// On which side of the water's surface a vertex is. Of several lanes that disagree: neither.
+/// The side of the water's surface that a vertex is on; neither if lanes disagree.
 pub(super) const DRY: u8 = 0;
 pub(super) const WET: u8 = 1;
 pub(super) const MIXED: u8 = 4;
@@ -76,12 +74,12 @@ pub(super) fn side<S: Scalar>(height: S) -> u8 {
 /// Working memory of one hull, so that an evaluation allocates nothing.
 #[derive(Clone, Debug)]
 pub struct WettedHull<S = f64> {
-    /// Of each vertex above the water's surface, m.
+    /// Height of each vertex above the water's surface, m.
     pub(super) heights: Vec<S>,
     pub(super) sides: Vec<u8>,
-    /// Of each vertex: its share in the integrals, or the pressure there.
+    /// For each vertex its share in the integrals, or the pressure.
     pub(super) shares: Vec<S>,
-    /// Whether the water at a vertex has been asked for.
+    /// Whether the water at a vertex is known.
     pub(super) asked: Vec<bool>,
 }
 
@@ -93,8 +91,7 @@ impl<S: Scalar> WettedHull<S> {
         Self { heights, sides: vec![DRY; vertices], shares, asked: vec![false; vertices] }
     }
 
-    /// The buoyancy of the hull in this position. A position that is not finite gives what is not
-    /// a number.
+    /// The buoyancy of the hull in this position. A position that is not finite gives NaN.
     ///
     /// # Panics
     /// When the memory was made for another mesh.
@@ -136,12 +133,12 @@ impl<S: Scalar> WettedHull<S> {
     }
 }
 
-/// For p and f that are linear over a triangle and have these values of p at its corners, what is
-/// wet of it gives `Int p f dS = area / 12 (s_0 f_0 + s_1 f_1 + s_2 f_2)`; these are the s.
+/// For p and f linear over a triangle, with these values of p at its corners, the wetted part gives `Int p f dS = area
+/// / 12 (s_0 f_0 + s_1 f_1 + s_2 f_2)`; these are the s.
 ///
-/// Over a whole triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the means
-/// of products of barycentric coordinates, 1/12 and 1/6). Of one that is cut, the tip at the corner
-/// that is alone is wet, or all but the tip.
+/// Over a whole triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the means of products of
+/// barycentric coordinates, 1/12 and 1/6). If the triangle is cut, either the tip at the single corner is wet, or
+/// everything except the tip.
 #[inline]
 pub(super) fn corner_shares<S: Scalar>(sides: [u8; 3], corners: [usize; 3], heights: &[S], p: &[S]) -> [S; 3] {
     let at = |values: &[S], corners: [usize; 3]| corners.map(|i| values[i]);
@@ -165,13 +162,13 @@ pub(super) fn apex_of([a, b, c]: [u8; 3]) -> usize {
     usize::from(b != c) * (1 + usize::from(a != c))
 }
 
-/// The same corners, from this one on.
+/// The same corners, beginning with this one.
 #[inline]
 pub(super) fn from_corner<T: Copy>(first: usize, corners: [T; 3]) -> [T; 3] {
     [first, first + 1, first + 2].map(|k| corners[k % 3])
 }
 
-/// How far along the edges from the apex, the first corner, the water's surface is, from 0 to 1.
+/// The positions of the water's surface along the edges from the apex, the first corner, from 0 to 1.
 #[inline]
 pub(super) fn cuts<S: Scalar>([apex, b, c]: [S; 3]) -> [S; 2] {
     [apex / (apex - b), apex / (apex - c)]
@@ -189,8 +186,8 @@ fn all_but<S: Scalar>(p: [S; 3], tip: [S; 3]) -> [S; 3] {
     [whole[0] - tip[0], whole[1] - tip[1], whole[2] - tip[2]]
 }
 
-/// Between the first corner and the cuts: a triangle of `b c` of the whole's area. What falls to a
-/// cut goes to the corners between which it lies.
+/// Between the first corner and the cuts: a triangle of `b c` of the whole's area. The share of a cut point is divided
+/// between the corners of its edge.
 #[inline]
 fn tip<S: Scalar>(heights: [S; 3], [p_a, p_b, p_c]: [S; 3]) -> [S; 3] {
     let [b, c] = cuts(heights);
@@ -200,7 +197,7 @@ fn tip<S: Scalar>(heights: [S; 3], [p_a, p_b, p_c]: [S; 3]) -> [S; 3] {
     [at_a + at_b * (S::ONE - b) + at_c * (S::ONE - c), at_b * b, at_c * c]
 }
 
-/// Every lane by its own case. A lane's bits are those that it has alone.
+/// Every lane is treated by its own case, so its bits are those of a run alone.
 fn lane_by_lane<S: Scalar>(h: [S; 3], p: [S; 3]) -> [S; 3] {
     let turned = |apex: usize| (from_corner(apex, h), from_corner(apex, p));
     [0, 1, 2].map(|k| {

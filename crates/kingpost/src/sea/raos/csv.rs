@@ -1,10 +1,10 @@
-//! RAOs as comma-separated values, whose names state the conventions.
+//! RAOs as comma-separated values, with conventions stated by the column names.
 
-use super::{Content, RaoError, Row, phasor};
+use super::{RaoEntry, RaoError, RaoFile, phasor};
 use crate::sea::database::MODES;
 use core::f64::consts::TAU;
 
-/// Names of amplitudes without their units, and their sign here, by mode.
+/// Names of amplitudes without their units, and their sign in our convention, by mode.
 const SENSES: [&[(&str, f64)]; 6] = [
     &[("surge_forward", 1.0)],
     &[("sway_port", 1.0), ("sway_starboard", -1.0)],
@@ -14,21 +14,21 @@ const SENSES: [&[(&str, f64)]; 6] = [
     &[("yaw_bow_port", 1.0), ("yaw_bow_starboard", -1.0)],
 ];
 
-/// A column and what its numbers are multiplied by.
-type Column = (usize, f64);
+/// A column and the factor of its numbers.
+type ScaledColumn = (usize, f64);
 
 /// From a number in a file to rad/s.
 pub(super) type ToRadS = fn(f64) -> f64;
 
-/// What the columns hold.
-struct Columns {
-    direction: Column,
+/// The contents of the columns.
+struct RaoColumns {
+    direction: ScaledColumn,
     frequency: (usize, ToRadS),
-    amplitudes: [Column; 6],
-    lags: [Column; 6],
+    amplitudes: [ScaledColumn; 6],
+    lags: [ScaledColumn; 6],
 }
 
-pub(super) fn read(text: &str) -> Result<Content, RaoError> {
+pub(super) fn read(text: &str) -> Result<RaoFile, RaoError> {
     let mut lines = text.lines().enumerate().filter(|(_, line)| {
         let line = line.trim();
         !line.is_empty() && !line.starts_with('#')
@@ -37,12 +37,13 @@ pub(super) fn read(text: &str) -> Result<Content, RaoError> {
         return Err(RaoError::new("line 1", "nothing", "a line of names"));
     };
     let names: Vec<&str> = names.split(',').map(str::trim).collect();
-    let columns = Columns::find(&names)?;
-    let rows: Result<Vec<Row>, RaoError> = lines.map(|(number, line)| columns.row(number + 1, &names, line)).collect();
-    Ok(Content { rows: rows?, origin_m: [0.0; 3], phase_origin_m: [0.0; 3], symmetric: None })
+    let columns = RaoColumns::find(&names)?;
+    let rows: Result<Vec<RaoEntry>, RaoError> =
+        lines.map(|(number, line)| columns.row(number + 1, &names, line)).collect();
+    Ok(RaoFile { rows: rows?, origin_m: [0.0; 3], phase_origin_m: [0.0; 3], symmetric: None })
 }
 
-impl Columns {
+impl RaoColumns {
     fn find(names: &[&str]) -> Result<Self, RaoError> {
         let one_of = |allowed: &[(String, f64)]| {
             let found =
@@ -81,13 +82,13 @@ impl Columns {
         Ok(Self { direction, frequency: (frequency, to_rad_s), amplitudes, lags })
     }
 
-    fn row(&self, line: usize, names: &[&str], text: &str) -> Result<Row, RaoError> {
+    fn row(&self, line: usize, names: &[&str], text: &str) -> Result<RaoEntry, RaoError> {
         let cells: Vec<&str> = text.split(',').map(str::trim).collect();
         if cells.len() != names.len() {
             let found = format!("{} values", cells.len());
             return Err(RaoError::new(format!("line {line}"), found, format!("{}, one for each name", names.len())));
         }
-        let number = |(column, factor): Column| {
+        let number = |(column, factor): ScaledColumn| {
             let number = cells[column].parse::<f64>().ok().filter(|number| number.is_finite());
             let field = || format!("line {line}, {}", names[column]);
             number.map(|n| n * factor).ok_or_else(|| RaoError::new(field(), cells[column], "a finite number"))
@@ -101,6 +102,6 @@ impl Columns {
         for (mode, parts) in response.iter_mut().enumerate() {
             *parts = phasor(number(self.amplitudes[mode])?, number(self.lags[mode])?);
         }
-        Ok(Row { direction_rad: number(self.direction)?.rem_euclid(TAU), frequency_rad_s, response })
+        Ok(RaoEntry { direction_rad: number(self.direction)?.rem_euclid(TAU), frequency_rad_s, response })
     }
 }

@@ -1,4 +1,4 @@
-//! Displacement RAOs of a ship: how it moves in a regular wave of unit amplitude, read from a file that states its
+//! Displacement RAOs of a ship: its motion in a regular wave of unit amplitude, read from a file that states its
 //! conventions.
 
 mod csv;
@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 use thiserror::Error;
 
-/// What a file holds that cannot be read as RAOs.
+/// An error in a file of RAOs.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct RaoError {
@@ -26,66 +26,66 @@ impl RaoError {
     }
 }
 
-/// Surge, sway, heave (m/m), roll, pitch, yaw (rad/m), each real and imaginary: x forward, y to port, z up, right-handed,
-/// with the motion Re{X a e^(-i w t)} where the wave at the RAOs' origin is Re{a e^(-i w t)}. A lag is a positive angle.
-pub type Response<S = f64> = [[S; 2]; 6];
+/// Surge, sway, heave (m/m), roll, pitch, yaw (rad/m), each real and imaginary: x forward, y to port, z up,
+/// right-handed, with the motion Re{X a e^(-i w t)} for a wave Re{a e^(-i w t)} at the RAOs' origin. A lag is a
+/// positive angle.
+pub type MotionResponse<S = f64> = [[S; 2]; 6];
 
 /// Displacement RAOs over wave direction and frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RaoTable {
-    /// The point that they are of, in the file's axes of the vessel, m.
+    /// The point whose motion they give, in the file's vessel axes, m.
     pub origin_m: [f64; 3],
     /// The point whose wave the phases refer to, in the same axes, m.
     pub phase_origin_m: [f64; 3],
-    /// Whether port is as starboard, where the file says so.
+    /// Whether port and starboard are alike, if the file states it.
     pub symmetric: Option<bool>,
-    /// Directions that waves go to, against the x axis counter-clockwise, rad, increasing within one turn.
+    /// Directions that waves go to, from the x axis counter-clockwise, rad, increasing within one turn.
     directions_rad: Vec<f64>,
     /// Frequencies, rad/s, increasing.
     frequencies_rad_s: Vec<f64>,
     /// By direction and frequency.
-    responses: Vec<Vec<Response>>,
+    responses: Vec<Vec<MotionResponse>>,
 }
 
 /// One line of a file.
-struct Row {
+struct RaoEntry {
     direction_rad: f64,
     frequency_rad_s: f64,
-    response: Response,
+    response: MotionResponse,
 }
 
 /// What a file holds.
-struct Content {
-    rows: Vec<Row>,
+struct RaoFile {
+    rows: Vec<RaoEntry>,
     origin_m: [f64; 3],
     phase_origin_m: [f64; 3],
     symmetric: Option<bool>,
 }
 
-/// How near two angles or frequencies are that are one, rad and rad/s.
+/// Angles or frequencies closer than this are equal, rad and rad/s.
 const SAME: f64 = 1e-9;
 
 impl RaoTable {
-    /// From the text of a file: OrcaFlex's YAML where it has `VesselTypes`, else CSV.
+    /// From the text of a file: OrcaFlex's YAML if it has `VesselTypes`, else CSV.
     ///
-    /// The CSV has a line of names, which state the conventions: `direction_to_deg` (where the waves go to, from x
-    /// counter-clockwise: 180 is a head sea); `period_s`, `frequency_rad_s` or `frequency_Hz`; and for each motion its
-    /// amplitude and its phase, `surge_forward_m_per_m`, `sway_port_m_per_m` or `sway_starboard_m_per_m`,
+    /// The first line of the CSV has names that state the conventions: `direction_to_deg` (where the waves go to, from
+    /// x counter-clockwise: 180 is a head sea); `period_s`, `frequency_rad_s` or `frequency_Hz`; and for each motion
+    /// its amplitude and its phase, `surge_forward_m_per_m`, `sway_port_m_per_m` or `sway_starboard_m_per_m`,
     /// `heave_up_m_per_m`, `roll_port_up_deg_per_m` or `roll_starboard_up_...`, `pitch_bow_down_...` or
     /// `pitch_bow_up_...`, `yaw_bow_port_...` or `yaw_bow_starboard_...`, in `deg_per_m` or `rad_per_m`; phases as
     /// `surge_lag_deg` or `surge_lead_deg` against the crest at the origin.
     ///
-    /// # Errors
-    /// What is missing, unknown or NaN, by line and name; directions that have not all the same frequencies.
+    /// # Errors Missing, unknown or NaN entries, by line and name; directions with different frequencies.
     pub fn read(text: &str) -> Result<Self, RaoError> {
         let text = text.trim_start_matches('\u{feff}');
         let is_yaml = text.lines().any(|line| line.trim_end() == "VesselTypes:");
         Self::from_content(if is_yaml { orcaflex::read(text)? } else { csv::read(text)? })
     }
 
-    fn from_content(content: Content) -> Result<Self, RaoError> {
-        let Content { mut rows, origin_m, phase_origin_m, symmetric } = content;
-        let order = |a: &Row, b: &Row| {
+    fn from_content(content: RaoFile) -> Result<Self, RaoError> {
+        let RaoFile { mut rows, origin_m, phase_origin_m, symmetric } = content;
+        let order = |a: &RaoEntry, b: &RaoEntry| {
             let by_direction = a.direction_rad.total_cmp(&b.direction_rad);
             by_direction.then(a.frequency_rad_s.total_cmp(&b.frequency_rad_s))
         };
@@ -124,11 +124,11 @@ impl RaoTable {
         Ok(())
     }
 
-    /// The same over the whole circle, where `symmetric` says whether port is as starboard: then directions from 0 to 180
+    /// The same over the whole circle. If `symmetric` says that port and starboard are alike, directions from 0 to 180
     /// degrees are enough.
     ///
-    /// # Errors
-    /// Directions that leave a gap of more than a quarter of the circle; nothing said about what is not given.
+    /// # Errors A gap of more than a quarter of the circle between directions; a half circle without a statement of
+    /// symmetry.
     pub fn whole_circle(&self, symmetric: Option<bool>) -> Result<Self, RaoError> {
         let mut table = self.clone();
         if self.symmetric.or(symmetric) == Some(true) {
@@ -166,8 +166,8 @@ impl RaoTable {
         [self.frequencies_rad_s[0], self.frequencies_rad_s[self.frequencies_rad_s.len() - 1]]
     }
 
-    /// Linear between the real and imaginary parts at the nearest directions and frequencies; nothing outside.
-    pub fn at<S: Scalar>(&self, frequency_rad_s: f64, direction_rad: S) -> Response<S> {
+    /// The real and imaginary parts, linear between the nearest directions and frequencies; zero outside.
+    pub fn at<S: Scalar>(&self, frequency_rad_s: f64, direction_rad: S) -> MotionResponse<S> {
         if !self.covers(frequency_rad_s) {
             return [[S::ZERO; 2]; 6];
         }
@@ -191,8 +191,8 @@ impl RaoTable {
         })
     }
 
-    /// How far a direction is on the way between the two nearest, the way in rad, and the responses at both.
-    fn between_directions(&self, frequency_rad_s: f64, direction_rad: f64) -> (f64, f64, [Response; 2]) {
+    /// Position of a direction between the two nearest ones, their distance in rad, and the responses at both.
+    fn between_directions(&self, frequency_rad_s: f64, direction_rad: f64) -> (f64, f64, [MotionResponse; 2]) {
         let n = self.directions_rad.len();
         let first = self.directions_rad[0];
         let direction = (direction_rad - first).rem_euclid(TAU) + first;
@@ -213,7 +213,7 @@ impl RaoTable {
 }
 
 /// The response to the mirrored wave.
-fn mirror(response: &Response) -> Response {
+fn mirror(response: &MotionResponse) -> MotionResponse {
     let sign = |mode: usize| if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
     core::array::from_fn(|mode| response[mode].map(|part| sign(mode) * part))
 }

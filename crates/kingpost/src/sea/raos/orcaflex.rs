@@ -1,7 +1,7 @@
-//! RAOs in OrcaFlex's YAML, whose vessel type states the conventions.
+//! RAOs in OrcaFlex's YAML, with conventions stated by the vessel type.
 
 use super::csv::ToRadS;
-use super::{Content, RaoError, Row, phasor};
+use super::{RaoEntry, RaoError, RaoFile, phasor};
 use core::f64::consts::{PI, TAU};
 use serde_json::Value;
 
@@ -9,7 +9,7 @@ use serde_json::Value;
 const COLUMNS: &str = "RAOPeriodOrFrequency, RAOSurgeAmp, RAOSurgePhase, RAOSwayAmp, RAOSwayPhase, RAOHeaveAmp, \
                        RAOHeavePhase, RAORollAmp, RAORollPhase, RAOPitchAmp, RAOPitchPhase, RAOYawAmp, RAOYawPhase";
 
-pub(super) fn read(text: &str) -> Result<Content, RaoError> {
+pub(super) fn read(text: &str) -> Result<RaoFile, RaoError> {
     let whole: Value = serde_saphyr::from_str(text)
         .map_err(|error| RaoError::new("the file", error.to_string().replace('\n', " "), "YAML"))?;
     let vessel = only(&whole["VesselTypes"], "VesselTypes")?;
@@ -34,7 +34,7 @@ pub(super) fn read(text: &str) -> Result<Content, RaoError> {
             rows.push(conventions.row(direction, line)?);
         }
     }
-    Ok(Content { rows, origin_m, phase_origin_m, symmetric: Some(conventions.symmetric) })
+    Ok(RaoFile { rows, origin_m, phase_origin_m, symmetric: Some(conventions.symmetric) })
 }
 
 fn only<'a>(list: &'a Value, name: &str) -> Result<&'a Value, RaoError> {
@@ -44,7 +44,7 @@ fn only<'a>(list: &'a Value, name: &str) -> Result<&'a Value, RaoError> {
     }
 }
 
-/// A point; `None` for `[~, ~, ~]` and for what is not there.
+/// A point; `None` for `[~, ~, ~]` and for a missing entry.
 fn point(value: &Value, field: &str) -> Result<Option<[f64; 3]>, RaoError> {
     match value.as_array().map(Vec::as_slice) {
         None if value.is_null() => Ok(None),
@@ -57,12 +57,12 @@ fn point(value: &Value, field: &str) -> Result<Option<[f64; 3]>, RaoError> {
     }
 }
 
-/// What the numbers of a vessel type mean.
+/// The conventions of a vessel type.
 struct Conventions {
     to_rad_s: ToRadS,
-    /// Of amplitudes, by mode, to m/m and rad/m here.
+    /// Factors of the amplitudes, by mode, to m/m and rad/m.
     factors: [f64; 6],
-    /// From a phase to a lag behind the crest: factor, and what is added, rad.
+    /// From a phase to a lag behind the crest: factor and offset, rad.
     lag: [f64; 2],
     symmetric: bool,
 }
@@ -83,7 +83,7 @@ impl Conventions {
         ];
         let way = choice(vessel, "RAOPhaseConvention", &[("lags", 1.0), ("leads", -1.0)])?;
         let unit = choice(vessel, "RAOPhaseUnitsConvention", &[("degrees", 1.0_f64.to_radians()), ("radians", 1.0)])?;
-        // What passes the origin this far behind the crest.
+        // The event that passes the origin at this phase after the crest.
         let references =
             [("crest", 0.0), ("zero down-crossing", PI / 2.0), ("trough", PI), ("zero up-crossing", 1.5 * PI)];
         let after = choice(vessel, "RAOPhaseRelativeToConvention", &references)?;
@@ -94,7 +94,7 @@ impl Conventions {
         Ok(Self { to_rad_s, factors, lag: [way * unit, after], symmetric })
     }
 
-    fn row(&self, direction: f64, line: &Value) -> Result<Row, RaoError> {
+    fn row(&self, direction: f64, line: &Value) -> Result<RaoEntry, RaoError> {
         let number = |cell: &Value| cell.as_f64().or((cell == "Infinity").then_some(f64::INFINITY));
         let numbers: Option<Vec<f64>> = line.as_array().and_then(|cells| cells.iter().map(number).collect());
         let numbers = numbers.filter(|all| all.len() == 13 && all[1..].iter().all(|x| x.is_finite()));
@@ -108,11 +108,11 @@ impl Conventions {
             let [amplitude, phase] = [numbers[1 + 2 * mode], numbers[2 + 2 * mode]];
             phasor(amplitude * self.factors[mode], self.lag[0] * phase + self.lag[1])
         });
-        Ok(Row { direction_rad: direction.to_radians().rem_euclid(TAU), frequency_rad_s, response })
+        Ok(RaoEntry { direction_rad: direction.to_radians().rem_euclid(TAU), frequency_rad_s, response })
     }
 }
 
-/// What a convention that must be stated means.
+/// The meaning of a convention that must be stated.
 fn choice<T: Copy>(vessel: &Value, name: &str, choices: &[(&str, T)]) -> Result<T, RaoError> {
     // YAML reads a bare None as a word, and ~ as nothing.
     let found = vessel[name].as_str();

@@ -1,4 +1,5 @@
-//! The sea at a body that is small beside the waves: its surface, locally a plane, and the water's motion at one depth.
+//! The sea at a body that is small compared with the waves: the surface, locally a plane, and the water's motion at one
+//! depth.
 
 use core::f64::consts::LOG2_E;
 
@@ -6,7 +7,7 @@ use super::field::WaveField;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// The surface of the sea over a point, with its rates at that place.
+/// The surface of the sea above a point, with its rates there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalSurface<S = f64> {
     /// Above the still water, m.
@@ -30,7 +31,7 @@ impl<S: Scalar> LocalSurface<S> {
     }
 }
 
-/// The waves over one point of the world at one time: their sines are taken once, for surface and motion.
+/// The waves over one point of the world at one time: their sines are computed once, for surface and motion.
 ///
 /// ```
 /// use kingpost::sea::waves::{Water, WaveComponent, WaveField, WavesAtBody};
@@ -96,7 +97,7 @@ impl<S: Scalar> WavesAtBody<S> {
             sum.curvatures[1] -= xy * cos;
             sum.curvatures[2] -= yy * cos;
         }
-        // The phasors have the ramp; its own rate moves the surface too.
+        // The phasors contain the ramp; the rate of the ramp moves the surface too.
         let [ramp, ramp_rate, _] = field.ramp_and_rates(time_s);
         if ramp_rate != 0.0 && ramp > 0.0 {
             let growth = S::constant(ramp_rate / ramp);

@@ -6,14 +6,14 @@ use super::field::WaveField;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// No rounding of a sum of waves lifts it above the sum of their amplitudes by more.
+/// Largest rounding by which a sum of waves exceeds the sum of their amplitudes.
 const ROUNDING: f64 = 1e-9;
 
 /// Waves at one time, for a mesh that asks for elevation and pressure at every vertex.
 ///
-/// They are those of [`WaveField::kinematics`], but for rounding: what all points share is computed once a time, of the
-/// phases only cosines are taken, and exponentials are powers of two. It holds what is computed, not the waves: every call
-/// needs the field that it was made for.
+/// They equal those of [`WaveField::kinematics`] except for rounding. Terms that all points share are computed once for
+/// each time, only cosines of the phases are needed, and exponentials are powers of two. It stores computed values, not
+/// the waves: every call needs the field that it was made for.
 ///
 /// ```
 /// use kingpost::sea::waves::{Water, WaveComponent, WaveField, WavesAtPoints};
@@ -31,9 +31,9 @@ const ROUNDING: f64 = 1e-9;
 /// ```
 #[derive(Clone, Debug)]
 pub struct WavesAtPoints<S = f64> {
-    /// k / ln 2: what e^kz is as a power of two.
+    /// k / ln 2: e^kz as a power of two.
     doublings_per_m: Vec<S>,
-    /// Of each wave at the world's origin now, in turns; and its amplitude now, m.
+    /// Phase of each wave at the world's origin now, in turns; and its amplitude now, m.
     phases: Vec<S>,
     amplitudes: Vec<S>,
     highest_m: S,
@@ -54,7 +54,7 @@ impl<S: Scalar> WavesAtPoints<S> {
         waves
     }
 
-    /// From now on the waves at this time, s.
+    /// Sets the time, s.
     pub fn set_time(&mut self, field: &WaveField<S>, time_s: f64) {
         let (turns, time) = (&field.turns, S::constant(time_s));
         for ((now, phase), per_s) in self.phases.iter_mut().zip(&turns.phase).zip(&turns.time_per_s) {
@@ -69,7 +69,7 @@ impl<S: Scalar> WavesAtPoints<S> {
         self.highest_m = highest * S::constant(1.0 + ROUNDING);
     }
 
-    /// What the surface is nowhere above now: the sum of all amplitudes, m above still water.
+    /// An upper bound of the surface now: the sum of all amplitudes, m above still water.
     pub fn highest_m(&self) -> S {
         self.highest_m
     }
@@ -79,7 +79,7 @@ impl<S: Scalar> WavesAtPoints<S> {
         let elevation = self.elevation_m(field, [point[0], point[1]]);
         let z = field.stretched(point, elevation)[2];
         let weight = S::constant(field.water().gravity_m_s2 * field.water().density_kg_m3);
-        // At the surface and above it nothing has decayed.
+        // At the surface and above it there is no decay.
         if z.all(|z| z >= 0.0) {
             return [elevation, elevation * weight];
         }
@@ -125,7 +125,7 @@ impl<S: Scalar> WavesAtPoints<S> {
     }
 }
 
-/// A sum in one order, in four strands that a processor can add side by side.
+/// A sum in a fixed order, in four strands that a processor can add in parallel.
 fn sum<S: Scalar>(numbers: &[S]) -> S {
     let mut strands = [S::ZERO; 4];
     let (fours, rest) = numbers.as_chunks::<4>();

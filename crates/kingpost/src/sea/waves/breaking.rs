@@ -1,4 +1,4 @@
-//! How high a wave can be.
+//! Breaking limits of waves.
 
 use super::dispersion::wave_number;
 use super::error::WaveError;
@@ -22,7 +22,7 @@ pub fn breaking_height_m(period_s: f64, water: &Water) -> f64 {
     STEEPEST * TAU / k * water.depth_m.map_or(1.0, |depth_m| libm::tanh(k * depth_m))
 }
 
-/// An error where waves of this height, in a field of this name, would have broken.
+/// An error if waves of this height would have broken; `field` is the name of the height's field.
 pub(crate) fn unbroken(field: &str, height_m: f64, period_s: f64, water: &Water) -> Result<(), WaveError> {
     let most = breaking_height_m(period_s, water);
     if height_m <= most {

@@ -75,7 +75,7 @@ impl WaveComponent {
 }
 
 impl<S: Scalar> WaveComponent<S> {
-    /// The wave by plain numbers: all but the amplitude decide the structure of a run, so that all lanes share them.
+    /// The wave with plain numbers: all except the amplitude are part of the structure of a run, which all lanes share.
     pub fn plain(&self) -> WaveComponent {
         WaveComponent {
             amplitude_m: self.amplitude_m.value(),
@@ -87,7 +87,7 @@ impl<S: Scalar> WaveComponent<S> {
     }
 }
 
-/// Most waves that are made of one input.
+/// Largest number of waves from one input.
 pub const MOST_COMPONENTS: usize = 20_000;
 
 /// Angles that an input may have, rad.

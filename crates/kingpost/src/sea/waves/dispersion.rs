@@ -5,9 +5,9 @@
 
 use super::water::Water;
 
-/// The wave number k, 1/m, of a wave of this angular frequency: w^2 = g k tanh(k h), over infinite
-/// depth w^2 = g k. To rounding, by Newton's method within bounds that hold the root. A negative
-/// frequency counts as positive; what is not finite is returned as it is.
+/// The wave number k, 1/m, of a wave of this angular frequency: w^2 = g k tanh(k h), over infinite depth w^2 = g k. To
+/// rounding, by Newton's method within bounds that hold the root. A negative frequency counts as positive; a number
+/// that is not finite is returned unchanged.
 ///
 /// ```
 /// use kingpost::sea::waves::{Water, wave_number};

@@ -1,10 +1,10 @@
-//! Why a sea cannot be made of what was given.
+//! Errors of the data of a sea.
 
 use core::fmt::Display;
 
 use thiserror::Error;
 
-/// A quantity that no sea can be made of. The field has the name that a scenario gives it.
+/// A quantity of which no sea can be made. The field has its name in the scenario.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct WaveError {
@@ -25,8 +25,7 @@ impl WaveError {
 
 /// The number, if it lies between the two limits, both allowed.
 ///
-/// # Errors
-/// When it does not, or is not a number.
+/// # Errors When it does not, or is NaN.
 pub(crate) fn between(field: &str, number: f64, [least, most]: [f64; 2]) -> Result<f64, WaveError> {
     if number >= least && number <= most {
         return Ok(number);

@@ -8,7 +8,7 @@ use super::water::Water;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A sum of regular waves with a beginning.
+/// A sum of regular waves that starts from rest.
 ///
 /// Linear theory over a level bottom (Newman, *Marine Hydrodynamics*, 1977, ch. 6; Faltinsen, *Sea Loads
 /// on Ships and Offshore Structures*, 1990, table 2.1). With the phase of a component
@@ -29,24 +29,24 @@ pub struct WaveField<S = f64> {
     water: Water,
     ramp_s: f64,
     pub(super) amplitudes_m: Vec<S>,
-    pub(super) turns: Turns<S>,
+    pub(super) turns: PhaseTurns<S>,
     /// 1 / (1 + e^-2kh) of each wave.
     pub(super) bottom_scales: Vec<S>,
     /// How often its waves have been replaced.
     realisation: u64,
 }
 
-/// What the waves' phases are made of, in turns of 2 pi rad and one array each, so that a loop over
-/// the waves becomes SIMD code.
+/// The coefficients of the waves' phases, in turns of 2 pi rad and one array each, so that a loop over the waves
+/// becomes SIMD code.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Turns<S> {
+pub(super) struct PhaseTurns<S> {
     pub(super) x_per_m: Vec<S>,
     pub(super) y_per_m: Vec<S>,
     pub(super) time_per_s: Vec<S>,
     pub(super) phase: Vec<S>,
 }
 
-/// What the water does at a point.
+/// The motion and pressure of the water at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaveKinematics<S = f64> {
     /// Elevation of the surface above the point, m.
@@ -59,7 +59,7 @@ pub struct WaveKinematics<S = f64> {
     pub acceleration_m_s2: Vector3<S>,
 }
 
-/// Waves whose sines are taken together.
+/// Number of waves whose sines are computed together.
 const BLOCK: usize = 16;
 
 impl<S: Scalar> WaveField<S> {
@@ -68,7 +68,7 @@ impl<S: Scalar> WaveField<S> {
     pub fn new(waves: &[WaveComponent<S>], water: Water, ramp_s: f64) -> Self {
         let turn = S::constant(1.0 / TAU);
         let of_each = |f: &dyn Fn(&WaveComponent<S>) -> S| waves.iter().map(f).collect::<Vec<S>>();
-        let turns = Turns {
+        let turns = PhaseTurns {
             x_per_m: of_each(&|wave| wave.wave_number_per_m * wave.direction_rad.sin_cos().1 * turn),
             y_per_m: of_each(&|wave| wave.wave_number_per_m * wave.direction_rad.sin_cos().0 * turn),
             time_per_s: of_each(&|wave| wave.angular_frequency_rad_s * turn),
@@ -80,10 +80,9 @@ impl<S: Scalar> WaveField<S> {
         Self { waves: waves.to_vec(), water, ramp_s, amplitudes_m, turns, bottom_scales, realisation: 0 }
     }
 
-    /// Another sea of the same frequencies and directions: a new amplitude, m, and phase, rad, of each wave.
+    /// Another sea with the same frequencies and directions: a new amplitude, m, and phase, rad, for each wave.
     ///
-    /// # Panics
-    /// When a slice has not one entry a wave.
+    /// # Panics When a slice does not have one entry per wave.
     pub fn set_realisation(&mut self, amplitudes_m: &[S], phases_rad: &[S]) {
         assert_eq!((amplitudes_m.len(), phases_rad.len()), (self.len(), self.len()), "one entry a wave");
         for (wave, (amplitude, phase)) in self.waves.iter_mut().zip(amplitudes_m.iter().zip(phases_rad)) {
@@ -95,7 +94,7 @@ impl<S: Scalar> WaveField<S> {
         self.realisation += 1;
     }
 
-    /// How often its waves have been replaced: what was computed from them holds for one of these numbers.
+    /// How often its waves have been replaced: values computed from them are valid for one of these numbers.
     pub fn realisation(&self) -> u64 {
         self.realisation
     }
@@ -125,7 +124,7 @@ impl<S: Scalar> WaveField<S> {
         &self.water
     }
 
-    /// What the amplitudes are multiplied by at this time: [`ramp`].
+    /// The factor of the amplitudes at this time: [`ramp`].
     pub fn ramp(&self, time_s: f64) -> f64 {
         let [share, ..] = self.ramp_and_rates(time_s);
         share
@@ -153,8 +152,7 @@ impl<S: Scalar> WaveField<S> {
     /// the order of [`Self::components`]: a load whose transfer function is X is the sum of
     /// Re{X a e^(i q)}.
     ///
-    /// # Panics
-    /// When a slice has not one entry a wave.
+    /// # Panics When a slice does not have one entry per wave.
     pub fn phasors(&self, point: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
         assert_eq!((real.len(), imaginary.len()), (self.waves.len(), self.waves.len()), "one entry a wave");
         self.unit_phasors(0, point, time_s, real, imaginary);
@@ -255,7 +253,7 @@ impl<S: Scalar> WaveField<S> {
         let below_surface = point[2] - elevation;
         let height = match self.water.depth_m {
             Some(depth_m) => {
-                // A trough below the bottom is no wave, but must not divide by zero.
+                // A trough below the bottom is not physical, but must not divide by zero.
                 let stretch = S::ONE + elevation / S::constant(depth_m);
                 below_surface / stretch.select_below(1e-3, || S::constant(1e-3), || stretch)
             }

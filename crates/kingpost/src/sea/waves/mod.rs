@@ -1,9 +1,9 @@
-//! Waves: sums of regular waves, how they are drawn from spectra, and their field.
+//! Waves: sums of regular waves, their realisation from spectra, and their field.
 //!
-//! [`Spectrum`] and [`Spreading`] say how energy is spread over frequency and direction;
-//! [`WaveSystem`] draws a sum of [`WaveComponent`]s from them, by [`Noise`]; a [`WaveField`] is what
-//! such a sum does at a point of the water. Waves go to their direction, from the world's x
-//! counter-clockwise; the elevation is Re{a e^(i (k x cos b + k y sin b - w t + phase))}.
+//! [`Spectrum`] and [`Spreading`] give the distribution of energy over frequency and direction; [`WaveSystem`] draws a
+//! sum of [`WaveComponent`]s from them, by [`Noise`]; a [`WaveField`] gives the motion of the water for such a sum.
+//! Waves go to their direction, from the world's x counter-clockwise; the elevation is Re{a e^(i (k x cos b + k y sin
+//! b - w t + phase))}.
 
 mod at_body;
 mod at_points;

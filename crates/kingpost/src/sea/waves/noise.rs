@@ -1,9 +1,9 @@
 //! Random numbers as a function of (seed, channel, counter), without a state.
 
-/// Numbers that look random and are a function of a seed, a channel and a counter: Philox4x32-10 of
-/// Salmon, Moraes, Dror & Shaw, "Parallel random numbers: as easy as 1, 2, 3" (SC'11, 2011, sec. 3.3).
-/// The seed is the key, the counter the first half of the block and the channel the second. The same
-/// arguments give the same bits on every machine, in any order, so that nothing needs to be stored.
+/// Pseudo-random numbers as a function of a seed, a channel and a counter: Philox4x32-10 of Salmon, Moraes, Dror &
+/// Shaw, "Parallel random numbers: as easy as 1, 2, 3" (SC'11, 2011, sec. 3.3). The seed is the key, the counter the
+/// first half of the block and the channel the second. The same arguments give the same bits on every machine, in any
+/// order, so that nothing needs to be stored.
 ///
 /// ```
 /// use kingpost::sea::waves::Noise;

@@ -1,4 +1,4 @@
-//! A random sea of a spectrum: which waves it is the sum of.
+//! A random sea from a spectrum, as a sum of waves.
 
 use core::f64::consts::TAU;
 
@@ -9,15 +9,14 @@ use super::spectrum::{Band, Spectrum, sub_intervals};
 use super::spreading::Spreading;
 use super::water::Water;
 
-/// How the amplitudes of a random sea are drawn.
+/// The way in which the amplitudes of a random sea are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Amplitudes {
     /// a = sqrt(2 S dw): every realisation has the significant wave height of the spectrum.
     Deterministic,
-    /// a = sqrt(2 S dw) sqrt(-ln u) with u uniform in (0, 1), a Rayleigh distribution with the same
-    /// mean square: the sea is Gaussian with any number of waves, and its height varies from seed to
-    /// seed as that of the sea does (Tucker, Challenor & Carter, *Applied Ocean Research* 6, 1984,
-    /// p. 118).
+    /// a = sqrt(2 S dw) sqrt(-ln u) with u uniform in (0, 1), a Rayleigh distribution with the same mean square: the
+    /// sea is Gaussian with any number of waves, and its height varies from seed to seed as in the real sea (Tucker,
+    /// Challenor & Carter, *Applied Ocean Research* 6, 1984, p. 118).
     Random,
 }
 
@@ -26,25 +25,25 @@ pub enum Amplitudes {
 pub struct WaveSystem {
     /// The spectrum.
     pub spectrum: Spectrum,
-    /// How it is spread over directions.
+    /// Its directional spreading.
     pub spreading: Spreading,
     /// Mean direction that the waves go to, from the world's x counter-clockwise, rad.
     pub direction_rad: f64,
     /// Number of waves.
     pub components: usize,
-    /// How their amplitudes are drawn.
+    /// The way in which their amplitudes are drawn.
     pub amplitudes: Amplitudes,
-    /// Frequencies that are kept, with what the spectrum holds there and no more; 0 and infinity for an end at which
-    /// nothing is cut off, none for both.
+    /// Frequencies that are kept, with the spectrum's energy there and no more; 0 and infinity for an end that is not
+    /// cut off, `None` for both.
     pub band: Option<Band>,
 }
 
-/// Share of the waves that are laid out evenly over frequency, whatever their energy.
+/// Share of the waves that are distributed evenly over frequency, whatever their energy.
 const EVEN_SHARE: f64 = 0.5;
 
-/// What a channel of noise is for; each system has one of each.
+/// The use of a channel of noise; each system has one of each.
 #[derive(Clone, Copy)]
-enum Draw {
+enum WaveDraw {
     Frequency = 0,
     Phase = 1,
     Direction = 2,
@@ -55,12 +54,12 @@ impl WaveSystem {
     /// The waves of the system, in order of frequency; the same seed and number of the system in its
     /// sea give the same waves, bit for bit.
     ///
-    /// The waves lie in [`Spectrum::usual_band`], or at the given ends of it. That is cut into as many bins as there are waves, each with the same integral of
-    /// (1/2) S(w) / m0 + (1/2) / (width of the band): half of the waves go where the energy is and half
-    /// are spread evenly, so that the tail is resolved too. Each bin gives one wave of the energy in
-    /// the bin, scaled so that all together have that of the whole spectrum, or of what the given band leaves of it, at a
-    /// frequency that is drawn evenly from the bin. As the frequencies have no common divisor the sea does not repeat.
-    /// Each wave runs in one direction, drawn from the spreading, and has a phase from 0 to 2 pi.
+    /// The waves lie in [`Spectrum::usual_band`], or at the given ends of it. That is cut into as many bins as there
+    /// are waves, each with the same integral of (1/2) S(w) / m0 + (1/2) / (width of the band): half of the waves go
+    /// where the energy is and half are spread evenly, so that the tail is resolved too. Each bin gives one wave of the
+    /// energy in the bin, scaled so that together they have the energy of the whole spectrum, or of the part in the
+    /// given band. Its frequency is drawn uniformly from the bin. The frequencies have no common divisor, so the sea
+    /// does not repeat. Each wave runs in one direction, drawn from the spreading, and has a phase from 0 to 2 pi.
     ///
     /// # Errors
     /// No waves or more than 20,000, a direction that is not finite or above 1e4 rad, a band that is
@@ -69,18 +68,18 @@ impl WaveSystem {
         let band = self.checked_band()?;
         let bins = self.bins(band)?;
         let (noise, count) = (Noise::new(seed), self.components as u64);
-        let uniform = |draw: Draw, i: u64| noise.uniform(4 * system + draw as u64, i);
-        let shares: Vec<f64> = (0..count).map(|i| uniform(Draw::Direction, i)).collect();
+        let uniform = |draw: WaveDraw, i: u64| noise.uniform(4 * system + draw as u64, i);
+        let shares: Vec<f64> = (0..count).map(|i| uniform(WaveDraw::Direction, i)).collect();
         let angles = self.spreading.quantiles_rad(&shares);
         let of_bin = |(i, bin): (u64, &Bin)| {
-            let frequency = bin.start_rad_s + (bin.end_rad_s - bin.start_rad_s) * uniform(Draw::Frequency, i);
+            let frequency = bin.start_rad_s + (bin.end_rad_s - bin.start_rad_s) * uniform(WaveDraw::Frequency, i);
             let mean_square = match self.amplitudes {
                 Amplitudes::Deterministic => 1.0,
-                Amplitudes::Random => -libm::log(uniform(Draw::Amplitude, i)),
+                Amplitudes::Random => -libm::log(uniform(WaveDraw::Amplitude, i)),
             };
             let amplitude = libm::sqrt(2.0 * bin.variance_m2 * mean_square);
             let direction = self.direction_rad + angles[i as usize];
-            WaveComponent::in_water(water, amplitude, frequency, direction, TAU * uniform(Draw::Phase, i))
+            WaveComponent::in_water(water, amplitude, frequency, direction, TAU * uniform(WaveDraw::Phase, i))
         };
         Ok((0..count).zip(&bins).map(of_bin).collect())
     }
@@ -102,7 +101,7 @@ impl WaveSystem {
         1.0 - self.spectrum.moment(0, self.within(self.spectrum.whole_band())) / whole
     }
 
-    /// A band of the spectrum with the ends that were given in place of its own.
+    /// A band of the spectrum in which given ends replace its own.
     fn within(&self, band: Band) -> Band {
         let Some(given) = self.band else { return band };
         Band {

@@ -8,7 +8,7 @@ use super::error::{WaveError, between};
 use super::spectrum::Band;
 use super::water::Water;
 
-/// Elevations at equal intervals of time, as a file holds them, and the harmonics of them that were asked for.
+/// Elevations at equal intervals of time from a file, and the harmonics that have been computed.
 #[derive(Debug)]
 pub struct ElevationTable {
     start_s: f64,
@@ -26,7 +26,7 @@ impl PartialEq for ElevationTable {
 
 /// The first line of a table.
 const HEADER: &str = "time_s,elevation_m";
-/// How far a time may lie from where equal intervals put it, in intervals: times are printed rounded.
+/// How far a time may be from equal intervals, in intervals: printed times are rounded.
 const UNEVEN: f64 = 0.05;
 
 impl ElevationTable {
@@ -78,7 +78,7 @@ impl ElevationTable {
         Ok(Self { start_s: first, interval_s, elevations_m, harmonics: Mutex::default() })
     }
 
-    /// Time of the first, s.
+    /// Time of the first sample, s.
     pub fn start_s(&self) -> f64 {
         self.start_s
     }
@@ -118,7 +118,7 @@ impl ElevationTable {
     }
 }
 
-/// A table whose harmonics are computed anew.
+/// A table without computed harmonics.
 impl Clone for ElevationTable {
     fn clone(&self) -> Self {
         let Self { start_s, interval_s, elevations_m, .. } = self;
@@ -131,7 +131,7 @@ impl Clone for ElevationTable {
     }
 }
 
-/// A level record holds no waves.
+/// A constant record contains no waves.
 fn check_waves(elevations_m: &[f64]) -> Result<(), WaveError> {
     let level = elevations_m[0];
     if elevations_m.iter().any(|elevation| *elevation != level) {
@@ -153,16 +153,15 @@ fn check_samples(count: usize) -> Result<(), WaveError> {
 pub struct ElevationRecord {
     /// Elevations, m.
     pub elevations_m: Vec<f64>,
-    /// Time of the first, s.
+    /// Time of the first sample, s.
     pub start_s: f64,
     /// Interval between two, s.
     pub interval_s: f64,
-    /// Where they were measured: x and y, world, m.
+    /// The position of the measurement: x and y, world, m.
     pub position_m: [f64; 2],
-    /// Direction that the waves go to, from the world's x counter-clockwise, rad. One point cannot
-    /// tell it.
+    /// Direction that the waves go to, from the world's x counter-clockwise, rad. One point does not determine it.
     pub direction_rad: f64,
-    /// Frequencies that are kept; none for all below half the sampling frequency.
+    /// Frequencies that are kept; `None` for all below half the sampling frequency.
     pub band: Option<Band>,
 }
 
@@ -170,15 +169,15 @@ pub struct ElevationRecord {
 pub const MOST_SAMPLES: usize = 65_536;
 
 impl ElevationRecord {
-    /// The waves whose sum has these elevations at this point: the discrete Fourier transform of the
-    /// record, one wave for each of its harmonics in the band. The mean is left out, and so is the
-    /// harmonic of half the sampling frequency, whose phase the samples do not hold. The sum repeats
-    /// after the record's length, so the first sample should go on from the last.
+    /// The waves whose sum has these elevations at this point: the discrete Fourier transform of the record, one wave
+    /// for each harmonic in the band. The mean is left out, and so is the harmonic at half the sampling frequency,
+    /// whose phase the samples do not determine. The sum repeats after the record's length, so the first sample should
+    /// continue the last.
     ///
-    /// The transform is summed as it is written. A record of 20 minutes at 2 Hz takes 3 million
-    /// multiplications and the longest 10^9, which is not worth the size of a fast transform in
-    /// the browser: an [`ElevationTable`] keeps what was summed, so that each harmonic of a file is summed once however
-    /// often a scenario is built. Sines and cosines come from a table, so that no error grows along the sum.
+    /// The transform is summed directly. A record of 20 minutes at 2 Hz needs 3 million multiplications and the longest
+    /// 10^9, so a fast transform would not justify its size in the browser. An [`ElevationTable`] stores the harmonics,
+    /// so each harmonic of a file is summed once, however often a scenario is built. Sines and cosines come from a
+    /// table, so that no error grows along the sum.
     ///
     /// # Errors
     /// Fewer than 4 samples or more than 65,536, elevations above 100 m, not finite or all the same, an interval
@@ -209,7 +208,7 @@ impl ElevationRecord {
         Ok(harmonics.iter().map(wave).collect())
     }
 
-    /// The wave whose complex elevation at the point and the time of the first sample is this.
+    /// The wave with this complex elevation at the point and time of the first sample.
     fn wave(&self, frequency_rad_s: f64, [real, imaginary]: [f64; 2], water: &Water) -> WaveComponent {
         let amplitude = libm::sqrt(real * real + imaginary * imaginary);
         let mut wave = WaveComponent::in_water(water, amplitude, frequency_rad_s, self.direction_rad, 0.0);

@@ -1,4 +1,4 @@
-//! How the energy of a sea is spread over directions.
+//! Directional spreading of the energy of a sea.
 
 use core::f64::consts::PI;
 
@@ -39,8 +39,8 @@ impl Spreading {
         Ok(Self::Cos2s(Cos2s { exponent, scale_per_rad: ratio / (2.0 * libm::sqrt(PI)) }))
     }
 
-    /// The density of energy, 1/rad, at this angle from the mean direction, rad; of a long-crested sea
-    /// it is not finite at 0.
+    /// The density of energy, 1/rad, at this angle from the mean direction, rad; for a long-crested sea it is infinite
+    /// at 0.
     pub fn density_per_rad(&self, angle_rad: f64) -> f64 {
         match self {
             Self::LongCrested => {
@@ -54,8 +54,8 @@ impl Spreading {
         }
     }
 
-    /// The angles from the mean direction, rad, below which these shares of the energy lie: the
-    /// distribution's inverse, by which uniform random numbers become directions.
+    /// The angles from the mean direction, rad, below which these shares of the energy lie: the inverse of the
+    /// distribution, which turns uniform random numbers into directions.
     pub fn quantiles_rad(&self, shares: &[f64]) -> Vec<f64> {
         match self {
             Self::LongCrested => vec![0.0; shares.len()],

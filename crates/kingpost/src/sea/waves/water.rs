@@ -1,4 +1,4 @@
-//! The water that waves run on.
+//! The water in which waves run.
 
 use super::error::{WaveError, between};
 
@@ -9,7 +9,7 @@ pub struct Water {
     pub density_kg_m3: f64,
     /// Gravity, m/s^2.
     pub gravity_m_s2: f64,
-    /// Depth of the still water, m; none where it is infinite.
+    /// Depth of the still water, m; `None` if it is infinite.
     pub depth_m: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Gusts: the wind's speed about its mean, as a sum of many components.
+//! Gusts: the variation of the wind speed about its mean, as a sum of many components.
 
 mod spectrum;
 
@@ -9,9 +9,9 @@ use crate::sea::waves::{Amplitudes, MOST_COMPONENTS, Noise, ramp};
 
 /// The channels of noise of gusts begin here; those of wave systems are few.
 const FIRST_CHANNEL: u64 = 1 << 32;
-/// What a channel of noise is for.
+/// The use of a channel of noise.
 #[derive(Clone, Copy)]
-enum Draw {
+enum GustDraw {
     Frequency = 0,
     Phase = 1,
     Amplitude = 2,
@@ -19,9 +19,9 @@ enum Draw {
 
 /// One realisation of a gusty wind; the same seed gives the same, bit for bit.
 ///
-/// The band is cut into bins of equal width over ln f, over which f S(f) is broad. Each gives one component of the variance in
-/// its bin, at a frequency that is drawn evenly over ln f from it, so that the wind does not repeat, and with a phase from 0 to a
-/// turn. Frequencies and phases are the same at all heights: a gust meets the whole ship at once.
+/// The band is cut into bins of equal width over ln f, over which f S(f) is broad. Each gives one component with the
+/// variance of its bin, a frequency drawn uniformly over ln f from the bin, so that the wind does not repeat, and a
+/// phase within one turn. Frequencies and phases are the same at all heights: a gust acts on the whole ship at once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts<S = f64> {
     /// The spectrum.
@@ -30,36 +30,36 @@ pub struct Gusts<S = f64> {
     ramp_s: f64,
 }
 
-/// How a realisation of gusts is made.
+/// Settings of a realisation of gusts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GustRealisation {
-    /// Of every random number.
+    /// Seed of every random number.
     pub seed: u64,
     /// Number of components.
     pub components: usize,
     /// Lowest and highest frequency, Hz.
     pub band_hz: [f64; 2],
-    /// How amplitudes are drawn.
+    /// The way in which amplitudes are drawn.
     pub amplitudes: Amplitudes,
-    /// Time over which the gusts grow from nothing, s.
+    /// Time over which the gusts grow from zero, s.
     pub ramp_s: f64,
 }
 
-/// What of a realisation cannot be: the field, and what it may be.
+/// An invalid setting of a realisation: the field, and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GustError {
     /// Field of the realisation.
     pub field: &'static str,
     /// What it is.
     pub found: String,
-    /// What it may be.
+    /// What is allowed.
     pub allowed: String,
 }
 
-/// A component of the wind's speed, but for its amplitude.
+/// A component of the wind speed, without its amplitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Component {
-    /// Of its bin, Hz.
+    /// Ends of its bin, Hz.
     ends_hz: [f64; 2],
     frequency_hz: f64,
     phase_turns: f64,
@@ -67,7 +67,7 @@ struct Component {
     share: f64,
 }
 
-/// The gusts at one height: what is computed, for a load that asks many times.
+/// The computed gusts at one height, for a load that needs them often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GustsAtHeight<S = f64> {
     /// m/s.
@@ -95,16 +95,16 @@ impl<S: Scalar> Gusts<S> {
         let (noise, count) = (Noise::new(of.seed), of.components as f64);
         let (begin, width) = (libm::log(lowest), libm::log(highest / lowest) / count);
         let component = |i: u64| {
-            let uniform = |draw: Draw| noise.uniform(FIRST_CHANNEL + draw as u64, i);
+            let uniform = |draw: GustDraw| noise.uniform(FIRST_CHANNEL + draw as u64, i);
             let at = |bins: f64| libm::exp(begin + width * bins);
             let start = i as f64;
             Component {
                 ends_hz: [at(start), at(start + 1.0)],
-                frequency_hz: at(start + uniform(Draw::Frequency)),
-                phase_turns: uniform(Draw::Phase),
+                frequency_hz: at(start + uniform(GustDraw::Frequency)),
+                phase_turns: uniform(GustDraw::Phase),
                 share: match of.amplitudes {
                     Amplitudes::Deterministic => 1.0,
-                    Amplitudes::Random => -libm::log(uniform(Draw::Amplitude)),
+                    Amplitudes::Random => -libm::log(uniform(GustDraw::Amplitude)),
                 },
             }
         };
@@ -125,7 +125,7 @@ impl<S: Scalar> Gusts<S> {
 }
 
 impl<S: Scalar> GustsAtHeight<S> {
-    /// Speed along the mean wind beside the mean at a time (s), m/s.
+    /// Gust speed along the mean wind, without the mean, at a time (s), m/s.
     pub fn speed(&self, time_s: f64) -> S {
         let waves = self.amplitudes.iter().zip(&self.frequencies_hz).zip(&self.phases_turns);
         let sum = waves.fold(S::ZERO, |sum, ((amplitude, frequency), phase)| {

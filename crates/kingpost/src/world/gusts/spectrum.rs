@@ -6,30 +6,30 @@ use crate::scalar::Scalar;
 /// at 10 m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustSpectrum<S = f64> {
-    /// That of the Norwegian Petroleum Directorate, of wind measured off Froya (ISO 19901-1:2015, A.7.4; API RP 2MET), of the
-    /// mean over one hour,
+    /// The spectrum of the Norwegian Petroleum Directorate, from wind measured off Froya (ISO 19901-1:2015, A.7.4; API
+    /// RP 2MET), for the mean over one hour,
     ///
     /// ```text
     /// S = 320 (U_10 / 10)^2 (z / 10)^0.45 / (1 + x^n)^(5 / (3 n)),   x = 172 f (z / 10)^(2/3) (U_10 / 10)^(-3/4),   n = 0.468
     /// ```
     Npd,
-    /// That of API RP 2A-WSD, 21st ed., 2.3.2: sigma = U(z) I with I = 0.15 (z / 20)^-0.125 up to 20 m and
-    /// 0.15 (z / 20)^-0.275 above, and `S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3)`, `f_p = c U(z) / z`.
+    /// The spectrum of API RP 2A-WSD, 21st ed., 2.3.2: sigma = U(z) I with I = 0.15 (z / 20)^-0.125 up to 20 m and 0.15
+    /// (z / 20)^-0.275 above, and `S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3)`, `f_p = c U(z) / z`.
     Api {
         /// c, from 0.01 to 0.10, on average 0.025.
         peak_coefficient: S,
     },
-    /// Kaimal's in the form of IEC 61400-1, annex B: sigma = I U(z), `S = 4 sigma^2 (L / U) / (1 + 6 f L / U)^(5/3)`, which is
-    /// API's formula with `f_p = U / (4 L)`.
+    /// Kaimal's spectrum in the form of IEC 61400-1, annex B: sigma = I U(z), `S = 4 sigma^2 (L / U) / (1 + 6 f L /
+    /// U)^(5/3)`, which is API's formula with `f_p = U / (4 L)`.
     Kaimal {
-        /// I, sigma as a share of the mean speed.
+        /// I: sigma over the mean speed.
         turbulence_intensity: S,
         /// L, m.
         length_scale: S,
     },
 }
 
-/// The mean wind that a spectrum belongs to.
+/// The mean wind of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanWind<S = f64> {
     /// z, m.
@@ -40,7 +40,7 @@ pub struct MeanWind<S = f64> {
     pub at_ten_metres: S,
 }
 
-/// Least mean speed that gusts have a shape at, m/s: below it they are in proportion to the speed.
+/// Mean speed, m/s, below which gusts are proportional to the speed.
 const LEAST_M_S: f64 = 1e-6;
 /// n of the NPD spectrum.
 const N: f64 = 0.468;
@@ -70,7 +70,7 @@ impl<S: Scalar> GustSpectrum<S> {
         self.scale(mean) * RULE.iter().map(at).fold(S::ZERO, |sum, part| sum + part).sqrt()
     }
 
-    /// What S is in proportion to the square of, m/s; 0 in no wind.
+    /// The scale to whose square S is proportional, m/s; 0 without wind.
     fn scale(&self, mean: &MeanWind<S>) -> S {
         match self {
             Self::Npd => mean.at_ten_metres,

@@ -1,10 +1,10 @@
 //! A circular cylinder cut by a plane.
 //!
-//! With c and s the components of the plane's normal along the axis and across it, strips along the axis at the distance
-//! xi = -R cos(theta) from it, up the slope, are wet over the share f of their length L that goes linearly from 1 at
-//! xi_a = (l - c L/2) / s to 0 at xi_b = (l + c L/2) / s. Where no end is cut, all strips are wet between 0 and 1, and the
-//! integrals are those of a wall-sided body. Else the strips are summed over theta by the Gauss-Legendre rule of 16 points,
-//! which is exact to rounding for what stands under the integral: sin^2 and cos of theta, over at most pi.
+//! With c and s the components of the plane's normal along the axis and across it, strips along the axis at the
+//! distance xi = -R cos(theta) from it, up the slope, are wet over the share f of their length L that goes linearly
+//! from 1 at xi_a = (l - c L/2) / s to 0 at xi_b = (l + c L/2) / s. Where no end is cut, all strips are wet between 0
+//! and 1, and the integrals are those of a wall-sided body. Else the strips are summed over theta by the Gauss-Legendre
+//! rule of 16 points, which is exact to rounding for the integrands sin^2 and cos of theta over at most pi.
 
 use super::Below;
 use crate::scalar::Scalar;
@@ -12,7 +12,7 @@ use crate::spatial::Vector3;
 use core::f64::consts::PI;
 
 /// About its centre, along one of the axes.
-pub(super) struct Cylinder<S> {
+pub(super) struct CutCylinder<S> {
     pub radius: S,
     pub length: S,
     pub axis: usize,
@@ -30,15 +30,15 @@ const RULE: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
 ];
 
-/// The strips' ends lie so near each other, of the radius, that their shares are those of the rule's points: the share's own
-/// rounding would be larger than the error of that.
+/// Distance of the strips' ends, as a share of the radius, below which the shares are taken at the rule's points: the
+/// rounding of the exact shares would be larger than the error of this.
 const NARROW: f64 = 1e-6;
-/// Square of a slope below which there is none.
+/// Square of a slope below which it counts as 0.
 const LEVEL: f64 = 1e-300;
 
-/// The normal seen from the cylinder, its axis upward.
+/// The normal in the cylinder's axes, with its axis upward.
 struct Slope<S> {
-    /// c, not negative, and the direction of the axis that it is for.
+    /// c, not negative, and the direction of the axis for which it is so.
     along: S,
     upward: S,
     /// s.
@@ -47,7 +47,7 @@ struct Slope<S> {
     direction: Vector3<S>,
 }
 
-impl<S: Scalar> Cylinder<S> {
+impl<S: Scalar> CutCylinder<S> {
     /// What is below n . r = l.
     pub fn below(&self, normal: Vector3<S>, level: S) -> Below<S> {
         let slope = self.slope(normal);
@@ -88,7 +88,7 @@ impl<S: Scalar> Cylinder<S> {
         }
     }
 
-    /// A vector of so much along the upward axis and up the slope.
+    /// The vector with these components along the upward axis and up the slope.
     fn vector(&self, slope: &Slope<S>, along: S, up: S) -> Vector3<S> {
         let mut vector = slope.direction * up;
         vector[self.axis] = along * slope.upward;

@@ -1,26 +1,26 @@
-//! What of a box, a cylinder or a sphere is below a plane: to rounding, in any attitude.
+//! The part of a box, a cylinder or a sphere below a plane: to rounding, in any attitude.
 
 mod cylinder;
 
 use super::wetted::{corner_shares, side};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
-use cylinder::Cylinder;
+use cylinder::CutCylinder;
 
-/// What of a solid is below a plane n . r = l, n a unit vector in the solid's axes.
+/// The part of a solid below a plane n . r = l, with n a unit vector in the solid's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Below<S = f64> {
     /// V, m^3.
     pub volume: S,
     /// G, the integral of r over V, m^4.
     pub first_moment: Vector3<S>,
-    /// Of the section with the plane, m^2: dV/dl.
+    /// Area of the section with the plane, m^2: dV/dl.
     pub area: S,
     /// The integral of r over the section, m^3: -dV/dn.
     pub area_moment: Vector3<S>,
 }
 
-/// A plain solid about its centre, in its own axes.
+/// A simple solid about its centre, in its own axes.
 ///
 /// ```
 /// use kingpost::sea::hull::Solid;
@@ -63,7 +63,7 @@ impl<S: Scalar> Solid<S> {
         }
     }
 
-    /// Its shadow along x, y and z, m^2.
+    /// Its projected area along x, y and z, m^2.
     pub fn projected_areas(&self) -> [S; 3] {
         let pi = S::constant(core::f64::consts::PI);
         match *self {
@@ -76,7 +76,7 @@ impl<S: Scalar> Solid<S> {
         }
     }
 
-    /// How far it reaches from its centre along a unit vector, and against it, m.
+    /// Its extent from its centre along a unit vector, and against it, m.
     pub fn reach(&self, along: Vector3<S>) -> S {
         let size = |x: S| x.select_below(0.0, || -x, || x);
         match *self {
@@ -90,18 +90,18 @@ impl<S: Scalar> Solid<S> {
         }
     }
 
-    /// What is below the plane n . r = l.
+    /// The part below the plane n . r = l.
     pub fn below(&self, vertical: Vector3<S>, level: S) -> Below<S> {
         match *self {
             Self::Box { edges } => Below::of_box(edges, vertical, level),
-            Self::Cylinder { radius, length, axis } => Cylinder { radius, length, axis }.below(vertical, level),
+            Self::Cylinder { radius, length, axis } => CutCylinder { radius, length, axis }.below(vertical, level),
             Self::Sphere { radius } => Below::of_sphere(radius, vertical, level),
         }
     }
 }
 
 impl<S: Scalar> Below<S> {
-    /// Of a box about its centre, its edges along the axes, m: every triangle of it cut by the plane, as those of a
+    /// For a box about its centre with edges along the axes, m: every triangle is cut by the plane, as for a
     /// [hull](super::WettedHull).
     pub fn of_box(edges: Vector3<S>, vertical: Vector3<S>, level: S) -> Self {
         let corners: [Vector3<S>; 8] = core::array::from_fn(|corner| corner_of(edges, corner));
@@ -119,7 +119,7 @@ impl<S: Scalar> Below<S> {
                 volume += along_vertical * share;
                 moment += corners[corner] * (along_vertical * share);
             }
-            // The areas of all that closes sum to none: that of the plane is what the walls lack.
+            // The area vectors of a closed surface sum to zero: the plane's area is minus that of the walls.
             let wet = corner_shares(sides, triangle, &heights, &[S::ONE; 8]);
             area -= along_vertical * (wet[0] + wet[1] + wet[2]);
             for (corner, wet) in triangle.into_iter().zip(wet) {
@@ -127,12 +127,13 @@ impl<S: Scalar> Below<S> {
             }
         }
         let height_moment = (vertical.dot(moment) - level * volume) * S::constant(0.5);
-        // By the divergence theorem the integral of r (n . N) over all that closes is n V.
+        // By the divergence theorem the integral of r (n . N) over a closed surface is n V.
         let area_moment = area_moment + vertical * volume;
         Self { volume, first_moment: moment - vertical * height_moment, area, area_moment }
     }
 
-    /// Of a sphere about its centre: with the cap's height d = R + l, V = pi d^2 (3 R - d) / 3, G = -n pi/4 (R^2 - l^2)^2.
+    /// For a sphere about its centre: with the cap's height d = R + l, V = pi d^2 (3 R - d) / 3, G = -n pi/4 (R^2 -
+    /// l^2)^2.
     fn of_sphere(radius: S, vertical: Vector3<S>, level: S) -> Self {
         let pi = S::constant(core::f64::consts::PI);
         let level = level.clipped(-radius, radius);
@@ -153,7 +154,7 @@ fn corner_of<S: Scalar>(edges: Vector3<S>, bits: usize) -> Vector3<S> {
     Vector3(core::array::from_fn(|k| edges[k] * S::constant(if bits >> k & 1 == 1 { 0.5 } else { -0.5 })))
 }
 
-/// Two on each side of a box, as corners, with the axis that the side is across.
+/// Two triangles for each side of a box, as corners, with the axis perpendicular to the side.
 fn triangles() -> impl Iterator<Item = (usize, [usize; 3])> {
     (0..12).map(|i| {
         let axis = i / 4;

@@ -40,7 +40,7 @@ pub enum Spectrum {
     Jonswap(Jonswap),
     /// Two peaks of three parameters each.
     OchiHubble(OchiHubble),
-    /// Wind sea and swell of the Norwegian Sea, from height and period of the whole.
+    /// Wind sea and swell of the Norwegian Sea, from the height and period of the total sea.
     Torsethaugen(Torsethaugen),
     /// A table of S(w).
     Table(SpectrumTable),
@@ -71,8 +71,8 @@ impl Spectrum {
         }
     }
 
-    /// Where the spectrum has energy at all: the rows of a table; otherwise from 0.1 times the lowest
-    /// peak, below which exp(-(5/4) 10^4) is left, to 10^4 times the highest.
+    /// The range in which the spectrum has energy: the rows of a table; otherwise from 0.1 times the lowest peak, below
+    /// which exp(-(5/4) 10^4) is left, to 10^4 times the highest.
     pub fn whole_band(&self) -> Band {
         let nodes = self.nodes_rad_s();
         let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
@@ -82,9 +82,9 @@ impl Spectrum {
         }
     }
 
-    /// The band that a sea is made of unless another is given: the rows of a table; otherwise from half
-    /// the lowest peak's frequency to five times the highest's. The cut tail of a Pierson-Moskowitz
-    /// spectrum holds 0.2 % of its energy, 1 - exp(-(5/4) / 5^4).
+    /// The band of a sea unless another is given: the rows of a table; otherwise from half the lowest peak's frequency
+    /// to five times the highest's. The cut tail of a Pierson-Moskowitz spectrum holds 0.2 % of its energy, 1 -
+    /// exp(-(5/4) / 5^4).
     pub fn usual_band(&self) -> Band {
         let nodes = self.nodes_rad_s();
         let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
@@ -122,9 +122,8 @@ pub(crate) fn gamma_shape(x: f64, n: f64, m: f64) -> f64 {
     if x > 0.0 { libm::exp(-n * libm::log(x) - n / m * libm::pow(x, -m)) } else { 0.0 }
 }
 
-/// gamma^exp(-(x - 1)^2 / (2 sigma^2)), sigma 0.07 below the peak and 0.09 above it: the factor that
-/// makes a peak sharper (Hasselmann et al., *Measurements of wind-wave growth and swell decay during
-/// JONSWAP*, 1973).
+/// gamma^exp(-(x - 1)^2 / (2 sigma^2)), sigma 0.07 below the peak and 0.09 above it: the peak enhancement factor
+/// (Hasselmann et al., *Measurements of wind-wave growth and swell decay during JONSWAP*, 1973).
 pub(crate) fn peak_enhancement(x: f64, gamma: f64) -> f64 {
     let sigma = if x <= 1.0 { 0.07 } else { 0.09 };
     let distance = (x - 1.0) / sigma;

@@ -24,7 +24,7 @@ pub struct OchiHubblePart {
 pub struct OchiHubble {
     /// In order of increasing peak frequency.
     parts: [OchiHubblePart; 2],
-    /// What stands before the shape of each, m^2 s/rad.
+    /// Factor of the shape of each part, m^2 s/rad.
     scales: [f64; 2],
 }
 

@@ -5,22 +5,21 @@ use core::f64::consts::{PI, TAU};
 use super::{Band, gamma_shape, integral, peak_enhancement};
 use crate::sea::waves::error::{HEIGHTS_M, PERIODS_S, WaveError, between};
 
-/// Wind sea and swell of the Norwegian Sea from height and period of the whole: Torsethaugen & Haver,
-/// "Simplified double peak spectral model for ocean waves", *Proc. 14th ISOPE* (2004), paper
-/// 2004-JSC-193; DNV-RP-C205, sec. 3.5 and app. A. With T_f = 6.6 Hs^(1/3), wind sea holds the peak
-/// where Tp <= T_f, and swell otherwise. Each system is
-/// S(w) = (Hs_j^2 / 16 w_pj) G A x^-4 exp(-x^-4) gamma_j^exp(-(x - 1)^2 / (2 sigma^2)) with x = w / w_pj
-/// and gamma = 1 for the secondary one. Where the source gives G = 3.26 and a fit for A, both are found
-/// by integration over all frequencies here, so that m0 = Hs^2 / 16.
+/// Wind sea and swell of the Norwegian Sea from the height and period of the total sea: Torsethaugen & Haver,
+/// "Simplified double peak spectral model for ocean waves", *Proc. 14th ISOPE* (2004), paper 2004-JSC-193; DNV-RP-C205,
+/// sec. 3.5 and app. A. With T_f = 6.6 Hs^(1/3), wind sea holds the peak where Tp <= T_f, and swell otherwise. Each
+/// system is S(w) = (Hs_j^2 / 16 w_pj) G A x^-4 exp(-x^-4) gamma_j^exp(-(x - 1)^2 / (2 sigma^2)) with x = w / w_pj and
+/// gamma = 1 for the secondary one. Where the source gives G = 3.26 and a fit for A, both are found by integration over
+/// all frequencies here, so that m0 = Hs^2 / 16.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torsethaugen {
-    primary: System,
-    secondary: System,
+    primary: TorsethaugenPart,
+    secondary: TorsethaugenPart,
 }
 
 /// One of the two systems.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct System {
+struct TorsethaugenPart {
     peak_rad_s: f64,
     gamma: f64,
     /// Hs_j^2 G A / 16 w_pj, m^2 s/rad.
@@ -28,7 +27,7 @@ struct System {
 }
 
 impl Torsethaugen {
-    /// The spectrum of this significant wave height and peak period of the whole sea.
+    /// The spectrum with this significant wave height and peak period of the total sea.
     ///
     /// # Errors
     /// A height outside 1e-6 to 100 m, a period outside 0.01 to 1000 s, a sea steeper or longer than
@@ -49,16 +48,16 @@ impl Torsethaugen {
             let distance = (fully_developed - period) / (fully_developed - shortest);
             let share = 0.7 + 0.3 * libm::exp(-(2.0 * distance) * (2.0 * distance));
             let (wind, swell) = shared(height, share);
-            let primary = System::new(wind, period, sharpness(steepness(wind, period)));
-            let secondary = System::new(swell, fully_developed + 2.0, 1.0);
+            let primary = TorsethaugenPart::new(wind, period, sharpness(steepness(wind, period)));
+            let secondary = TorsethaugenPart::new(swell, fully_developed + 2.0, 1.0);
             return Ok(Self { primary, secondary });
         }
         let distance = (period - fully_developed) / (25.0 - fully_developed);
         let share = 0.6 + 0.4 * libm::exp(-(distance / 0.3) * (distance / 0.3));
         let (swell, wind) = shared(height, share);
         let gamma = sharpness(steepness(height, fully_developed)) * (1.0 + 6.0 * distance);
-        let primary = System::new(swell, period, gamma);
-        let secondary = System::new(wind, 6.6 * libm::cbrt(wind), 1.0);
+        let primary = TorsethaugenPart::new(swell, period, gamma);
+        let secondary = TorsethaugenPart::new(wind, 6.6 * libm::cbrt(wind), 1.0);
         Ok(Self { primary, secondary })
     }
 
@@ -67,8 +66,8 @@ impl Torsethaugen {
         self.primary.density_m2_s(angular_frequency_rad_s) + self.secondary.density_m2_s(angular_frequency_rad_s)
     }
 
-    /// Angular frequencies of the two peaks, rad/s, increasing; the primary one alone where the
-    /// secondary system holds nothing.
+    /// Angular frequencies of the two peaks, rad/s, increasing; only the primary one if the secondary system has no
+    /// energy.
     pub fn peaks_rad_s(&self) -> Vec<f64> {
         let mut peaks = vec![self.primary.peak_rad_s];
         if self.secondary.scale > 0.0 {
@@ -79,14 +78,14 @@ impl Torsethaugen {
     }
 }
 
-/// Heights of two systems that together have this one, the first with this share of it.
+/// Heights of two systems with this total height, the first with this share of it.
 fn shared(height: f64, share: f64) -> (f64, f64) {
     (share * height, height * libm::sqrt((1.0 - share * share).max(0.0)))
 }
 
-impl System {
-    /// A system of this height, peak period and sharpness. A gamma below 1, which the formulas give
-    /// for gentle seas, counts as 1.
+impl TorsethaugenPart {
+    /// A system of this height, peak period and sharpness. A gamma below 1, which the formulas give for seas of low
+    /// steepness, counts as 1.
     fn new(height_m: f64, peak_period_s: f64, gamma: f64) -> Self {
         let gamma = gamma.max(1.0);
         if height_m <= 0.0 {

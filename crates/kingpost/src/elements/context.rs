@@ -1,18 +1,19 @@
-//! What an element sees.
+//! The context of an element's evaluation: the model, the world and the element's own entries.
 
 use crate::dynamics::{Clock, LinkKinematics};
 use crate::model::Model;
 use crate::world::World;
 
-/// What the model is evaluated for.
+/// The purpose of an evaluation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Situation {
     /// A run.
     #[default]
     Running,
-    /// Rest: without waves, and what moves as prescribed is held.
+    /// Rest: without waves, and with prescribed motions held.
     AtRest,
-    /// The search for a place of rest: as at rest, and what holds the model in place does so at once and without limits.
+    /// The search for an equilibrium: as at rest, and elements that hold the model in place act at once and without
+    /// limits.
     Settling,
 }
 
@@ -23,9 +24,10 @@ impl Situation {
     }
 }
 
-/// What an element acts on, and when. States, inputs, numbers and modes are the element's own.
+/// The model and the world at one time, as an element sees them. States, inputs, numbers and modes are the element's
+/// own.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<'a, S = f64> {
+pub struct Context<'a, S = f64> {
     /// When.
     pub clock: Clock,
     /// What for.
@@ -44,14 +46,14 @@ pub struct Moment<'a, S = f64> {
     pub states: &'a [S],
     /// Its inputs, constant over a step.
     pub inputs: &'a [S],
-    /// Its discrete numbers, which its ticks and events set.
+    /// Its discrete numbers, which its samples and events set.
     pub numbers: &'a [S],
-    /// Its modes, which its ticks and events set.
+    /// Its modes, which its samples and events set.
     pub modes: &'a [i64],
 }
 
-impl<'a, S> Moment<'a, S> {
-    /// A model at rest, as an element without entries of its own sees it; `q` and `v` are its.
+impl<'a, S> Context<'a, S> {
+    /// A model at rest, for an element without entries of its own; `q` and `v` are the model's.
     pub fn at_rest(
         world: &'a World<S>,
         model: &'a Model<S>,

@@ -1,12 +1,15 @@
-//! Names of the files that parts stand on: from the main file's folder, or in the gallery.
+//! Names of parts: their files, in the main file's folder or in the gallery, and their fields in the whole.
 
-/// What the name of a file of the gallery begins with.
+/// The sections of a scenario whose entries have unique names in the whole.
+pub const SECTIONS: [&str; 7] = ["bodies", "loops", "forces", "drives", "sensors", "wires", "limits"];
+
+/// The beginning of a file name in the gallery.
 pub const GALLERY: &str = "gallery:";
 
-/// Endings of files that hold a part; what ends otherwise is a name of the gallery.
+/// Endings of part files; a name with another ending is in the gallery.
 const ENDINGS: [&str; 3] = [".yaml", ".yml", ".json"];
 
-/// The file of a part that the file `from` names: one of the gallery by its bare name, else by its path.
+/// The file of a part that the file `from` names: by its bare name in the gallery, else by its path.
 pub fn of_part(from: &str, part: &str) -> String {
     let is_path = part.contains(['/', '\\']) || ENDINGS.iter().any(|ending| part.ends_with(ending));
     if is_path { from_folder_of(from, part) } else { format!("{GALLERY}parts/{part}.yaml") }
@@ -34,7 +37,7 @@ pub fn from_folder_of(from: &str, path: &str) -> String {
     format!("{root}{}", segments.join("/"))
 }
 
-/// A file as an error shows it: its path from where the main file's name leads.
+/// A file name for an error: its path from the folder of the main file's name.
 pub fn beside(main: &str, file: &str) -> String {
     match main.rfind(['/', '\\']) {
         Some(end) if !is_absolute(file) => format!("{}{file}", &main[..=end]),
@@ -42,14 +45,23 @@ pub fn beside(main: &str, file: &str) -> String {
     }
 }
 
-/// The name of the main file as parts would name it.
+/// The name of the main file as a part would write it.
 pub fn of_main(main: &str) -> String {
     main.rsplit(['/', '\\']).next().unwrap_or_default().to_owned()
 }
 
-/// Whether a path does not begin in a folder: of the gallery, from the root, or on a drive `C:`.
+/// Whether a path is absolute: in the gallery, from the root, or on a drive `C:`.
 fn is_absolute(path: &str) -> bool {
     path.starts_with('/') || path.starts_with(GALLERY) || path.as_bytes().get(1) == Some(&b':')
+}
+
+/// The field of an error, as written in the part's file.
+pub fn in_part(field: &str, prefix: &str) -> String {
+    let own = |section: &str, rest: &str| {
+        let named = SECTIONS.contains(&section).then(|| rest.strip_prefix(prefix)).flatten();
+        named.map(|rest| format!("{section}.{rest}"))
+    };
+    field.split_once('.').and_then(|(section, rest)| own(section, rest)).unwrap_or_else(|| field.to_owned())
 }
 
 #[cfg(test)]

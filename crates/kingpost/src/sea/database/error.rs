@@ -1,0 +1,24 @@
+//! Errors of a database.
+
+use thiserror::Error;
+
+/// An error in a database.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{field}: found {found}, allowed: {allowed}")]
+pub struct DatabaseError {
+    /// The field, dotted.
+    pub field: String,
+    /// What it holds.
+    pub found: String,
+    /// What is allowed.
+    pub allowed: String,
+}
+
+pub(super) type Checked = Result<(), DatabaseError>;
+
+pub(super) fn unless(holds: bool, field: &str, found: impl ToString, allowed: &str) -> Checked {
+    if holds {
+        return Ok(());
+    }
+    Err(DatabaseError { field: field.to_owned(), found: found.to_string(), allowed: allowed.to_owned() })
+}

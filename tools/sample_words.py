@@ -1,0 +1,138 @@
+"""Draws comments, messages and labels of the project at random, to be read as a stranger would read them.
+
+`sample_words.py --seed 2` prints 40 comments, 20 messages and 20 labels, each with its file and line. The
+same seed and the same files give the same lines. `--root` reads another checkout.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import io
+import random
+import re
+import tokenize
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parents[1]
+COUNTS = {"comments": 40, "messages": 20, "labels": 20}
+SOURCES = {
+    ".rs": ["crates/*/src/**/*.rs", "xtask/src/**/*.rs"],
+    ".py": ["python/**/*.py", "tools/*.py", "benches/*.py"],
+    ".ts": ["web/src/**/*.ts"],
+}
+LEAST_WORDS = 3
+LABEL = re.compile(r"\b(?:label|title|description): *(?:\"([^\"]+)\"|([^,}\"|>][^,}]*))")
+TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
+
+
+class Found(NamedTuple):
+    """A text and where it stands."""
+
+    path: Path
+    line: int
+    text: str
+
+
+def main() -> None:
+    """Prints the sample."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seed", type=int, default=1, help="which sample (default: %(default)s)")
+    parser.add_argument("--root", type=Path, default=ROOT, help="the checkout to read")
+    options = parser.parse_args()
+    drawn = random.Random(options.seed)
+    pools = {"comments": comments(options.root), "messages": messages(options.root)}
+    for name, pool in {**pools, "labels": labels(options.root)}.items():
+        found = sorted(each for each in pool if len(re.findall(r"[^\W\d]{2,}", each.text)) >= needed(name))
+        print(f"\n{name}: {COUNTS[name]} of {len(found)}")
+        for path, line, text in drawn.sample(found, COUNTS[name]):
+            print(f"{path.relative_to(options.root)}:{line}: {text}")
+
+
+def needed(name: str) -> int:
+    """The fewest words of a text that is drawn: a label may be one."""
+    return 1 if name == "labels" else LEAST_WORDS
+
+
+def files(root: Path, ending: str) -> Iterator[Path]:
+    """The files of a language, tests and generated ones left out."""
+    for path in sorted({path for pattern in SOURCES[ending] for path in root.glob(pattern)}):
+        if not {"generated", "tests", "node_modules", "pkg"} & set(path.relative_to(root).parts):
+            yield path
+
+
+def comments(root: Path) -> Iterator[Found]:
+    """Comments and docstrings; lines that follow each other are one."""
+    for path in files(root, ".py"):
+        yield from python_comments(path)
+    for ending, mark in (
+        (".rs", re.compile(r"^\s*//[/!]? ?")),
+        (".ts", re.compile(r"^\s*(?://|/\*\*|\*/?) ?")),
+    ):
+        for path in files(root, ending):
+            lines = path.read_text(encoding="utf-8").splitlines()
+            yield from blocks(path, [(k, mark.sub("", s)) for k, s in enumerate(lines, 1) if mark.match(s)])
+
+
+def python_comments(path: Path) -> Iterator[Found]:
+    """Comments by the tokens, docstrings by the tree."""
+    text = path.read_text(encoding="utf-8")
+    tokens = tokenize.generate_tokens(io.StringIO(text).readline)
+    marked = [(t.start[0], t.string.lstrip("# ")) for t in tokens if t.type == tokenize.COMMENT]
+    yield from blocks(path, marked)
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node):
+            yield Found(path, node.body[0].lineno, " ".join((ast.get_docstring(node) or "").split()))
+
+
+def blocks(path: Path, lines: list[tuple[int, str]]) -> Iterator[Found]:
+    """Lines that follow each other, joined."""
+    start, end, joined = 0, -2, ""
+    for number, line in [*lines, (-1, "")]:
+        if number == end + 1:
+            end, joined = number, f"{joined} {line.strip()}"
+        else:
+            if joined:
+                yield Found(path, start, joined.replace("*/", "").strip())
+            start, end, joined = number, number, line.strip()
+
+
+def messages(root: Path) -> Iterator[Found]:
+    """Texts of errors and warnings: what Python raises and warns of, and the engine's texts of some words."""
+    for path in files(root, ".py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            said = isinstance(node, ast.Raise) or (
+                isinstance(node, ast.Call) and "warn" in ast.unparse(node.func)
+            )
+            if said:
+                texts = [
+                    n.value
+                    for n in ast.walk(node)
+                    if isinstance(n, ast.Constant) and isinstance(n.value, str)
+                ]
+                yield Found(path, node.lineno, " ".join(" ... ".join(texts).split()))
+    for path in files(root, ".rs"):
+        text = re.sub(r"(?m)^\s*//.*$", "", path.read_text(encoding="utf-8")).split("#[cfg(test)]")[0]
+        for match in TEXT.finditer(text):
+            words = re.sub(r"\\\s+", "", match[1])
+            if " " in words and "::" not in words and "\n" not in words:
+                yield Found(path, text[: match.start()].count("\n") + 1, words)
+
+
+def labels(root: Path) -> Iterator[Found]:
+    """Labels and titles of scenarios, and the texts of the app's pages."""
+    for path in sorted(root.glob("scenarios/**/*.yaml")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            yield from (Found(path, number, m[1] or m[2]) for m in LABEL.finditer(line))
+    for path in sorted(root.glob("web/src/texts/en/**/*.ts")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if not line.lstrip().startswith(("import", "/*", "*", "//")):
+                yield from (
+                    Found(path, number, m[1] or m[2]) for m in re.finditer(r'"([^"]+)"|`([^`]+)`', line)
+                )
+
+
+if __name__ == "__main__":
+    main()
