@@ -122,7 +122,7 @@ def test_check_warns_that_the_ship_of_the_paper_floats_at_5_85_cm(capsys) -> Non
 
 def test_check_says_where_a_ship_leaves_its_database_and_that_one_sinks(capsys) -> None:
     assert main(["check", "barge", "--set", "load_t=5", "--set", "bodies.ship.mass_t=380"]) == 0
-    assert "% apart: linear hydrodynamics are about the database's draught" in capsys.readouterr().err
+    assert "% apart: linear hydrodynamics hold near the database's draught" in capsys.readouterr().err
     assert main(["check", "barge", "--set", "bodies.ship.mass_t=1100"]) == 2
     assert "a hull that cannot float: 1102.000 t displace" in capsys.readouterr().err
 

@@ -81,4 +81,4 @@ def test_a_list_off_the_attitude_of_its_coefficients_is_warned_of(listing) -> No
     """Source: the ballast put back amidships lets it come upright, 5 degrees off."""
     run = kingpost.run(listing, overrides={"bodies.hull.centre_of_mass_m": [0, 0, 1]})
     warnings = json.loads(run.attrs["warnings"])
-    assert any("its hydrodynamic coefficients are of 5.00 deg" in warning["text"] for warning in warnings)
+    assert any("its hydrodynamic coefficients are for 5.00 deg" in warning["text"] for warning in warnings)

@@ -135,7 +135,7 @@ export class FakeEngine implements Engine {
   }
 
   set_parameter(name: string, valueJson: string): void {
-    if (name !== "wind") throw { kind: "input", message: `parameter ${name}: takes effect where a run begins` };
+    if (name !== "wind") throw { kind: "input", message: `parameter ${name}: takes effect at the start of a run` };
     this.set.push(JSON.parse(valueJson));
   }
 

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 HALF_HOUR_S = 1800.0
 SPREAD = 24
 """Directions of equal energy that stand for a sea that is spread."""
-PARTS = 4
+PARTS = 8
 """Steps of the integral between two frequencies of the response."""
 BESIDE = 1e-9
 """How far beside an end of a band, as a share of it, the density is taken to either side."""

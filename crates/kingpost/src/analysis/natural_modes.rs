@@ -26,7 +26,7 @@ pub enum ModesError {
     #[error(transparent)]
     Settle(#[from] NoEquilibrium),
     /// The eigenvalues do not converge.
-    #[error("modes: found no eigenvalues in {MOST_ITERATIONS} iterations, allowed: rates whose sizes compare")]
+    #[error("modes: found no eigenvalues in {MOST_ITERATIONS} iterations, allowed: rates of comparable size")]
     NoEigenvalues,
 }
 

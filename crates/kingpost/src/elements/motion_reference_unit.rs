@@ -38,7 +38,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         let angular_velocity = Output {
             components: Components::Axis,
             frame: VectorFrame::Body,
-            ..number("measured_angular_velocity", "angular velocity of a sensor's body as it says", &["rad/s"])
+            ..number("measured_angular_velocity", "measured angular velocity of a sensor's body", &["rad/s"])
         };
         let kept = ["roll", "pitch", "heave", "heave_rate", "x_rate", "y_rate", "z_rate"];
         let late = |name: &&str| (0..self.delay_samples).map(|tick| format!("{name}_{tick}")).collect::<Vec<_>>();
@@ -47,10 +47,10 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
             numbers: numbers.chain(kept.iter().flat_map(late)).collect(),
             modes: if self.delay_samples > 0 { kept.map(|name| format!("{name}_oldest")).to_vec() } else { Vec::new() },
             outputs: vec![
-                number("measured_roll", "roll of a sensor's body as it says, positive port side up", &["rad"]),
-                number("measured_pitch", "pitch of a sensor's body as it says, positive bow down", &["rad"]),
-                number("measured_heave", "height of a sensor over where the run began, as it says", &["m"]),
-                number("measured_heave_rate", "vertical velocity of a sensor as it says", &["m/s"]),
+                number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
+                number("measured_pitch", "measured pitch of a sensor's body, positive bow down", &["rad"]),
+                number("measured_heave", "measured height of a sensor above its height at the start", &["m"]),
+                number("measured_heave_rate", "measured vertical velocity of a sensor", &["m/s"]),
                 angular_velocity,
             ],
             period_s: Some(self.period_s),

@@ -27,7 +27,7 @@ impl Pull {
     fn warning(&self, name: &str, what: &str) -> Option<Warning> {
         let Extreme { value, time_s } = self.least;
         let text = format!(
-            "{what} pushes with {} N, at {} s: a rope would go slack; from there on this run is not that of a load on a rope",
+            "{what} pushes with {} N, at {} s: a rope would go slack; from there on this run does not represent a load on a rope",
             significant(-value, 5),
             significant(time_s, 6)
         );

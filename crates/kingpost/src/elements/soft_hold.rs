@@ -54,7 +54,8 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let deviation = "surge and sway of a ship on a soft hold from its place, and its heading beyond the one held";
+        let deviation =
+            "surge and sway of a ship on a soft hold from its held position, and its heading relative to the held one";
         let planar = |variable, description, units| Output {
             components: Components::Planar,
             frame: VectorFrame::Heading,

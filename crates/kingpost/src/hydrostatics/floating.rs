@@ -173,7 +173,7 @@ impl LoadedHull<'_> {
         }
         if (hull.displacement_kg - hull.mass_kg).abs() > LARGEST_PULL * hull.mass_kg {
             warnings.push(format!(
-                "{body}: it displaces {:.3} t and weighs {:.3} t: what else carries or pulls it is not in KG, GM and GZ",
+                "{body}: it displaces {:.3} t and weighs {:.3} t: other forces that carry or pull it are not in KG, GM and GZ",
                 hull.displacement_kg / 1000.0,
                 hull.mass_kg / 1000.0
             ));
@@ -189,8 +189,8 @@ impl LoadedHull<'_> {
         let (body, draught, database) = (&hull.body, hull.draught_m, hull.database_draught_m);
         let change = (draught - database).abs() / database;
         let about = match self.database.hull.attitude {
-            Some(_) => "linear hydrodynamics are about the database's draught and attitude",
-            None => "linear hydrodynamics are about the database's draught, upright",
+            Some(_) => "linear hydrodynamics hold near the database's draught and attitude",
+            None => "linear hydrodynamics hold near the database's draught, upright",
         };
         if change > LARGEST_DRAUGHT_CHANGE {
             warnings.push(format!(

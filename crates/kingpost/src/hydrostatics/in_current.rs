@@ -39,7 +39,7 @@ impl LoadedHull<'_> {
         let mean = of_energy(waves, longer);
         let words = || {
             format!(
-                "its waves have the lengths that they have in water that stands: a current of {:.2} m/s would make them {:.1} % {} \
+                "its waves have the lengths that they have without a current: a current of {:.2} m/s would make them {:.1} % {} \
                  at the same periods, on average (warned of beyond {:.0} %)",
                 libm::hypot(x, y),
                 100.0 * mean.abs(),
@@ -85,7 +85,7 @@ fn depth_warning(waves: &WaveField) -> Option<String> {
     let mean = of_energy(waves, |wave| libm::tanh(wave.wave_number_per_m * depth_m));
     let words = || {
         format!(
-            "its wave_drift_damping is by a formula for deep water, and tanh(k h) of its waves is {mean:.3} on average (warned of \
+            "its wave_drift_damping uses a formula for deep water, and tanh(k h) of its waves is {mean:.3} on average (warned of \
              below {LEAST_DEEP})"
         )
     };

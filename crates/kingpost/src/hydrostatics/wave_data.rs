@@ -26,8 +26,7 @@ impl LoadedHull<'_> {
         let body = &self.model.bodies[self.hull.frame.body].name;
         let warning = |(what, unit, here, data): (&str, &str, f64, f64)| {
             format!(
-                "{body}: {what} {here:.4} {unit}, the database's mean drift is of {data:.4} {unit}: wave_drift is that of \
-                 another loading (warned of beyond {:.0} %)",
+                "{body}: {what} {here:.4} {unit}, the database's mean drift is for {data:.4} {unit}: wave_drift is that of another loading (warned of beyond {:.0} %)",
                 100.0 * LARGEST_CHANGE
             )
         };
@@ -74,8 +73,8 @@ impl LoadedHull<'_> {
         }
         let body = &self.model.bodies[self.hull.frame.body].name;
         vec![format!(
-            "{body}: {count} wave directions of its database resolve waves of {shortest_m:.1} m and more about its {length:.1} m: \
-             {:.1} % of the waves' energy is shorter, whose loads are rough at headings between the directions (warned of \
+            "{body}: {count} wave directions of its database resolve waves of {shortest_m:.1} m and longer for its length of {length:.1} m: \
+             {:.1} % of the waves' energy is in shorter waves, whose loads are inaccurate at headings between the directions (warned of \
              beyond {:.0} %)",
             100.0 * share,
             100.0 * MOST_UNRESOLVED

@@ -176,7 +176,7 @@ fn channel_of(outputs: &[&Output], dimension: String) -> Channel {
     }
 }
 
-/// The pattern of a column's name from its labels: that of a thing leads the variable.
+/// The pattern of a column's name: the label of the element or body stands before the variable.
 pub(super) fn column_by(variable: &str, dims: &[String], thing_leads: bool) -> String {
     let mut parts: Vec<String> = dims.iter().map(|dim| format!("{{{dim}}}")).collect();
     parts.insert(usize::from(thing_leads && !dims.is_empty()), variable.to_owned());

@@ -78,7 +78,7 @@ pub trait Quantity: Leaf + Scalar + Display {
 }
 
 /// What is allowed for a number that decides the structure of a run.
-const ONE_NUMBER: &str = "one number: it decides how the run is made up";
+const ONE_NUMBER: &str = "one number: it decides the structure of the run";
 
 impl Leaf for f64 {
     fn literal(value: f64) -> Self {

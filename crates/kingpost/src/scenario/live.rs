@@ -26,7 +26,7 @@ pub enum ParameterError {
         allowed: String,
     },
     /// One that is not `live`.
-    #[error("parameter {name}: takes effect where a run begins, allowed during a run: {allowed}")]
+    #[error("parameter {name}: takes effect at the start of a run, allowed during a run: {allowed}")]
     AtReset {
         /// The parameter.
         name: String,

@@ -219,7 +219,7 @@ pub(super) fn second_document() -> (String, String) {
 
 /// An alias without its anchor.
 pub(super) fn unknown_anchor() -> (String, String) {
-    pair("an alias (*name) without its anchor (&name)", "an alias of an anchor that stands before it")
+    pair("an alias (*name) without its anchor (&name)", "an alias whose anchor is defined before it")
 }
 
 /// A field whose name is null, a list or a map.
@@ -234,20 +234,20 @@ pub(super) const SET_BY_NAME: &str = "the name of a parameter, to set it";
 pub(super) const CHOICES: &str = "a list of the texts allowed";
 pub(super) const RANGE: &str = "two numbers, the smaller first";
 pub(super) const NO_NUMBER: &str = "no number";
-pub(super) const NO_DERIVATIVE: &str = "a number that no derivative follows";
+pub(super) const NO_DERIVATIVE: &str = "a number without a derivative";
 pub(super) const CONTINUOUS: &str = "a parameter, or the path of a number, that moves the model continuously";
-pub(super) const PART_THERE: &str = "a part of the gallery by its name, or a file that is there";
+pub(super) const PART_THERE: &str = "a part of the gallery by its name, or an existing file";
 pub(super) const PART_ENDS: &str = "a chain of parts that ends";
 pub(super) const FEWER_PARTS: &str = "fewer";
 pub(super) const PREFIX: &str = "a name of small letters, digits and _ that starts with a letter, or \"\"";
-pub(super) const OTHER_PREFIX: &str = "a prefix with which each name stands once";
+pub(super) const OTHER_PREFIX: &str = "a prefix that makes each name unique";
 pub(super) const OTHER_PARAMETER: &str = "a value for it in the part's parameters, or another prefix";
 pub(super) const OF_THE_PART: &str =
-    "what a part has: its sea, wind, gravity and simulation are those of the scenario that it is mounted in";
+    "a field that a part may have: sea, wind, gravity and simulation are those of the scenario that it is mounted in";
 pub(super) const NO_REFERENCE: &str = "paths of numbers and switches: names change where a part is mounted";
 pub(super) const PLACE_OF_A_PART: &str =
-    "position_m or orientation_rad of a part whose bodies on the world stand at the origin, and nothing else there";
-pub(super) const ON_THE_WORLD: &str = "world, for a part that floats, is moored or keeps its place";
+    "position_m or orientation_rad of a part whose only attachments to the world are bodies at the origin";
+pub(super) const ON_THE_WORLD: &str = "world, for a part that floats, is moored or holds its position";
 pub(super) const LEVEL: &str = "roll and pitch 0";
 pub(super) const REQUIRED: &str = "a value: this field is required";
 

@@ -42,7 +42,7 @@ pub enum RunError {
     /// A closed loop has reached a singular position: a dead centre.
     #[error(
         "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or moves nothing \
-         (its share of its own size at the start is {pivot:.1e}), allowed: more than {allowed:e}",
+         (its pivot over that at the start is {pivot:.1e}), allowed: more than {allowed:e}",
         shown(*time_s)
     )]
     SingularLoop {
@@ -92,15 +92,14 @@ pub enum RunError {
         allowed: usize,
     },
     /// An event in one of several runs in lanes: its time differs from that of the others.
-    #[error("event before {} s: found runs side by side, allowed: one run", shown(*time_s))]
+    #[error("event before {} s: found several runs in lanes, allowed: one run", shown(*time_s))]
     EventNotAlone {
         /// End of its step, s.
         time_s: f64,
     },
     /// An inextensible rope carries what others already carry, or nothing that can move.
     #[error(
-        "not determined at {} s: how much the inextensible rope {name} carries, for other ropes or loops hold the same, or nothing \
-         that could move hangs on it (its share of its own size is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
+        "not determined at {} s: how much the inextensible rope {name} carries, because other ropes or loops hold the same, or nothing that can move hangs on it (its relative pivot is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
          axial_stiffness_N",
         shown(*time_s)
     )]
@@ -240,7 +239,7 @@ pub enum InputError {
         signal: String,
     },
     /// Other waves for a body that is moved by waves: it would jump.
-    #[error("waves: found others, allowed: the run's own, since a body moves as they say and would jump")]
+    #[error("waves: found other waves, allowed: those of the run, because a body moves with them and would jump")]
     MovedByWaves,
     /// An array of the wrong length.
     #[error("{name}: found {found} numbers, allowed: {allowed}")]

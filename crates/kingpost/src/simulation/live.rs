@@ -30,7 +30,7 @@ impl Simulation {
             [q, v, s, d].map(Vec::len).into_iter().chain([m.len()]).collect::<Vec<_>>()
         };
         if lengths(self) != lengths(&next) || self.channels() != next.channels() {
-            return Err("which changes what the run is made of");
+            return Err("which changes the structure of the run");
         }
         let gap = next.plant.loop_gap(&self.state.q, &self.state.v);
         if gap.is_some_and(|(_, gap)| gap >= LARGEST_GAP_GIVEN) {

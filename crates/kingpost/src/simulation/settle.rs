@@ -48,7 +48,7 @@ pub struct Equilibrium {
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Instability {
     /// A motion that grows, `e^(t / T)` without damping.
-    #[error("{coordinate} falls away from it, {time_s:.3} s for each factor of e")]
+    #[error("{coordinate} moves away from it, by a factor of e every {time_s:.3} s")]
     Growth {
         /// The free coordinate with most of the kinetic energy of the fastest such motion.
         coordinate: String,
@@ -87,9 +87,7 @@ pub enum NoEquilibrium {
         adrift: Option<String>,
     },
     /// The element that has to hold the model is too weak.
-    #[error(
-        "no equilibrium: {name} would have to give {utilisation:.3} times the most that it can, allowed: at most 1"
-    )]
+    #[error("no equilibrium: {name} would have to give {utilisation:.3} times its capacity, allowed: at most 1")]
     Overloaded {
         /// The element.
         name: String,
@@ -104,8 +102,7 @@ pub enum NoEquilibrium {
 /// The advice for a body adrift.
 fn in_words(body: &String) -> String {
     format!(
-        "; nothing holds {body} where it is against what pushes it sideways: {HOLD_IT}, or turn off the wind, the current \
-         or what else pushes it"
+        "; nothing holds {body} against horizontal forces: {HOLD_IT}, or turn off the wind, the current or the other horizontal forces"
     )
 }
 

@@ -256,7 +256,7 @@ fn a_mistake_in_a_sensor_is_told_at_its_place() {
         (
             "second: {body: cart, point: roof}",
             "second: {body: world, shape: own}",
-            "gap.clearance.second.shape: found own, and world is no solid",
+            "gap.clearance.second.shape: found own, but world is not a solid",
         ),
         (
             "point: roof}",

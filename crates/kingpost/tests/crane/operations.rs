@@ -244,7 +244,7 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
         ),
         (
             "{name: \" \", until: {after_s: 1}}",
-            "operation.steps.0.name: found \" \", allowed: a text that says what is done",
+            "operation.steps.0.name: found \" \", allowed: a text: what the step does",
         ),
     ];
     for (step, expected) in cases {
@@ -265,7 +265,10 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
 fn a_mistake_in_a_limit_is_refused_at_its_place() {
     let cases = [
         ("{column: slide.joint_velocity}", "limits.a: found no bound, allowed: at_most, at_least, both, or within"),
-        ("{column: slide.joint_velocity, at_most: 1, within: 1}", "limits.a: found within beside at_most or at_least"),
+        (
+            "{column: slide.joint_velocity, at_most: 1, within: 1}",
+            "limits.a: found within together with at_most or at_least",
+        ),
         (
             "{column: slide.joint_velocity, at_most: 1, at_least: 2}",
             "limits.a.at_least: found 2, allowed: not more than at_most, 1",

@@ -128,7 +128,7 @@ fn a_wire_with_an_end_that_is_not_there_lists_those_that_are() {
     let found = error(&[("wires.compensation.to", json!("winch"))]);
     assert!(found.contains("wires.compensation.to: found winch, allowed: slew or winch.target_offset"), "{found}");
     let found = error(&[("sensors.mru.motion_reference_unit.enabled", json!(false))]);
-    assert!(found.contains("allowed: none: the scenario has not an enabled sensor"), "{found}");
+    assert!(found.contains("allowed: none: the scenario does not have an enabled sensor"), "{found}");
 }
 
 #[test]

@@ -61,9 +61,9 @@ fn every_mistake_is_told_at_its_place() {
 #[test]
 fn what_the_world_lacks_is_told() {
     let error = refused("wind: {speed_m_s: 10, direction_rad: 0}\n", "");
-    assert!(error.contains("forces.water.submerged.wind: found the drag of a wind, and no wind"), "{error}");
+    assert!(error.contains("forces.water.submerged.wind: found wind drag, but no wind"), "{error}");
     let error = refused("gravity: {gravity: {}}", "gravity: {gravity: {enabled: false}}");
-    assert!(error.contains("forces.water.submerged: found buoyancy, and no gravity"), "{error}");
+    assert!(error.contains("forces.water.submerged: found buoyancy, but no gravity"), "{error}");
     let error = refused("current_m_s: [0.2, 0]", "current_m_s: [0.2, 0], current_profile: {power_law: {}}");
     assert!(error.contains("sea.current_profile: found power_law, over infinite depth"), "{error}");
 }

@@ -83,7 +83,10 @@ fn an_equilibrium_that_is_not_stable_is_told_with_its_rate_of_growth() {
     );
     let upside_down = pendulum(core::f64::consts::PI) + "simulation: {begin_at_equilibrium: true}\n";
     let error = read(&upside_down, "test.yaml", &[]).expect_err("it would fall").to_string();
-    assert!(error.contains("an equilibrium that is not stable: swing falls away from it, 0.369 s"), "{error}");
+    assert!(
+        error.contains("an equilibrium that is not stable: swing moves away from it, by a factor of e every 0.369 s"),
+        "{error}"
+    );
 }
 
 #[test]

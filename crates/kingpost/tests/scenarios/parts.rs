@@ -144,7 +144,9 @@ fn a_parameter_moves_a_crane_on_the_deck() {
     let ship = SHIP.to_owned() + "parameters: [{name: x_m, writes: [parts.crane.position_m.0]}]\n";
     let own = error(&ship, HOIST, &[]);
     assert!(
-        own.contains("parameters.0.writes.0: found the place of a part in which forces.crane_line has one of its own"),
+        own.contains(
+            "parameters.0.writes.0: found the position of a part in which forces.crane_line has a position of its own"
+        ),
         "{own}"
     );
 }
@@ -284,5 +286,5 @@ fn parts_that_multiply_without_end_are_refused() {
     let leaf = [("level10.yaml", "{version: 1, title: x, bodies: {}}")];
     let all = texts(&[&files[..], &leaf].concat());
     let error = read_with("{version: 1, title: x, parts: {p: {part: level0.yaml}}}", "x.yaml", &[], &all).unwrap_err();
-    assert!(error.to_string().contains("found more than 16 parts in each other, or 256 in all"), "{error}");
+    assert!(error.to_string().contains("found more than 16 nested parts, or 256 in total"), "{error}");
 }

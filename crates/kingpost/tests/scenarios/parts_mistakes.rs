@@ -35,12 +35,12 @@ fn a_mistake_in_a_part_has_the_parts_file_and_names() {
     );
     refuses("default: 2,", "default: 99,", "99", "parameters.0.default: found 99, allowed: a number from 1 to 9");
     refuses("version: 1", "version: 2", "2", "version: found 2");
-    refuses("loops:", "sea: {}\nloops:", "sea:", "sea: found sea, allowed: what a part has");
+    refuses("loops:", "sea: {}\nloops:", "sea:", "sea: found sea, allowed: a field that a part may have");
     refuses(
         "  line:",
         "  weight: {gravity: {}}\n  line:",
         "gravity:",
-        "forces.weight.gravity: found gravity, allowed: what a part has",
+        "forces.weight.gravity: found gravity, allowed: a field that a part may have",
     );
 }
 

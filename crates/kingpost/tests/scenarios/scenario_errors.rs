@@ -79,7 +79,7 @@ fn a_stiffness_per_degree_is_not_taken_for_an_angle() {
 
 #[test]
 fn a_drive_in_a_joint_that_is_held_or_prescribed_is_refused() {
-    let allowed = "allowed: a joint whose mode is free, for a drive that is on";
+    let allowed = "allowed: a joint whose mode is free, for an enabled drive";
     let error = format!("drives.motor_1.motor.joint: found slew, which is held, {allowed}");
     refuses("        name: slew\n", "        name: slew\n        mode: held\n", "slew\n      torque", &error);
     let prescribed = "        name: slew\n        mode: {prescribed: {rate_rad_s: 1}}\n";
@@ -107,8 +107,7 @@ fn a_second_drive_that_follows_a_set_point_in_a_joint_is_refused() {
     {
         let found = error_of(&drives(&second));
         let expected = format!(
-            "drives.{name}.{kind}.joint: found slew, which both first and {name} drive, allowed: one drive that follows a \
-             set-point and is on for each joint; motors and brakes may stand beside it"
+            "drives.{name}.{kind}.joint: found slew, which both first and {name} drive, allowed: one enabled drive with a set-point for each joint; motors and brakes may be added"
         );
         assert!(found.ends_with(&expected) && found.starts_with("paper.yaml:"), "{found}");
     }
@@ -207,10 +206,10 @@ fn a_number_of_many_digits_is_shown_by_its_power_of_ten() {
 fn what_the_arithmetic_has_no_number_for_is_refused_where_the_run_begins() {
     let turned = changed("name: slew\n", "name: slew\n        orientation_rad: [1e200, 0, 0]\n");
     let error = error_of(&turned);
-    assert!(error.contains("bodies.tower.joint: found a place that is not finite, allowed: "), "{error}");
+    assert!(error.contains("bodies.tower.joint: found a position that is not finite, allowed: "), "{error}");
     let fast = changed("name: slew\n", "name: slew\n        initial_rate_rad_s: 1e160\n");
     let error = error_of(&fast);
-    assert!(error.contains(": found numbers with which ") && error.contains(" where the run begins"), "{error}");
+    assert!(error.contains(": found numbers that make ") && error.contains(" at the start"), "{error}");
 }
 
 #[test]

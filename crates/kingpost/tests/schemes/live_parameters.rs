@@ -136,7 +136,7 @@ fn a_live_parameter_that_changes_the_structure_is_refused_by_its_name() {
     let (text, _) = refused("air", json!(1.0));
     assert_eq!(
         text,
-        "parameter air: takes effect where a run begins, allowed during a run: wind_m_s, bob_t, push, pushes, step_s, \
+        "parameter air: takes effect at the start of a run, allowed during a run: wind_m_s, bob_t, push, pushes, step_s, \
          simulation.integrator"
     );
     let (text, _) = refused("winds", json!(1.0));

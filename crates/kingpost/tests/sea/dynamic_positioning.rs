@@ -254,7 +254,7 @@ fn an_equilibrium_beyond_the_thrusters_is_refused_by_name() {
     let error = read_with(&weak, "test.yaml", &[], &barge::files()).unwrap_err().to_string();
     assert!(
         error.contains(
-            "begin_at_equilibrium: found true, and no equilibrium: dp would have to give 1.101 times the most"
+            "begin_at_equilibrium: found true, and no equilibrium: dp would have to give 1.101 times its capacity"
         ),
         "{error}"
     );
@@ -395,7 +395,7 @@ fn what_cannot_hold_a_ship_is_refused() {
     let off = WEAK.replace("{position_m", "{enabled: false, position_m");
     refused(GAINS, &off, "", &format!("{field}.thrusters: found none that runs"));
     let one = "stern: {azimuth: {position_m: [-30, 0, 0], max_thrust_kN: 120, time_constant_s: 2}}";
-    refused(GAINS, one, "", "thrusters that give surge, sway and yaw, but not apart");
+    refused(GAINS, one, "", "thrusters that give surge, sway and yaw, but not independently");
     let tunnels = &STRONG[..STRONG.find("port").unwrap()];
     refused(GAINS, tunnels, "", "thrusters that give no force along the ship");
     let centred = one.replace("-30", "0");

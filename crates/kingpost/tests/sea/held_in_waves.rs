@@ -146,7 +146,7 @@ fn a_free_ship_in_the_waves_pressure_is_refused() {
     for more in [vec![], vec![("forces.tow", line("boat", "hull")), boat]] {
         let (field, words) = told(&more);
         assert_eq!(field, "forces.water.hydrodynamics.wave_pressure");
-        assert!(words.contains("nothing keeps hull in surge, sway and yaw"), "{words}");
+        assert!(words.contains("nothing holds hull in surge, sway and yaw"), "{words}");
         assert!(words.contains("allowed: a ship that is held (hold it, by soft_hold, "), "{words}");
     }
 }

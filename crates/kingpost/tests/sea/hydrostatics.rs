@@ -197,8 +197,7 @@ fn an_equilibrium_off_the_database_is_warned_of_with_the_limits() {
     assert_eq!(heavy.len(), 1, "{heavy:?}");
     assert_eq!(
         heavy[0],
-        "hull: draught 2.1951 m, the database's is 2.0000 m, 9.8 % apart: linear hydrodynamics are about the \
-         database's draught, upright (warned of beyond 5 %)"
+        "hull: draught 2.1951 m, the database's is 2.0000 m, 9.8 % apart: linear hydrodynamics hold near the database's draught, upright (warned of beyond 5 %)"
     );
     let off = report(&[("shift_m", json!(4.0))]).warnings;
     assert!(off.len() == 1 && off[0].starts_with("hull: heel ") && off[0].ends_with("beyond 3 deg)"), "{off:?}");
@@ -273,7 +272,7 @@ fn another_loading_than_that_of_the_drift_is_warned_of() {
     let off = radii.map(|radius| 1.06 * radius);
     let all = warned(0.9 * total(), 1.06 * kg, off, true);
     assert_eq!(all.len(), 5, "{all:?}");
-    assert!(all[0].starts_with("hull: mass 410.0000 t, the database's mean drift is of 369.0000 t"), "{all:?}");
+    assert!(all[0].starts_with("hull: mass 410.0000 t, the database's mean drift is for 369.0000 t"), "{all:?}");
     assert_eq!(warned(0.9 * total(), 1.06 * kg, off, false), Vec::<String>::new());
 }
 
@@ -289,7 +288,7 @@ fn waves_too_short_for_the_directions_of_the_data_are_warned_of() {
     let shortest = libm::sqrt(core::f64::consts::TAU * core::f64::consts::TAU / (9.80665 * 0.6));
     assert_eq!(warned(1.01 * shortest), None);
     let short = warned(0.99 * shortest).expect("a warning");
-    assert!(short.contains("resolve waves of 10.5 m and more about its 20.0 m: 100.0 % of"), "{short}");
+    assert!(short.contains("resolve waves of 10.5 m and longer for its length of 20.0 m: 100.0 % of"), "{short}");
 }
 
 /// A tag line keeps the load from swinging; a line that lifts the hull is told of.
@@ -304,7 +303,8 @@ fn lines_hold_loads_and_what_they_carry_is_told() {
     let tagged = report(&[("forces.line", line("load", 20.0, 1.0))]);
     assert!(tagged.hulls[0].hanging.is_empty(), "{tagged:?}");
     let lifted = report(&[("forces.line", line("hull", 20.0, 1e5))]);
-    let told = lifted.warnings.iter().any(|words| words.contains("what else carries or pulls it is not in KG, GM"));
+    let told =
+        lifted.warnings.iter().any(|words| words.contains("other forces that carry or pull it are not in KG, GM"));
     assert!(told && lifted.hulls[0].displacement_kg < 0.999 * lifted.hulls[0].mass_kg, "{lifted:?}");
 }
 

@@ -304,7 +304,7 @@ fn a_tank_without_gravity_on_a_body_that_stands_or_heavier_than_its_body_is_refu
         ("forces.water.hydrodynamics.enabled", json!(false)),
     ]);
     assert!(
-        off.ends_with("forces.tank.slack_tank: found a free surface, and no gravity, allowed: gravity that is enabled"),
+        off.ends_with("forces.tank.slack_tank: found a free surface, but no gravity, allowed: gravity that is enabled"),
         "{off}"
     );
     let fixed = hinged("filling: 0.5", 0.0).replace("revolute: {axis: [0, 1, 0], initial_angle_rad: 0}", "fixed: {}");

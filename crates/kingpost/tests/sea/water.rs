@@ -388,7 +388,7 @@ fn what_a_database_lacks_is_told_at_its_field() {
     ]);
     assert!(ripples.contains("100.0 % of the waves' energy outside"), "{ripples}");
     let weightless = error(&[("forces.gravity.gravity.enabled", OFF)]);
-    assert!(weightless.contains("found water on a hull, and no gravity"), "{weightless}");
+    assert!(weightless.contains("found water on a hull, but no gravity"), "{weightless}");
     let crane = error(&[("forces.water.hydrodynamics.body", json!("mast"))]);
     assert!(crane.contains("a floating joint"), "{crane}");
 }

@@ -187,7 +187,7 @@ fn what_wave_loads_lack_is_told_at_its_field() {
         error.to_string()
     };
     let error = told(calm(), &[(DRIFT, json!(true))]);
-    assert!(error.contains("wave_drift") && error.contains("no mean drift"), "{error}");
+    assert!(error.contains("wave_drift") && error.contains("without mean drift"), "{error}");
     let error = told(calm(), &[(PRESSURE, json!(true))]);
     assert!(error.contains("wave_pressure") && error.contains("hydrostatics: mesh"), "{error}");
     let error = told(json!({"sea": {"spectrum": {"rows": [[0.5, 1], [0.4, 1]]}}}), &[]);

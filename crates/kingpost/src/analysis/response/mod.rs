@@ -95,7 +95,7 @@ pub enum ResponseError {
         allowed: String,
     },
     /// A frequency at which an undamped motion is unbounded.
-    #[error("frequencies_rad_s: found {found}, allowed: none at which an undamped motion resonates")]
+    #[error("frequencies_rad_s: found {found}, allowed: one away from the resonances of undamped motions")]
     Resonance {
         /// The frequency, rad/s.
         found: f64,

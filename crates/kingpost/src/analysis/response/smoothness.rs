@@ -2,12 +2,15 @@
 
 use super::columns::NotLinear;
 use super::rows::Rows;
+use crate::results::Channel;
 use nalgebra::DVector;
 
 /// Derivatives below this share of the value are rounding.
 const NO_SLOPE: f64 = 1e-11;
 /// Changes below this share of the value are rounding.
 const ROUNDING: f64 = 1e-10;
+/// Changes below this share of the largest value beside it are rounding: of a joint that carries nothing, say.
+const ROUNDING_BESIDE: f64 = 1e-13;
 /// Changes below this are rounding, whatever the unit.
 const LEAST: f64 = 1e-13;
 /// What is beside the derivative by less than this share of it is not looked at.
@@ -20,6 +23,7 @@ const BETWEEN: f64 = 0.35;
 /// changed by each of the probes and against it, whole and by half.
 pub(super) fn mark(rows: &mut Rows, probes: &[Vec<f64>]) {
     let flat: Vec<bool> = (0..rows.mean.len()).map(|column| is_flat(rows, column)).collect();
+    let rounding = rounding(rows);
     let mut found: Vec<Option<NotLinear>> = (0..rows.mean.len()).map(|column| without_numbers(rows, column)).collect();
     for probe in probes {
         let by_slopes = &rows.derivatives * DVector::from_column_slice(probe);
@@ -29,11 +33,10 @@ pub(super) fn mark(rows: &mut Rows, probes: &[Vec<f64>]) {
             let rest = rows.mean[column];
             let whole = parts(more[column], less[column], rest);
             let half = parts(half_more[column], half_less[column], rest);
-            let rounding = ROUNDING * rest.abs() + LEAST;
-            let seen = if flat[column] {
-                of_flat(whole, half, rounding)
-            } else {
-                of_sloped(whole, half, by_slopes[column], rounding)
+            let rounding = rounding[column];
+            let seen = match flat[column] {
+                true => of_flat(whole, half, rounding),
+                false => of_sloped(whole, half, by_slopes[column], rounding),
             };
             found[column] = found[column].or(seen);
         }
@@ -41,6 +44,17 @@ pub(super) fn mark(rows: &mut Rows, probes: &[Vec<f64>]) {
     for (known, found) in rows.not_linear.iter_mut().zip(found) {
         *known = known.or(found);
     }
+}
+
+/// Changes of each column that are rounding.
+fn rounding(rows: &Rows) -> Vec<f64> {
+    let of_channel = |channel: &Channel| {
+        let values = &rows.mean[channel.offset..][..channel.len];
+        let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        let beside = ROUNDING_BESIDE * largest + LEAST;
+        values.iter().map(|value| ROUNDING * value.abs() + beside).collect::<Vec<_>>()
+    };
+    rows.channels().list.iter().flat_map(of_channel).collect()
 }
 
 /// What changes its sign with the motion, and the size of what does not.

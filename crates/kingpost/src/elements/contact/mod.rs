@@ -114,15 +114,19 @@ impl<S: Scalar> Element<S> for Contact<S> {
             outputs: vec![
                 Output { components, frame: VectorFrame::World, ..force },
                 number("contact_normal_force", "sum of the normal forces of a contact", &["N"]),
-                number("contact_friction_force", "sum of the friction of a contact's points, each by its size", &["N"]),
+                number(
+                    "contact_friction_force",
+                    "sum of the friction forces of a contact's points, each by its magnitude",
+                    &["N"],
+                ),
                 number("contact_impulse", "normal force of a contact, integrated over time", &["N s"]),
-                number("contact_penetration", "depth of the deepest point in touch; 0 without touch", &["m"]),
+                number("contact_penetration", "depth of the deepest contact point; 0 without contact", &["m"]),
                 number(
                     "contact_gap",
                     "least distance of a load's corners, or of its round surface, from its contact; negative: penetration",
                     &["m"],
                 ),
-                number("contact_points", "points of a contact in touch", &["1"]),
+                number("contact_points", "number of points of a contact that touch", &["1"]),
             ],
             goes_alone: true,
             events: (0..self.spots.len()).flat_map(|_| &EVENTS[..self.events_of_a_spot()]).copied().collect(),

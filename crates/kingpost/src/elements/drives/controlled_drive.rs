@@ -208,12 +208,12 @@ impl<S: Scalar> ControlledDrive<S> {
         vec![
             effort,
             reference,
-            number("drive_power", "power that a drive gives; negative: takes", &["W"]),
+            number("drive_power", "power that a drive delivers; negative: absorbs", &["W"]),
             number("drive_effort_utilisation", "torque or force of a drive over its limit", &["1"]),
             number("drive_speed_utilisation", "speed of a drive's reference over its limit", &["1"]),
             number(
                 "drive_power_utilisation",
-                "power that a drive gives over its limit; 0 where it has none, or brakes",
+                "power that a drive delivers over its limit; 0 without a limit, and while it brakes",
                 &["1"],
             ),
         ]

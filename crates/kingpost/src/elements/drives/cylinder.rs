@@ -83,10 +83,10 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
             outputs: vec![
                 number("cylinder_length", "length of a cylinder between its pins", &["m"]),
                 number("cylinder_rate", "rate of a cylinder's length", &["m/s"]),
-                number("cylinder_force", "force of a cylinder, positive where it pushes, stops included", &["N"]),
+                number("cylinder_force", "force of a cylinder, positive when it pushes, stops included", &["N"]),
                 number(
                     "cylinder_effort_utilisation",
-                    "force of a cylinder, stops apart, over its limit to push or to pull",
+                    "force of a cylinder without its stops, over its limit to push or to pull",
                     &["1"],
                 ),
             ],

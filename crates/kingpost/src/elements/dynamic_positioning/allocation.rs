@@ -117,5 +117,5 @@ fn check_rank(gram: &Symmetric3<f64>) -> Result<(), CannotGive> {
     let over = |entry: f64, i: usize, j: usize| entry / libm::sqrt(diagonal[i] * diagonal[j]);
     let (a, b, c) = (over(gram.xy, 0, 1), over(gram.xz, 0, 2), over(gram.yz, 1, 2));
     let determinant = 1.0 + 2.0 * a * b * c - a * a - b * b - c * c;
-    if determinant > LEAST_DETERMINANT { Ok(()) } else { Err(CannotGive("surge, sway and yaw, but not apart")) }
+    if determinant > LEAST_DETERMINANT { Ok(()) } else { Err(CannotGive("surge, sway and yaw, but not independently")) }
 }

@@ -204,9 +204,9 @@ impl<S: Scalar> DynamicPositioning<S> {
     }
 
     fn declared_outputs(&self) -> Vec<Output> {
-        let error = "surge and sway from a ship on dynamic positioning to its target, and the heading that lacks";
-        let demand = "force and yaw moment that dynamic positioning asks for, about the point that is kept";
-        let force = "force and yaw moment that the thrusters give, about the point that is kept";
+        let error = "surge and sway from a ship on dynamic positioning to its target, and the heading error";
+        let demand = "force and yaw moment that dynamic positioning demands, about the held point";
+        let force = "force and yaw moment that the thrusters give, about the held point";
         let planar = |variable, description, frame, units| Output {
             components: Components::Planar,
             frame,
@@ -222,7 +222,12 @@ impl<S: Scalar> DynamicPositioning<S> {
         vec![
             planar("station_error", error, VectorFrame::Heading, &["m", "m", "rad"]),
             planar("station_demand", demand, VectorFrame::Heading, &PLANAR),
-            planar("station_command", "what of that the thrusters are told to give", VectorFrame::Body, &PLANAR),
+            planar(
+                "station_command",
+                "part of the demand that the thrusters are commanded to give",
+                VectorFrame::Body,
+                &PLANAR,
+            ),
             planar("station_force", force, VectorFrame::Body, &PLANAR),
             of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster its length", &["N"]),
             Output {
@@ -230,7 +235,7 @@ impl<S: Scalar> DynamicPositioning<S> {
                 frame: VectorFrame::Body,
                 ..of_thrusters("thruster_force", "thrust as a force", &["N"])
             },
-            of_thrusters("thruster_utilisation", "thrust as a share of what the thruster can give that way", &["1"]),
+            of_thrusters("thruster_utilisation", "thrust over the thruster's limit in its direction", &["1"]),
         ]
     }
 

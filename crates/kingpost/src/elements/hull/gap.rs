@@ -85,8 +85,7 @@ impl Watcher for HullGap {
             )
         };
         let text = format!(
-            "{how}; each hull has the hydrodynamics of one that is alone: neither shelters the other from waves, and the \
-             water in the gap between them does not resonate"
+            "{how}; each hull has the hydrodynamics of a single hull: neither shelters the other from waves, and the water in the gap between them does not resonate"
         );
         vec![Warning { time_s, name: body.clone(), text }]
     }

@@ -65,7 +65,7 @@ impl LinearLimits {
         let Extreme { value, time_s } = self.rise_m;
         let text = || {
             format!(
-                "it {} by {:.2} m, at {} s: linear hydrodynamics are for little of the draught, {} m (warned of beyond half)",
+                "it {} by {:.2} m, at {} s: linear hydrodynamics are for heave much smaller than the draught, {} m (warned of beyond half)",
                 if value > 0.0 { "rose" } else { "sank" },
                 value.abs(),
                 significant(time_s, 6),
@@ -78,8 +78,7 @@ impl LinearLimits {
     fn of_deck(&self) -> Option<Warning> {
         self.under_since_s.map(|time_s| {
             let text = format!(
-                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics know no deck; \
-                 hydrostatics: mesh does",
+                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics have no deck; hydrostatics: mesh has",
                 self.under_m,
                 significant(time_s, 6)
             );

@@ -49,8 +49,8 @@ impl Watcher for MeanAttitude {
             let [mean, data] = [self.sums_rad[k] / self.rows as f64, self.attitude_rad[k]].map(f64::to_degrees);
             let text = || {
                 format!(
-                    "its mean {what} was {mean:.2} deg, its hydrodynamic coefficients are of {data:.2} deg (warned of beyond \
-                     {LARGEST_LIST_DEG} deg): kingpost hydro --attitude_of computes those of a hull that lists"
+                    "its mean {what} was {mean:.2} deg, its hydrodynamic coefficients are for {data:.2} deg (warned of beyond \
+                     {LARGEST_LIST_DEG} deg): kingpost hydro --attitude_of computes them for a hull that lists"
                 )
             };
             let beyond = self.rows > 0 && (mean - data).abs() > LARGEST_LIST_DEG;

@@ -269,7 +269,7 @@ fn outputs(name: &str) -> Vec<Output> {
     vec![
         Output::number(
             "wave_elevation",
-            "elevation of the incident waves, where the hull is on average",
+            "elevation of the incident waves, at the average position of the hull",
             "hull",
             name,
             &["m"],
@@ -281,11 +281,11 @@ fn outputs(name: &str) -> Vec<Output> {
         ),
         wrench(
             "radiation_force",
-            "radiation force, of the waves that the hull has made, added mass apart, with the moment about its reference point",
+            "radiation force, of the waves that the hull has made, without added mass, with the moment about its reference point",
         ),
         Output::number(
             "water_kinetic_energy",
-            "the water's part of the kinetic energy, by the infinite-frequency added mass",
+            "kinetic energy of the added mass at infinite frequency",
             "hull",
             name,
             &["J"],

@@ -65,7 +65,7 @@ impl<S: Scalar> Element<S> for Operation<S> {
         let from = self.inputs.iter().map(|input| format!("{input}_at_its_start"));
         let step = Output::number(
             "operation_step",
-            "step of an operation that is under way, from 1; 0 before the first, one more than there are after the last",
+            "current step of an operation, from 1; 0 before the first, the number of steps plus 1 after the last",
             "operation",
             &self.name,
             &["1"],

@@ -127,8 +127,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         ];
         let leads = leads.into_iter().filter(|_| self.path.has_leads());
         let amplification = self.carried_mass.map(|_| {
-            let what =
-                "dynamic amplification factor of a rope: its tension over that of what it carries at rest in air";
+            let what = "dynamic amplification factor of a rope: its tension over that with its load at rest in air";
             number("rope_daf", what, &["1"])
         });
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;

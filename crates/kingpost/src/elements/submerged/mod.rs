@@ -258,17 +258,15 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     let mut all = vec![
         number("submerged_share", "volume below the surface over the whole volume", &["1"]),
         force("submerged_buoyancy", "buoyancy with the Froude-Krylov force of the waves"),
-        force("submerged_drag", "drag of the water on what is wet"),
+        force("submerged_drag", "drag of the water on the wet part"),
         force(
             "submerged_inertia",
-            "force of the water's acceleration on the added mass, and of its velocity as the body turns; what the body's own \
-             acceleration takes is in its inertia",
+            "force of the water's acceleration on the added mass, and of its velocity as the body turns; the force of the body's own acceleration is in its inertia",
         ),
         force("submerged_slamming", "force of the added mass that grows"),
         Output::wrench(
             "submerged_force",
-            "sum of the loads of water and wind, with the moment about the solid's centre; without what the body's own \
-             acceleration takes",
+            "sum of the loads of water and wind, with the moment about the solid's centre; without the force of the body's own acceleration",
             "submerged",
             name,
             VectorFrame::World,

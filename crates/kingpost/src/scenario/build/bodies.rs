@@ -133,7 +133,7 @@ fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     let mut joints = HashSet::new();
     for (name, body) in &scenario.bodies {
         if name.as_str() == schema::WORLD {
-            return Err(FieldError::new("bodies.world", "world", "another name: the world is what bodies stand on"));
+            return Err(FieldError::new("bodies.world", "world", "another name: world stands for the world itself"));
         }
         if let Some(parent) = body.parent_body() {
             let others = scenario.bodies.keys().filter(|other| *other != name).map(|other| other.as_str());
@@ -324,12 +324,12 @@ fn inertia<S: Quantity>(name: &str, body: &schema::Body<S>) -> Result<SpatialIne
                 let [x, y, z] = given.radii_m.map(|radius| radius.get());
                 (
                     format!("radii {x}, {y}, {z} m"),
-                    "a body's: no square of a radius greater than the sum of the other two",
+                    "those of a real body: no square of a radius greater than the sum of the other two",
                 )
             }
             _ => (
                 format!("moments {xx}, {yy}, {zz} kg m^2 with products {xy}, {xz}, {yz}"),
-                "a body's: no principal moment greater than the sum of the other two",
+                "those of a real body: no principal moment greater than the sum of the other two",
             ),
         };
         return Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed));

@@ -127,7 +127,7 @@ fn own<S: Quantity>(
         ("orientation_rad", is_placed(&given.orientation_rad)),
     ] {
         if placed {
-            let allowed = "none: the own shape of a body stands on its centre of mass";
+            let allowed = "none: the own shape of a body is centred on its centre of mass";
             return Err(FieldError::new(format!("{field}.{name}"), "a place", allowed));
         }
     }
@@ -136,7 +136,7 @@ fn own<S: Quantity>(
         Some(schema::Shape::Cylinder(given)) => Ok(of_cylinder(given)),
         Some(schema::Shape::Sphere(given)) => Ok(ContactSolid::Sphere { radius: given.radius_m.get() }),
         Some(schema::Shape::Point(_)) | None => {
-            let found = format!("own, and {} is no solid", given.body);
+            let found = format!("own, but {} is not a solid", given.body);
             Err(FieldError::new(format!("{field}.shape"), found, "plane, box, cylinder or sphere, with its fields"))
         }
     }

@@ -42,7 +42,7 @@ pub fn find<'a>(columns: &'a [Column], field: &str, name: &str) -> Result<&'a Co
     alike.truncate(MOST_LISTED);
     let meant = nearest(&all, name).map_or_else(String::new, |name| format!("; did you mean {name}?"));
     let allowed = match alike.as_slice() {
-        [] => format!("a column of the results, as the head of a table of a run has it{meant}"),
+        [] => format!("a column of the results, as in the header of a run's table{meant}"),
         alike => format!("{}, or another column of the results{meant}", one_of(alike)),
     };
     Err(FieldError::new(field, name, allowed))

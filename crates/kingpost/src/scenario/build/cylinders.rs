@@ -104,7 +104,7 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
             return Err(FieldError::new(field(), found, allowed));
         }
         if matches!(cylinder.aim, Aim::Length(_)) && cylinder.arrival_s.is_none() {
-            return Err(FieldError::new(field(), "several times at which it arrives", "one"));
+            return Err(FieldError::new(field(), "a target reached at different times", "one"));
         }
     }
     Ok(())

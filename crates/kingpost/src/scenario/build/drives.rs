@@ -102,7 +102,7 @@ fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: Mode) -> Result<(), 
         Mode::Prescribed => "prescribed",
     };
     let found = format!("{}, which is {mode}", parts.joint);
-    Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for a drive that is on"))
+    Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for an enabled drive"))
 }
 
 /// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes are added.
@@ -119,7 +119,7 @@ fn check_alone<'a, S: Quantity>(
     Err(FieldError::new(
         format!("{}.joint", parts.field),
         found,
-        "one drive that follows a set-point and is on for each joint; motors and brakes may stand beside it",
+        "one enabled drive with a set-point for each joint; motors and brakes may be added",
     ))
 }
 

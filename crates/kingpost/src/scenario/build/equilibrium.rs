@@ -20,7 +20,7 @@ pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> 
     }
     let mut simulation = Simulation::new(setup.clone());
     let refused = |why: String| {
-        let allowed = "true, for a model that comes to rest near where its bodies are put; else false";
+        let allowed = "true, for a model with an equilibrium near its initial position; else false";
         FieldError::new(FIELD, format!("true, and {why}"), allowed)
     };
     let (found, trims) = simulation.settle_with_trims().map_err(|error| refused(error.to_string()))?;

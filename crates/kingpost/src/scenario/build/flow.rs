@@ -22,7 +22,7 @@ pub fn wind<S: Quantity>(
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let coefficients = table(&format!("{field}.coefficients"), &given.coefficients)?;
     let Some(wind) = &scenario.wind else {
-        return Err(FieldError::new(field, "the load of a wind, and no wind", "a wind, at the top of the scenario"));
+        return Err(FieldError::new(field, "a wind load, but no wind", "a wind, at the top of the scenario"));
     };
     check_height(wind, given.height_m.get(), &field)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };

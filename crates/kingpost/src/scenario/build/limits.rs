@@ -28,7 +28,7 @@ fn bounds(name: &str, given: &schema::Limit) -> Result<[Option<f64>; 2], FieldEr
     match (at_least, at_most, within) {
         (None, None, None) => Err(FieldError::new(field, "no bound", "at_most, at_least, both, or within")),
         (None, None, Some(within)) => Ok([Some(-within.get()), Some(within.get())]),
-        (_, _, Some(_)) => Err(FieldError::new(field, "within beside at_most or at_least", "one or the other")),
+        (_, _, Some(_)) => Err(FieldError::new(field, "within together with at_most or at_least", "one or the other")),
         (Some(least), Some(most), None) if least > most => {
             let allowed = format!("not more than at_most, {most}");
             Err(FieldError::new(format!("{field}.at_least"), least, allowed))

@@ -100,7 +100,7 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
         return Ok(());
     }
     let (name, gaps) = gaps(model, solver.rows()).into_iter().next().unwrap_or_default();
-    let found = format!("a loop that stays open by {gaps} as near as its joints bring it");
+    let found = format!("a loop that stays open by {gaps} at the closest position of its joints");
     Err(FieldError::new(format!("loops.{name}"), found, "lengths and a start from which the loop closes"))
 }
 

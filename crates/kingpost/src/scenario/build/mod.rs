@@ -216,8 +216,8 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
         // Only the energy is too large: that stored in a force.
         .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));
     let Some((field, (column, value))) = named else { return Ok(()) };
-    let found = format!("numbers with which {column} is {value} where the run begins");
-    Err(FieldError::new(field, found, "numbers with which it is finite"))
+    let found = format!("numbers that make {column} {value} at the start");
+    Err(FieldError::new(field, found, "numbers that keep it finite"))
 }
 
 /// The forces that are enabled, on bodies that exist.
@@ -275,7 +275,7 @@ fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError>
         let Frame { rotation, position } = links.body_frame(model, body);
         if !rotation.0.iter().flatten().chain(&position.0).all(|x| x.is_finite()) {
             let field = format!("bodies.{}.joint", flexible::owner(&named.name).0);
-            return Err(FieldError::new(field, "a place that is not finite", "finite places and angles"));
+            return Err(FieldError::new(field, "a position that is not finite", "finite positions and angles"));
         }
     }
     Ok(())
@@ -301,6 +301,6 @@ fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldErro
             "finite positions",
         ));
     }
-    let found = format!("no inertia along {coordinate} that a number of 16 digits could tell from zero");
+    let found = format!("an inertia along {coordinate} that is zero to 16 digits");
     Err(FieldError::new(field, found, "a mass or an inertia that its joint moves, greater than 0"))
 }

@@ -61,7 +61,7 @@ impl Reader<'_> {
         step: &schema::OperationStep<S>,
     ) -> Result<OperationStep<S>, FieldError> {
         if step.name.trim().is_empty() {
-            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text that says what is done"));
+            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text: what the step does"));
         }
         let mut moves: Vec<(usize, Vec<Move<S>>)> = Vec::new();
         let mut last_s: f64 = 0.0;

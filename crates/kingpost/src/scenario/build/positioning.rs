@@ -33,8 +33,7 @@ pub fn build<S: Quantity>(
         FieldError::new(
             format!("{field}.thrusters"),
             found,
-            "thrusters that run and give surge, sway and yaw independently: two of them one behind the other, and one \
-             along the ship",
+            "enabled thrusters that give surge, sway and yaw independently: two transverse ones at different places along the ship, and one along the ship",
         )
     })?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
@@ -137,8 +136,9 @@ fn check_gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) 
     for (name, tuning) in each.filter(|_| periods.integral) {
         let least = tuning.period_s / (S::constant(4.0 * PI) * tuning.damping_ratio);
         if !(tuning.integral_time() - least).all(|room| room > 0.0) {
-            let allowed =
-                format!("more than period_s / (4 pi damping_ratio), {least}: else even a ship alone is unstable");
+            let allowed = format!(
+                "more than period_s / (4 pi damping_ratio), {least}: else the ship is unstable even without delays"
+            );
             let field = format!("{field}.gains.natural_periods.{name}.integral_time_s");
             return Err(FieldError::new(field, tuning.integral_time(), allowed));
         }
@@ -189,14 +189,14 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
                     tuning.period_s,
                     TAU / root.im.abs()
                 ),
-                "a longer natural period, or filter periods and thrusters' time constants that are shorter",
+                "a longer natural period, or shorter filter periods and thrusters' time constants",
             ),
             RootGrowth::Unknown => (
                 format!(
-                    "{} s, with which {delays} differ so much in size that their stability cannot be found",
+                    "{} s, with which {delays} differ so much in magnitude that their stability cannot be found",
                     tuning.period_s
                 ),
-                "filter periods and thrusters' time constants whose sizes compare with it",
+                "filter periods and thrusters' time constants of comparable magnitude",
             ),
         };
         return Err(FieldError::new(format!("{field}.gains.natural_periods.{name}.period_s"), found, allowed));

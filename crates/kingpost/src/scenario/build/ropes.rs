@@ -21,7 +21,7 @@ pub fn build<S: Quantity>(
     model: &Model<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     if given.can_be_released && scenario.drives.contains_key(name) {
-        let found = format!("true, with an input {name} beside that of drives.{name}");
+        let found = format!("true, with an input {name} that drives.{name} has too");
         let allowed = "a name for the rope that no drive has";
         return Err(FieldError::new(format!("forces.{name}.rope.can_be_released"), found, allowed));
     }
@@ -179,7 +179,7 @@ fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
         let allowed = match (i, station) {
             (0, RopeStation::Sheave(_)) => "a point or a drum, where a rope begins",
             (i, RopeStation::Sheave(_) | RopeStation::Drum(_)) if i == last => "a point, where a rope ends",
-            (i, RopeStation::Drum(_)) if i > 0 => "a point or a sheave: a drum stands where the rope begins",
+            (i, RopeStation::Drum(_)) if i > 0 => "a point or a sheave: a drum can only be where the rope begins",
             _ => continue,
         };
         return Err(FieldError::new(field(format!("path.{i}")), format!("a {}", station.on().0), allowed));
@@ -192,7 +192,7 @@ fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     if let Some(RopeStation::Point(RopePoint { falls, .. })) = path.first()
         && *falls != 1
     {
-        let allowed = "1: falls lead to a point from the one before it";
+        let allowed = "1: falls run from one point to the next, and this is the first";
         return Err(FieldError::new(field("path.0.point.falls".to_owned()), falls, allowed));
     }
     for (i, pair) in path.windows(2).enumerate() {

@@ -85,7 +85,7 @@ fn check_apart<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &st
         return Err(FieldError::new(format!("{of}.path.{}", leg + 1), found, allowed));
     }
     if path.drum_is_along(at) {
-        let (found, allowed) = ("an axis along the rope", "a joint whose axis stands across the rope");
+        let (found, allowed) = ("an axis along the rope", "a joint whose axis is across the rope");
         return Err(FieldError::new(format!("{of}.path.0.drum.joint"), found, allowed));
     }
     Ok(())
@@ -123,8 +123,7 @@ pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
         let Some(load) = rope.breaking_load else { continue };
         let tension = at_rest(world, model, &links, (q, v), |at| rope.clone().tension_here(at));
         if tension > load {
-            let (name, allowed) =
-                (&rope.name, format!("more than {tension:.0} N, which it carries where the run begins"));
+            let (name, allowed) = (&rope.name, format!("more than {tension:.0} N, which it carries at the start"));
             return Err(FieldError::new(format!("forces.{name}.rope.breaking_load_N"), load, allowed));
         }
     }

@@ -90,7 +90,7 @@ pub fn wires<S: Quantity>(
 }
 
 fn allowed(names: &[&str], found: &str, none: &str) -> String {
-    if names.is_empty() { format!("none: the scenario has not {none}") } else { one_of_with_hint(names, found) }
+    if names.is_empty() { format!("none: the scenario does not have {none}") } else { one_of_with_hint(names, found) }
 }
 
 /// The offset input of a servo that is enabled.

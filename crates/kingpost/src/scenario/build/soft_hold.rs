@@ -50,7 +50,7 @@ fn check<S: Quantity>(scenario: &Scenario<S>, given: &schema::SoftHold<S>, field
     if !matches!(joint, Joint::Floating(_)) {
         let found = format!("{}, whose joint is {}", given.body, joint.kind());
         let allowed =
-            "a body whose joint is floating: no force moves what is prescribed, and joints hold what they join";
+            "a body with a floating joint: no force moves a prescribed body, and other joints already hold theirs";
         return Err(FieldError::new(format!("{field}.body"), found, allowed));
     }
     let Some(target) = given.target else { return Ok(()) };

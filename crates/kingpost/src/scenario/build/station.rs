@@ -12,8 +12,7 @@ pub fn check(setup: &Setup) -> Result<(), FieldError> {
     let mut pressed = of_kind(&setup.elements).filter(|hull: &&Hull| hull.wave_pressure.is_some());
     if let Some(hull) = pressed.find(|hull| !kept[hull.frame.body]) {
         let found = format!(
-            "true, and nothing keeps {} in surge, sway and yaw: the mean of the waves' pressure, a part of their drift, \
-             would carry it away",
+            "true, but nothing holds {} in surge, sway and yaw: the mean of the waves' pressure, a part of their drift, would carry it away",
             setup.model.bodies[hull.frame.body].name
         );
         let field = format!("forces.{}.hydrodynamics.wave_pressure", hull.name);

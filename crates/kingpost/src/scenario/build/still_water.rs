@@ -23,5 +23,5 @@ pub(super) fn gravity<S: Quantity>(scenario: &Scenario<S>) -> Result<(S, String)
         Some((gravity.acceleration_m_s2.get(), format!("forces.{name}.gravity.acceleration_m_s2")))
     });
     let all = acting.reduce(|(sum, field), (next, _)| (sum + next, field));
-    all.ok_or_else(|| FieldError::new("forces", "water on a hull, and no gravity", "gravity that is enabled"))
+    all.ok_or_else(|| FieldError::new("forces", "water on a hull, but no gravity", "gravity that is enabled"))
 }

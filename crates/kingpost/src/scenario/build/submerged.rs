@@ -156,7 +156,7 @@ fn check_wind<S: Quantity>(
     given: &schema::SubmergedWind<S>,
 ) -> Result<(), FieldError> {
     let Some(wind) = &scenario.wind else {
-        return Err(FieldError::new(field, "the drag of a wind, and no wind", "a wind, at the top of the scenario"));
+        return Err(FieldError::new(field, "wind drag, but no wind", "a wind, at the top of the scenario"));
     };
     flow::check_height(wind, given.height_m.get(), field)
 }
@@ -164,7 +164,7 @@ fn check_wind<S: Quantity>(
 /// Checks that there is gravity, and that a power-law current has a finite depth.
 fn check_world<S: Quantity>(scenario: &Scenario<S>, field: &str, world: &World<S>) -> Result<(), FieldError> {
     if still_water::gravity(scenario).is_err() {
-        return Err(FieldError::new(field, "buoyancy, and no gravity", "gravity that is enabled"));
+        return Err(FieldError::new(field, "buoyancy, but no gravity", "gravity that is enabled"));
     }
     if matches!(world.current.profile, CurrentProfile::PowerLaw(_)) && world.depth.is_none() {
         let found = "power_law, over infinite depth";

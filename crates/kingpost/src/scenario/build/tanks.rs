@@ -22,7 +22,7 @@ pub fn slack<S: Quantity>(
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     check_body(scenario, model, body, &format!("{field}.body"))?;
     if still_water::gravity(scenario).is_err() {
-        return Err(FieldError::new(field, "a free surface, and no gravity", "gravity that is enabled"));
+        return Err(FieldError::new(field, "a free surface, but no gravity", "gravity that is enabled"));
     }
     Ok(Some(Box::new(SlackTank {
         name: name.to_owned(),

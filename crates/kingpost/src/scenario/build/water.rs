@@ -137,7 +137,7 @@ fn hydrostatics<S: Quantity>(
         }
         HydrostaticsSchema::Mesh => {
             let Some(mesh) = &database.hull.mesh else {
-                return Err(FieldError::new(field, "mesh, with a database that holds none", "linear, or none"));
+                return Err(FieldError::new(field, "mesh, with a database without a mesh", "linear, or none"));
             };
             let mesh = HullMesh::new(mesh.vertices_m.clone(), mesh.triangles.clone());
             let mesh = mesh.map_err(|error| FieldError::new(field, error, "a closed mesh whose normals point out"))?;
@@ -182,7 +182,7 @@ fn wave_pressure<S: Quantity>(
             Ok(Some(Box::new(MeshInWaves::new((**floating).clone(), waves))))
         }
         (Hydrostatics::Mesh(_), None) => Ok(None),
-        _ => Err(FieldError::new(field, "true, with hydrostatics that are not of the mesh", "hydrostatics: mesh")),
+        _ => Err(FieldError::new(field, "true, without hydrostatics: mesh", "hydrostatics: mesh")),
     }
 }
 
@@ -194,7 +194,7 @@ fn radiation<S>(
     match &database.radiation {
         _ if !given.radiation => Ok(None),
         Some(fitted) => Ok(Some(Radiation::new(fitted))),
-        None => Err(FieldError::new(field, "true, with a database that holds no model of radiation", "false")),
+        None => Err(FieldError::new(field, "true, with a database without a radiation model", "false")),
     }
 }
 
@@ -214,7 +214,7 @@ fn excitation<S: Quantity>(
     world: &World<S>,
 ) -> Result<Option<WaveExcitation<S>>, FieldError> {
     if given.wave_drift && database.mean_drift.is_none() {
-        let found = "true, with a database that holds no mean drift";
+        let found = "true, with a database without mean drift";
         return Err(FieldError::new(
             field("wave_drift"),
             found,
@@ -222,7 +222,7 @@ fn excitation<S: Quantity>(
         ));
     }
     if given.wave_pressure && !database.has_froude_krylov() {
-        let found = "true, with a database whose excitation is not told apart into Froude-Krylov force and diffraction";
+        let found = "true, with a database that does not separate Froude-Krylov force and diffraction";
         return Err(FieldError::new(field("wave_pressure"), found, "false"));
     }
     if given.wave_pressure && given.wave_drift {

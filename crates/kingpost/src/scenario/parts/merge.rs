@@ -114,7 +114,7 @@ fn place_of_the_part(tree: &mut ScenarioNode, part: &Part, mount: &Mount<'_>) ->
                     ScenarioNode::new(node.place.clone(), Content::Scalar(path))
                 })),
                 (Some(_), Err(with_own)) => {
-                    let found = format!("the place of a part in which {with_own} has one of its own");
+                    let found = format!("the position of a part in which {with_own} has a position of its own");
                     return Err(Fault::new(&node.place, format!("{field}.{nth}"), found, wording::PLACE_OF_A_PART));
                 }
             }

@@ -145,7 +145,7 @@ impl Mounter<'_> {
             return Err(mount.fault("part", found, wording::PART_ENDS));
         }
         if chain.len() > MOST_LEVELS || self.count > MOST_PARTS {
-            let found = format!("more than {MOST_LEVELS} parts in each other, or {MOST_PARTS} in all");
+            let found = format!("more than {MOST_LEVELS} nested parts, or {MOST_PARTS} in total");
             return Err(mount.fault("part", found, wording::FEWER_PARTS));
         }
         Ok(())

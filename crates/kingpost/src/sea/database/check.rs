@@ -115,7 +115,12 @@ fn check_radiation(model: &RadiationModel) -> Checked {
         unless(poles == residues, &field, format!("{poles} poles and {residues} rows of residues"), "as many of both")?;
         let stable = mode.poles_rad_s.iter().find(|[re, im]| !(*re < 0.0 && *im >= 0.0 && im.is_finite()));
         let found = stable.map_or(String::new(), |[re, im]| format!("the pole {re} + {im} i"));
-        unless(stable.is_none(), &field, found, "poles with a negative real part, of a pair the one above the axis")?;
+        unless(
+            stable.is_none(),
+            &field,
+            found,
+            "poles with a negative real part, of a conjugate pair the one with a positive imaginary part",
+        )?;
         let finite = mode.residues.iter().flatten().flatten().all(|x| x.is_finite());
         unless(finite, &field, "a residue that is not finite", "finite numbers")?;
     }

@@ -63,7 +63,7 @@ pub enum MeshError {
     /// Edges with a triangle on one side only.
     #[error(
         "the hull has holes: {edges} open edges, one from {from_m:?} to {to_m:?} m, allowed: none; \
-         close the hull with its deck and transom, and make vertices that coincide one"
+         close the hull with its deck and transom, and merge coincident vertices"
     )]
     Open {
         /// How many edges.
