@@ -68,9 +68,9 @@ pub struct Model<S = f64> {
     pub bodies: Vec<Body<S>>,
     /// The joint of each body, in the same order.
     pub joints: Vec<Joint<S>>,
-    /// One node a body.
+    /// One node per body.
     pub tree: Tree<S>,
-    /// One node a link.
+    /// One node per link.
     pub links: Tree<S>,
     /// The root of each link's branch.
     pub roots: Vec<usize>,

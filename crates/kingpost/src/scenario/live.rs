@@ -40,7 +40,7 @@ pub enum ParameterError {
         name: String,
         /// The value.
         found: String,
-        /// What it does.
+        /// Why it needs a restart.
         why: &'static str,
     },
     /// A value that the scenario cannot have.

@@ -11,7 +11,7 @@ impl Simulation {
         self.plant.elements()
     }
 
-    /// What is outside.
+    /// The world outside the model.
     pub fn world(&self) -> &World {
         &self.plant.world
     }

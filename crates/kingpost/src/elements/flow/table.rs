@@ -10,9 +10,9 @@ pub struct TableError {
     pub column: &'static str,
     /// Index of the row; `None` if the number of rows is wrong.
     pub row: Option<usize>,
-    /// What is there.
+    /// The value found.
     pub found: f64,
-    /// What may be.
+    /// What is allowed.
     pub allowed: &'static str,
 }
 

@@ -17,9 +17,9 @@ pub struct GrowthError {
     pub column: &'static str,
     /// Which row, if the error is in one.
     pub row: Option<usize>,
-    /// What it is.
+    /// The value found.
     pub found: String,
-    /// What may be.
+    /// What is allowed.
     pub allowed: String,
 }
 

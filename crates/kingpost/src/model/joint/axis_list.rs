@@ -16,7 +16,7 @@ pub struct AxisList<S = f64> {
     /// From the joint to the child's centre of mass, child axes, m: the paper's s_C.
     to_child: Vector3<S>,
     axes: [ElementaryAxis<S>; MOST_AXES],
-    /// One an axis.
+    /// One label per axis.
     labels: &'static [&'static str],
 }
 

@@ -47,7 +47,7 @@ pub enum MeshError {
         vertex: usize,
         /// `x`, `y` or `z`.
         axis: char,
-        /// What it is.
+        /// The value found.
         found: f64,
     },
     /// A corner that refers to no vertex.
@@ -66,11 +66,11 @@ pub enum MeshError {
          close the hull with its deck and transom, and merge coincident vertices"
     )]
     Open {
-        /// How many edges.
+        /// Number of edges.
         edges: usize,
         /// Start of one of these edges, hull axes, m.
         from_m: [f64; 3],
-        /// Where it ends.
+        /// End of this edge, hull axes, m.
         to_m: [f64; 3],
     },
     /// Neighbours with opposite orientation.
@@ -83,7 +83,7 @@ pub enum MeshError {
         edges: usize,
         /// Start of one of these edges, hull axes, m.
         from_m: [f64; 3],
-        /// Where it ends.
+        /// End of this edge, hull axes, m.
         to_m: [f64; 3],
     },
     /// The corners run clockwise as seen from outside.
@@ -104,7 +104,7 @@ pub enum MeshError {
     NoVolume {
         /// A vertex of the part, hull axes, m.
         at_m: [f64; 3],
-        /// What it encloses, m^3.
+        /// The volume that it encloses, m^3.
         volume_m3: f64,
         /// Volume that counts as 0 for a mesh of this size, m^3.
         smallest_m3: f64,

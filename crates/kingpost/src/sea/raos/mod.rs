@@ -12,11 +12,11 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct RaoError {
-    /// Where.
+    /// The field.
     pub field: String,
-    /// What is there.
+    /// What was found.
     pub found: String,
-    /// What may be.
+    /// What is allowed.
     pub allowed: String,
 }
 
@@ -55,7 +55,7 @@ struct RaoEntry {
     response: MotionResponse,
 }
 
-/// What a file holds.
+/// The contents of a file.
 struct RaoFile {
     rows: Vec<RaoEntry>,
     origin_m: [f64; 3],
