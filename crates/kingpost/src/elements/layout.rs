@@ -199,7 +199,8 @@ impl Layout {
 
     /// Checks that every signal named by an input exists.
     ///
-    /// # Errors The first that does not.
+    /// # Errors
+    /// The first that does not.
     pub fn check_signals(&self) -> Result<(), UnknownSignal> {
         let signals = self.signals();
         let unknown = |input: &Input| {

@@ -182,7 +182,8 @@ pub struct RadiationMode {
 impl Database {
     /// Reads and checks a database's text.
     ///
-    /// # Errors The first error: another format, a truncated file, or numbers that no hull can have.
+    /// # Errors
+    /// The first error: another format, a truncated file, or numbers that no hull can have.
     pub fn read(text: &str) -> Result<Self, DatabaseError> {
         let database: Self = serde_json::from_str(text).map_err(|error| DatabaseError {
             field: format!("line {}, column {}", error.line(), error.column()),

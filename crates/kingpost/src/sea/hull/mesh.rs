@@ -114,7 +114,8 @@ pub enum MeshError {
 impl HullMesh {
     /// A hull of these vertices, in the hull's axes, m, and triangles of indices from 0.
     ///
-    /// # Errors [`MeshError`], for the first error.
+    /// # Errors
+    /// [`MeshError`], for the first error.
     pub fn new(vertices_m: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>) -> Result<Self, MeshError> {
         check_numbers(&vertices_m, &triangles)?;
         check_edges(&vertices_m, &triangles)?;
