@@ -33,9 +33,9 @@ pub enum SnapshotError {
     /// It was taken from a simulation with another setup: another scenario, or other parameters.
     #[error("the snapshot is of another setup: its fingerprint is {found:016x}, this one's {allowed:016x}")]
     Setup {
-        /// Of the snapshot.
+        /// Fingerprint in the snapshot.
         found: u64,
-        /// Of this simulation.
+        /// Fingerprint of this simulation.
         allowed: u64,
     },
     /// It was taken from a run of another structure.
@@ -51,7 +51,7 @@ pub enum SnapshotError {
     /// Some of its bytes have changed.
     #[error("the snapshot is damaged: its checksum is {found:016x}, that of its bytes {allowed:016x}")]
     Damaged {
-        /// At its end.
+        /// The checksum at its end.
         found: u64,
         /// The checksum of the bytes before it.
         allowed: u64,

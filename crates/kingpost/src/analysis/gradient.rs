@@ -34,7 +34,8 @@ impl Gradient {
 /// these approximate. Only the derivative of an event's time follows from the rates of the motion, with the error of a
 /// step. `progress` gets the time and may stop the run by returning false: then the rows until that time remain.
 ///
-/// # Errors A name along which there is no derivative: see [`Scenario::setup_along`]. Equations without D.
+/// # Errors
+/// A name along which there is no derivative: see [`Scenario::setup_along`]. Equations without D.
 pub fn gradient(
     scenario: &Scenario,
     names: &[&str],

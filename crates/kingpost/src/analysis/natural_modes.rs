@@ -57,7 +57,8 @@ const BESIDE: f64 = 1e-9;
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 ///
-/// # Errors No equilibrium nearby, or rates of such different magnitudes that no eigenvalues are found.
+/// # Errors
+/// No equilibrium nearby, or rates of such different magnitudes that no eigenvalues are found.
 pub fn natural_modes(simulation: &Simulation) -> Result<Vec<NaturalMode>, ModesError> {
     let mut settled = simulation.clone();
     settled.settle()?;

@@ -27,7 +27,7 @@ pub enum BatchError {
     /// A variant that is not a valid scenario.
     #[error("run {run}: {error}")]
     Variant {
-        /// Which, from 0.
+        /// Index of the run, from 0.
         run: usize,
         /// Its error.
         error: ScenarioError,
@@ -35,7 +35,7 @@ pub enum BatchError {
     /// Variants with other bodies, joints or points than the first: their rows would not match.
     #[error("run {run}: found other result channels than those of run 0, allowed: the same bodies, joints and points")]
     Channels {
-        /// Which, from 0.
+        /// Index of the run, from 0.
         run: usize,
     },
     /// More numbers would be recorded than are allowed.
@@ -119,7 +119,7 @@ pub fn run_within(
 
 /// Built runs, whatever their source; see [`run_built`].
 pub trait Built: Sync {
-    /// How many.
+    /// Number of runs.
     fn count(&self) -> usize;
 
     /// The setup of a run.

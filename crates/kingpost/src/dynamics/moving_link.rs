@@ -43,7 +43,7 @@ impl<S: Scalar> Seat<S> {
         Self { rotation, way: position, position }
     }
 
-    /// On another link.
+    /// For a parent that is not the root.
     #[inline(always)]
     fn on_link(parent: &MovingLink<S>, plan: &Link<S>) -> Self {
         let Frame { rotation, position } = &parent.in_root;
@@ -130,7 +130,7 @@ impl<S: Scalar> MovingLink<S> {
         }
     }
 
-    /// On another link.
+    /// For a parent that is not the root.
     #[inline]
     pub fn mount(&mut self, plan: &Link<S>, parent: &Self, q: &[S], v: &[S]) {
         match plan.joint {

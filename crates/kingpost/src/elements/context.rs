@@ -30,9 +30,9 @@ impl Situation {
 pub struct Context<'a, S = f64> {
     /// When.
     pub clock: Clock,
-    /// What for.
+    /// The purpose.
     pub situation: Situation,
-    /// What is outside.
+    /// The world outside the model.
     pub world: &'a World<S>,
     /// The mechanical model.
     pub model: &'a Model<S>,

@@ -18,7 +18,7 @@ pub struct Declaration {
     pub outputs: Vec<Output>,
     /// The lines that views draw of it, in the order in which it writes them.
     pub lines: Vec<DrawnLine>,
-    /// What it watches.
+    /// Its events.
     pub events: Vec<Event>,
     /// Its sampling period, s, if it samples: at whole multiples of it, first at the start of the run.
     pub period_s: Option<f64>,
@@ -90,7 +90,7 @@ impl Input {
 pub struct Output {
     /// Name in a data set.
     pub variable: &'static str,
-    /// What it is.
+    /// Its description.
     pub description: &'static str,
     /// The dimension along which the elements stand: `line`, for example.
     pub dimension: &'static str,
@@ -234,7 +234,7 @@ pub enum Crossing {
     Rising,
     /// From positive to negative.
     Falling,
-    /// Both.
+    /// Both changes of sign.
     Either,
 }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DrawnLine {
-    /// Whose it is.
+    /// Name of its element.
     pub name: String,
     /// Its appearance.
     pub style: LineStyle,

@@ -74,7 +74,8 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// [steers](Declaration::steers), both in the order of its declaration; it may change its numbers and modes.
     /// Returns what happened, for the table of events.
     ///
-    /// # Errors The reason why the run ends.
+    /// # Errors
+    /// The reason why the run ends.
     fn steer(
         &mut self,
         _at: &Context<'_, S>,

@@ -10,11 +10,11 @@ use thiserror::Error;
 pub struct Share {
     /// In the states of all elements, which follow the ledger's in s.
     pub states: Range<usize>,
-    /// In d.
+    /// Its entries in d.
     pub inputs: Range<usize>,
-    /// In d.
+    /// Its entries in d.
     pub numbers: Range<usize>,
-    /// In m.
+    /// Its entries in m.
     pub modes: Range<usize>,
     /// Whether any of these has entries.
     pub has_own: bool,
@@ -29,7 +29,7 @@ pub struct Share {
 pub struct Watched {
     /// The element.
     pub element: usize,
-    /// Which of its events.
+    /// Index among its events.
     pub event: usize,
     /// What happens.
     pub what: &'static str,
@@ -92,7 +92,7 @@ pub struct UnknownSignal {
 pub struct Layout {
     /// Number of entries of s before those of the elements.
     pub ledger: usize,
-    /// By element.
+    /// The places of each element's entries.
     pub shares: Vec<Share>,
     /// Names of the elements.
     pub names: Vec<String>,
@@ -199,7 +199,8 @@ impl Layout {
 
     /// Checks that every signal named by an input exists.
     ///
-    /// # Errors The first that does not.
+    /// # Errors
+    /// The first that does not.
     pub fn check_signals(&self) -> Result<(), UnknownSignal> {
         let signals = self.signals();
         let unknown = |input: &Input| {

@@ -30,7 +30,7 @@ pub struct MeanHeading {
 }
 
 impl MeanHeading {
-    /// Of this body.
+    /// For this body.
     pub fn new(body: &str) -> Self {
         let (last, start_rad, turn_deg, beyond_s) = (None, 0.0, Extreme::default(), None);
         Self { body: body.to_owned(), last, start_rad, turn_deg, beyond_s }

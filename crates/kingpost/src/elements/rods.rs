@@ -9,7 +9,7 @@ const SMALLEST_PUSH: f64 = 1e-6;
 /// Swing at which a rope would go slack, degrees from hanging.
 const LARGEST_SWING_DEG: f64 = 90.0;
 
-/// How a rod pulls.
+/// The force of a rod.
 #[derive(Clone, Copy, Debug, Default)]
 struct Pull {
     /// The largest push, N, negative, and its time.

@@ -11,7 +11,7 @@ pub struct Warning {
     pub time_s: f64,
     /// What it concerns: a joint, a closed loop, a body or an element.
     pub name: String,
-    /// What was so.
+    /// The text of the warning.
     pub text: String,
 }
 

@@ -101,7 +101,7 @@ impl Restraints {
 pub(super) struct OnLine {
     line: String,
     bodies: Vec<usize>,
-    /// In the world.
+    /// The suspension point in the world.
     point: Vector3,
 }
 

@@ -64,9 +64,9 @@ pub struct HullAfloat {
     pub draught_m: f64,
     /// The draught of the database, m.
     pub database_draught_m: f64,
-    /// To starboard, rad.
+    /// Heel to starboard, rad.
     pub heel_rad: f64,
-    /// By the bow, rad.
+    /// Trim by the bow, rad.
     pub trim_rad: f64,
     /// KB, m: all heights above the keel are along the hull's z.
     pub keel_to_buoyancy_m: f64,
@@ -107,7 +107,7 @@ pub enum HydrostaticsError {
     Hull {
         /// Name of the force.
         force: String,
-        /// Why.
+        /// The reason.
         error: StabilityError,
     },
 }

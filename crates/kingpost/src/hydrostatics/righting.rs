@@ -52,9 +52,9 @@ pub struct RightingArmCurve {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RightingArmPoint {
-    /// To the curve's side, rad.
+    /// Heel to the curve's side, rad.
     pub heel_rad: f64,
-    /// By the bow, rad.
+    /// Trim by the bow, rad.
     pub trim_rad: f64,
     /// GZ, m: positive if it turns the ship back.
     pub arm_m: f64,
@@ -64,7 +64,7 @@ pub struct RightingArmPoint {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LargestArm {
-    /// To the curve's side, rad.
+    /// Heel to the curve's side, rad.
     pub heel_rad: f64,
     /// GZ, m.
     pub arm_m: f64,
@@ -76,7 +76,7 @@ impl Side {
         if heel_to_starboard_rad < 0.0 { Self::Port } else { Self::Starboard }
     }
 
-    /// In words.
+    /// The side in words.
     pub fn name(self) -> &'static str {
         match self {
             Self::Port => "port",

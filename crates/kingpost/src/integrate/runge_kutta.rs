@@ -9,7 +9,7 @@ use crate::state::State;
 pub struct Tableau {
     /// Weights of the earlier stages in stages 2, 3 and so on.
     pub a: &'static [&'static [f64]],
-    /// Weights of the step, one a stage.
+    /// Weights of the step, one per stage.
     pub b: &'static [f64],
     /// Times of the stages within the step.
     pub c: &'static [f64],

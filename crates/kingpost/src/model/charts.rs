@@ -15,7 +15,7 @@ pub struct Charts {
 }
 
 impl Charts {
-    /// Of these nodes.
+    /// The charts of these nodes.
     pub(super) fn of<S: Scalar>(nodes: &[Node<S>]) -> Self {
         let mut charts = Self::default();
         for Node { kind, positions, velocities, .. } in nodes {

@@ -8,7 +8,7 @@ use crate::spatial::{Frame, Matrix3, RigidInertia, SpatialInertia, Symmetric3, V
 /// The constants of a link for the recursion.
 #[derive(Clone, Copy, Debug)]
 pub struct Link<S = f64> {
-    /// What carries it.
+    /// Its carrier.
     pub carrier: Carrier,
     /// The joint to the parent.
     pub joint: LinkJoint,
@@ -130,7 +130,7 @@ impl<S: Scalar> Moments<S> {
         }
     }
 
-    /// In the link's axes.
+    /// The inertia in the link's axes.
     pub fn in_link(&self) -> Symmetric3<S> {
         match self {
             Moments::Principal(moments) => Symmetric3::diagonal(*moments),

@@ -68,9 +68,9 @@ pub struct Model<S = f64> {
     pub bodies: Vec<Body<S>>,
     /// The joint of each body, in the same order.
     pub joints: Vec<Joint<S>>,
-    /// One node a body.
+    /// One node per body.
     pub tree: Tree<S>,
-    /// One node a link.
+    /// One node per link.
     pub links: Tree<S>,
     /// The root of each link's branch.
     pub roots: Vec<usize>,
@@ -97,7 +97,8 @@ pub struct Model<S = f64> {
 impl<S: Scalar> Model<S> {
     /// Lays out the coordinates, fuses fixed joints and splits joints of several axes.
     ///
-    /// # Panics When a parent does not come before its child: the caller must order the bodies.
+    /// # Panics
+    /// When a parent does not come before its child: the caller must order the bodies.
     pub fn new(descriptions: Vec<BodyDefinition<S>>) -> Self {
         let (mut tree, mut links) = (Tree::default(), Tree::default());
         let (mut bodies, mut joints, mut rigid) = (Vec::<Body<S>>::new(), Vec::new(), Vec::new());

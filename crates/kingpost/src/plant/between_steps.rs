@@ -95,7 +95,8 @@ impl<S: Scalar> Plant<S> {
 
     /// Lets a steering element set its inputs from the columns that it reads; `values` is working memory.
     ///
-    /// # Errors The reason why the run ends, in the element's words.
+    /// # Errors
+    /// The reason why the run ends, in the element's words.
     pub fn steer(
         &mut self,
         steer: usize,

@@ -38,7 +38,7 @@ pub enum Form {
 pub struct Plant<S: Scalar = f64> {
     /// The mechanical model.
     pub model: Model<S>,
-    /// What is outside.
+    /// The world outside the model.
     pub world: World<S>,
     elements: Vec<AnyElement<S>>,
     /// The places of everything that the elements declare.

@@ -9,7 +9,7 @@ use crate::world::World;
 /// A stage with its kinematics, which gives each element its own context.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a, S> {
-    /// Where everything stands.
+    /// The places of all entries.
     pub layout: &'a Layout,
     /// The part that all elements share.
     pub shared: Context<'a, S>,
@@ -22,7 +22,7 @@ pub struct Scene<'a, S> {
 }
 
 impl<'a, S: Copy> Scene<'a, S> {
-    /// At a stage.
+    /// The scene at a stage.
     pub fn new(
         layout: &'a Layout,
         world: &'a World<S>,

@@ -15,7 +15,7 @@ pub struct Channel {
     pub variable: &'static str,
     /// A short description, for the axis of a plot.
     pub long_name: String,
-    /// What it is.
+    /// Its description.
     pub description: &'static str,
     /// SI unit of all its columns; absent if they differ.
     pub unit: Option<&'static str>,
@@ -42,7 +42,7 @@ pub struct Channel {
 /// The channels of a model and its elements, in the order of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channels {
-    /// One after another.
+    /// The channels, in order.
     pub list: Vec<Channel>,
     /// Place in a row of each number that the elements write.
     places: Vec<usize>,

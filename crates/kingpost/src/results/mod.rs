@@ -248,7 +248,7 @@ struct JointCoordinate<'a, S> {
     node: &'a Node<S>,
     /// The body whose joint it is.
     body: usize,
-    /// In v.
+    /// Index in v.
     index: usize,
 }
 
@@ -343,7 +343,7 @@ fn energy_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
     Vector3::new(x.observed.totals.kinetic_energy, work_done(x), S::ZERO).norm()
 }
 
-/// The same, of all angular momentum and of what each body has about its own centre.
+/// The same for the total angular momentum and that of each body about its own centre.
 fn momentum_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
     let Observation { model, bodies, .. } = &x.observed;
     let spin = |(node, twist): (&Node<S>, &Twist<S>)| {

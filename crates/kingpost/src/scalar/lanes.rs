@@ -20,7 +20,7 @@ pub const LANES: usize = 4;
 pub struct Lanes(f64x4);
 
 impl Lanes {
-    /// One number a lane.
+    /// One number per lane.
     #[inline]
     pub fn new(numbers: [f64; LANES]) -> Self {
         Self(f64x4::new(numbers))

@@ -62,7 +62,7 @@ impl Default for Files {
 }
 
 impl Files {
-    /// These files.
+    /// Files with these texts.
     pub fn new(texts: impl IntoIterator<Item = (String, String)>) -> Self {
         Self::of(texts.into_iter().collect::<IndexMap<_, _>>())
     }
@@ -80,7 +80,7 @@ impl Files {
     /// The text of the file that `field` names; `what` says what it should be.
     fn text(&self, field: &str, name: &str, what: &str) -> Result<Cow<'_, str>, FieldError> {
         let text = self.host.text(name);
-        text.ok_or_else(|| FieldError::new(field, format!("no file {name}"), format!("{what} that is there")))
+        text.ok_or_else(|| FieldError::new(field, format!("no file {name}"), format!("{what} that exists")))
     }
 
     /// A digest of the text: equal only for equal texts.

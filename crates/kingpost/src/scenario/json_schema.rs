@@ -13,7 +13,7 @@ use crate::dynamics::moving_frame::Equations;
 use crate::elements::{DrawnLine, Input, Warning};
 use crate::results::Channel;
 
-/// The JSON Schema of a scenario, unit aliases included: each is a property beside its SI name, marked `x-alias-of`.
+/// The JSON Schema of a scenario, unit aliases included: each is a property in addition to its SI name, marked `x-alias-of`.
 pub fn json_schema() -> Value {
     let mut schema = schema_for!(Scenario);
     UnitAliases.transform(&mut schema);
@@ -27,7 +27,7 @@ pub fn study_schema() -> Value {
 
 /// What the engine says of a scenario and of its results to other languages.
 #[derive(schemars::JsonSchema)]
-#[expect(dead_code, reason = "its schema alone is wanted")]
+#[expect(dead_code, reason = "only its schema is used")]
 struct Published {
     model: Description,
     channels: Vec<Channel>,
@@ -42,12 +42,12 @@ pub fn published_schema() -> Value {
     published::<Published>()
 }
 
-/// Of what the engine says of the equations of the moving frame method.
+/// The JSON Schema of the equations of the moving frame method.
 pub fn equations_schema() -> Value {
     published::<Equations>()
 }
 
-/// The JSON Schema of what the engine writes.
+/// The JSON Schema of a type that the engine writes.
 pub(crate) fn published<T: schemars::JsonSchema>() -> Value {
     let settings = SchemaSettings::draft2020_12().for_serialize();
     settings.into_generator().into_root_schema_for::<T>().to_value()
@@ -94,7 +94,7 @@ fn aliased(property: &Value, name: &str) -> Value {
     copy
 }
 
-/// Of an SI name and its alias at most one may be given; exactly one where the field is required.
+/// At most one of an SI name and its alias may be given; exactly one where the field is required.
 fn exclude_both(object: &mut Map<String, Value>, pairs: &[(String, String)]) {
     let mut rules = Vec::new();
     for (name, alias) in pairs {

@@ -62,7 +62,8 @@ pub trait Quantity: Leaf + Scalar + Display {
 
     /// Whether a test holds: all lanes must give the same answer.
     ///
-    /// # Errors It holds in some lanes and not in others.
+    /// # Errors
+    /// It holds in some lanes and not in others.
     fn decides(self, field: &str, test: impl Fn(f64) -> bool) -> Result<bool, FieldError> {
         match (self.all(&test), self.all(|value| !test(value))) {
             (true, _) => Ok(true),

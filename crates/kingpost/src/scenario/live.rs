@@ -40,7 +40,7 @@ pub enum ParameterError {
         name: String,
         /// The value.
         found: String,
-        /// What it does.
+        /// Why it needs a restart.
         why: &'static str,
     },
     /// A value that the scenario cannot have.
@@ -56,8 +56,9 @@ impl Scenario {
     ///
     /// Snapshots from before the change belong to the old scenario: they are valid again when the value is set back.
     ///
-    /// # Errors A name that is no live parameter, a value that is not allowed, and a value that changes the structure
-    /// of the run, which needs a restart. Nothing has changed then.
+    /// # Errors
+    /// A name that is no live parameter, a value that is not allowed, and a value that changes the structure of the
+    /// run, which needs a restart. Nothing has changed then.
     pub fn set_parameter(
         &mut self,
         simulation: &mut Simulation,

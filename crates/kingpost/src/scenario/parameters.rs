@@ -12,7 +12,7 @@ use super::{conversion, units, wording};
 pub(super) struct Override<'a> {
     pub(super) name: &'a str,
     pub(super) value: &'a Value,
-    /// Where it is set.
+    /// The place where it is set.
     pub(super) place: SourcePlace,
 }
 

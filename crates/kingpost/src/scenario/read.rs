@@ -19,15 +19,17 @@ use super::{parse, parts, wording};
 /// `file` is the name that errors carry. `overrides` are names of parameters or dotted paths of fields, each with its
 /// value; they are applied in their order, after the defaults of the parameters.
 ///
-/// # Errors The first error, with its place: syntax, an unknown field, a wrong type, a value out of range, or bodies,
-/// joints and drives that do not fit together.
+/// # Errors
+/// The first error, with its place: syntax, an unknown field, a wrong type, a value out of range, or bodies, joints and
+/// drives that do not fit together.
 pub fn read(text: &str, file: &str, overrides: &[(String, Value)]) -> Result<Scenario, ScenarioError> {
     read_with(text, file, overrides, &Files::default())
 }
 
 /// The same for a scenario that names files; see [`file_names`].
 ///
-/// # Errors As [`read`], and a file that is missing or has the wrong contents.
+/// # Errors
+/// As [`read`], and a file that is missing or has the wrong contents.
 pub fn read_with(
     text: &str,
     file: &str,
@@ -63,7 +65,8 @@ pub(crate) fn read_and_build(
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 ///
-/// # Errors As [`read`], except for bodies, joints and drives that do not fit together, and for missing files.
+/// # Errors
+/// As [`read`], except for bodies, joints and drives that do not fit together, and for missing files.
 pub fn file_names(
     text: &str,
     file: &str,

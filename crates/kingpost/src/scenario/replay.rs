@@ -13,7 +13,8 @@ impl Scenario {
     /// It contains the moves since the start or the last reset. A parameter that was set during the run is not a lever:
     /// [`Simulation::parameters_set`].
     ///
-    /// # Errors The scenario has an enabled operation: there can be only one.
+    /// # Errors
+    /// The scenario has an enabled operation: there can be only one.
     pub fn operation_by_hand(&self, simulation: &Simulation) -> Result<Operation, FieldError> {
         if self.operation.as_ref().is_some_and(|operation| operation.enabled) {
             return Err(FieldError::new("operation", "one in the scenario", "operation.enabled: false"));
@@ -30,7 +31,8 @@ impl Scenario {
     ///
     /// Parameters have their present values, whenever they were set.
     ///
-    /// # Errors As [`operation_by_hand`](Self::operation_by_hand), if the user has moved something.
+    /// # Errors
+    /// As [`operation_by_hand`](Self::operation_by_hand), if the user has moved something.
     pub fn replay(&self, simulation: &Simulation) -> Result<Scenario, FieldError> {
         let mut replay = self.clone();
         if !simulation.lever_moves().is_empty() {

@@ -14,7 +14,7 @@ pub(super) struct ScenarioNode {
     pub(super) written: Option<Value>,
 }
 
-/// What a node holds.
+/// The content of a node.
 #[derive(Clone, Debug)]
 pub(super) enum Content {
     /// Null, a boolean, a number or a text.

@@ -101,7 +101,7 @@ fn type_fault<T: DeserializeOwned>(tree: &ScenarioNode, value: &Value, error: &T
     Fault::new(&tree.place_of(&path), tree.written_path(&path), found, allowed)
 }
 
-/// The error of a name that has not the form of one.
+/// The error of a name with the wrong form.
 fn name_fault(tree: &ScenarioNode, path: &[String], message: &str) -> Option<Fault> {
     let is_name = message.starts_with("invalid value: string") && !tree.at(path)?.to_value().is_string();
     let name = path.last().filter(|_| is_name)?;
@@ -109,7 +109,7 @@ fn name_fault(tree: &ScenarioNode, path: &[String], message: &str) -> Option<Fau
     Some(Fault::new(&tree.name_place_of(path), field, wording::quoted(name), expected(message)?))
 }
 
-/// The error of a kind that is written without the fields it needs, or with fields that it has not.
+/// The error of a kind that is written without the fields it needs, or with fields that it does not have.
 fn kind_fault(tree: &ScenarioNode, path: &[String], message: &str) -> Option<Fault> {
     let (kind, parent) = path.split_last()?;
     let allowed = match message.split_once(", expected ")?.1 {
@@ -136,7 +136,7 @@ fn list_fault<T: DeserializeOwned>(tree: &ScenarioNode, value: &Value, path: &[S
     })
 }
 
-/// What was found: the value as written, or the name where that is what is wrong.
+/// What was found: the value as written, or the name if the name is wrong.
 fn found_in(node: &ScenarioNode, message: &str) -> String {
     let value = node.written_value();
     match message.strip_prefix("unknown variant ") {

@@ -24,7 +24,7 @@ pub enum RunError {
         coordinate: String,
         /// `rate` or `position`.
         quantity: &'static str,
-        /// What it is.
+        /// The value found.
         value: f64,
         /// `rate_limit`.
         limit: f64,
@@ -36,7 +36,7 @@ pub enum RunError {
         time_s: f64,
         /// The column.
         column: String,
-        /// What it is.
+        /// The value found.
         value: f64,
     },
     /// A closed loop has reached a singular position: a dead centre.
@@ -124,7 +124,7 @@ pub enum RunError {
         time_s: f64,
         /// The rope.
         name: String,
-        /// By how much, m.
+        /// The missing length, m.
         gap: f64,
         /// The largest that counts as taut, m.
         allowed: f64,
@@ -136,7 +136,7 @@ pub enum RunError {
         time_s: f64,
         /// The element.
         element: String,
-        /// What is wrong.
+        /// The reason.
         why: String,
     },
     /// The scheme cannot make a step.
@@ -235,7 +235,7 @@ pub enum InputError {
     Wired {
         /// The input.
         name: String,
-        /// What it takes.
+        /// The signal that it takes.
         signal: String,
     },
     /// Other waves for a body that is moved by waves: it would jump.
@@ -256,7 +256,7 @@ pub enum InputError {
     OpenLoop {
         /// The constraint, as `loop.constraint`.
         constraint: String,
-        /// By how much.
+        /// Its error.
         found: f64,
         /// What is allowed.
         allowed: f64,

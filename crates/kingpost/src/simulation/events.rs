@@ -15,7 +15,7 @@ pub struct Happened {
     pub time_s: f64,
     /// The element that watched for it.
     pub element: String,
-    /// What.
+    /// What happened.
     pub what: Cow<'static, str>,
 }
 

@@ -11,7 +11,7 @@ impl Simulation {
         self.plant.elements()
     }
 
-    /// What is outside.
+    /// The world outside the model.
     pub fn world(&self) -> &World {
         &self.plant.world
     }
@@ -23,7 +23,8 @@ impl Simulation {
     ///
     /// The table of events records that `what` was set.
     ///
-    /// # Errors The reason why it cannot; nothing has changed then.
+    /// # Errors
+    /// The reason why it cannot; nothing has changed then.
     pub fn go_on_as(&mut self, mut next: Simulation, what: &str) -> Result<(), &'static str> {
         let lengths = |of: &Simulation| {
             let super::State { q, v, s, d, m, .. } = &of.state;

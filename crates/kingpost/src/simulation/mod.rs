@@ -180,7 +180,8 @@ impl<S: Scalar> Simulation<S> {
 
     /// Closes the loops from here by the smallest change of q and v, as after each step.
     ///
-    /// # Errors A loop that cannot be closed from here; q and v are then not a valid motion of the model.
+    /// # Errors
+    /// A loop that cannot be closed from here; q and v are then not a valid motion of the model.
     pub fn close_loops(&mut self) -> Result<(), RunError> {
         let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
         self.plant.begin_step();

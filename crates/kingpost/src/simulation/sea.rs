@@ -26,7 +26,8 @@ impl Simulation {
     /// snapshot: a restored run continues in the sea that was set last, and a reset begins in it. A replay does not
     /// contain it.
     ///
-    /// # Errors Not one finite number per wave; a body that is moved by waves. Nothing has changed then.
+    /// # Errors
+    /// Not one finite number per wave; a body that is moved by waves. Nothing has changed then.
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), InputError> {
         let count = self.plant.world.waves.as_ref().map_or(0, |waves| waves.len());
         check_array("amplitudes_m", amplitudes_m, count)?;

@@ -119,7 +119,8 @@ impl Simulation {
     /// A body held by integral action rests at its target: the holding force is found by the method of multipliers
     /// (each time the model is at rest, the force is transferred to the integral).
     ///
-    /// # Errors No state was found at which all accelerations vanish; the simulation is unchanged.
+    /// # Errors
+    /// No state was found at which all accelerations vanish; the simulation is unchanged.
     pub fn settle(&mut self) -> Result<Equilibrium, NoEquilibrium> {
         self.settle_with_trims().map(|(found, _)| found)
     }

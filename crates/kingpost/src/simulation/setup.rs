@@ -66,7 +66,7 @@ impl Settings {
 pub struct Setup<S: Scalar = f64> {
     /// The mechanical model.
     pub model: Model<S>,
-    /// What is outside.
+    /// The world outside the model.
     pub world: World<S>,
     /// The elements.
     pub elements: Vec<AnyElement<S>>,

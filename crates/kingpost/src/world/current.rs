@@ -41,7 +41,7 @@ pub enum CurrentAt<S = f64> {
     MeanSquareOver(S),
     /// The mean over this draught, m.
     MeanOver(S),
-    /// That at this depth, m.
+    /// The velocity at this depth, m.
     Depth(S),
 }
 
@@ -102,7 +102,7 @@ const RULE: [(f64, f64); 4] = [
 const STILL: f64 = 1e-18;
 
 impl<S: Scalar> CurrentTable<S> {
-    /// At a depth, m.
+    /// The velocity at a depth, m.
     fn at(&self, depth: S) -> [S; 2] {
         let rows = self.depths.windows(2).zip(self.velocities.windows(2));
         rows.fold(self.velocities[0], |sum, (depths, velocities)| {

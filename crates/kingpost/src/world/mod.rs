@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 use crate::sea::waves::{Water, WaveField};
 use crate::spatial::Vector3;
 
-/// What is outside.
+/// The world outside the model.
 #[derive(Clone, Debug)]
 pub struct World<S = f64> {
     /// Acceleration of free fall, m/s^2, along the world's -z; 0 without gravity.

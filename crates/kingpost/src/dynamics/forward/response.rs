@@ -18,9 +18,9 @@ pub struct Response<S = f64> {
     bias: Vec<Wrench<S>>,
     /// Loads along the axes of joints, by coordinate of v.
     force: Vec<S>,
-    /// By link.
+    /// Acceleration by link.
     acceleration: Vec<Twist<S>>,
-    /// By coordinate of v.
+    /// Acceleration by coordinate of v.
     rates: Vec<S>,
 }
 

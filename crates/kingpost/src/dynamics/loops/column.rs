@@ -18,7 +18,7 @@ pub(super) struct ConstraintColumn<S> {
     drift: S,
     /// By link, about its root's origin in root axes.
     on: Vec<(usize, Wrench<S>)>,
-    /// By index in v.
+    /// Loads by index in v.
     along: Vec<(usize, S)>,
 }
 
@@ -29,7 +29,7 @@ impl<S: Scalar> ConstraintColumn<S> {
         Self { residual: S::ZERO, rate: S::ZERO, drift: S::ZERO, on, along }
     }
 
-    /// Of a loop.
+    /// Takes a constraint of a loop.
     pub fn take_row(&mut self, row: &Row<S>) {
         (self.residual, self.rate, self.drift) = (row.residual, row.rate, row.drift);
         self.on.clear();
@@ -37,7 +37,7 @@ impl<S: Scalar> ConstraintColumn<S> {
         self.on.extend(ends.into_iter().filter_map(|(link, wrench)| Some((link?, wrench))));
     }
 
-    /// Of an element.
+    /// Takes the restraint of an element.
     pub fn take_restraint(&mut self, model: &Model<S>, links: &LinkKinematics<S>, held: &Restraint<S>) {
         (self.residual, self.rate, self.drift) = (held.residual, held.rate, held.drift);
         held.write_on_links(model, links, &mut self.on);

@@ -33,11 +33,11 @@ use column::ConstraintColumn;
 /// Working memory for the loops of a model.
 #[derive(Clone, Debug)]
 pub struct LoopSolver<S = f64> {
-    /// Of the loops.
+    /// Constraints of the loops.
     rows: Vec<Row<S>>,
     /// Memory for all constraints; those of the loops and of the active restraints come first.
     columns: Vec<ConstraintColumn<S>>,
-    /// How many act.
+    /// Number of active constraints.
     count: usize,
     factor: CholeskyFactor<S>,
     response: Response<S>,

@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct NamedMatrix {
     /// As in the paper: `B`, `M_star`, `E_tower/ship`.
     pub name: String,
-    /// One label a row.
+    /// One label per row.
     pub row_labels: Vec<String>,
     /// One label per column; a list has a single label.
     pub column_labels: Vec<String>,

@@ -18,7 +18,7 @@ pub struct Friction<S = f64> {
 pub struct FrictionForce<S> {
     /// Force on the body that slides over the solid, N.
     pub force: Vector3<S>,
-    /// Of the bristle, m/s.
+    /// Rate of the bristle, m/s.
     pub rate: Vector3<S>,
     /// W.
     pub heat: S,

@@ -12,7 +12,7 @@ use crate::spatial::{Frame, Matrix3, Vector3, Wrench};
 /// One side: all in world axes.
 #[derive(Clone, Copy, Debug)]
 struct ContactSide<S> {
-    /// Of its shape.
+    /// Frame of its shape.
     frame: Frame<S>,
     /// Frame of its body; the identity if it is fixed to the world.
     body: Frame<S>,
@@ -34,7 +34,7 @@ pub(super) struct Sides<S> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Met<S> {
     facing: Facing,
-    /// Of the solid.
+    /// Rotation of the solid.
     rotation: Matrix3<S>,
     /// Point where both act on each other, world, m.
     point: Vector3<S>,

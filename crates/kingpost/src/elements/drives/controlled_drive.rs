@@ -30,7 +30,7 @@ pub struct ControlledDrive<S = f64> {
     pub coordinate: usize,
     /// Whether it turns or slides.
     pub motion: AxisMotion,
-    /// What it follows.
+    /// Its set-point.
     pub set_point: SetPoint,
     /// The set-point, to which the input is added: N m or N, rad/s or m/s, rad or m.
     pub value: S,
@@ -48,7 +48,7 @@ pub struct ControlledDrive<S = f64> {
     pub hold: [S; 1],
 }
 
-/// What a drive follows.
+/// The set-point of a drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SetPoint {
     /// A torque or a force, at once.
@@ -181,7 +181,7 @@ impl<S: Scalar> Settling<S> for ControlledDrive<S> {
     }
 }
 
-/// Of a position's offset, rad or m.
+/// Largest offset of a position, rad or m.
 const FARTHEST: f64 = 1e6;
 
 impl<S: Scalar> ControlledDrive<S> {

@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 pub struct Motor<S = f64> {
     /// Index in v.
     pub coordinate: usize,
-    /// At full, N m or N.
+    /// Full effort, N m or N.
     pub effort: S,
     /// Its share of the full effort over time.
     pub profile: Profile<S>,

@@ -46,7 +46,7 @@ impl<S: Scalar> Element<S> for WaveMotion<S> {
 }
 
 impl<S: Scalar> WaveMotion<S> {
-    /// Where its coordinates stand in v.
+    /// Indices of its coordinates in v.
     pub fn coordinates(&self) -> core::ops::Range<usize> {
         self.velocities..self.velocities + 6
     }

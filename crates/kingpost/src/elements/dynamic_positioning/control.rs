@@ -13,7 +13,7 @@ pub type Planar<S> = [S; 3];
 pub struct Target<S = f64> {
     /// x and y, m.
     pub position: [S; 2],
-    /// From x counter-clockwise, rad.
+    /// Heading from x counter-clockwise, rad.
     pub heading: S,
 }
 

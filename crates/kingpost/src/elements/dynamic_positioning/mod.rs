@@ -42,7 +42,7 @@ pub struct DynamicPositioning<S = f64> {
     pub name: String,
     /// The body, and the point that is held.
     pub place: HullFrame<S>,
-    /// Where.
+    /// The target.
     pub target: Target<S>,
     /// K_p, K_d, K_i.
     pub gains: Gains<S>,

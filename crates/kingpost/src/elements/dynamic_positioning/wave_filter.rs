@@ -25,7 +25,7 @@ pub struct WaveFilter<S = f64> {
 struct FilterSection<S> {
     /// rad/s.
     frequency: S,
-    /// Of its poles.
+    /// Damping ratio of its poles.
     damping_ratio: S,
     /// For a notch, twice the damping ratio of its poles less that of its zeros; `None` for the low pass.
     notch: Option<S>,
@@ -58,7 +58,7 @@ impl<S: Scalar> WaveFilter<S> {
         STATES * self.sections.len()
     }
 
-    /// What passes.
+    /// The filtered signals.
     pub fn output(&self, input: [S; SIGNALS], states: &[S]) -> [S; SIGNALS] {
         let each = self.sections.iter().zip(states.chunks_exact(STATES));
         each.fold(input, |signal, (section, states)| section.output(signal, states))

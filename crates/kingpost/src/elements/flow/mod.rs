@@ -26,7 +26,7 @@ pub struct FlowLoad<S = f64> {
     pub name: String,
     /// The body, and the point that the coefficients refer to.
     pub place: HullFrame<S>,
-    /// What flows.
+    /// The flow: wind or current.
     pub flow: Flow<S>,
     /// The gusts at that height, if the wind has any.
     pub gusts: Option<GustsAtHeight<S>>,

@@ -10,9 +10,9 @@ pub struct TableError {
     pub column: &'static str,
     /// Index of the row; `None` if the number of rows is wrong.
     pub row: Option<usize>,
-    /// What is there.
+    /// The value found.
     pub found: f64,
-    /// What may be.
+    /// What is allowed.
     pub allowed: &'static str,
 }
 
@@ -34,8 +34,9 @@ impl<S: Scalar> DirectionTable<S> {
     /// both included. It is mirrored to the other side with sway and yaw reversed, so both are 0 in a flow along the
     /// hull.
     ///
-    /// # Errors Directions that do not increase or exceed one turn, or fewer than three of them; for a symmetric hull,
-    /// sway or yaw other than 0 at 0 or pi.
+    /// # Errors
+    /// Directions that do not increase or exceed one turn, or fewer than three of them; for a symmetric hull, sway or
+    /// yaw other than 0 at 0 or pi.
     pub fn new(directions_rad: &[f64], rows: &[[S; 3]], symmetric: bool) -> Result<Self, TableError> {
         check(directions_rad, symmetric)?;
         if symmetric {

@@ -42,7 +42,7 @@ struct Harmonic {
 
 /// A harmonic below this share of the largest number of its part is noise: data has seven digits.
 const NEGLIGIBLE: f64 = 1e-7;
-/// Of Taylor's series.
+/// Number of terms of the Taylor series.
 const TERMS: usize = 4;
 /// Headings of the grid in a radian. The error in harmonic m is `(m / 4096)^4 / 24` of it: 3e-12 for the twelfth.
 const NODES_PER_RAD: f64 = 2048.0;

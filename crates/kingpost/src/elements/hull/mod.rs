@@ -44,7 +44,7 @@ use wave_data::InRegularWaves;
 pub enum Hydrostatics<S = f64> {
     /// To second order in the motions.
     Linear(LinearHydrostatics),
-    /// Exactly, for the mesh as it stands in still water.
+    /// Exact, for the mesh in its position in still water.
     Mesh(Box<FloatingMesh<S>>),
     /// None.
     None,
@@ -93,7 +93,7 @@ pub struct Hull<S = f64> {
     pub frame: HullFrame<S>,
     /// The axes of radiation, added mass and excitation: those of the hull in the attitude that they were computed for.
     pub coefficients: CoefficientFrame<S>,
-    /// What the ship carries.
+    /// The bodies that the ship carries.
     pub carried: Carried<S>,
     /// The added mass, if it acts.
     pub added_mass: Option<AddedMass<S>>,
@@ -109,7 +109,7 @@ pub struct Hull<S = f64> {
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
     /// The rectangle about its water line.
     pub plan: Plan,
-    /// What watches it.
+    /// Its watchers.
     pub watchers: Vec<AnyWatcher>,
     /// Which quadratic terms of the added mass act.
     pub quadratic_terms: QuadraticTerms,

@@ -111,7 +111,7 @@ pub struct CoefficientFrame<S = f64> {
 }
 
 impl<S: Scalar> CoefficientFrame<S> {
-    /// In the world.
+    /// Its frame in the world.
     pub fn frame(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Frame<S> {
         links.body_frame(model, self.body).times(&self.in_body)
     }

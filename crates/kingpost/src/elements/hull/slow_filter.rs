@@ -54,7 +54,7 @@ impl<S: Scalar> SlowFilter<S> {
         }
     }
 
-    /// What comes out.
+    /// The output.
     pub fn frame(&self) -> SlowFrame<S> {
         let [.., before, last] = &self.stages;
         let [x, y, heading, roll, pitch] = combined(before, last);

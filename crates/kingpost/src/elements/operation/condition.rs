@@ -2,7 +2,7 @@
 
 use crate::elements::significant;
 
-/// What ends a step.
+/// A condition that ends a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
     /// The step has lasted this long, s.
@@ -22,9 +22,9 @@ pub struct ColumnRange {
     pub column: String,
     /// Its place among the columns that the operation reads.
     pub place: usize,
-    /// It is above this.
+    /// The value is above this.
     pub above: Option<f64>,
-    /// It is below this.
+    /// The value is below this.
     pub below: Option<f64>,
     /// The unit of both, and how many of the column's SI unit it is.
     pub unit: (String, f64),

@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 pub struct Operation<S = f64> {
     /// Name in the table of events.
     pub name: String,
-    /// One after another.
+    /// The steps, in order.
     pub steps: Vec<OperationStep<S>>,
     /// The inputs that it sets.
     pub inputs: Vec<String>,
@@ -27,11 +27,11 @@ pub struct Operation<S = f64> {
 /// A step of an operation.
 #[derive(Clone, Debug)]
 pub struct OperationStep<S = f64> {
-    /// What is done.
+    /// What the step does.
     pub name: String,
     /// Each with the place of its input among [`Operation::inputs`]; those of one input in the order of time, one after another.
     pub moves: Vec<(usize, Vec<Move<S>>)>,
-    /// What ends it.
+    /// The condition that ends it.
     pub until: Condition,
     /// The run ends with an error if the step lasts longer, s.
     pub time_out_s: Option<f64>,
@@ -44,7 +44,7 @@ pub struct Move<S = f64> {
     pub at_s: f64,
     /// Its duration, s; 0 is at once.
     pub in_s: f64,
-    /// In the input's unit.
+    /// The new value, in the input's unit.
     pub to: S,
 }
 

@@ -93,7 +93,7 @@ impl<S: Scalar> EntrainedWater<S> {
         Wrench { moment: self.middle(levels).cross(force), force }
     }
 
-    /// Of m, about the solid's centre.
+    /// Inertia of m, about the solid's centre.
     pub(super) fn inertia(&self, density: S, levels: &Levels<S>) -> SpatialInertia<S> {
         let above = self.mass_above(density, levels);
         let mass = above.select_below(0.0, || S::ZERO, || above);

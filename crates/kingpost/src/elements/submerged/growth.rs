@@ -17,9 +17,9 @@ pub struct GrowthError {
     pub column: &'static str,
     /// Which row, if the error is in one.
     pub row: Option<usize>,
-    /// What it is.
+    /// The value found.
     pub found: String,
-    /// What may be.
+    /// What is allowed.
     pub allowed: String,
 }
 
@@ -31,7 +31,8 @@ impl<S: Scalar> AddedMassGrowth<S> {
 
     /// Through points whose shares go from 0 to 1.
     ///
-    /// # Errors [`GrowthError`], for the first point that is wrong.
+    /// # Errors
+    /// [`GrowthError`], for the first point that is wrong.
     pub fn new(shares: &[f64], factors: &[S]) -> Result<Self, GrowthError> {
         let error = |column, row, found: String, allowed: &str| {
             Err(GrowthError { column, row, found, allowed: allowed.to_owned() })

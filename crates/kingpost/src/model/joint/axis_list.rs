@@ -16,14 +16,15 @@ pub struct AxisList<S = f64> {
     /// From the joint to the child's centre of mass, child axes, m: the paper's s_C.
     to_child: Vector3<S>,
     axes: [ElementaryAxis<S>; MOST_AXES],
-    /// One an axis.
+    /// One label per axis.
     labels: &'static [&'static str],
 }
 
 impl<S: Scalar> AxisList<S> {
     /// A joint of these axes, from the parent to the child.
     ///
-    /// # Panics If there are no axes, more than six, or not a label for each.
+    /// # Panics
+    /// If there are no axes, more than six, or not a label for each.
     pub fn new(
         placement: Frame<S>,
         axes: &[ElementaryAxis<S>],
@@ -40,7 +41,8 @@ impl<S: Scalar> AxisList<S> {
 
     /// The same joint with the modes of its coordinates.
     ///
-    /// # Panics If there are fewer modes than axes.
+    /// # Panics
+    /// If there are fewer modes than axes.
     pub fn with_modes(mut self, modes: &[Mode]) -> Self {
         for (axis, mode) in self.axes.iter_mut().zip(&modes[..self.labels.len()]) {
             axis.mode = *mode;

@@ -66,7 +66,7 @@ pub enum JointKind<S = f64> {
     AxisList(AxisList<S>),
     /// Rotation about a point.
     Spherical(Spherical<S>),
-    /// None.
+    /// No motion.
     Fixed(Fixed<S>),
 }
 

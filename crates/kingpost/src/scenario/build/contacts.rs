@@ -170,7 +170,8 @@ fn ends<S: Quantity>(given: &schema::CylinderShape<S>, field: &str) -> Result<Ve
 
 /// Called at the start of a run, with loops closed: the bristles are straight here.
 ///
-/// # Errors A load that penetrates its surface by more than the tolerance.
+/// # Errors
+/// A load that penetrates its surface by more than the tolerance.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);

@@ -88,8 +88,9 @@ pub(super) fn attachment<S: Quantity>(
 
 /// Takes the lengths at the start of the run, with loops closed.
 ///
-/// # Errors A length outside the stroke; pins that coincide have the length 0. A target length that is reached at
-/// different times in different lanes, since a step ends there.
+/// # Errors
+/// A length outside the stroke; pins that coincide have the length 0. A target length that is reached at different
+/// times in different lanes, since a step ends there.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);

@@ -36,7 +36,8 @@ pub fn owner(name: &str) -> (&str, usize) {
 /// The segment of the body with this name at a position in its drawing frame, counted from the body itself, and the
 /// segment's centre of mass; for a rigid body, the body itself.
 ///
-/// # Errors A position that is on different segments in different lanes; `field` is its x.
+/// # Errors
+/// A position that is on different segments in different lanes; `field` is its x.
 pub fn carrier<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,

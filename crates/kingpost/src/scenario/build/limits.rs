@@ -6,7 +6,7 @@ use super::columns;
 use crate::scenario::leaf::Quantity;
 use crate::simulation::{Limit, Setup};
 
-/// Those that count.
+/// The limits that are enabled.
 pub fn of<S: Quantity>(scenario: &Scenario<S>, setup: &Setup<S>) -> Result<Vec<Limit>, FieldError> {
     let known = columns::of(setup);
     let one = |(name, given): (&schema::Name, &schema::Limit)| {

@@ -80,8 +80,9 @@ fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<
 
 /// Moves the initial state so that the loops are closed, and its velocities so that they stay closed.
 ///
-/// # Errors A gap larger than the scenario allows, a constraint that follows from others or moves nothing, a loop that
-/// cannot be closed.
+/// # Errors
+/// A gap larger than the scenario allows, a constraint that follows from others or moves nothing, a loop that cannot be
+/// closed.
 pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     if model.loops.is_empty() {

@@ -84,7 +84,8 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
 /// The same over another scalar, for one scenario or several with the same structure; `alone` are their separate
 /// setups.
 ///
-/// # Errors A number that decides the structure of the run but differs between lanes or has a derivative: its field.
+/// # Errors
+/// A number that decides the structure of the run but differs between lanes or has a derivative: its field.
 pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result<Setup<S>, FieldError> {
     let mut setup = open(scenario)?;
     loops::close(scenario, &mut setup)?;

@@ -27,8 +27,9 @@ const ROUNDING_DEG: f64 = 1.0;
 
 /// Takes the lengths at the start of the run, with loops closed.
 ///
-/// # Errors Sheaves that overlap or that the rope does not touch; a rope that is shorter than its path by more than it
-/// can stretch.
+/// # Errors
+/// Sheaves that overlap or that the rope does not touch; a rope that is shorter than its path by more than it can
+/// stretch.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);

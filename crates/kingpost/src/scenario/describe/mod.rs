@@ -20,7 +20,7 @@ use serde_json::Value;
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Description {
-    /// One line.
+    /// Title of one line.
     pub title: String,
     /// The text of the scenario.
     pub description: String,

@@ -17,7 +17,7 @@ pub struct Contact<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// What touches.
+    /// The load.
     pub load: ContactLoad<S>,
     /// The surface that the load touches: a deck, a quay, the seabed, a bumper.
     pub surface: ContactSurface<S>,
@@ -58,11 +58,11 @@ pub struct ContactLoad<S = f64> {
     /// Orientation of the shape's axes in the body's: roll, pitch, yaw, rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
-    /// What touches.
+    /// The load.
     pub shape: LoadShape<S>,
 }
 
-/// What touches a surface.
+/// The shape of a load.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -111,11 +111,11 @@ pub struct ContactSurface<S = f64> {
     /// Orientation of the shape's axes in the body's: roll, pitch, yaw, rad.
     #[serde(default)]
     pub orientation_rad: [S; 3],
-    /// What is touched.
+    /// The shape of the surface.
     pub shape: SurfaceShape<S>,
 }
 
-/// What a load touches.
+/// The shape of a surface.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",

@@ -23,7 +23,7 @@ pub struct DynamicPositioning<S = f64> {
     /// The point that is held, in the body's drawing frame, m. Forces and moments refer to it.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// Where.
+    /// The position and heading to hold.
     #[serde(default)]
     pub target: StationTarget<S>,
     /// The controller's gains.
@@ -115,7 +115,7 @@ pub struct TranslationTuning<S = f64> {
     pub integral_time_s: Option<Positive<S>>,
 }
 
-/// How yaw answers.
+/// The response in yaw.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -188,7 +188,7 @@ pub struct WaveFilter<S = f64> {
     /// Period of the low pass of second order, s; without it there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cutoff_period_s: Option<Positive<S>>,
-    /// Its damping ratio.
+    /// Damping ratio of the low pass.
     #[serde(default = "butterworth::<S>")]
     pub cutoff_damping_ratio: Positive<S>,
 }

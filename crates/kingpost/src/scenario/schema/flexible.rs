@@ -121,7 +121,7 @@ pub struct GeneralSection<S = f64> {
 pub enum FlexibleDamping<S = f64> {
     /// From the damping ratio of a mode of a given frequency.
     Ratio(DampingRatio<S>),
-    /// By the time.
+    /// By damping over stiffness, a time.
     StiffnessTime(StiffnessTime<S>),
 }
 

@@ -146,7 +146,7 @@ pub enum CurrentSpeed<S = f64> {
     MeanSquare,
     /// The mean over the draught.
     Mean,
-    /// That at a depth.
+    /// The speed at a depth.
     AtDepth(CurrentAtDepth<S>),
 }
 

@@ -91,10 +91,10 @@ pub enum Condition {
 pub struct ColumnRange {
     /// The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
     pub column: String,
-    /// It is above this.
+    /// The value is above this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub above: Option<f64>,
-    /// It is below this.
+    /// The value is below this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub below: Option<f64>,
     /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.

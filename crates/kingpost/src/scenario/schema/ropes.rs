@@ -32,7 +32,7 @@ pub struct Rope<S = f64> {
     /// rigid.
     #[serde(default, rename = "series_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
     pub series_stiffness_n_per_m: Option<Positive<S>>,
-    /// Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. For wire ropes it is 0.01
+    /// Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' in addition to k e. For wire ropes it is 0.01
     /// to 0.02 s.
     #[serde(default)]
     pub damping_time_s: NonNegative<S>,

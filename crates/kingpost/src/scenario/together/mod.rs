@@ -52,8 +52,9 @@ impl Scenario {
     /// # Ok::<(), kingpost::scenario::ScenarioError>(())
     /// ```
     ///
-    /// # Errors A name that is no parameter and no path of a number, or a number that decides the structure, the
-    /// switching times of laws, or the stepping of the run.
+    /// # Errors
+    /// A name that is no parameter and no path of a number, or a number that decides the structure, the switching times
+    /// of laws, or the stepping of the run.
     ///
     /// # Panics
     /// When there are more than [`DIRECTIONS`] names.

@@ -8,7 +8,7 @@ use thiserror::Error;
 pub struct DatabaseError {
     /// The field, dotted.
     pub field: String,
-    /// What it holds.
+    /// What was found.
     pub found: String,
     /// What is allowed.
     pub allowed: String,

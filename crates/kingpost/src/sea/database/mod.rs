@@ -19,7 +19,7 @@ use serde_json::Value;
 /// Names of the six modes of motion.
 pub const MODES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
-/// By mode and mode.
+/// A matrix by mode and mode.
 pub type SixBySix = [[f64; 6]; 6];
 
 /// The hydrodynamic data of a hull.
@@ -28,7 +28,7 @@ pub type SixBySix = [[f64; 6]; 6];
 pub struct Database {
     format: String,
     version: u32,
-    /// One line.
+    /// Title of one line.
     pub title: String,
     /// The program and the data that it was made from.
     #[serde(default)]
@@ -101,7 +101,7 @@ pub struct HullAtRest {
     pub beam_m: f64,
     /// Displaced volume, m^3.
     pub volume_m3: f64,
-    /// Its centre, m.
+    /// Centre of buoyancy, m.
     pub centre_of_buoyancy_m: [f64; 3],
     /// The water plane.
     pub waterplane: WaterplaneMoments,
@@ -119,9 +119,9 @@ pub struct HullAtRest {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Attitude {
-    /// To starboard, rad.
+    /// Heel to starboard, rad.
     pub roll_rad: f64,
-    /// By the bow, rad.
+    /// Trim by the bow, rad.
     pub pitch_rad: f64,
     /// Height of the upright hull's origin above the waterplane, m.
     pub height_m: f64,
@@ -189,7 +189,8 @@ fn in_words(message: &str) -> String {
 impl Database {
     /// Reads and checks a database's text.
     ///
-    /// # Errors The first error: another format, a truncated file, or numbers that no hull can have.
+    /// # Errors
+    /// The first error: another format, a truncated file, or numbers that no hull can have.
     pub fn read(text: &str) -> Result<Self, DatabaseError> {
         let database: Self = serde_json::from_str(text).map_err(|error| DatabaseError {
             field: format!("line {}, column {}", error.line(), error.column()),

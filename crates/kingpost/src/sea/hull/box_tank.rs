@@ -141,7 +141,7 @@ pub struct HullTank {
     pub tank: BoxTank,
     /// From the tank's axes to the hull's.
     pub rotation: Matrix3,
-    /// Of the liquid, kg/m^3.
+    /// Density of the liquid, kg/m^3.
     pub density: f64,
 }
 

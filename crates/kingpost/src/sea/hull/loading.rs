@@ -20,7 +20,7 @@ pub enum StabilityError {
     /// A weight that is not positive.
     #[error("{quantity} is {found}, allowed: {allowed}")]
     Loading {
-        /// What.
+        /// The quantity.
         quantity: &'static str,
         /// Its value.
         found: f64,
@@ -35,7 +35,7 @@ pub enum StabilityError {
     CannotFloat {
         /// The weight, t.
         mass_t: f64,
-        /// What it displaces, m^3.
+        /// The volume that it displaces, m^3.
         displacement_m3: f64,
         /// Volume of the hull, m^3.
         largest_m3: f64,

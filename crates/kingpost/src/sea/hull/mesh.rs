@@ -47,7 +47,7 @@ pub enum MeshError {
         vertex: usize,
         /// `x`, `y` or `z`.
         axis: char,
-        /// What it is.
+        /// The value found.
         found: f64,
     },
     /// A corner that refers to no vertex.
@@ -66,11 +66,11 @@ pub enum MeshError {
          close the hull with its deck and transom, and merge coincident vertices"
     )]
     Open {
-        /// How many edges.
+        /// Number of edges.
         edges: usize,
         /// Start of one of these edges, hull axes, m.
         from_m: [f64; 3],
-        /// Where it ends.
+        /// End of this edge, hull axes, m.
         to_m: [f64; 3],
     },
     /// Neighbours with opposite orientation.
@@ -83,7 +83,7 @@ pub enum MeshError {
         edges: usize,
         /// Start of one of these edges, hull axes, m.
         from_m: [f64; 3],
-        /// Where it ends.
+        /// End of this edge, hull axes, m.
         to_m: [f64; 3],
     },
     /// The corners run clockwise as seen from outside.
@@ -104,7 +104,7 @@ pub enum MeshError {
     NoVolume {
         /// A vertex of the part, hull axes, m.
         at_m: [f64; 3],
-        /// What it encloses, m^3.
+        /// The volume that it encloses, m^3.
         volume_m3: f64,
         /// Volume that counts as 0 for a mesh of this size, m^3.
         smallest_m3: f64,
@@ -114,7 +114,8 @@ pub enum MeshError {
 impl HullMesh {
     /// A hull of these vertices, in the hull's axes, m, and triangles of indices from 0.
     ///
-    /// # Errors [`MeshError`], for the first error.
+    /// # Errors
+    /// [`MeshError`], for the first error.
     pub fn new(vertices_m: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>) -> Result<Self, MeshError> {
         check_numbers(&vertices_m, &triangles)?;
         check_edges(&vertices_m, &triangles)?;

@@ -10,15 +10,15 @@ use crate::spatial::Vector3;
 /// metacentric height is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatingEquilibrium {
-    /// How it floats.
+    /// Its position.
     pub position: FloatingPosition,
-    /// To starboard, rad.
+    /// Heel to starboard, rad.
     pub heel: f64,
-    /// By the bow, rad.
+    /// Trim by the bow, rad.
     pub trim: f64,
     /// Depth of the hull's lowest point, m.
     pub draught: f64,
-    /// What it displaces.
+    /// Its displacement.
     pub buoyancy: Buoyancy,
     /// Its waterplane.
     pub waterplane: Waterplane,
@@ -35,7 +35,7 @@ pub struct FloatingEquilibrium {
 pub struct RightingArm {
     /// The position of the hull.
     pub position: FloatingPosition,
-    /// To starboard, rad.
+    /// Heel to starboard, rad.
     pub heel: f64,
     /// By the bow, without trimming moment, rad.
     pub trim: f64,

@@ -15,11 +15,11 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct RaoError {
-    /// Where.
+    /// The field.
     pub field: String,
-    /// What is there.
+    /// What was found.
     pub found: String,
-    /// What may be.
+    /// What is allowed.
     pub allowed: String,
 }
 
@@ -58,7 +58,7 @@ struct RaoEntry {
     response: MotionResponse,
 }
 
-/// What a file holds.
+/// The contents of a file.
 struct RaoFile {
     rows: Vec<RaoEntry>,
     origin_m: [f64; 3],
@@ -79,7 +79,8 @@ impl RaoTable {
     /// `pitch_bow_up_...`, `yaw_bow_port_...` or `yaw_bow_starboard_...`, in `deg_per_m` or `rad_per_m`; phases as
     /// `surge_lag_deg` or `surge_lead_deg` against the crest at the origin.
     ///
-    /// # Errors Missing, unknown or NaN entries, by line and name; directions with different frequencies.
+    /// # Errors
+    /// Missing, unknown or NaN entries, by line and name; directions with different frequencies.
     pub fn read(text: &str) -> Result<Self, RaoError> {
         let text = text.trim_start_matches('\u{feff}');
         let is_yaml = text.lines().any(|line| line.trim_end() == "VesselTypes:");
@@ -130,8 +131,8 @@ impl RaoTable {
     /// The same over the whole circle. If `symmetric` says that port and starboard are alike, directions from 0 to 180
     /// degrees are enough.
     ///
-    /// # Errors A gap of more than a quarter of the circle between directions; a half circle without a statement of
-    /// symmetry.
+    /// # Errors
+    /// A gap of more than a quarter of the circle between directions; a half circle without a statement of symmetry.
     pub fn whole_circle(&self, symmetric: Option<bool>) -> Result<Self, RaoError> {
         let mut table = self.clone();
         if self.symmetric.or(symmetric) == Some(true) {

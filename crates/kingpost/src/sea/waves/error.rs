@@ -25,7 +25,8 @@ impl WaveError {
 
 /// The number, if it lies between the two limits, both allowed.
 ///
-/// # Errors When it does not, or is NaN.
+/// # Errors
+/// When it does not, or is NaN.
 pub(crate) fn between(field: &str, number: f64, [least, most]: [f64; 2]) -> Result<f64, WaveError> {
     if number >= least && number <= most {
         return Ok(number);

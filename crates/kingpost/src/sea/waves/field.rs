@@ -82,7 +82,8 @@ impl<S: Scalar> WaveField<S> {
 
     /// Another sea with the same frequencies and directions: a new amplitude, m, and phase, rad, for each wave.
     ///
-    /// # Panics When a slice does not have one entry per wave.
+    /// # Panics
+    /// When a slice does not have one entry per wave.
     pub fn set_realisation(&mut self, amplitudes_m: &[S], phases_rad: &[S]) {
         assert_eq!((amplitudes_m.len(), phases_rad.len()), (self.len(), self.len()), "one entry a wave");
         for (wave, (amplitude, phase)) in self.waves.iter_mut().zip(amplitudes_m.iter().zip(phases_rad)) {
@@ -152,7 +153,8 @@ impl<S: Scalar> WaveField<S> {
     /// the order of [`Self::components`]: a load whose transfer function is X is the sum of
     /// Re{X a e^(i q)}.
     ///
-    /// # Panics When a slice does not have one entry per wave.
+    /// # Panics
+    /// When a slice does not have one entry per wave.
     pub fn phasors(&self, point: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
         assert_eq!((real.len(), imaginary.len()), (self.waves.len(), self.waves.len()), "one entry a wave");
         self.unit_phasors(0, point, time_s, real, imaginary);

@@ -1,4 +1,4 @@
-//! How waves begin.
+//! The ramp over which waves begin.
 
 /// The factor of amplitudes at a time, with its first and second rate: 0 before 0, 1 after `length_s`, and `s^3 (10 -
 /// 15 s + 6 s^2)` with s = t / length between, whose two derivatives are 0 at both ends.

@@ -50,7 +50,7 @@ pub struct GustRealisation {
 pub struct GustError {
     /// Field of the realisation.
     pub field: &'static str,
-    /// What it is.
+    /// The value found.
     pub found: String,
     /// What is allowed.
     pub allowed: String,

@@ -48,7 +48,7 @@ struct Slope<S> {
 }
 
 impl<S: Scalar> CutCylinder<S> {
-    /// What is below n . r = l.
+    /// The part below n . r = l.
     pub fn below(&self, normal: Vector3<S>, level: S) -> Below<S> {
         let slope = self.slope(normal);
         let half = slope.along * self.length * S::constant(0.5);

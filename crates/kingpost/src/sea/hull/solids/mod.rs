@@ -42,7 +42,7 @@ pub enum Solid<S = f64> {
         radius: S,
         /// m.
         length: S,
-        /// Which of the axes.
+        /// Index of the axis.
         axis: usize,
     },
     /// A sphere.
@@ -53,7 +53,7 @@ pub enum Solid<S = f64> {
 }
 
 impl<S: Scalar> Solid<S> {
-    /// Of the whole, m^3.
+    /// Volume of the whole solid, m^3.
     pub fn volume(&self) -> S {
         let pi = S::constant(core::f64::consts::PI);
         match *self {
