@@ -9,7 +9,7 @@ import pytest
 import xarray
 from kingpost import KingpostError
 from kingpost.study import series
-from kingpost.study.series import SeriesError
+from kingpost.study.sea_states import Series, SeriesError
 
 PLAIN = "time,hs,tp,mwd\n2026-05-01T00:00,1.5,8,350\n2026-05-01T03:00,1.6,8.5,10\n"
 
@@ -60,7 +60,7 @@ def test_gaps_and_uneven_steps_stay(tmp_path: Path) -> None:
 
 def test_mean_periods_become_peak_periods() -> None:
     time = np.array(["2026-05-01"], "datetime64[s]")
-    found = series.Series(time, np.ones(1), np.array([7.104]), "zero_up_crossing").with_peak_periods(1.0)
+    found = Series(time, np.ones(1), np.array([7.104]), "zero_up_crossing").with_peak_periods(1.0)
     # Pierson-Moskowitz: Tz = (4 / (5 pi))^(1/4) ... of Tp, 0.7104 of it.
     assert found.period_s.tolist() == pytest.approx([10.0], rel=1e-3)
     assert found.period == "peak"
@@ -75,7 +75,7 @@ def test_waves_from_ahead_go_astern_and_from_starboard_to_port(
 ) -> None:
     """Source: geometry. Directions of a scenario go from x, forward, to port; a compass the other way."""
     time = np.array(["2026-05-01"], "datetime64[s]")
-    found = series.Series(time, np.ones(1), np.ones(1), direction_from_deg=np.array([float(came_from)]))
+    found = Series(time, np.ones(1), np.ones(1), direction_from_deg=np.array([float(came_from)]))
     assert np.degrees(found.directions_rad(heading)).tolist() == pytest.approx([goes_to])
 
 

@@ -14,13 +14,11 @@ import xarray
 from kingpost import KingpostError
 from kingpost.cli import main
 from kingpost.study.decision import decide
-from kingpost.study.series import Series
+from kingpost.study.sea_states import Series
+from kingpost.study.window_statistics import by_month, persistence, waiting_h
 from kingpost.study.windows import (
     Workable,
-    by_month,
-    persistence,
     reference_period_h,
-    waiting_h,
     windows,
     workable,
 )

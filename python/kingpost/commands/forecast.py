@@ -11,7 +11,7 @@ from .common import DONE, add_output, scenario_of, show
 
 if TYPE_CHECKING:
     from ..study.limiting_sea import LimitingHeight
-    from ..study.series import Series
+    from ..study.sea_states import Series
 
 HELP = "go or no-go and weather windows, from a forecast of the sea"
 
@@ -70,6 +70,7 @@ def run(options: argparse.Namespace) -> int:
     from ..reports.forecast import text
     from ..study import series as of_series
     from ..study.decision import decide
+    from ..study.sea_states import moment
     from ..study.windows import reference_period_h
 
     reference_h = reference_period_h(options.operation_hours, options.contingency_hours)
@@ -90,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
         limiting,
         options.alpha,
         reference_h,
-        None if options.now is None else np.datetime64(of_series.moment(options.now, flag("now"))),
+        None if options.now is None else np.datetime64(moment(options.now, flag("now"))),
         options.ahead_hours,
         x_axis_deg=options.heading_deg,
         direction_rad=direction,

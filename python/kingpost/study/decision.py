@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import KingpostError
 from .limiting_sea import LimitingHeight
-from .series import Series
+from .sea_states import Series
 from .windows import GAP, SERIES_ENDS, Window, Workable, windows, workable
 
 AHEAD_H = 72.0

@@ -133,16 +133,17 @@ def limiting_heights(
         "probability": ([*dims, height], -np.expm1(-np.exp(-reduced[0])), {"units": "1"}),
         "ended_early": (axes, ended),
     }
-    coordinates: dict[Any, Any] = {
-        name: (name, np.asarray(values[name]), results[name].attrs) for name in others
-    }
-    coordinates[height] = (height, heights, results[height].attrs)
-    coordinates |= {
-        name: results[name].variable for name in results.coords if results[name].dims == ("limit",)
-    }
     about = {name: results.attrs[name] for name in ("title", "sea", "fingerprint") if name in results.attrs}
     about |= {"acceptance": acceptance, "operation_s": operation_s, "confidence": confidence}
+    coordinates = _coordinates(results, others, values) | {height: (height, heights, results[height].attrs)}
     return xarray.Dataset(variables, coordinates, about)
+
+
+def _coordinates(results: xarray.Dataset, names: list[str], values: dict[str, list[Any]]) -> dict[Any, Any]:
+    """Those of the axes, and what is known of each limit."""
+    found: dict[Any, Any] = {name: (name, np.asarray(values[name]), results[name].attrs) for name in names}
+    of_limits = (name for name in results.coords if results[name].dims == ("limit",))
+    return found | {name: results[name].variable for name in of_limits}
 
 
 def _axes(results: xarray.Dataset) -> tuple[list[str], str]:

@@ -20,7 +20,6 @@ Hs and periods are points: the whole of the entry has them.
 
 from __future__ import annotations
 
-import csv
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -29,40 +28,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import KingpostError
 from .periods import PEAK, kind_of, ratio
+from .scatter_sheet import CLASSES, LOWER, OCCURRENCES, PER_CENT, UPPER, ScatterError, Sheet
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-CENTRES, LOWER, UPPER = "centres", "lower edges", "upper edges"
-CLASSES = (CENTRES, LOWER, UPPER)
-OCCURRENCES, PER_CENT = "occurrences", "per cent"
 HEIGHTS = ("hs", "hm0", "swh", "significant_height_m")
 TOTALS = ("total", "sum", "all")
 MONTHS, FROM, TO = ("month",), ("direction_from_deg", "mwd"), ("direction_to_deg",)
 RANGE = re.compile(r"\s*(\d+(?:[.,]\d+)?)\s*(?:-|\u2013|\.\.|to)\s*(\d+(?:[.,]\d+)?)\s*")
 SUM_OFF = 1.0
 """What entries in per cent may be off 100 by, from rounding."""
-
-
-class ScatterError(KingpostError):
-    """A scatter table that is wrong.
-
-    Attributes
-    ----------
-    file, line
-        Where; `None` where there is no such place.
-    field, found, allowed
-        What is wrong, what stands there and what may stand there.
-    """
-
-    def __init__(
-        self, field: str, found: object, allowed: str, file: str | None = None, line: int | None = None
-    ):
-        place = "".join(f"{part}:" for part in (file, line) if part is not None)
-        super().__init__(f"{place} {field}: found {found}, allowed: {allowed}".strip())
-        self.file, self.line, self.field, self.found, self.allowed = file, line, field, found, allowed
 
 
 @dataclass(frozen=True)
@@ -176,7 +153,7 @@ def parse(
     >>> table.period, table.height_m.tolist(), table.total
     ('zero_up_crossing', [0.5, 0.5, 1.5, 1.5], 100.0)
     """
-    sheet = _Sheet.of(text, file, classes, entries)
+    sheet = Sheet.of(text, file, classes, entries)
     names = [cell.strip().lower() for cell in sheet.header]
     found = _long(sheet, names) if any(name in HEIGHTS for name in names) else _matrix(sheet)
     if not found.total > 0:
@@ -186,75 +163,7 @@ def parse(
     return found
 
 
-@dataclass(frozen=True)
-class _Sheet:
-    """Rows of a file with their lines, and what the lines above them say."""
-
-    file: str | None
-    header: list[str]
-    header_line: int
-    rows: list[tuple[int, list[str]]]
-    decimal_comma: bool
-    classes: str | None
-    entries: str
-
-    @classmethod
-    def of(cls, text: str, file: str | None, classes: str | None, entries: str | None) -> _Sheet:
-        said = {"classes": classes, "entries": entries}
-        allowed = {"classes": CLASSES, "entries": (OCCURRENCES, PER_CENT)}
-        lines = []
-        for number, line in enumerate(text.splitlines(), 1):
-            name, colon, value = line.lstrip("# ").partition(":")
-            if line.startswith("#") and colon and name.strip().lower() in said:
-                said[name.strip().lower()] = " ".join(value.lower().split())
-                _check(name.strip().lower(), said, allowed, file, number)
-            elif line.strip(" ,;\t") and not line.startswith("#"):
-                lines.append((number, line))
-        for name in said:
-            _check(name, said, allowed, file, None)
-        if len(lines) < 2:
-            raise ScatterError("rows", len(lines), "a header and one row or more", file)
-        sign = next(sign for sign in ";\t," if sign in lines[0][1] or sign == ",")
-        rows = [
-            (number, [cell.strip() for cell in next(csv.reader([line], delimiter=sign))])
-            for number, line in lines
-        ]
-        return cls(
-            file,
-            rows[0][1],
-            rows[0][0],
-            rows[1:],
-            sign != ",",
-            said["classes"],
-            said["entries"] or OCCURRENCES,
-        )
-
-    def error(self, field: str, found: object, allowed: str, line: int | None = None) -> ScatterError:
-        return ScatterError(field, found, allowed, self.file, line)
-
-    def number(self, cell: str, field: str, line: int, least: float = 0.0) -> float:
-        """A number that is finite and not less than `least`."""
-        try:
-            value = float(cell.replace(",", ".") if self.decimal_comma else cell)
-        except ValueError:
-            value = np.nan
-        if not (np.isfinite(value) and value >= least):
-            raise self.error(field, repr(cell), f"a number, {least:g} or more", line)
-        return value
-
-
-def _check(
-    name: str,
-    said: dict[str, str | None],
-    allowed: dict[str, tuple[str, ...]],
-    file: str | None,
-    line: int | None,
-) -> None:
-    if said[name] is not None and said[name] not in allowed[name]:
-        raise ScatterError(name, repr(said[name]), ", ".join(allowed[name]), file, line)
-
-
-def _matrix(sheet: _Sheet) -> ScatterTable:
+def _matrix(sheet: Sheet) -> ScatterTable:
     line = sheet.header_line
     parts = [part for part in re.split(r"[\\/|, ]+|\bvs\b", sheet.header[0]) if part]
     kinds = [kind for part in parts if (kind := kind_of(part)) is not None]
@@ -285,7 +194,7 @@ def _matrix(sheet: _Sheet) -> ScatterTable:
     )
 
 
-def _edges(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArray[np.float64]:
+def _edges(sheet: Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArray[np.float64]:
     """Lower and upper edge of each class; a class ends where the next begins."""
     if not labels:
         raise sheet.error(field, "no class", "one or more", sheet.header_line)
@@ -304,7 +213,7 @@ def _edges(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDAr
     return found
 
 
-def _from_numbers(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArray[np.float64]:
+def _from_numbers(sheet: Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArray[np.float64]:
     values = np.array([sheet.number(label, field, line) for line, label in labels])
     if sheet.classes is None:
         allowed = f"ranges, as 0.5-1.0, or a line '# classes: ...' with one of {', '.join(CLASSES)}"
@@ -324,7 +233,7 @@ def _from_numbers(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) 
     return np.column_stack([np.insert(between, 0, max(first, 0.0)), np.append(between, last)])
 
 
-def _long(sheet: _Sheet, names: Sequence[str]) -> ScatterTable:
+def _long(sheet: Sheet, names: Sequence[str]) -> ScatterTable:
     line = sheet.header_line
 
     def place(field: str, wanted: Sequence[str] | None) -> int | None:
@@ -365,7 +274,7 @@ def _long(sheet: _Sheet, names: Sequence[str]) -> ScatterTable:
     )
 
 
-def _numbers(sheet: _Sheet, columns: int) -> Iterator[tuple[int, list[float]]]:
+def _numbers(sheet: Sheet, columns: int) -> Iterator[tuple[int, list[float]]]:
     for number, cells in sheet.rows:
         if len(cells) != columns:
             raise sheet.error("cells", len(cells), f"{columns}, as the header has", number)

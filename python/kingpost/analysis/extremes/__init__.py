@@ -9,7 +9,8 @@ Runs are independent, peaks of one run are not: what is uncertain is found by le
 """
 
 from .gumbel import EULER, THREE_HOURS_S, Extreme, extreme
-from .peaks import DISTRIBUTIONS, TailExtreme, over_threshold, peaks, weibull
+from .peaks import over_threshold, peaks, weibull
+from .tail import DISTRIBUTIONS, TailExtreme
 
 __all__ = [
     "DISTRIBUTIONS",
