@@ -57,7 +57,8 @@ def run(options: argparse.Namespace) -> int:
             executor = held.enter_context(_cluster(options.scheduler)) if options.scheduler else None
             _run(study, folder, options, executor, part)
     except OutputError as error:
-        return fail(f"{error}; what is finished is kept: {again}", FAILED)
+        kept = f"; what is finished is kept: {again}" if (folder / "study.json").exists() else ""
+        return fail(f"{error}{kept}", FAILED)
     except KeyboardInterrupt:
         return fail(f"interrupted, what is finished is kept: {again}", INTERRUPTED)
     return _report(study, folder, options)

@@ -67,4 +67,4 @@ def _held(folder: Path, name: str, wait_s: float) -> Iterator[None]:
         ) from None
     except (OSError, NotImplementedError) as error:
         reason = error if isinstance(error, OSError) else OSError(0, str(error))
-        raise OutputError(folder / FOLDER / name, reason) from None
+        raise OutputError(folder, reason) from None

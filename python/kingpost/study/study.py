@@ -71,8 +71,25 @@ class Study:
         return {name: list(dict.fromkeys(values)) for name, values in self.plan.cases.values.items()}
 
     def overrides(self, run: int) -> dict[str, Any]:
-        """What is set over `scenario` in a run: ``study.scenario.with_overrides(study.overrides(5))`` is that
-        very run."""
+        """What is set over `scenario` in a run, which is that very run.
+
+        Parameters
+        ----------
+        run
+            Its number, from 0.
+
+        Returns
+        -------
+        dict
+            Values by parameter name or dotted path, the seed among them.
+
+        >>> study = Study({"version": 1, "title": "x", "scenario": "paper", "record": ["ship.roll"],
+        ...     "axes": {"crane_x_m": {"values": [-5, 0]}}, "seeds": {"count": 10}})
+        >>> study.overrides(13)
+        {'crane_x_m': 0.0, 'simulation.seed': 4}
+        >>> study.scenario.with_overrides(study.overrides(13))["crane_x_m"]
+        0.0
+        """
         return dict(self.plan.overrides(run))
 
     def run(
@@ -120,6 +137,12 @@ class Study:
             process at work; a `RunError` when workers end again and again.
         OutputError
             When the folder cannot be written, as on a full disk.
+
+        >>> import tempfile
+        >>> study = Study({"version": 1, "title": "x", "scenario": "paper", "record": ["ship.roll"],
+        ...     "set": {"simulation.duration_s": 0.1}, "seeds": {"count": 2}})
+        >>> study.run(tempfile.mkdtemp(), workers=1).sizes["run"]
+        2
         """
         run.run(self.plan, Path(folder), executor, workers, resume, part, progress)
         return open_study(folder)
@@ -153,5 +176,13 @@ def open_study(folder: str | Path) -> xarray.Dataset:
     ------
     KingpostError
         When there is no study in the folder.
+
+    >>> import tempfile
+    >>> study = Study({"version": 1, "title": "x", "scenario": "paper", "record": ["ship.roll"],
+    ...     "set": {"simulation.duration_s": 0.1}})
+    >>> folder = tempfile.mkdtemp()
+    >>> _ = study.run(folder, workers=1)
+    >>> open_study(folder).statistics.sel(column="ship.roll", statistic="maximum").dims
+    ('run',)
     """
     return store.open_results(Path(folder))
