@@ -3,7 +3,8 @@
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-MAKEFLAGS += --no-builtin-rules --no-print-directory
+# Two at a time: the engine for the browser beside the one for Python, since a compiler is on one core for a third of its time.
+MAKEFLAGS += --no-builtin-rules --no-print-directory --jobs=2
 
 export PYTHON ?= $(shell sh tools/need.sh which-python)
 export UV_PYTHON ?= $(PYTHON)
@@ -20,8 +21,8 @@ sources = $(shell find $(1) -type f -not -path '*/pkg/*' -not -path '*/__pycache
 ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml)
 
 # What is built for tests, one choice of crates: with another their features differ, and cargo builds the engine once more.
-# Making the WASM module tests xtask; nothing of kingpost-py is built where its tests, in Python, do not ask for it.
-TESTED := --workspace --exclude xtask --all-features
+# The other crates have no tests in Rust; nothing of kingpost-py is built where its tests, in Python, do not ask for it.
+TESTED := --package kingpost --package kingpost-bench --package kingpost-py --all-features
 
 # The Python module is built once, for this processor. AVX2 changes no bit: it makes the registers wider.
 THIS_PROCESSOR = $(if $(shell rustc --print cfg -C target-cpu=native | grep '"avx2"'),-C target-feature=+avx2)
@@ -34,7 +35,7 @@ UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
 UV_FILE := $(filter-out uv,$(UV))
 PYTHON_SIDE := pyproject.toml uv.lock $(ENGINE) $(call sources,crates/kingpost-py) $(UV_FILE)
 
-.PHONY: help demo compile test bench wasm web wheel develop docs schema notices lint format clean
+.PHONY: help demo compile compile-tests test bench wasm web wheel develop docs schema notices lint format clean
 .PHONY: test-rust test-web test-browser test-python need-rust need-node need-python need-lint
 
 help: ## list what there is
@@ -44,7 +45,9 @@ demo: need-rust need-node need-python $(APP) $(DONE)/run ## run the paper's cran
 	$(BIN)/kingpost paper
 	$(BIN)/kingpost serve $(if $(filter true 1,$(CI)),--check)
 
-compile: need-rust need-node need-python $(WASM) $(DONE)/develop ## all that is compiled: the engine for the browser, for Python and for its tests
+compile: need-rust need-node need-python $(WASM) $(DONE)/develop compile-tests ## all that is compiled: the engine for the browser, for Python and for its tests
+
+compile-tests: | need-rust
 	cargo test --locked $(TESTED) --no-run
 	$(PLAIN)
 

@@ -1,6 +1,6 @@
 """Builds the wheel's second engine, for processors with AVX2, into python/kingpost/avx2.
 
-The package takes it where the processor can. Both give the same bits: AVX2 only makes the registers
+The package uses it if the processor supports it. Both give the same bits: AVX2 only makes the registers
 wider, and nothing fuses multiplication and addition.
 """
 

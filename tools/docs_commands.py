@@ -1,4 +1,4 @@
-"""The page of the site about the command line: what each command says of itself."""
+"""The page of the site about the command line: the help of each command."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def page() -> str:
 
 
 def said(*command: str) -> str:
-    """What a command prints when it is asked for help."""
+    """The help text of a command."""
     words = [sys.executable, "-m", "kingpost", *command, "--help"]
     plain = os.environ | {"COLUMNS": "96", "NO_COLOR": "1"}
     return subprocess.run(words, check=True, capture_output=True, text=True, env=plain).stdout

@@ -27,7 +27,7 @@ def page(root: Path) -> str:
 
 
 def card(root: Path, name: str) -> list[str]:
-    """One scenario: picture, title, what it shows, and what may be set."""
+    """One scenario: picture, title, description and parameters."""
     scenario = yaml.safe_load((root / "scenarios" / f"{name}.yaml").read_text(encoding="utf-8"))
     description = " ".join(scenario["description"].split())
     knobs = ", ".join(f"`{parameter['name']}`" for parameter in scenario.get("parameters", []))
@@ -43,9 +43,9 @@ def card(root: Path, name: str) -> list[str]:
 
 
 def plots(root: Path) -> list[str]:
-    """The plots of the page of measurements, each with a link to where it is explained."""
+    """The plots of the page of measurements, with a link to their explanation."""
     page = (root / "docs" / "validation.md").read_text(encoding="utf-8")
-    lines = ["## Beside measurements", "", "What they show: [Validation](validation.md).", ""]
+    lines = ["## Compared with measurements", "", "Explanations: [Validation](validation.md).", ""]
     for caption, picture in re.findall(r"!\[([^\]]+)\]\((validation/[^)]+)\)", page):
         lines += [f"![{caption}]({picture})", "", f"*{caption}.*", ""]
     return lines

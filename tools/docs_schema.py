@@ -9,7 +9,7 @@ from typing import Any
 
 Schema = dict[str, Any]
 
-# How names end, and the unit that each ending stands for. The longest ending counts.
+# Suffixes of names and their units. The longest suffix counts.
 UNITS = {
     "m": "m", "m2": "m²", "m3": "m³", "m4": "m⁴", "kg": "kg", "t": "t", "s": "s", "N": "N", "kN": "kN",
     "rad": "rad", "deg": "deg", "Hz": "Hz", "Pa": "Pa", "GPa": "GPa", "W": "W", "kW": "kW",
@@ -32,8 +32,8 @@ def page(path: Path) -> str:
         "",
         "Made from [the JSON Schema](../../schema/scenario.schema.json), which is made from the engine's own "
         "types. An editor that knows JSON Schema shows the same while you write. The unit is in the name; a "
-        "second name in another unit (`mass_t` for `mass_kg`) stands beside the first. How a scenario is "
-        "built step by step: [Write a scenario](../scenarios.md).",
+        "second name in another unit (`mass_t` for `mass_kg`) is listed too. How to build a scenario "
+        "step by step: [Write a scenario](../scenarios.md).",
         "",
         "## Scenario",
         "",
@@ -75,13 +75,13 @@ def row(names: list[str], one: Schema, required: bool) -> str:
 
 
 def needed(schema: Schema) -> set[str]:
-    """Fields that must be there, under one of their names."""
+    """Required fields, under one of their names."""
     one_of = (choice for rule in schema.get("allOf", []) for choice in rule.get("oneOf", []))
     return {*schema.get("required", []), *(name for choice in one_of for name in choice.get("required", []))}
 
 
 def choices(schema: Schema) -> list[str]:
-    """A table of what stands in for the whole: one word, or one field."""
+    """A table of the alternatives: one keyword, or one field."""
     rows = ["| one of | meaning |", "| --- | --- |"]
     for one in schema["oneOf"]:
         if "const" in one:
@@ -95,7 +95,7 @@ def choices(schema: Schema) -> list[str]:
 
 
 def value(one: Schema) -> str:
-    """What a field holds, with its range."""
+    """The type of a field, with its range."""
     if "$ref" in one:
         name = one["$ref"].rpartition("/")[2]
         return f"[{name}](#{name.lower()})"
@@ -132,7 +132,7 @@ def limits(one: Schema) -> str:
 
 
 def unit(name: str) -> str:
-    """The unit that a name ends in; nothing where it has none."""
+    """The unit at the end of a name; empty if it has none."""
     parts = name.split("_")[1:]
     for start in range(len(parts)):
         found = UNITS.get("_".join(parts[start:]))
@@ -152,5 +152,5 @@ def shown(default: Any, bare: bool = False) -> str:
 
 
 def text(one: Schema) -> str:
-    """What the schema says of it, on one line."""
+    """The description in the schema, on one line."""
     return re.sub(r"\s+", " ", one.get("description", "")).strip()

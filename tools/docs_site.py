@@ -1,6 +1,7 @@
-"""What the documentation site shows besides the pages of docs/: MkDocs calls these functions as its hooks.
+"""Further content of the documentation site: MkDocs calls these functions as its hooks.
 
-Pages made at every build, so that they cannot drift: the gallery, the fields of a scenario, the command line.
+Pages that are made at every build, so that they are never outdated: the gallery, the fields of a scenario,
+the command line.
 Links of a page to files elsewhere in the repository lead to copies of them on the site.
 """
 
@@ -21,7 +22,7 @@ from mkdocs.structure.files import File, Files
 
 ROOT = Path(__file__).resolve().parents[1]
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
-# A link to a folder leads to the page about what is in it.
+# A link to a folder leads to the page about its content.
 FOLDERS = {
     "scenarios": "gallery.md",
     "scenarios/parts": "parts.md",
@@ -29,12 +30,13 @@ FOLDERS = {
     "schema": "reference/scenario.md",
     "docs/decisions": "decisions/README.md",
 }
-# Pages of the menu that stand elsewhere in the repository.
+# Pages of the menu from elsewhere in the repository.
 PROJECT = ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 
 
 def on_files(files: Files, config: Any) -> Files:
-    """Adds the pages that are made, the pictures of the gallery, and what pages link to elsewhere."""
+    """Adds the generated pages, the pictures of the gallery, and linked files from elsewhere in the
+    repository."""
     made = {
         "gallery.md": docs_gallery.page(ROOT),
         "reference/scenario.md": docs_schema.page(ROOT / "schema" / "scenario.schema.json"),
@@ -53,7 +55,7 @@ def on_files(files: Files, config: Any) -> Files:
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
-    """The page with its links to where things stand on the site."""
+    """The page with its links changed to addresses on the site."""
     here = page.file.src_uri
     origin = here.removeprefix("source/") if here.startswith("source/") else f"docs/{here}"
 
@@ -98,12 +100,12 @@ def inside(origin: str, target: str) -> str | None:
 
 
 def place_of(path: str) -> str:
-    """Where a file of the repository stands on the site."""
+    """Address of a file of the repository on the site."""
     path = path.rstrip("/")
     return FOLDERS.get(path) or (path.removeprefix("docs/") if path.startswith("docs/") else f"source/{path}")
 
 
 def outside_code(markdown: str, change: Any) -> str:
-    """The text with what is not in a fenced block changed."""
+    """The text with a change to everything outside fenced blocks."""
     parts = re.split(r"(^```.*?^```[ ]*$)", markdown, flags=re.MULTILINE | re.DOTALL)
     return "".join(part if part.startswith("```") else change(part) for part in parts)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Formats, clippy, ruff, mypy and TypeScript; all of them run, and any that complains fails.
+# Formats, clippy, ruff, mypy and TypeScript; all of them run, and any failure makes the exit code 1.
 failed=0
 check() {
   echo "lint: $*"

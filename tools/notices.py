@@ -1,7 +1,8 @@
-"""Writes the notices of third parties: whose work is in the built app and the compiled module, and its terms.
+"""Writes the notices of third parties: authors and licences of the code in the built app and the compiled
+module.
 
-Crates by `cargo metadata`, packages of the app by its `node_modules`: those that are linked in, not those
-that only build or test. A text of terms stands once, with the names of all that come under it.
+Crates by `cargo metadata`, packages of the app by its `node_modules`: only linked ones, not those for
+building or testing. Each licence text appears once, with the names of all packages under it.
 """
 
 from __future__ import annotations
@@ -23,11 +24,11 @@ These are their names and terms. `make notices` writes this file.
 """
 
 Part = tuple[str, str, Path]
-"""Name and version, terms by their short name, folder."""
+"""Name and version, short name of the licence, folder."""
 
 
 def main() -> int:
-    """Write the notices; with `--check` say whether those that are there are of what is linked in."""
+    """Write the notices; with `--check` report whether the existing ones match the linked packages."""
     parts = sorted({*crates(), *packages()})
     if "--check" in sys.argv:
         listed = set(re.findall(r"^  (\S+ \S+) \(", NOTICES.read_text(encoding="utf-8"), re.MULTILINE))
@@ -73,14 +74,14 @@ def packages() -> Iterator[Part]:
 
 
 def notices(parts: list[Part]) -> str:
-    """The file: names with their terms, then each text of terms once."""
+    """The file: names with their licences, then each licence text once."""
     texts: dict[str, str] = {}
     of_text: defaultdict[str, list[str]] = defaultdict(list)
     for name, _, folder in parts:
         files = sorted({file for pattern in TEXTS for file in folder.glob(pattern) if file.is_file()})
         for file in files:
             text = file.read_text(encoding="utf-8", errors="replace").strip()
-            # Of texts that differ in their spaces one is enough.
+            # Texts that differ only in spaces appear once.
             texts.setdefault(" ".join(text.split()), text)
             of_text[" ".join(text.split())].append(name)
     lines = [HEAD, *(f"  {name} ({terms})" for name, terms, _ in parts)]

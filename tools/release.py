@@ -1,7 +1,7 @@
-"""What a release checks: `release.py version v0.1.0` the tag, `release.py try dist` the wheel.
+"""Checks of a release: `release.py version v0.1.0` the tag, `release.py try dist` the wheel.
 
-`try` installs the one wheel of a folder into an environment of its own, away from the repository, and uses it
-as a person does who has nothing else.
+`try` installs the one wheel of a folder into a new environment, away from the repository, and uses it as a
+user with nothing else would.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ TRIED = [
 
 
 def main(words: list[str]) -> int:
-    """Runs one check; 1 and a line that says why where it does not hold, 2 where it is not known."""
+    """Runs one check; 1 and a line with the reason if it fails, 2 if there is no such check."""
     checks = {"version": check_version, "try": try_wheel}
     if len(words) != 2 or words[0] not in checks:
         print(
@@ -41,7 +41,7 @@ def main(words: list[str]) -> int:
 
 
 def check_version(tag: str) -> str | None:
-    """What is wrong with a tag, if anything is."""
+    """The error of a tag, if any."""
     cargo = tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))
     version = cargo["workspace"]["package"]["version"]
     return (
@@ -50,7 +50,7 @@ def check_version(tag: str) -> str | None:
 
 
 def try_wheel(folder: str) -> str | None:
-    """What a wheel cannot do, if anything."""
+    """The first failure of a wheel, if any."""
     wheels = sorted(Path(folder).glob("*.whl"))
     if len(wheels) != 1:
         return f"{folder}: found {len(wheels)} wheels, allowed: one"

@@ -1,7 +1,8 @@
 """Runs every part's tests and sums them: the last line reads `N passed, N failed`.
 
-A part whose tests fail, or which breaks before it has any, makes the exit code 1; the others still
-run. `make test` calls this.
+Two parts run at a time: one that waits, for pages and servers, beside one that computes. What a part
+prints comes whole when it has ended. A part whose tests fail, or which breaks before it has any,
+makes the exit code 1; the others still run. `make test` calls this.
 """
 
 from __future__ import annotations
@@ -11,11 +12,15 @@ import re
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 
 MAKE = os.environ.get("MAKE", "make")
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 COUNT = re.compile(r"(\d+) (passed|failed|errors?)\b")
+AT_ONCE = 2
+# A make that called this has jobs of its own, which the makes below cannot share.
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "MAKEFLAGS"}
 
 
 @dataclass(frozen=True)
@@ -27,23 +32,26 @@ class Part:
     summary: str | None = None
 
 
+# What the parts share is built first, in one make: two at once would build the same.
+BUILD = Part("build", "compile web")
+# In the order in which they begin. Each uses all cores; the last are short, so that no core is idle for long.
 PARTS = [
-    Part("engine", "test-rust", summary=r"test result: "),
-    Part("WASM", "wasm"),
-    Part("web", "test-web", summary=r"\s+Tests  "),
     Part("browser", "test-browser", summary=r"browser: "),
     Part("Python", "test-python", summary=r"=+ .* in [\d.]+s"),
+    Part("engine", "test-rust", summary=r"test result: "),
     Part("lint", "lint"),
+    Part("web", "test-web", summary=r"\s+Tests  "),
 ]
 
 
 @dataclass
 class Result:
-    """What one part came to."""
+    """Result of one part."""
 
     passed: int = 0
     failed: int = 0
     seconds: float = 0.0
+    output: str = ""
 
     def add(self, line: str) -> None:
         """Adds the counts that a runner's summary line gives."""
@@ -55,33 +63,49 @@ class Result:
 
 
 def run(part: Part) -> Result:
-    """Runs a part and shows its output as it comes. A part that breaks counts as one failure."""
-    result = Result()
-    print(f"\n--- {part.name} ---", flush=True)
+    """Runs a part. One that breaks counts as one failure."""
+    print(f"{part.name} begins", flush=True)
     start = time.monotonic()
-    command = [MAKE, part.target]
-    with subprocess.Popen(
-        command,
+    done = subprocess.run(
+        [MAKE, *part.target.split()],
+        env=ENVIRONMENT,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-    ) as process:
-        for line in process.stdout or ():
-            print(line, end="", flush=True)
-            plain = COLOUR.sub("", line)
-            if part.summary and re.match(part.summary, plain):
-                result.add(plain)
-    result.seconds = time.monotonic() - start
-    if process.returncode != 0 and result.failed == 0:
+        check=False,
+    )
+    result = Result(output=done.stdout, seconds=time.monotonic() - start)
+    for line in done.stdout.splitlines():
+        plain = COLOUR.sub("", line)
+        if part.summary and re.match(part.summary, plain):
+            result.add(plain)
+    if done.returncode != 0 and result.failed == 0:
         result.failed = 1
     return result
 
 
+def show(part: Part, result: Result) -> None:
+    """Prints what a part printed."""
+    print(f"\n--- {part.name} ({result.seconds:.0f} s) ---\n{result.output}", end="", flush=True)
+
+
+def run_together(parts: list[Part]) -> dict[str, Result]:
+    """Runs parts, some at a time, and shows each when it has ended."""
+    results = {}
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        running = {pool.submit(run, part): part for part in parts}
+        for future in as_completed(running):
+            part, result = running[future], future.result()
+            show(part, result)
+            results[part.name] = result
+    return {part.name: results[part.name] for part in parts}
+
+
 def main() -> int:
-    """Runs all parts."""
-    results = {part.name: run(part) for part in PARTS}
+    """Builds, and runs all parts."""
+    results = run_together([BUILD]) | run_together(PARTS)
     print("\n--- all ---")
     for name, result in results.items():
         print(f"{name:8} {result.passed:5} passed {result.failed:4} failed {result.seconds:6.0f} s")

@@ -10,11 +10,12 @@ import logging
 
 from . import results, verify
 from .accessor import Accessor
-from .analysis import lift_rules, statistics
+from .analysis import extremes, fatigue, lift_rules, statistics
 from .analysis.gradients import gradient
 from .analysis.response import rao
 from .analysis.stable_step import stable_step
 from .analysis.vibration import equilibrium, modes
+from .analysis.wave_response import wave_response
 from .engine import engine
 from .errors import KingpostError, KingpostWarning, RunError, ScenarioError
 from .scenario import Scenario, load
@@ -22,8 +23,9 @@ from .simulation.batch import Batch
 from .simulation.linear import Equilibrium, Linearization
 from .simulation.records import Input, State
 from .simulation.simulate import Simulation, run
+from .study.study import Study, open_study
 
-# Its messages go where a program that uses it sends them, else nowhere.
+# A library does not print its log: the program that imports it decides where log messages go.
 logging.getLogger(__name__).addHandler(logging.NullHandler())
 
 __version__: str = engine.__version__
@@ -41,16 +43,21 @@ __all__ = [
     "ScenarioError",
     "Simulation",
     "State",
+    "Study",
     "__version__",
     "equilibrium",
+    "extremes",
+    "fatigue",
     "gradient",
     "lift_rules",
     "load",
     "modes",
+    "open_study",
     "rao",
     "results",
     "run",
     "stable_step",
     "statistics",
     "verify",
+    "wave_response",
 ]

@@ -1,7 +1,7 @@
-"""`ds.kingpost`: what Kingpost knows to do with a data set of a run.
+"""`ds.kingpost`: columns, statistics and pictures of the data set of a run.
 
-It is there with every data set that Kingpost makes or reads; where xarray alone opens a file, once xarray was
-imported before Kingpost, or `register` was called.
+Every data set that Kingpost makes or reads has it. A file that xarray opens by itself has it if xarray was
+imported before Kingpost, or if `register` was called.
 """
 
 from __future__ import annotations
@@ -41,11 +41,11 @@ class Accessor:
 
     @property
     def columns(self) -> list[str]:
-        """Names of the columns, as files and the app have them."""
+        """Names of the columns; files and the app use the same names."""
         return [name for name, _ in columns(self._results, along=("time", "run"))]
 
     def __getitem__(self, name: str | tuple[str, ...]) -> xarray.DataArray:
-        """A column over time, by its name or by the name's parts.
+        """A column over time, found by its full name or by the parts of its name.
 
         >>> import kingpost
         >>> ds = kingpost.run("paper", {"simulation.duration_s": 0.5})
@@ -60,19 +60,19 @@ class Accessor:
         Parameters
         ----------
         name
-            Of the column, as ``ship.roll``.
+            Name of the column, such as ``ship.roll``.
         period_s
-            From and to, s, both included; the whole run without.
+            First and last time, s, both included; default: the whole run.
 
         Returns
         -------
         xarray.DataArray
-            Along ``time`` (s), of a `Batch` along ``run`` too; its ``units`` are SI.
+            Along ``time`` (s), and along ``run`` for a `Batch`; its ``units`` are SI.
 
         Raises
         ------
         KingpostError
-            When there is no such column, or no record in the period.
+            If there is no such column, or no record in the period.
 
         >>> import kingpost
         >>> ds = kingpost.run("paper", {"simulation.duration_s": 0.5})
@@ -82,24 +82,24 @@ class Accessor:
         return column(self._results, name, period_s)
 
     def statistics(self, *names: str, after_s: float | None = None) -> pandas.DataFrame:
-        """What `kingpost statistics` prints of a run: a row for each column.
+        """The table that `kingpost statistics` prints: a row for each column.
 
         Parameters
         ----------
         names
-            Columns or patterns, as ``ship.*``; the main ones without.
+            Columns or patterns, such as ``ship.*``; default: the main columns.
         after_s
-            Leave out what is before, s; without: the ramp of the waves.
+            Leave out the records before this time, s; default: the ramp of the waves is left out.
 
         Returns
         -------
         pandas.DataFrame
-            ``channel``, ``unit`` (deg, kN, t) and the statistics in it.
+            ``channel``, ``unit`` (deg, kN, t) and the statistics in that unit.
 
         Raises
         ------
         KingpostError
-            When no column has a name, or the runs of a `Batch` differ in more than their seeds.
+            If a name matches no column, or the runs of a `Batch` differ in more than their seeds.
 
         >>> import kingpost
         >>> ds = kingpost.run("paper", {"simulation.duration_s": 0.5})
@@ -117,17 +117,17 @@ class Accessor:
         Parameters
         ----------
         names
-            Columns or patterns, as ``ship.*``; without, those with a limit and the main ones.
+            Columns or patterns, such as ``ship.*``; default: the columns with a limit and the main columns.
 
         Returns
         -------
         matplotlib.figure.Figure
-            Which a notebook shows.
+            A notebook shows it.
 
         Raises
         ------
         KingpostError
-            When no column has a name, or more than can be told apart have it.
+            If a name matches no column, or matches more columns than one panel can show.
 
         >>> import kingpost
         >>> ds = kingpost.run("paper", {"simulation.duration_s": 0.5})
@@ -140,18 +140,18 @@ class Accessor:
 
     @property
     def events(self) -> xarray.Dataset:
-        """What happened, as `kingpost.results.events` has it."""
+        """The events of the run, as `kingpost.results.events` gives them."""
         return events(self._results)
 
     @property
     def warnings(self) -> xarray.Dataset:
-        """What one should know, as `kingpost.results.warnings` has it."""
+        """The warnings of the run, as `kingpost.results.warnings` gives them."""
         return warnings(self._results)
 
     @property
     def limits(self) -> list[dict[str, Any]]:
-        """How the scenario's limits held: ``name``, ``column``, ``unit``, ``held``, ``worst``, its time; of
-        a `Batch` a list for each run."""
+        """How the scenario's limits held: ``name``, ``column``, ``unit``, ``held``, ``worst``, its time; for
+        a `Batch`, a list for each run."""
         return json.loads(self._results.attrs.get("limits", "[]"))
 
     def _repr_html_(self) -> str:

@@ -22,6 +22,7 @@ import shtab
 from . import __version__
 from .commands import (
     check,
+    forecast,
     gallery,
     hydro,
     modes,
@@ -32,6 +33,7 @@ from .commands import (
     run,
     serve,
     statistics,
+    study,
     verify,
 )
 from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, fail
@@ -43,7 +45,9 @@ COMMANDS = {
     "modes": modes,
     "rao": rao,
     "statistics": statistics,
+    "study": study,
     "plot": plot,
+    "forecast": forecast,
     "list": gallery,
     "paper": paper,
     "hydro": hydro,
@@ -55,12 +59,12 @@ COMMANDS = {
 
 
 FILES = ("FILE", "SCENARIO")
-"""What an option or an argument says that takes a file."""
+"""Metavars of the options and arguments that take a file."""
 
 
 class Parser(argparse.ArgumentParser):
-    """Reports a wrong command line in one line. An option has one spelling: `--seed` is not `--seeds`; but
-    underscores, as in the names of fields, count as hyphens."""
+    """Reports a wrong command line in one line. An option is spelled in full: `--seed` is not taken for
+    `--seeds`. Underscores count as hyphens."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**{"allow_abbrev": False} | settings)
@@ -80,7 +84,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser().parse_args([hyphened(argument) for argument in given])
     try:
         with _ended_as_interrupted(), warnings.catch_warnings():
-            # The commands say what there is to say of a run, in lines of their own.
+            # The commands print the warnings of a run themselves.
             warnings.simplefilter("ignore", KingpostWarning)
             return options.command(options)
     except RunError as error:
@@ -90,13 +94,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return fail("interrupted", INTERRUPTED)
     except BrokenPipeError:
-        # The reader of a pipe left; keep Python from complaining about it at its end.
+        # The reader closed the pipe; without this Python would print a traceback when it exits.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
 
 
 def hyphened(argument: str) -> str:
-    """An argument of the command line, in the name of an option with hyphens for underscores.
+    """A command-line argument; in the name of an option each underscore becomes a hyphen.
 
     >>> hyphened("--after_s=3"), hyphened("--set=crane_x_m=0"), hyphened("crane_x_m=0")
     ('--after-s=3', '--set=crane_x_m=0', 'crane_x_m=0')
@@ -109,7 +113,7 @@ def hyphened(argument: str) -> str:
 
 @contextmanager
 def _ended_as_interrupted() -> Iterator[None]:
-    """Where the system, or a terminal that closes, ends the program, do as at Ctrl-C."""
+    """Treat SIGTERM and SIGHUP (a terminal that closes) like Ctrl-C."""
 
     def interrupt(*_: object) -> NoReturn:
         raise KeyboardInterrupt
@@ -127,7 +131,7 @@ def _ended_as_interrupted() -> Iterator[None]:
 
 
 def _complete_files(command: argparse.ArgumentParser) -> None:
-    """Let a shell complete names of files where an option or an argument takes one."""
+    """Let a shell complete file names for options and arguments that take a file."""
     for action in command._actions:
         if action.metavar in FILES:
             action.complete = shtab.FILE  # type: ignore[attr-defined]

@@ -1,8 +1,8 @@
 """The compiled engine, in the build that fits this processor.
 
-Where the processor has AVX2 and the package carries a build for it, as a wheel does, that is the one.
-A build from source has one module, for the processor that it was built on. All give the same bits:
-AVX2 makes the registers wider, and nothing fuses multiplication and addition.
+A wheel carries a second build for AVX2, which is used if the processor has AVX2. A build from source has one
+module, for the processor that it was built on. All builds give the same bits: AVX2 only makes the registers
+wider, and no build fuses a multiplication with an addition.
 """
 
 from __future__ import annotations
@@ -28,3 +28,12 @@ def _for_this_processor() -> ModuleType:
 
 if not TYPE_CHECKING:
     engine = _for_this_processor()
+
+
+def source_digest() -> str:
+    """SHA-256 of the engine's sources: builds for any processor have one digest, and give the same bits.
+
+    >>> len(source_digest())
+    64
+    """
+    return engine.__source_digest__

@@ -11,11 +11,11 @@ if TYPE_CHECKING:
 
 
 class KingpostWarning(UserWarning):
-    """What one should know of a run that goes on: `warnings.filterwarnings` finds it by this category."""
+    """A warning about a run that goes on; use this category in `warnings.filterwarnings`."""
 
 
 def flag(name: str) -> str:
-    """An option of the command line, as messages name it.
+    """The command-line option of a parameter, as messages name it.
 
     >>> flag("water_depth_m")
     '--water-depth-m'
@@ -65,7 +65,7 @@ class OutputError(KingpostError):
     Attributes
     ----------
     path, reason
-        Which file, and what the system says, such as "No space left on device".
+        The file, and the reason that the operating system gives, such as "No space left on device".
     """
 
     def __init__(self, path: Path, error: OSError) -> None:
@@ -84,12 +84,12 @@ class RunError(KingpostError):
         Time of the step that failed, s.
     body
         The body whose motion left its limits, or the closed loop that could not be kept closed;
-        `None` where the integrator failed, an operation's step did not end, or a result is NaN.
+        `None` if the integrator failed, a step of an operation did not end, or a result is NaN.
     coordinate, value, limit
-        Its coordinate, the rate of that and `simulation.rate_limit`, m/s or rad/s. Of a loop: the
-        constraint, what it is off by (m or rad) or its pivot, and what is allowed. Else `None`.
+        The coordinate, its rate and `simulation.rate_limit`, m/s or rad/s. For a closed loop: the constraint,
+        its error (m or rad) or its pivot, and the allowed value. Otherwise `None`.
     results
-        What was computed until then; `None` when nothing was recorded.
+        What was recorded until then; `None` if nothing was recorded.
     """
 
     def __init__(
@@ -118,7 +118,7 @@ class HydrodynamicsError(KingpostError):
     file
         The file it was read from; `None` where there is none.
     field
-        What is wrong, such as ``hull.volume_m3``, an option or a quantity.
+        The wrong field, option or quantity, such as ``hull.volume_m3``.
     found, allowed
         What stands there and what may stand there.
     """

@@ -12,7 +12,7 @@ from .errors import ScenarioError
 
 ENDINGS = (".yaml", ".yml", ".json")
 GALLERY = "gallery:"
-"""What the names of the gallery's files begin with."""
+"""Prefix of the names of files in the gallery."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def find(path_or_name: str | Path) -> Path:
     Raises
     ------
     ScenarioError
-        When it is neither; the message names the nearest gallery name.
+        If it is neither; the message suggests the nearest gallery name.
 
     >>> find("paper").name
     'paper.yaml'
@@ -100,7 +100,7 @@ def parts() -> list[str]:
 
 
 def place(file: str | Path, name: str) -> Path:
-    """Where a file is that a scenario names: beside the scenario's own, or in the gallery.
+    """Path of a file that a scenario names: in the folder of the scenario, or in the gallery.
 
     >>> place("ships/mine.yaml", "hulls/mine.hydro.json").as_posix()
     'ships/hulls/mine.hydro.json'
@@ -112,7 +112,7 @@ def place(file: str | Path, name: str) -> Path:
 
 
 def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
-    """Texts of the files that a scenario names, its parts and theirs, by name; those that are not there are
+    """Texts of the files that a scenario names, and of the files that these name, by name. Missing files are
     left out.
 
     >>> sorted(texts("{version: 1, title: x, parts: {crane: {part: pedestal_crane}}}", "x.yaml"))
@@ -120,7 +120,7 @@ def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
     """
     found: dict[str, str] = {}
     asked: set[str] = set()
-    # A part names files of its own once it is there.
+    # A part may name more files, which are known only when its text has been read.
     while new := set(engine.file_names(text, file, overrides_json, found)) - asked:
         asked |= new
         paths = {name: place(file, name) for name in sorted(new)}

@@ -1,4 +1,4 @@
-"""Files that the package writes: whole or not at all."""
+"""Atomic writing: the package writes a file completely or not at all."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ LOG = logging.getLogger(__name__)
 def whole(path: str | Path) -> Iterator[Path]:
     """A file beside `path` for the block to write, with the same ending.
 
-    It takes the place of `path` in one step once the block has ended and the disk holds it. Where the block
-    fails or is stopped, what stood at `path` stands there still.
+    When the block has ended and the data is on the disk, the new file replaces `path` in one step. If the
+    block fails or is stopped, the old file at `path` stays.
 
     >>> import tempfile
     >>> target = Path(tempfile.mkdtemp()) / "numbers.csv"
@@ -36,7 +36,7 @@ def whole(path: str | Path) -> Iterator[Path]:
     Raises
     ------
     OutputError
-        When the file cannot be written, as on a full disk.
+        If the file cannot be written, for example on a full disk.
     """
     target = Path(path)
     try:
@@ -56,7 +56,7 @@ def whole(path: str | Path) -> Iterator[Path]:
 
 
 def write_text(path: str | Path, text: str) -> Path:
-    """Write a text in UTF-8, with the line ends that it has."""
+    """Write a text in UTF-8 without changing its line ends."""
     with whole(path) as beside:
         beside.write_text(text, encoding="utf-8", newline="")
     return Path(path)
@@ -70,7 +70,8 @@ def write_csv(table: pandas.DataFrame, path: str | Path) -> Path:
 
 
 def write_netcdf(dataset: xarray.Dataset, path: str | Path) -> Path:
-    """Write a data set as NetCDF. It is put together in memory: on a full disk the HDF5 library crashes."""
+    """Write a data set as NetCDF. The file is built in memory first, because the HDF5 library crashes on a
+    full disk."""
     with whole(path) as beside:
         beside.write_bytes(dataset.to_netcdf(engine="h5netcdf"))
     return Path(path)
@@ -82,7 +83,7 @@ def check(path: str | Path, endings: Sequence[str]) -> Path:
     Raises
     ------
     KingpostError
-        When the file has another ending; `OutputError` when its folder is not there or takes no file.
+        If the file has another ending; `OutputError` if its folder does not exist or cannot be written to.
     """
     path = Path(path)
     if path.suffix.lower() not in endings:
@@ -99,13 +100,13 @@ def check(path: str | Path, endings: Sequence[str]) -> Path:
 
 
 def _flush(path: Path) -> None:
-    """Wait until the disk holds a file: a power cut after the renaming would leave it empty."""
+    """Wait until the file is on the disk: otherwise a power cut after the renaming would leave it empty."""
     with path.open("rb+") as file:
         os.fsync(file.fileno())
 
 
 def _mode(target: Path) -> int:
-    """Permissions of the file that is replaced; of a new one those that the user gives to new files."""
+    """Permissions of the replaced file; for a new file, the user's default permissions."""
     try:
         return target.stat().st_mode & 0o777
     except FileNotFoundError:

@@ -13,7 +13,7 @@ _FORM = "{desc}{percentage:3.0f}%|{bar}| {n:.4g}/{total:.4g} {unit} [{elapsed}<{
 
 @contextmanager
 def bar(total: float, unit: str, description: str = "") -> Iterator[Callable[[float], None]]:
-    """Show how far a piece of work is, on stderr; the yielded function takes the amount done."""
+    """Show the progress of some work on stderr; call the yielded function with the amount done."""
     terminal = sys.stderr.isatty()
     with tqdm(total=total, unit=unit, desc=description, bar_format=_FORM, disable=not terminal,
               leave=False, file=sys.stderr) as shown:  # fmt: skip

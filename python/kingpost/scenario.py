@@ -20,16 +20,18 @@ from .engine import engine
 from .errors import KingpostError, ScenarioError
 
 Overrides = Mapping[str, Any]
+DEEPEST = 64
+"""Levels of a value that is set, as of a file."""
 
 
 @dataclass
 class Scenario:
-    """A validated description of one run: the text of a file and what was set over it.
+    """A validated description of one run: the text of a file and the values that override it.
 
-    Made by `load`. Two scenarios are equal when their text, file and overrides are.
+    Made by `load`. Two scenarios are equal if their text, file and overrides are equal.
 
-    By its names a scenario is read and edited, parameters and fields alike, as ``--set`` does it on the
-    command line. A `Simulation` keeps the scenario that it was made of.
+    Parameters and fields are read and set by name, as with ``--set`` on the command line. A `Simulation`
+    keeps a copy of the scenario that it was made from.
 
     >>> scenario = load("paper")
     >>> scenario["crane_x_m"], scenario["bodies.ship.mass_kg"]
@@ -61,8 +63,8 @@ class Scenario:
 
     @cached_property
     def files(self) -> dict[str, str]:
-        """Texts of the files that the scenario names, its parts and theirs, by name; those that are not there
-        are left out. What begins with ``gallery:`` is the gallery's.
+        """Texts of the files that the scenario names, and of the files that these name, by name. Missing
+        files are left out. Names that begin with ``gallery:`` are files of the gallery.
 
         >>> load("paper").files
         {}
@@ -82,7 +84,7 @@ class Scenario:
 
     @cached_property
     def digests(self) -> dict[str, str]:
-        """SHA-256 of each of `files`, by name: what stands behind the resolved scenario.
+        """SHA-256 of each of `files`, by name.
 
         >>> len(load("knuckle_boom_crane").digests["gallery:parts/knuckle_boom_crane.yaml"])
         64
@@ -105,20 +107,21 @@ class Scenario:
 
     @cached_property
     def hydrostatics(self) -> dict[str, Any]:
-        """How the hulls float at rest in still water with the crane as a run begins: ``hulls``, one for each
-        force `hydrodynamics`, and ``warnings``. A value, without brackets; of a `Simulation`, whose crane
-        moves, it is a method: ``simulation.hydrostatics()``.
+        """How the hulls float at rest in still water, with the crane at the start of a run: ``hulls``, one
+        for each force `hydrodynamics`, and ``warnings``. It is a property, without brackets. In a
+        `Simulation`, where the crane moves, it is a method: ``simulation.hydrostatics()``.
 
-        Of each hull, with units in the names (docs/afloat.md): displacement, draught, heel to
-        starboard and trim by the bow, KB, BM, KM, KG, GM with hanging loads where they hang from and
-        less what slack tanks take off (``metacentric_height_m``), and as if all were fixed, the loads that
-        hang, the free surfaces of tanks, and the righting arms (``righting_arm``, `None` without a mesh) at
-        constant displacement, free to trim, to the side of the list. Pairs are across the ship and along it.
+        For each hull, with units in the names (docs/afloat.md): displacement, draught, heel to starboard,
+        trim by the bow, KB, BM, KM and KG; GM with each hanging load at its suspension point and reduced by
+        slack tanks (``metacentric_height_m``), and GM as if all were fixed; the hanging loads; the free
+        surfaces of tanks; and the righting arms (``righting_arm``, `None` without a mesh) at constant
+        displacement, free to trim, to the side of the list. Of a pair, the first value is transverse and the
+        second longitudinal.
 
         Raises
         ------
         KingpostError
-            When a hull is heavier than what it displaces wholly under water.
+            If a hull weighs more than the water it displaces when fully submerged.
 
         >>> barge = load("barge").hydrostatics["hulls"][0]
         >>> round(barge["draught_m"], 3), round(barge["metacentric_height_m"][0], 2)
@@ -141,7 +144,7 @@ class Scenario:
         Raises
         ------
         KingpostError
-            When there is no such name.
+            If there is no such name.
         """
         if name in self.parameters:
             return self.parameters[name]
@@ -165,7 +168,7 @@ class Scenario:
         return True
 
     __iter__ = None
-    """Its names have no order to go through: `parameters` and `resolved` have."""
+    """Not iterable: iterate over `parameters` or `resolved`."""
 
     def __setitem__(self, name: str, value: Any) -> None:
         """Set a parameter, or a field by its dotted path.
@@ -173,7 +176,7 @@ class Scenario:
         Raises
         ------
         ScenarioError
-            When the name or the value is wrong; the scenario stays as it was.
+            If the name or the value is wrong; the scenario is then unchanged.
         """
         changed = self.with_overrides({name: value})
         vars(self).clear()
@@ -196,7 +199,7 @@ class Scenario:
         ])  # fmt: skip
 
     def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
-        """The same scenario with more set over it; the last value of a name counts.
+        """The same scenario with further overrides; the last value of a name counts.
 
         Parameters
         ----------
@@ -208,12 +211,12 @@ class Scenario:
         Returns
         -------
         Scenario
-            Another one; this one stays as it is.
+            A new scenario; this one is unchanged.
 
         Raises
         ------
         ScenarioError
-            When a name or a value is wrong.
+            If a name or a value is wrong.
 
         >>> load("paper").with_overrides(crane_x_m=0).resolved["bodies"]["tower"]["joint"][
         ...     "revolute"]["position_m"][0]
@@ -247,7 +250,7 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
     Returns
     -------
     Scenario
-        Validated: one that can run.
+        A validated scenario, which can run.
 
     Raises
     ------
@@ -264,14 +267,14 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
 def as_scenario(
     scenario_or_path: Scenario | str | Path, overrides: Overrides | None, parameters: Overrides
 ) -> Scenario:
-    """A scenario as it is given or read from its file, with more set over it."""
+    """A given scenario, or one read from its file, with further overrides."""
     if isinstance(scenario_or_path, Scenario):
         return scenario_or_path.with_overrides(overrides, **parameters)
     return load(scenario_or_path, overrides, **parameters)
 
 
 def _with_place(error: ScenarioError, file: str) -> ScenarioError:
-    """Of a file that is not there: with where it was looked for, which the engine cannot know."""
+    """The error of a missing file, with the places that were searched: the engine does not know them."""
     name = (error.found or "").removeprefix("no file ")
     if name == error.found or not name:
         return error
@@ -289,18 +292,20 @@ def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[st
     if not isinstance(overrides, Mapping | NoneType):
         raise KingpostError(f"overrides: found {overrides!r}, allowed: a dictionary of names and values")
     given = (*(overrides or {}).items(), *parameters.items())
-    return tuple((str(name), _plain(value)) for name, value in given)
+    return tuple((str(name), _plain(value, str(name))) for name, value in given)
 
 
-def _plain(value: Any) -> Any:
-    """A value of an override as JSON knows it; the engine's reader judges it."""
+def _plain(value: Any, name: str, level: int = 0) -> Any:
+    """The value of an override as JSON; the engine's reader validates it."""
+    if level > DEEPEST:
+        raise KingpostError(f"{name}: found fields that are too deep, allowed: at most {DEEPEST} levels")
     if isinstance(value, np.generic | np.ndarray):
         value = value.tolist()
     if isinstance(value, Mapping):
-        return {str(key): _plain(entry) for key, entry in value.items()}
+        return {str(key): _plain(entry, name, level + 1) for key, entry in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(entry) for entry in value]
-    # JSON has no number for these; the reader names the text in its error.
+        return [_plain(entry, name, level + 1) for entry in value]
+    # JSON cannot express infinity and NaN; the reader quotes the text in its error.
     if isinstance(value, float) and not math.isfinite(value):
         return str(value)
     return value if isinstance(value, bool | int | float | str | NoneType) else repr(value)

@@ -1,8 +1,10 @@
-"""What several tests share: one run of the paper's case, one small scenario."""
+"""What several tests share: one run of the paper's case, one small scenario, a server of the app."""
 
 from __future__ import annotations
 
 import os
+import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 # The tests' panel methods are small: threads that wait for each other make them several times as slow.
@@ -11,7 +13,9 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import kingpost
 import pytest
+from kingpost.server import serve
 from samples import CALIBRATION, SMALL
+from served import ENGINE
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -47,3 +51,30 @@ def hang(tmp_path):
         return kingpost.load(path)
 
     return write_rods
+
+
+@pytest.fixture
+def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the kinds of file that a built app has, in the place of one."""
+    folder = tmp_path / "app"
+    (folder / "assets").mkdir(parents=True)
+    (folder / "index.html").write_text("<!doctype html><title>Kingpost</title>" + "<p>A ship." * 9)
+    (folder / "assets" / "engine.wasm").write_bytes(ENGINE)
+    (folder / "assets" / "main.js").write_text("export {};")
+    monkeypatch.setattr(serve, "app_folder", lambda: folder)
+    return folder
+
+
+@pytest.fixture
+def address(app: Path, small: Path) -> Iterator[str]:
+    """A server of the app with the gallery and one more scenario."""
+    files, _ = serve.scenarios(str(small))
+    databases = serve.databases(str(small))
+    server = serve.open_server(app, files, serve.LOOPBACK, 0, databases)
+    # It looks for the end as often as this, s.
+    thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}/"
+    server.shutdown()
+    thread.join()
+    server.close()

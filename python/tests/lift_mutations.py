@@ -39,7 +39,7 @@ OF_LIFTS = {"rope": 6, "tugger_line": 8, "contact": 5, "submerged": 4}
 
 
 @dataclass(frozen=True)
-class Case:
+class Lift:
     """A scenario with something wrong in it, and what that is."""
 
     seed: int
@@ -69,7 +69,7 @@ def written(value: Any, depth: int = 0) -> str:
     return json.dumps(value)
 
 
-def case(bases: dict[str, Document], seed: int) -> Case:
+def case(bases: dict[str, Document], seed: int) -> Lift:
     """The case of a seed: one base with one change, or with two or three."""
     draw = random.Random(seed)
     base = draw.choice(sorted(bases))
@@ -81,7 +81,7 @@ def case(bases: dict[str, Document], seed: int) -> Case:
             changes.append(change(document, draw))
         except (AttributeError, IndexError, KeyError, TypeError):
             changes.append("a change that the one before it left no room for")
-    return Case(seed, base, tuple(changes), document)
+    return Lift(seed, base, tuple(changes), document)
 
 
 def places(value: Any, path: Path = ()) -> Iterator[Path]:

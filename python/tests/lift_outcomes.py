@@ -2,48 +2,29 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
-import multiprocessing
 import re
-import signal
 import sys
 import time
-from multiprocessing.connection import Connection
-from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 import kingpost
 import numpy as np
+from fuzz.contract import LONGEST_TEXT, NOT_FOR_READERS, WrongError
 
 STEPS = 12
 """Steps by hand, before and after a snapshot."""
 LONGEST_RUN_S = 0.5
 """Of the clock on the wall: a run that takes longer is stopped as by Ctrl-C."""
-LONGEST_CASE_S = 20.0
-"""Of the processor: a case that takes longer hangs."""
-LONGEST_WAIT_S = 600.0
-"""Of the clock, where the machine is busy with other things or its system knows no such signal."""
-MEMORY_BYTES = 4 << 30
-LONGEST_TEXT = 2500
-# What the engine's language prints of itself is no help to who wrote the file.
-NOT_FOR_READERS = re.compile(
-    r"\bSome\(|\bNone\b|\bErr\(|unwrap|panick|RefCell|overflow|invalid (type|value|length)"
-    r"|\busize|\b[iu](8|16|32|64)\b|f64|index out of"
-)
 # file:line:column: field: found ..., allowed: ...
 SAYS = re.compile(r"found .+, allowed: .+", re.DOTALL)
-
-
-class WrongError(Exception):
-    """What must not be."""
 
 
 class StoppedError(Exception):
     """A run that takes longer than is waited for."""
 
 
-def outcome(text: str, file: str, *, thorough: bool = False) -> str:
+def outcome(text: str, file: str, *, thorough: bool = False, longest_run_s: float = LONGEST_RUN_S) -> str:
     """``refused``, ``ran``, ``ended early`` or ``stopped``, with the words of the error.
 
     Raises
@@ -66,7 +47,7 @@ def outcome(text: str, file: str, *, thorough: bool = False) -> str:
         raise WrongError("reset leads elsewhere than to the start")
     if thorough:
         early = check_the_rest(simulation, text) or early
-    return check_run(simulation) or (f"ended early: {early}" if early else "ran")
+    return check_run(simulation, longest_run_s) or (f"ended early: {early}" if early else "ran")
 
 
 def check_refusal(error: kingpost.ScenarioError) -> None:
@@ -167,11 +148,11 @@ def check_the_rest(simulation: kingpost.Simulation, text: str) -> str:
     return says
 
 
-def check_run(simulation: kingpost.Simulation) -> str:
+def check_run(simulation: kingpost.Simulation, longest_run_s: float) -> str:
     began = time.monotonic()
 
     def progress(_: float) -> None:
-        if time.monotonic() - began > LONGEST_RUN_S:
+        if time.monotonic() - began > longest_run_s:
             raise StoppedError
 
     why = ""
@@ -194,72 +175,6 @@ def check_run(simulation: kingpost.Simulation) -> str:
 
 def same(a: np.ndarray, b: np.ndarray) -> bool:
     return a.tobytes() == b.tobytes()
-
-
-class Apart:
-    """A process that answers what scenarios come to; another takes its place when one dies of its case."""
-
-    def __init__(self) -> None:
-        self.process: BaseProcess | None = None
-
-    def ask(self, text: str, file: str, *, thorough: bool = False) -> str:
-        if self.process is None:
-            self.begin()
-        assert self.process is not None
-        try:
-            self.ends.send((text, file, thorough))
-            return self.ends.recv() if self.ends.poll(LONGEST_WAIT_S) else self.lost("WRONG: it hangs")
-        except (EOFError, OSError):
-            return self.lost("WRONG: the process died")
-
-    def begin(self) -> None:
-        context = multiprocessing.get_context("spawn")
-        self.ends, theirs = context.Pipe()
-        self.process = context.Process(target=answer, args=(theirs,), daemon=True)
-        self.process.start()
-        theirs.close()
-        assert self.ends.recv() == "ready"
-
-    def lost(self, says: str) -> str:
-        assert self.process is not None
-        self.process.kill()
-        self.process.join()
-        too_long = self.process.exitcode == -int(getattr(signal, "SIGPROF", 0))
-        says = f"{says} ({'after' if too_long else 'before'} {LONGEST_CASE_S:g} s, {self.process.exitcode})"
-        self.process = None
-        return says
-
-    def end(self) -> None:
-        if self.process is not None:
-            self.ends.send(None)
-            self.process.join()
-            self.process = None
-
-
-def answer(ends: Connection) -> None:
-    """A process of its own: a case that dies or hangs takes only this one along."""
-    import xarray  # noqa: F401  # It takes seconds, and no case is to be blamed for them.
-
-    with contextlib.suppress(ImportError, ValueError):
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-    ends.send("ready")
-    while (asked := ends.recv()) is not None:
-        text, file, thorough = asked
-        # Of the processor, whatever else the machine does; the signal ends a process in compiled code too.
-        if hasattr(signal, "setitimer"):
-            signal.setitimer(signal.ITIMER_PROF, LONGEST_CASE_S)
-        try:
-            said = outcome(text, file, thorough=thorough)
-        except WrongError as wrong:
-            said = f"WRONG: {wrong}"
-        # A panic of the engine is no `Exception`.
-        except BaseException as error:
-            said = f"WRONG: {type(error).__module__}.{type(error).__name__}: {error}"
-            if isinstance(error, KeyboardInterrupt):
-                raise
-        ends.send(said)
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ def moored(tmp_path_factory: pytest.TempPathFactory) -> kingpost.Scenario:
     return kingpost.load(folder / "moored.yaml")
 
 
-def test_a_moored_ship_in_waves_is_told_of_in_numbers(moored) -> None:
+def test_a_moored_ship_in_waves_is_reported_with_numbers(moored) -> None:
     """Source: the results; of a regular wave of height H four deviations are sqrt(2) H."""
     results = kingpost.run(moored)
     shown = afloat_report.text(results, moored)

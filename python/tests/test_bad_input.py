@@ -147,7 +147,7 @@ def test_overrides_that_are_no_dictionary_are_refused():
 
 
 @pytest.mark.parametrize("n", [-1, 1.5, True, "2"])
-def test_a_count_of_steps_that_is_none_is_refused(n):
+def test_a_count_of_steps_that_is_not_a_number_is_refused(n):
     """Source: the signature of `Simulation.step`."""
     simulation = kingpost.Simulation("paper")
     with pytest.raises(kingpost.KingpostError, match=r"n: found .*, allowed: a whole number not less than 0"):

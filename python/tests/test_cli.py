@@ -89,7 +89,7 @@ def test_run_prints_the_largest_force_of_a_drive_and_the_largest_reaction(capsys
     assert re.search(r"^slew +9\.806[67]\d?  kN ", text, re.MULTILINE), text
 
 
-def test_check_says_what_the_model_is(capsys):
+def test_check_prints_the_model(capsys):
     """Source: the paper's Table 2: 10,000, 500 and 500 kg; 5 coordinates with the centre held."""
     assert main(["check", "paper"]) == 0
     text = capsys.readouterr().out
@@ -132,7 +132,7 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.parametrize("end", ["SIGINT", "SIGTERM", "SIGHUP"])
-def test_a_long_run_that_is_ended_says_so_in_one_line_and_keeps_what_there_is(capsys, tmp_path, end):
+def test_a_long_run_that_is_stopped_says_so_in_one_line_and_keeps_its_results(capsys, tmp_path, end):
     """Source: the shell's convention, 128 + SIGINT; a run that ends early keeps its results: at Ctrl-C,
     where the system shuts down, and where the terminal closes."""
     output = tmp_path / "run.csv"

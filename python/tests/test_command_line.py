@@ -174,7 +174,7 @@ def test_a_summary_has_the_motion_of_a_cranes_tip_and_forces_before_the_rest(cap
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh"])
-def test_a_shell_is_told_what_to_complete(shell, capsys) -> None:
+def test_a_shell_gets_its_completions(shell, capsys) -> None:
     with pytest.raises(SystemExit) as ended:
         main(["--print-completion", shell])
     assert ended.value.code == 0

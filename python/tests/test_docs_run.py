@@ -18,7 +18,7 @@ PAGES = [
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_every_command_and_example_of_a_page_runs_and_prints_what_stands_there(
+def test_every_command_and_example_of_a_page_runs_and_prints_the_lines_of_the_page(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = DOCS / name

@@ -21,7 +21,7 @@ def shown(*events: tuple[float, str, str]) -> list[str]:
     return [" ".join(line.split()) for line in lines]
 
 
-def test_what_matters_stands_first_in_order_of_time_and_what_repeats_is_counted():
+def test_important_events_come_first_in_order_of_time_and_repeating_ones_are_counted():
     slack = [(10.0 + k, "sling", ("goes slack", "comes taut")[k % 2]) for k in range(51)]
     deck = [(5.0, "deck", "touches"), (6.0, "deck", "slides"), (7.0, "deck", "slides")]
     assert shown(

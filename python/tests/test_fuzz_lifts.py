@@ -16,8 +16,9 @@ from pathlib import Path
 
 import kingpost
 import pytest
-from lift_mutations import Case, Document, at, case, is_number, places, put, shown, written
-from lift_outcomes import Apart
+from fuzz.apart import Apart
+from fuzz.contract import Case
+from lift_mutations import Document, Lift, at, case, is_number, places, put, shown, written
 
 YARD = (Path(__file__).parent / "lift_yard.yaml").read_text(encoding="utf-8")
 SEED = int(os.environ.get("KINGPOST_FUZZ_SEED", "2"))
@@ -57,15 +58,18 @@ def bases() -> dict[str, Document]:
 def apart():
     """A panic, a stack that overflows or a loop without end must not take the tests along."""
     process = Apart()
-    yield process
+
+    def ask(text: str, *, thorough: bool = False) -> str:
+        how = "thorough" if thorough else "outcome"
+        return process.ask(Case("lifts", {"case.yaml": text.encode()}, (how, FILE))).says
+
+    yield ask
     process.end()
 
 
 def test_the_yard_and_the_gallerys_lifts_run_as_they_are(bases, apart):
     """Else the cases below would be refused for something that is wrong in all of them."""
-    assert {name: apart.ask(written(base), FILE) for name, base in bases.items()} == dict.fromkeys(
-        bases, "ran"
-    )
+    assert {name: apart(written(base)) for name, base in bases.items()} == dict.fromkeys(bases, "ran")
 
 
 def test_a_lift_with_something_wrong_is_refused_with_its_place_or_runs_in_numbers(bases, apart):
@@ -74,7 +78,7 @@ def test_a_lift_with_something_wrong_is_refused_with_its_place_or_runs_in_number
     wrong = []
     for seed in range(SEED, SEED + CASES):
         one = drawn(bases, seed)
-        says = apart.ask(one.text, FILE, thorough=seed % 7 == 0)
+        says = apart(one.text, thorough=seed % 7 == 0)
         came_to[says.split(":")[0]] += 1
         if says.startswith("WRONG"):
             wrong.append(f"{one}\n  {says}")
@@ -83,7 +87,7 @@ def test_a_lift_with_something_wrong_is_refused_with_its_place_or_runs_in_number
     assert CASES < 100 or min(came_to["refused"], came_to["ran"]) > CASES / 10, came_to
 
 
-def drawn(bases: dict[str, Document], seed: int) -> Case:
+def drawn(bases: dict[str, Document], seed: int) -> Lift:
     return case({"yard": bases["yard"]} if seed % 3 == 0 else bases, seed)
 
 
@@ -126,7 +130,7 @@ def test_a_number_that_has_a_sign_is_refused_without_it(bases):
 def test_conditions_that_are_nested_without_end_are_refused_at_their_place(depth, apart):
     """Source: a stack ends; the error has the line of the first bracket too many."""
     nested = "{all: [" * depth + "{after_s: 1}" + "]}" * depth
-    says = apart.ask(YARD.replace("until: {after_s: 0.1}", f"until: {nested}"), FILE)
+    says = apart(YARD.replace("until: {after_s: 0.1}", f"until: {nested}"))
     line = next(k for k, text in enumerate(YARD.splitlines(), 1) if "until: {after_s: 0.1}" in text)
     assert says.startswith(f"refused: {FILE}:{line}:"), says
     assert "too deep" in says
@@ -149,7 +153,7 @@ def test_conditions_that_are_nested_without_end_are_refused_at_their_place(depth
     ids=["no unit", "no column", "no name", "a list for a point", "a list for a limit", "all on the world",
          "beyond all numbers"],
 )  # fmt: skip
-def test_what_once_went_through_is_refused_at_its_field(old, new, field):
+def test_inputs_that_were_once_accepted_are_refused_at_their_field(old, new, field):
     """Source: cases that this file has found."""
     assert YARD.count(old) == 1
     with pytest.raises(kingpost.ScenarioError) as caught:

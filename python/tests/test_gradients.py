@@ -144,7 +144,7 @@ def test_the_motor_works_torque_times_angle_and_so_does_its_derivative():
 
 
 @pytest.mark.parametrize("name", ["torque_history", "motor_2", "nothing", "simulation.step_s"])
-def test_what_has_no_derivative_is_refused(name):
+def test_a_parameter_without_a_derivative_is_refused(name):
     """Source: the public contract: what switches, is not there, or changes how the run is stepped."""
     with pytest.raises(kingpost.ScenarioError):
         kingpost.gradient("paper", name)
@@ -156,7 +156,7 @@ def test_no_names_are_refused():
         kingpost.gradient("paper", [])
 
 
-def test_a_run_that_diverges_keeps_what_it_had(tmp_path):
+def test_a_run_that_diverges_keeps_its_results(tmp_path):
     """Source: the public contract of `run`: the error carries the results until then."""
     path = tmp_path / "small.yaml"
     path.write_text(SMALL, encoding="utf-8")
@@ -181,7 +181,7 @@ def test_progress_is_heard_for_every_four_names():
     assert restarts == 1
 
 
-def test_what_stops_a_gradient_keeps_what_was_computed():
+def test_a_stopped_gradient_keeps_its_results():
     """Source: the public contract: the results until then, for the names that were reached."""
     heard: list[float] = []
 

@@ -240,7 +240,7 @@ def test_a_wrong_attitude_in_a_file_is_named(attitude, message):
         database_file.from_tree(tree)
 
 
-def test_what_was_solved_of_one_attitude_is_not_taken_up_for_another(tmp_path):
+def test_frequencies_solved_for_one_attitude_are_not_reused_for_another(tmp_path):
     pytest.importorskip("capytaine")
     path, omega = tmp_path / "x.partial.npz", np.array([0.8])
     opened = []
@@ -273,7 +273,7 @@ def test_a_loading_of_which_a_listed_hull_would_capsize_is_refused():
         small_database(standing(BARGE, 80, 5), Loading(6.0, 3.0, 6.0, 6.0))
 
 
-def test_the_attitude_of_a_scenario_is_what_check_prints_of_it():
+def test_the_attitude_of_a_scenario_is_the_one_that_check_prints():
     scenario = kingpost.load("barge", {"forces.water.hydrodynamics.hydrostatics": "mesh"})
     (afloat,) = scenario.hydrostatics["hulls"]
     upright = upright_hull(BARGE, 80)
@@ -317,9 +317,9 @@ def test_the_summary_tells_both_the_upright_hull_and_how_it_stands():
         ([BARGE, "--heel-deg", "200"], "--heel-deg: found 200, allowed: an angle between -90 and 90 deg"),
         ([BARGE, "--trim-deg", "nan"], "--trim-deg: found nan, allowed: an angle between -90 and 90 deg"),
         ([BARGE, "--heel-deg", "inf"], "--heel-deg: found inf"),
-        ([BARGE, "--heel-deg", "5", "--attitude-of", "barge"], "--heel-deg: found --attitude-of beside it"),
+        ([BARGE, "--heel-deg", "5", "--attitude-of", "barge"], "--heel-deg: found --attitude-of, too"),
         ([BARGE, "--attitude-of", "none.yaml"], "none.yaml: no such file"),
-        (["x.hst", "--heel-deg", "5"], "--heel-deg: found x.hst, allowed: a hull, whose waves are computed"),
+        (["x.hst", "--heel-deg", "5"], "--heel-deg: found x.hst, allowed: a hull that is computed"),
     ],
 )
 def test_a_wrong_attitude_is_one_line_and_writes_nothing(tmp_path, capsys, monkeypatch, words, message):

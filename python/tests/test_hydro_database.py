@@ -71,7 +71,7 @@ def test_keeps_the_loading_of_the_drift_and_reads_files_without_one(tmp_path):
     assert database_file.read(before).mean_drift_loading is None
 
 
-def test_reads_what_it_wrote_to_seven_digits(tmp_path):
+def test_a_written_database_reads_back_to_seven_digits(tmp_path):
     written = sample()
     read = database_file.read(database_file.write(written, tmp_path / "a.hydro.json"))
     assert read.title == written.title
@@ -87,7 +87,7 @@ def test_reads_what_it_wrote_to_seven_digits(tmp_path):
         np.testing.assert_allclose(mode.residues, before.residues, rtol=1e-6)
 
 
-def test_writing_again_what_was_read_gives_the_same_bytes(tmp_path):
+def test_writing_a_database_that_was_read_gives_the_same_bytes(tmp_path):
     first = database_file.write(sample(mean_drift=None, radiation=None), tmp_path / "a.hydro.json")
     second = database_file.write(database_file.read(first), tmp_path / "b.hydro.json")
     assert first.read_bytes() == second.read_bytes()

@@ -114,7 +114,7 @@ def test_a_first_or_last_frequency_that_fails_is_left_out_and_a_steep_start_is_k
     assert not repair._jumps(omega, np.exp(-omega)).any()
 
 
-def test_a_listing_of_aqwa_says_what_the_file_beside_it_says(tmp_path) -> None:
+def test_a_listing_of_aqwa_agrees_with_its_ah1_file(tmp_path) -> None:
     base = writers.database()
     base = replace(base, froude_krylov=0.7 * base.excitation, diffraction=0.3 * base.excitation)
     listed = aqwa_listing.read(str(programs.aqwa_listing(tmp_path / "hull", base)), Options())
@@ -147,7 +147,7 @@ def test_a_listing_that_is_cut_short_or_of_several_structures_is_refused(tmp_pat
 
 
 @pytest.mark.parametrize(("heavier", "said"), [(1.0, "they agree"), (1.5, "they differ by")])
-def test_motions_that_wamit_found_are_compared_with_those_of_what_was_read(tmp_path, heavier, said) -> None:
+def test_motions_of_wamit_are_compared_with_motions_from_the_imported_data(tmp_path, heavier, said) -> None:
     base = writers.database()
     path = programs.wamit_six_digits(tmp_path / "hull", base)
     programs.wamit_listing(tmp_path / "hull", base)
@@ -160,11 +160,11 @@ def test_motions_that_wamit_found_are_compared_with_those_of_what_was_read(tmp_p
     (tmp_path / "hull.12d").write_text("0.1 0.1 0 0 1 1 1 1 1\n")
     assert importers.recognise("hull.12s") == "wamit"
     notes = importers.load(path.with_suffix(".4"), Options(**LISTED)).provenance.notes
-    assert any("motions of hull.4 are not taken" in note and said in note for note in notes), notes
+    assert any("motions of hull.4 are not imported" in note and said in note for note in notes), notes
     assert "forces of second order are left out: .12d" in notes
     (tmp_path / "hull.frc").unlink()
     notes = importers.load(path, Options(**LISTED)).provenance.notes
-    assert any("no .frc beside says which" in note for note in notes)
+    assert any("no .frc file gives it" in note for note in notes)
 
 
 @pytest.mark.parametrize(

@@ -118,7 +118,7 @@ def test_the_yaw_moment_about_another_point_is_that_of_the_forces():
     np.testing.assert_allclose(found, [surge, sway, yaw + shift[0] * sway - shift[1] * surge], rtol=1e-9)
 
 
-def test_a_hull_beside_the_origin_moves_as_one_over_it(database):
+def test_a_hull_away_from_the_origin_moves_like_one_at_the_origin(database):
     r, plane = np.array([7.0, 4.0, 0.0]), database.hull.waterplane
     (x, y, _), area, (sxx, sxy, syy) = r, plane.area_m2, plane.second_moments_m4
     sx, sy = plane.first_moments_m3

@@ -70,7 +70,6 @@ def test_a_capytaine_file_gives_the_database_back(tmp_path, version) -> None:
 
 
 def test_a_capytaine_file_of_the_classic_format_gives_the_database_back(tmp_path) -> None:
-    pytest.importorskip("scipy", reason="SciPy reads NetCDF of the classic format")
     base, path = writers.database(), tmp_path / "hull.nc"
     writers.capytaine_dataset(base, 2).to_netcdf(path, engine="scipy")
     same(importers.load(path, Options(**CAPYTAINE_2)), base)
@@ -168,7 +167,7 @@ def test_a_sphere_with_its_weight_in_roll_becomes_buoyancy_alone(tmp_path) -> No
 
 
 @pytest.mark.parametrize("option", [name for name in WAMIT if name != "volume_m3"])
-def test_what_a_file_does_not_say_is_asked_for_by_name(tmp_path, option) -> None:
+def test_values_that_a_file_lacks_are_asked_for_by_name(tmp_path, option) -> None:
     path = writers.Wamit().write(tmp_path / "hull", writers.database())
     given = {name: value for name, value in WAMIT.items() if name != option}
     with pytest.raises(HydrodynamicsError, match=f"{option}: found nothing in the file.*{flag(option)}"):
@@ -186,7 +185,7 @@ def test_all_that_a_file_does_not_say_is_asked_for_at_once(tmp_path) -> None:
         importers.load(tmp_path / "hull.h5")
 
 
-def test_what_contradicts_the_file_is_an_error(tmp_path) -> None:
+def test_an_option_that_contradicts_the_file_is_an_error(tmp_path) -> None:
     writers.write_bemio(tmp_path / "hull.h5", writers.database())
     with pytest.raises(HydrodynamicsError, match=r"density_kg_m3: found 1025.0, while the file says 1000.0"):
         importers.load(tmp_path / "hull.h5", Options(**BEMIO, density_kg_m3=1025.0))
@@ -317,6 +316,4 @@ def test_an_option_of_a_hull_is_refused_for_a_file(tmp_path, capsys, option) -> 
     writers.write_bemio(source, writers.database())
     assert main(["hydro", str(source), "-o", str(tmp_path / "a.hydro.json"), *option]) != 0
     name = option[0].removeprefix("--").removeprefix("no-")
-    assert (
-        f"{flag(name)}: found {source}, allowed: a hull, whose waves are computed" in capsys.readouterr().err
-    )
+    assert f"{flag(name)}: found {source}, allowed: a hull that is computed" in capsys.readouterr().err

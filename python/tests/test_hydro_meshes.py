@@ -78,7 +78,7 @@ def test_an_offshore_vessel_has_the_block_coefficient_that_was_asked(wanted):
     assert (found.length_m, found.beam_m, found.draught_m) == pytest.approx((80, 18, 5.5), rel=1e-9)
 
 
-def test_a_block_coefficient_that_the_vessel_cannot_have_is_refused_with_what_it_can():
+def test_an_impossible_block_coefficient_is_refused_with_the_allowed_range():
     with pytest.raises(HydrodynamicsError, match=r"found 0.95, allowed: a number from 0\.\d+ to 0\.\d+"):
         OffshoreVessel(80, 18, 5.5, 8, 0.95)
 
@@ -160,7 +160,7 @@ def test_a_gdf_file_is_read_with_its_symmetry_and_without_a_deck(tmp_path):
     assert meshes.hull is None
 
 
-def test_a_hull_without_a_mesh_in_its_database_is_told_of_loudly(tmp_path):
+def test_a_database_without_a_hull_mesh_gives_a_warning(tmp_path):
     """Source: the public contract: at most 2000 triangles, and a hull that is closed."""
     path = tmp_path / "box.gdf"
     path.write_text(GDF)
@@ -173,9 +173,9 @@ def test_a_hull_without_a_mesh_in_its_database_is_told_of_loudly(tmp_path):
     assert small.hull is not None
     assert large.hull is None
     assert "warning" not in summary(small, Water())
-    words = f"warning: no hull mesh goes into the database, for the mesh has {len(fine.triangles)} triangles"
+    words = f"warning: the database gets no hull mesh, because the mesh has {len(fine.triangles)} triangles"
     assert words in summary(large, Water())
-    assert "for the mesh ends at the water line" in summary(open_above, Water())
+    assert "because the mesh ends at the water line" in summary(open_above, Water())
 
 
 def test_a_gdf_file_cut_short_is_refused(tmp_path):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 
 import hydro_orcaflex as orcaflex
@@ -12,8 +11,6 @@ from hydro_orcaflex import Form
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import importers
 from kingpost.hydro.importers import Options
-
-pytest.importorskip("yaml")
 
 SIZE = {"length_m": 12.0, "beam_m": 10.0, "draught_m": 5.0}
 DEEP = {**SIZE, "water_depth_m": np.inf}
@@ -101,7 +98,7 @@ def test_a_mass_that_is_not_the_displaced_one_leaves_the_weight_to_be_asked_for(
     same(importers.load(path, Options(**DEEP, restoring_includes_weight=False)), base)
 
 
-def test_what_the_file_lacks_is_asked_for_all_at_once(tmp_path) -> None:
+def test_all_values_that_a_file_lacks_are_asked_for_at_once(tmp_path) -> None:
     path = orcaflex.written(tmp_path / "hull.yml", orcaflex.base(), Form())
     with pytest.raises(HydrodynamicsError, match="no water_depth_m, draught_m, length_m, beam_m in the file"):
         importers.load(path)
@@ -229,13 +226,6 @@ def test_orcawaves_binary_results_are_refused_with_the_way_out(tmp_path) -> None
     path = tmp_path / "hull.owr"
     path.write_bytes(b"\x00OrcaWave")
     with pytest.raises(HydrodynamicsError, match=r"binary.*save the model as \.yml"):
-        importers.load(path, Options(**DEEP))
-
-
-def test_without_the_library_that_reads_yaml_the_error_names_it(tmp_path, monkeypatch) -> None:
-    path = orcaflex.written(tmp_path / "hull.yml", orcaflex.base(), Form())
-    monkeypatch.setitem(sys.modules, "yaml", None)
-    with pytest.raises(HydrodynamicsError, match="found YAML, allowed: PyYAML, which `pip install pyyaml`"):
         importers.load(path, Options(**DEEP))
 
 

@@ -36,7 +36,7 @@ def near(found, base, tolerance: float) -> None:
 
 
 @pytest.mark.parametrize("version", [6, 7])
-def test_wamit_files_of_six_digits_need_only_what_no_file_beside_them_says(tmp_path, version) -> None:
+def test_wamit_files_of_six_digits_need_only_values_that_no_other_file_has(tmp_path, version) -> None:
     base = writers.database()
     path = programs.wamit_six_digits(tmp_path / "hull", base, version=version)
     programs.wamit_listing(tmp_path / "hull", base)
@@ -162,7 +162,7 @@ def test_frequencies_above_the_limit_are_left_out_before_anything_is_looked_at(t
         importers.load(path, Options(**SIZE), highest_rad_s=0.1)
 
 
-def test_what_is_amiss_is_repaired_and_told_by_how_much(tmp_path) -> None:
+def test_errors_are_repaired_and_the_change_is_reported(tmp_path) -> None:
     base = writers.database()
     spoiled = replace(
         base, added_mass=base.added_mass.copy(), radiation_damping=base.radiation_damping.copy()

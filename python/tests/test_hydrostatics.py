@@ -73,7 +73,7 @@ def test_check_prints_how_a_ship_floats(capsys) -> None:
     assert "warning" not in shown
 
 
-def test_check_tells_what_a_slack_tank_takes_off(capsys) -> None:
+def test_check_prints_the_reduction_of_gm_by_a_slack_tank(capsys) -> None:
     """Source: rho l b^3 / (12 M) across, rho b l^3 / (12 M) along. The barge heels by half a degree, whose
     tan^2 is 1e-4: so much larger is i."""
     size = {"length_m": 6, "breadth_m": 8, "height_m": 2, "filling": 0.5}
@@ -124,10 +124,10 @@ def test_check_says_where_a_ship_leaves_its_database_and_that_one_sinks(capsys) 
     assert main(["check", "barge", "--set", "load_t=5", "--set", "bodies.ship.mass_t=380"]) == 0
     assert "% apart: linear hydrodynamics hold near the database's draught" in capsys.readouterr().err
     assert main(["check", "barge", "--set", "bodies.ship.mass_t=1100"]) == 2
-    assert "the hull cannot float: 1102.000 t displace" in capsys.readouterr().err
+    assert "a hull that cannot float: 1102.000 t displace" in capsys.readouterr().err
 
 
-def test_what_does_not_float_has_no_hydrostatics(capsys) -> None:
+def test_a_body_that_does_not_float_has_no_hydrostatics(capsys) -> None:
     assert kingpost.load("paper").hydrostatics == {"hulls": [], "warnings": []}
     assert main(["check", "paper"]) == 0
     assert "afloat" not in capsys.readouterr().out

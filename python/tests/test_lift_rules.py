@@ -29,7 +29,7 @@ def test_sidelead_is_half_of_offlead() -> None:
 
 
 @pytest.mark.parametrize("wrong", [-1.0, math.nan, math.inf])
-def test_a_wave_height_that_is_none_is_refused(wrong: float) -> None:
+def test_a_wave_height_that_is_not_a_number_is_refused(wrong: float) -> None:
     with pytest.raises(KingpostError, match=r"significant_height_m: found .*"):
         lift_rules.offlead_m(wrong)
 

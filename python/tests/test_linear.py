@@ -356,7 +356,7 @@ def test_an_equilibrium_is_a_row_of_results(hang):
     assert "time" not in rest.dims
 
 
-def test_what_falls_has_no_modes(capsys):
+def test_a_falling_body_has_no_modes(capsys):
     """Source: a body without support; the message says what accelerates."""
     with pytest.raises(kingpost.KingpostError, match=r"no equilibrium .*ship\.z still accelerates"):
         kingpost.modes("paper", gravity=True, hold_centre=False, motor_1=False)

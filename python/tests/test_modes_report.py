@@ -21,7 +21,7 @@ def test_shapes_of_a_ship_on_positioning_are_of_places_and_angles(kept_in_place)
         words = line.replace(",", " ").split()
         assert [word for word in words if word.count(".") and word[0].isalpha() and word not in moving] == []
     assert "e+" not in shown, "no amplitude is beside the largest, which is 1"
-    assert "modes of what controls and drives keep (--all shows them)" in shown
+    assert "modes of the states of controls and drives (--all shows them)" in shown
 
 
 def test_all_modes_have_amplitudes_of_at_most_one(kept_in_place) -> None:

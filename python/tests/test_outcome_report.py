@@ -105,7 +105,7 @@ def test_a_rope_that_parted_stands_above_the_limits():
     assert shown[3:] == ["warning: hull: heels"]
 
 
-def test_a_rope_that_a_warning_says_parts_is_told_of_once_and_with_the_time():
+def test_a_rope_that_parts_is_reported_once_with_the_time():
     warned = [
         {"name": "hull", "text": "heels"},
         {"time_s": 67.2913, "name": "hoist_rope", "text": "parts: why"},
@@ -137,14 +137,14 @@ OFF = [{"name": "energy", "text": "is off its balance by 12 kJ, 3 % of the energ
 
 def test_limits_of_a_run_whose_energy_is_off_its_balance_are_headed_as_not_to_be_trusted():
     heading, columns, *_ = outcome_report.limits([Outcome(1, [limit(1.0, True)], OFF)])
-    assert heading == "limits, NOT to be trusted: the energy is off its balance"
+    assert heading == "limits, NOT reliable: the energy does not balance"
     assert columns.startswith("limit ")
 
 
 def test_limits_of_several_runs_name_the_seeds_whose_energy_is_off_its_balance():
     runs = [Outcome(seed, [limit(1.0, True)], OFF if seed > 1 else []) for seed in (1, 2, 3)]
     heading, *_ = outcome_report.limits(runs)
-    assert heading.endswith("the energy of 2 of 3 runs, of the seeds 2, 3, is off its balance")
+    assert heading.endswith("the energy does not balance in 2 of 3 runs, seeds 2, 3")
     assert outcome_report.limits(runs[:1])[0].startswith("limit ")
 
 

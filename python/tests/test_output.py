@@ -7,6 +7,7 @@ import resource
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -80,6 +81,23 @@ def test_a_folder_that_takes_no_file_is_refused_with_its_reason(tmp_path):
     with pytest.raises(OutputError, match="No such file or directory") as refused:
         output.write_text(tmp_path / "nowhere" / "x.csv", "1")
     assert refused.value.path == tmp_path / "nowhere" / "x.csv"
+
+
+def test_two_that_write_one_file_leave_one_of_both_and_no_mixture(tmp_path):
+    """Source: rename(2): at any moment a reader finds the one or the other, whole."""
+    target = tmp_path / "run.csv"
+    texts = [f"{letter}\n" * length for letter, length in (("a", 20_000), ("b", 50_000))]
+    output.write_text(target, texts[0])
+    writers = [
+        threading.Thread(target=lambda text=text: [output.write_text(target, text) for _ in range(20)])
+        for text in texts
+    ]
+    for writer in writers:
+        writer.start()
+    while any(writer.is_alive() for writer in writers):
+        assert target.read_text() in texts
+    assert target.read_text() in texts
+    assert _names(tmp_path) == [target.name]
 
 
 @pytest.mark.parametrize("ending", ENDINGS)

@@ -7,14 +7,15 @@ from pathlib import Path
 
 import pytest
 import release
+import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 WORKFLOW = ROOT / ".github" / "workflows" / "release.yml"
+ADVISORIES = WORKFLOW.with_name("advisories.yml")
 
 
 @pytest.fixture(scope="module")
 def jobs() -> dict:
-    yaml = pytest.importorskip("yaml")
     return yaml.safe_load(WORKFLOW.read_text(encoding="utf-8"))["jobs"]
 
 
@@ -40,6 +41,27 @@ def test_every_wheel_is_tried_before_anything_is_published(jobs) -> None:
         assert any("release.py try dist" in step for step in steps)
         assert name in jobs["publish"]["needs"]
         assert name in jobs["pages"]["needs"]
+
+
+def test_actions_and_uv_are_pinned() -> None:
+    """A tag of an action can be moved by whoever holds its repository; a commit cannot."""
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    (uv,) = re.findall(r"^UV_VERSION := (\S+)$", makefile, re.MULTILINE)
+    for path in WORKFLOW.parent.glob("*.yml"):
+        text = path.read_text(encoding="utf-8")
+        assert all(version == uv for version in re.findall(r"\buv==(\S+)", text)), path.name
+        assert not re.search(r"pip install uv$", text, re.MULTILINE), path.name
+        for line in re.findall(r"uses: (.*)", text):
+            assert re.fullmatch(r"actions/[\w-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", line), line
+
+
+def test_advisories_are_looked_up_for_every_lock_file() -> None:
+    (trigger,) = [
+        keys for key, keys in yaml.safe_load(ADVISORIES.read_text("utf-8")).items() if key in (True, "on")
+    ]
+    locks = {path for path in trigger["push"]["paths"] if "lock" in path}
+    assert locks == {"Cargo.lock", "uv.lock", "web/package-lock.json"}
+    assert all((ROOT / path).is_file() for path in locks)
 
 
 def test_only_a_tag_publishes(jobs) -> None:

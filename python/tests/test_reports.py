@@ -186,7 +186,7 @@ def test_what_is_drawn_of_a_cylinder_is_as_long_as_the_results_measure(name):
     (FLOATS + FORCES + ROPE, ["barge", "buoy"]),
     (FLOATS + FORCES + ROPE + LEG, []),
 ])  # fmt: skip
-def test_what_nothing_carries_falls(text, falls, tmp_path):
+def test_an_unsupported_body_falls(text, falls, tmp_path):
     """Source: with gravity something has to tie each floating body to the world; damping does not."""
     path = tmp_path / "floats.yaml"
     path.write_text(text, encoding="utf-8")

@@ -152,7 +152,7 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
         (["barge", "-o", "rao.txt"], "rao.txt: unknown ending, allowed: .nc, .csv, .png"),
     ],
 )
-def test_what_has_no_response_is_named(arguments: list[str], message: str, capsys) -> None:
+def test_points_without_a_response_are_named(arguments: list[str], message: str, capsys) -> None:
     assert main(["rao", *arguments]) == 2
     assert message in capsys.readouterr().err
 

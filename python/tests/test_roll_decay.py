@@ -185,7 +185,7 @@ SWING = 0.1 * np.exp(-0.01 * TIME) * np.cos(OMEGA * TIME)
         (TIME[::20], SWING[::20], "samples in a period"),
     ],
 )
-def test_what_is_no_record_of_decaying_roll_is_refused_by_name(time, roll, words):
+def test_a_record_without_decaying_roll_is_refused_by_name(time, roll, words):
     with pytest.raises(RollDampingError) as refused:
         from_decay(DecayRecord(time, roll))
     assert words in str(refused.value)
@@ -221,7 +221,7 @@ def test_a_file_that_is_no_record_is_refused_with_its_name(text, words, tmp_path
         (lambda found: found.coefficients(0.0), "inertia_kg_m2: found 0"),
     ],
 )
-def test_an_inertia_that_is_none_is_refused(call, words):
+def test_an_inertia_that_is_not_a_number_is_refused(call, words):
     found = from_decay(known_record(KNOWN["linear"]), "linear")
     with pytest.raises(RollDampingError, match=words):
         call(found)

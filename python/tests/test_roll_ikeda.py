@@ -226,7 +226,7 @@ def test_coefficients_give_back_the_damping_that_they_were_fitted_to():
         ),
     ],
 )
-def test_a_ship_that_is_none_is_refused_by_name(changes, words):
+def test_an_impossible_ship_is_refused_by_name(changes, words):
     with pytest.raises(RollDampingError) as refused:
         from_sections(**{"sections": box_sections(), "keel_to_gravity_m": 9.0, "period_s": 12.0} | changes)
     assert words in str(refused.value)

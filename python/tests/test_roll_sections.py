@@ -126,6 +126,6 @@ def test_a_wrong_table_is_refused_by_name(change, words, tmp_path):
         ("missing.csv", {}, "No such file"),
     ],
 )
-def test_a_hull_that_is_none_is_refused(hull, options, words):
+def test_an_impossible_hull_is_refused(hull, options, words):
     with pytest.raises(RollDampingError, match=words):
         sections_of(hull, **options)

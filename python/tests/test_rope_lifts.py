@@ -65,7 +65,7 @@ def test_a_drum_turns_as_the_strain_energy_that_it_winds_on_says_and_exudyns_wit
     assert abs(theirs - ours) > 0.04
 
 
-def test_the_page_says_what_the_ropes_give_now() -> None:
+def test_the_page_agrees_with_the_present_results_of_ropes() -> None:
     """Source: the rows, and of MuJoCo's smooth cylinder the kept run."""
     page = PAGE.read_text(encoding="utf-8").split("### Ropes over sheaves")[1].split("\n### ")[0]
     rows = {one.id: one for one in running.checks("peers")}
@@ -80,6 +80,6 @@ def test_the_page_says_what_the_ropes_give_now() -> None:
     assert f"{apart:.2f} m" in page
 
 
-def test_the_kept_runs_say_what_made_them() -> None:
+def test_the_stored_runs_name_their_origin() -> None:
     script = Path(__file__).parent / "peers" / "rope_lifts.py"
     assert json.dumps(KEPT["command"])[1:-1] in script.read_text(encoding="utf-8")

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import copy
 import re
 import shlex
 from pathlib import Path
+from typing import Any
 
 import kingpost
 import pytest
+import yaml
 from kingpost import cli
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "scenarios.md").read_text(encoding="utf-8")
@@ -16,41 +19,17 @@ FILE = "barge_crane.yaml"
 RECORD = "time_s,elevation_m\n" + "\n".join(f"{i},{(-1) ** i * 0.2}" for i in range(64)) + "\n"
 
 
-Outline = dict[str, "Outline | str"]
-
-
-def outline(block: str) -> Outline:
-    """A block of YAML by its indentation: what stands on the line of a key is kept as it is written."""
-    found: Outline = {}
-    open_keys: list[tuple[int, Outline]] = [(-1, found)]
-    for line in block.splitlines():
-        indent, text = len(line) - len(line.lstrip()), line.strip()
-        if not text or text.startswith("#"):
-            continue
-        while open_keys[-1][0] >= indent:
-            open_keys.pop()
-        key, _, value = (text, "", text) if text.startswith("- ") else text.partition(":")
-        value = re.sub(r"(^|\s)#\s.*", "", value).strip()
-        inside: Outline = {}
-        open_keys[-1][1][key] = value or inside
-        open_keys.append((indent, inside))
-    return found
-
-
-def merged(whole: Outline | str | None, piece: Outline | str) -> Outline | str:
-    """A piece added to what is there: under the same keys, else in its place."""
+def merged(whole: Any, piece: Any) -> Any:
+    """A piece added to what is there: fields under the same keys, items at the end of a list."""
     if isinstance(whole, dict) and isinstance(piece, dict):
         return whole | {key: merged(whole.get(key), value) for key, value in piece.items()}
+    if isinstance(whole, list) and isinstance(piece, list):
+        return [*whole, *(item for item in piece if item not in whole)]
     return piece
 
 
-def written(found: Outline, indent: str = "") -> str:
-    lines = []
-    for key, value in found.items():
-        start = indent if key.startswith("- ") else f"{indent}{key}: "
-        inside = isinstance(value, dict)
-        lines.append(f"{start}\n{written(value, indent + '  ')}" if inside else f"{start}{value}\n")
-    return "".join(lines)
+def write(scenario: Any, path: str = FILE) -> None:
+    Path(path).write_text(yaml.safe_dump(scenario, sort_keys=False), encoding="utf-8")
 
 
 def commands(block: str) -> list[list[str]]:
@@ -72,19 +51,19 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_page_is_a_scenario_that_grows_and_runs(folder, monkeypatch, capsys) -> None:
     monkeypatch.chdir(folder)
-    whole: Outline = {}
+    whole: Any = {}
     ran = []
     for language, block in BLOCKS[1:]:
         if language == "yaml":
-            piece = outline(block)
+            piece = yaml.safe_load(block)
             for one in each_sea(piece):
-                Path(FILE).write_text(written(merged(whole, one)))
+                write(merged(whole, one))
                 kingpost.Simulation(kingpost.load(FILE)).step(3)
             whole = whole if "regular_wave" in block else merged(whole, piece)
-            Path(FILE).write_text(written(whole))
+            write(whole)
         elif language == "yaml mode":
             for mode in block.splitlines():
-                Path("moved.yaml").write_text(slewing(Path(FILE).read_text(), mode))
+                write(slewing(whole, mode), "moved.yaml")
                 kingpost.Simulation(kingpost.load("moved.yaml")).step(3)
         elif language == "python":
             exec(compile(block, "scenarios.md", "exec"), {})
@@ -100,17 +79,19 @@ def test_the_page_is_a_scenario_that_grows_and_runs(folder, monkeypatch, capsys)
     assert max(abs(kingpost.run(FILE, {"simulation.duration_s": 30})["roll"].sel(body="hull").values)) < 0.1
 
 
-def slewing(scenario: str, mode: str) -> str:
+def slewing(scenario: Any, mode: str) -> Any:
     """The scenario with a line of the page as the mode of its slewing joint, or of a slide in its place."""
-    (joint,) = re.findall(r"revolute: {name: slew, .*}", scenario)
-    moved = joint.replace("mode: held", mode.partition("#")[0].strip())
-    assert moved != joint
+    moved = copy.deepcopy(scenario)
+    (joint,) = [body["joint"] for body in moved["bodies"].values()
+                if body.get("joint", {}).get("revolute", {}).get("name") == "slew"]  # fmt: skip
+    joint["revolute"] |= yaml.safe_load(mode)
     if "_m" in mode:
-        moved = moved.replace("revolute", "prismatic").replace("initial_angle_deg: 90, ", "")
-    return scenario.replace(joint, moved)
+        joint["prismatic"] = joint.pop("revolute")
+        del joint["prismatic"]["initial_angle_deg"]
+    return moved
 
 
-def each_sea(piece: Outline) -> list[Outline]:
+def each_sea(piece: Any) -> list[Any]:
     """Of a piece with several wave systems one for each of them."""
     waves = piece.get("sea", {}).get("waves", {})
     return [{"sea": {"waves": {name: waves[name]}}} for name in waves] if len(waves) > 1 else [piece]
@@ -118,10 +99,6 @@ def each_sea(piece: Outline) -> list[Outline]:
 
 def table() -> list[str]:
     """The table of results that the page should have."""
-    whole: Outline = {}
-    for language, block in BLOCKS:
-        if language == "yaml" and "regular_wave" not in block:
-            whole = merged(whole, outline(block))
     # Of the gallery, one with turning and sliding joints, loops and cylinders names units and labels.
     found: dict[str, dict] = {}
     for name in ("knuckle_boom_crane", *kingpost.gallery.names()):

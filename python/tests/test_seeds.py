@@ -33,7 +33,7 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
     assert "of 6 runs" in capsys.readouterr().out
 
 
-def test_what_is_finished_and_of_the_same_run_is_kept(tmp_path, capsys, monkeypatch) -> None:
+def test_a_finished_file_of_the_same_run_is_kept(tmp_path, capsys, monkeypatch) -> None:
     """Source: the public contract: other seeds, other settings, damaged files and others' are run."""
     arguments = ["run", "barge", "--set=waves=on", "--set=simulation.duration_s=1", "-o"]
     pattern = str(tmp_path / "run_*.nc")
@@ -77,7 +77,7 @@ def test_runs_that_diverge_are_kept_until_then_and_fail(tmp_path, capsys) -> Non
         (["--seeds", "2", "-o", "run_*.txt"], "run_1.txt: unknown ending"),
     ],
 )
-def test_what_is_wrong_is_said_before_a_run(arguments, message, tmp_path, monkeypatch, capsys) -> None:
+def test_errors_are_reported_before_a_run(arguments, message, tmp_path, monkeypatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["run", "barge", *arguments]) == 2
     assert message in capsys.readouterr().err

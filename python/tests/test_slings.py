@@ -76,7 +76,7 @@ def test_a_leg_of_another_length_shifts_load_from_one_diagonal_to_the_other(leng
     assert slack == (2 if length == 9.95 else 0)
 
 
-def test_a_short_leg_costs_a_quarter_of_its_stiffness_times_what_it_lacks() -> None:
+def test_a_short_leg_costs_a_quarter_of_its_stiffness_times_the_missing_length() -> None:
     """Source: of four springs on a rigid load one self-stress, plus and minus along the diagonals, is left:
     a leg that lacks d stretches all by d / 4. Beyond first order: the strain of 1e-3 and d / L of 1e-3."""
     shift = (on_four_legs(leg_forward_port_m=9.99) - on_four_legs()) * [1, -1, 1, -1]

@@ -59,4 +59,4 @@ def test_check_and_run_warn_of_a_step_that_is_too_long(capsys, tmp_path, monkeyp
     assert "the step of 0.02 s is too long for rk4" in capsys.readouterr().err
     short = ["--set", "simulation.duration_s=0.1", "--set", "simulation.record_every_s=0.1"]
     main(["run", "vessel_knuckle_boom", "--set", f"{STEP}=0.02", *short])
-    assert "grows by steps beyond 0.018 s" in capsys.readouterr().err
+    assert "grows with steps longer than 0.018 s" in capsys.readouterr().err

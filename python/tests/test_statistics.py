@@ -76,13 +76,20 @@ def test_a_sine_gives_all_of_its_power_to_its_line() -> None:
     assert float(found.idxmax("omega")) == pytest.approx(2 * np.pi / 10)
 
 
-def test_the_spectrum_is_that_of_scipy() -> None:
-    signal = pytest.importorskip("scipy.signal")
+@pytest.mark.parametrize("length", [500, 501])
+def test_the_spectrum_is_welchs_average_of_periodograms(length: int) -> None:
+    """P. D. Welch, IEEE Trans. Audio Electroacoust. 15(2), 1967: segments that overlap by half, Hann windows
+    over a period, squares over the window's. To rounding of some thousand sums."""
     record = gaussian_process(np.random.default_rng(5), duration_s=1000.0)
-    found = statistics.spectrum(record, segment_s=125.0)
-    hertz, density = signal.welch(record.values - record.values.mean(), fs=4.0, nperseg=500, detrend=False)
-    assert np.allclose(found["omega"], 2 * np.pi * hertz)
-    assert np.allclose(found, density / (2 * np.pi), rtol=1e-12, atol=1e-14)
+    found = statistics.spectrum(record, segment_s=0.25 * length)
+    values = record.values - record.values.mean()
+    window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(length) / length)
+    starts = range(0, len(values) - length + 1, length // 2)
+    squares = [np.abs(np.fft.rfft(values[at : at + length] * window)) ** 2 for at in starts]
+    sides = np.where(np.arange(length // 2 + 1) * 2 % length, 2.0, 1.0)
+    expected = np.mean(squares, axis=0) * sides * 0.25 / (window**2).sum() / (2 * np.pi)
+    assert np.allclose(found["omega"], 2 * np.pi * np.fft.rfftfreq(length, 0.25), rtol=1e-14)
+    assert np.allclose(found, expected, rtol=1e-11, atol=1e-14 * expected.max())
 
 
 def test_the_largest_value_of_three_hours_is_that_of_rayleigh_peaks() -> None:
@@ -188,12 +195,12 @@ def recorded(tmp_path, seed: int, duration_s: float = 1800.0, **parameters) -> s
     return str(path)
 
 
-def test_the_command_prints_what_runs_show_after_the_ramp(tmp_path, capsys) -> None:
+def test_the_command_prints_statistics_after_the_ramp(tmp_path, capsys) -> None:
     files = [recorded(tmp_path, seed) for seed in range(6)]
     table = tmp_path / "table.csv"
     assert main(["statistics", *files, "-o", str(table)]) == 0
     shown, warned = capsys.readouterr()
-    assert "20 to 1799.75 s of 6 runs, 3 h in all: means over them" in shown, "the barge's ramp is 20 s"
+    assert "20 to 1799.75 s of 6 runs, 3 h in all: averages over" in shown, "the barge's ramp is 20 s"
     assert "warning: of 6 runs these are rough: 10 or more" in warned
     header = next(line for line in shown.splitlines() if line.startswith("channel"))
     assert header.split("  ")[-2:] == ["largest of all", "smallest of all"]
@@ -298,7 +305,7 @@ def test_a_run_keeps_the_density_of_its_water() -> None:
     assert kingpost.run("paper", {"simulation.duration_s": 0.1}).attrs["water_density_kg_m3"] == 0
 
 
-def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
+def test_a_run_that_ended_early_is_reported(tmp_path, capsys) -> None:
     results = kingpost.run("barge", {"simulation.duration_s": 3.0})
     results.attrs["status"] = "interrupted"
     results.to_netcdf(tmp_path / "part.nc", engine="h5netcdf")
@@ -314,12 +321,12 @@ def _warned(values: list[float], **warnings: str) -> xarray.Dataset:
     return xarray.Dataset({"roll": ("time", values)}, {"time": np.arange(len(values))}, attrs)
 
 
-def test_what_the_engine_warned_of_in_a_run_is_printed() -> None:
+def test_warnings_of_a_run_are_printed() -> None:
     run = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s")
     assert "\nwarning: hull: it heeled to 21.00 deg, at 4 s\n" in _text([run])
 
 
-def test_what_it_warned_of_in_several_runs_is_printed_once_with_their_number() -> None:
+def test_warnings_of_several_runs_are_printed_once_with_their_number() -> None:
     first = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s", boom="it pushes")
     second = _warned([0.0, 1.0], hull="it heeled to -33.10 deg, at 17.5 s")
     third = _warned([0.0, 1.0, 0.3, 0.2])

@@ -16,7 +16,7 @@ PAGE = Path(__file__).resolve().parents[2] / "docs" / "validation.md"
 
 
 @pytest.mark.parametrize(("hook", "seed"), [("0.45", 1), ("0.27", 2)])
-def test_a_stored_lift_is_what_the_engine_finds(hook, seed) -> None:
+def test_a_stored_lift_agrees_with_the_engine(hook, seed) -> None:
     """Source: the same run again; six digits are kept."""
     stored = STORED["lifts"][hook]
     run = study.lifts(stored["winch_rate_rad_s"], [seed]).isel(run=0)
@@ -34,7 +34,7 @@ def test_the_stored_rule_is_that_of_the_class_formula() -> None:
     assert rule["offlead_m"] == lift_rules.offlead_m(1.5)
 
 
-def test_the_page_says_what_is_stored() -> None:
+def test_the_page_agrees_with_the_stored_study() -> None:
     page = PAGE.read_text(encoding="utf-8").split("### Twenty lifts off a supply boat")[1].split("\n### ")[0]
     rows = re.findall(r"^\| `(\w+)` \|.*?\| ([\d., -]+) \| ([\d., -]+) \|", page, re.MULTILINE)
     assert [name for name, *_ in rows] == list(STORED["lifts"]["0.45"]["seeds"][0])
@@ -48,6 +48,6 @@ def test_the_page_says_what_is_stored() -> None:
         assert f"{number:.2f} m/s" in page
 
 
-def test_the_stored_study_says_what_made_it() -> None:
+def test_the_stored_study_names_its_origin() -> None:
     assert STORED["command"] == study.COMMAND
     assert study.COMMAND in study.__doc__

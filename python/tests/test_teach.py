@@ -128,7 +128,7 @@ def test_arrows_are_small_motions_of_the_bodies(moving):
     assert work.point.values == pytest.approx(moving.poses()[:, :3], abs=1e-12)
 
 
-def test_the_pull_on_a_body_is_its_weight_and_what_the_joints_hold_it_with():
+def test_the_load_on_a_body_is_its_weight_and_the_reactions_of_its_joints():
     """Source: statics: at rest under gravity the joint carries the weight."""
     scenario = load("paper", motor_1=False, gravity=True)
     work = teach.virtual_work(Simulation(scenario), {"slew": 1.0})

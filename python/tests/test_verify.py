@@ -59,7 +59,7 @@ def test_a_row_that_is_spoilt_fails_and_so_does_the_command(monkeypatch, capsys)
     assert re.search(r"FAIL stay-force: off by 0\.0099, allowed 1e-09", capsys.readouterr().out)
 
 
-def test_a_row_that_raises_fails_and_says_with_what(monkeypatch, capsys) -> None:
+def test_a_row_that_raises_fails_and_names_the_exception(monkeypatch, capsys) -> None:
     def broken() -> verify.Compared:
         raise ZeroDivisionError("no wave")
 
@@ -109,7 +109,7 @@ def test_the_pictures_are_those_of_the_page(measured, tmp_path, capsys) -> None:
     assert all((tmp_path / name).read_bytes().startswith(b"\x89PNG") for name in drawn)
 
 
-def test_the_page_says_what_is_measured_now(measured) -> None:
+def test_the_page_agrees_with_the_present_measurements(measured) -> None:
     """Source: the rows; the page has three decimals."""
     found = {row.id: row for row in measured}
     ours = re.search(r"^\| ours \| (.*) \|$", PAGE, re.MULTILINE)[1].split(" | ")
@@ -132,7 +132,7 @@ def numbers_of(heading: str, label: str) -> list[float]:
     return [float(cell) for cell in re.findall(r"(?<=\| )-?[\d.]+(?= \|)|(?<=\| )-?[\d.]+(?= %)", line)]
 
 
-def test_the_page_says_what_the_held_section_takes_now(measured) -> None:
+def test_the_page_agrees_with_the_present_results_of_the_held_section(measured) -> None:
     for omega in (4.143, 5.194, 6.065, 8.578):
         period = f"{2 * np.pi / omega:.3f}"
         _, *printed = numbers_of("Forces and mean drift of that section, held", period)
@@ -141,7 +141,7 @@ def test_the_page_says_what_the_held_section_takes_now(measured) -> None:
         np.testing.assert_allclose(printed[1::2], ours, atol=6e-4)
 
 
-def test_the_page_says_what_the_cylinders_take_now(measured) -> None:
+def test_the_page_agrees_with_the_present_results_of_the_cylinders(measured) -> None:
     names = (
         "sway added mass",
         "sway damping",

@@ -56,7 +56,7 @@ def texts(found) -> list[str]:
 
 
 @pytest.mark.parametrize("angle", [60, 122])
-def test_a_pendant_that_goes_over_the_top_is_told_of(tmp_path, capsys, angle) -> None:
+def test_a_pendant_that_goes_over_the_top_gives_a_warning(tmp_path, capsys, angle) -> None:
     """A pendulum let go from rest at an angle carries m g cos(angle) first: it pushes beyond 90 degrees."""
     path = tmp_path / "pendulum.yaml"
     path.write_text(PENDULUM.format(angle=angle))
@@ -68,7 +68,7 @@ def test_a_pendant_that_goes_over_the_top_is_told_of(tmp_path, capsys, angle) ->
 
 
 @pytest.mark.parametrize("height", [6.5, 12.5])
-def test_a_massless_rod_that_holds_its_load_up_is_told_of(tmp_path, height) -> None:
+def test_a_massless_rod_that_holds_its_load_up_gives_a_warning(tmp_path, height) -> None:
     """The eye of a load of 100 kg, 0.5 m over its centre, is 3 m above the rod's other end: the rod pushes
     with the weight; or it is 3 m below: the rod pulls."""
     path = tmp_path / "rod.yaml"
@@ -140,7 +140,7 @@ def test_a_notebook_a_command_line_and_files_have_the_same_warnings_of_a_run(tmp
     assert [f"{row.warning_name}: {row.warning_text}" for row in beside.itertuples()] == told
 
 
-def test_a_step_that_is_too_long_is_told_of_in_python_too(capsys) -> None:
+def test_a_step_that_is_too_long_also_gives_a_warning_in_python(capsys) -> None:
     """Source: the command line, which says the same of the same run."""
     short = {STEP: 0.02, "simulation.duration_s": 0.04, "simulation.record_every_s": 0.02}
     told = told_by(lambda: kingpost.run("vessel_knuckle_boom", short))

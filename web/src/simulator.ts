@@ -40,7 +40,7 @@ import { createScene } from "./view/scene";
 
 /** The page that runs a scenario, as the start page and the browser's history drive it. */
 export interface Simulator {
-  /** Opens what the address asks for, or the file that a state of the history stands for. */
+  /** Opens the scenario of the address, or the file of a history state. */
   goTo(state: Choice | null): Promise<void>;
   holds(state: Choice | null): boolean;
   openFiles(texts: Record<string, string>): Promise<void>;
@@ -50,14 +50,14 @@ export interface Simulator {
   entitle(): void;
 }
 
-/** Starts the engine, and builds the page around a session; the gallery may be still on its way. */
+/** Starts the engine, and builds the page around a session; the gallery may still be loading. */
 export function startSimulator(gallery: Promise<Gallery>): Simulator {
   const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module", name: language });
   const startClient = () => new EngineClient(startWorker, galleryFolder(document.baseURI));
   const session = new Session(startClient());
   buildPage(session, startClient);
   exposeHandle(session);
-  // What opens behind the start page gives its title once it is seen.
+  // A scenario that opens behind the start page sets the title when it becomes visible.
   const entitle = () => {
     if (!byId("app").hidden) document.title = session.run ? texts.page.title(session.run.model.title) : texts.page.name;
   };

@@ -64,6 +64,11 @@ describe("a link", () => {
     expect((await hashOf(own)).length).toBeLessThan(8000);
   });
 
+  it("that Python wrote opens", async () => {
+    const { link, run } = JSON.parse(read("web/tests/golden/python_link.json"));
+    expect(await runIn(link)).toEqual(run);
+  });
+
   it("stands beside the other things that an address says", async () => {
     const hash = await hashOf(small);
     expect(await runIn(`#quality=best&${hash.slice(1)}`)).toEqual(small);

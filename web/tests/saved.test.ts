@@ -90,7 +90,7 @@ describe("a saved scenario", () => {
     const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "newmark", moves: 1, parameters: [], files: ["hydro/mine.hydro.json"] };
     const { name, text } = savedFile("ships/mine-saved.yaml", replay);
     expect(name).toBe("mine-saved.yaml");
-    expect(text).toContain("# It needs these files beside it: hydro/mine.hydro.json.\n");
+    expect(text).toContain("# It needs these files in the same folder: hydro/mine.hydro.json.\n");
     expect(text).toContain("the lever move made by hand");
     expect(text).toContain("not to the last bit");
     expect(text.endsWith("\n\nversion: 1\n")).toBe(true);
@@ -98,7 +98,7 @@ describe("a saved scenario", () => {
 
   it("is none where levers were moved beside an operation that is on, in words that say what to do", () => {
     const fault = { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
-    expect(faultOfSaving(fault)).toMatchObject({ kind: "two_operations", message: expect.stringContaining("drive all by hand") });
+    expect(faultOfSaving(fault)).toMatchObject({ kind: "two_operations", message: expect.stringContaining("move all levers by hand") });
     expect(faultOfSaving({ kind: "internal", message: "no scenario is open" })).toEqual({ kind: "unsaved", message: "no scenario is open" });
   });
 });

@@ -11,8 +11,8 @@ it("picks moments evenly, the first and the last among them", () => {
 it("has of each line its least, its greatest and its values at these moments", () => {
   const rows = rowsOf([0, 0.01, 0.02], [[0, -2, 1], [5, 5, 4]], (value) => value.toFixed(1));
   expect(rows).toEqual([
-    ["Least", "-2.0", "4.0"],
-    ["Greatest", "1.0", "5.0"],
+    ["Min", "-2.0", "4.0"],
+    ["Max", "1.0", "5.0"],
     ["0 s", "0.0", "5.0"],
     ["0.01 s", "-2.0", "5.0"],
     ["0.02 s", "1.0", "4.0"],

@@ -51,10 +51,20 @@ fn parse_assignment(text: &str) -> PyResult<(String, String)> {
     })
 }
 
+/// A study as JSON with every default written, and as JSON the places of its values.
+#[pyfunction]
+fn read_study(text: &str, file: &str) -> PyResult<(String, String)> {
+    boundary::guarded(|| {
+        let (study, places) = scenario::study::read(text, file).map_err(errors::scenario)?;
+        let json = |value: serde_json::Result<String>| value.map_err(errors::input);
+        Ok((json(serde_json::to_string(&study))?, json(serde_json::to_string(&places))?))
+    })
+}
+
 #[pymodule]
 mod _engine {
     #[pymodule_export]
-    use super::{file_names, parse_assignment, read};
+    use super::{file_names, parse_assignment, read, read_study};
 
     #[pymodule_export]
     use super::batch::{batch, has_avx2};
@@ -74,4 +84,8 @@ mod _engine {
     #[pymodule_export]
     #[allow(non_upper_case_globals)]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+
+    #[pymodule_export]
+    #[allow(non_upper_case_globals)]
+    const __source_digest__: &str = env!("KINGPOST_SOURCE_DIGEST");
 }

@@ -6,6 +6,7 @@ use kingpost::analysis::{self, Linearizer};
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
 use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::Scenario;
+use kingpost::scenario::build::SeaWaves;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -216,6 +217,17 @@ impl Simulation {
         self.with(|held| serde_json::to_string(&held.inner.limits()).map_err(errors::input))
     }
 
+    /// Name and column of each limit, and the smallest and the largest value that it allows, in the column's SI unit.
+    fn limit_bounds(&self) -> PyResult<Vec<(String, String, Option<f64>, Option<f64>)>> {
+        self.with(|held| {
+            let each = held.inner.limits_given().map(|limit| {
+                let [least, most] = limit.bounds.map(|bound| bound.map(|bound| bound * limit.unit.1));
+                (limit.name.clone(), limit.column.clone(), least, most)
+            });
+            Ok(each.collect())
+        })
+    }
+
     /// The user's moves so far: time, input, value.
     fn lever_moves(&self) -> PyResult<Vec<(f64, String, f64)>> {
         self.with(|held| {
@@ -323,6 +335,41 @@ impl Simulation {
         self.with(|held| {
             let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
             let found = py.detach(|| held.scenario.wave_response(&held.inner, &waves)).map_err(errors::input)?;
+            serde_json::to_string(&found).map_err(errors::input)
+        })
+    }
+
+    /// The response of columns to regular waves about rest: real and imaginary parts, and the rest as JSON.
+    fn column_response<'py>(
+        &self,
+        py: Python<'py>,
+        waves_json: &str,
+        columns: Vec<String>,
+        about_resonances: bool,
+    ) -> PyResult<(Matrix<'py>, String)> {
+        self.with(|held| {
+            let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
+            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &columns, about_resonances));
+            let found = found.map_err(errors::input)?;
+            let amplitudes = found.amplitudes.as_flattened().to_vec();
+            let about = serde_json::to_string(&found).map_err(errors::input)?;
+            Ok((matrix(py, amplitudes, found.amplitudes.len(), 2)?, about))
+        })
+    }
+
+    /// The energy of the wave systems of each of some seas (`sea.waves` of a resolved scenario, a list of them as JSON), at
+    /// frequencies and in so many directions, as JSON.
+    fn sea_spectra_json(
+        &self,
+        seas_json: &str,
+        frequencies_rad_s: PyReadonlyArray1<'_, f64>,
+        directions: usize,
+    ) -> PyResult<String> {
+        self.with(|held| {
+            let seas: Vec<SeaWaves> = serde_json::from_str(seas_json).map_err(errors::input)?;
+            let frequencies = frequencies_rad_s.as_slice()?;
+            let each = seas.iter().map(|waves| held.scenario.sea_spectra(waves, frequencies, directions));
+            let found = each.collect::<Result<Vec<_>, _>>().map_err(errors::scenario)?;
             serde_json::to_string(&found).map_err(errors::input)
         })
     }

@@ -1,1 +1,1 @@
-"""What is computed from a model or from recorded runs."""
+"""Analyses of a model and of recorded runs."""

@@ -21,18 +21,18 @@ SENSES = ("surge_forward", "sway_port", "heave_up", "roll_port_up", "pitch_bow_d
 
 
 def displacement_raos(found: xarray.Dataset, body: str | None = None) -> pandas.DataFrame:
-    """How a floating body moves in regular waves: a row for each direction and frequency.
+    """Displacement RAOs of a floating body: a row for each direction and frequency.
 
-    The RAOs are of the point of the body that lies at the reference of the phases (``reference_m``, on the
-    still water) at rest, in axes that head as the first hull does: from the motion X(p) of the body's
-    centre of mass p and its small rotation theta, ``X(0) = X(p) - theta x p``.
+    The RAOs describe the point of the body that at rest lies at the reference of the phases (``reference_m``,
+    on the still water), in axes with the heading of the first hull. They follow from the motion X(p) of the
+    body's centre of mass p and its small rotation theta: ``X(0) = X(p) - theta x p``.
 
     Parameters
     ----------
     found
-        What `rao` gives, with the body among its points.
+        Result of `rao`, with the body among its points.
     body
-        Name of a body that floats; the first unless given.
+        Name of a floating body; default: the first.
 
     Returns
     -------
@@ -44,7 +44,7 @@ def displacement_raos(found: xarray.Dataset, body: str | None = None) -> pandas.
     Raises
     ------
     KingpostError
-        When no such body floats, or its place is not among the points.
+        If no such body floats, or it is not among the points.
 
     >>> from kingpost import rao
     >>> found = rao("barge", directions_rad=[np.pi], frequencies_rad_s=[0.4])
@@ -64,7 +64,7 @@ def _about_reference(found: xarray.Dataset, body: str) -> np.ndarray:
     """Surge, sway, heave, roll, pitch and yaw by direction and frequency, in axes of the heading."""
     cos, sin = np.cos(found.attrs["heading_rad"]), np.sin(found.attrs["heading_rad"])
     to_heading = np.array([[cos, sin, 0], [-sin, cos, 0], [0, 0, 1]])
-    # Roll and pitch are about axes that head as the body, yaw about the vertical.
+    # Roll and pitch are about horizontal axes with the body's heading, yaw is about the vertical.
     theta = (
         complex_amplitude(found, "rotation").sel(body=body).transpose("direction", "omega", "angle").values
     )
@@ -79,7 +79,7 @@ def _frame(found: xarray.Dataset, raos: np.ndarray) -> pandas.DataFrame:
 
     directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
     against = np.rad2deg(directions - found.attrs["heading_rad"]) % 360
-    # The last digit of a turn is not worth a column of nines.
+    # Round off what a full turn leaves: 359.999999 would fill a column with nines.
     columns = {"direction_to_deg": np.round(against, 9).ravel() % 360, "frequency_rad_s": frequencies.ravel()}
     for mode, sense in enumerate(SENSES):
         amplitude, lag = np.abs(raos[..., mode]), np.rad2deg(np.angle(raos[..., mode]))
@@ -90,7 +90,7 @@ def _frame(found: xarray.Dataset, raos: np.ndarray) -> pandas.DataFrame:
 
 
 def write(found: xarray.Dataset, path: str | Path, body: str | None = None) -> Path:
-    """Write the table as CSV, ten significant digits, with a first line that says what it is of."""
+    """Write the table as CSV with ten significant digits and a title line."""
     path = output.check(path, ENDINGS)
     text = displacement_raos(found, body).to_csv(index=False, float_format="%.10g", lineterminator="\n")
     title = " ".join(str(found.attrs["title"]).split())

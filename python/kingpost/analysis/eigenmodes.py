@@ -1,9 +1,9 @@
 """Eigenvalues of a linearised system as modes: free, oscillating, decaying, unstable.
 
-Before any eigenvalue is computed the states are scaled by the mass matrix, so that metres and
-radians compare by the kinetic energy of their motion, and what is exactly free is split off.
-Without that the zero eigenvalues of a body that drifts, which come in pairs with one eigenvector,
-would scatter by the square root of rounding.
+Before the eigenvalues are computed, the states are scaled by the mass matrix, so that metres and radians
+compare by kinetic energy, and the exactly free motions are split off. Without this step the zero eigenvalues
+of a drifting body, which come in pairs with one eigenvector, would scatter by the square root of the rounding
+error.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from numpy.typing import NDArray
 from ..simulation.linear import Linearization
 
 FREE, OSCILLATION, DECAY, UNSTABLE = "zero", "oscillation", "decay", "unstable"
-"""Kinds of modes, in the order in which they are listed where eigenvalues are equal."""
+"""Kinds of modes; modes of equal eigenvalues are listed in this order."""
 
 SMALLEST_SHARE = 1e-13
 """Squared frequencies below this share of the largest count as zero: rounding hides them."""
 SMALLEST_SQUARE = 1e-10
 """Squared frequencies below this count as zero, (rad/s)^2: a period of a week."""
 FIRST = 1e3
-"""Weight of what a drive keeps, beside the largest of a coordinate, in naming zero modes."""
+"""Weight of a drive's states in the naming of zero modes, relative to the largest weight of a coordinate."""
 LAST = 1e-6
-"""Weight of states that only remember, in naming zero modes: they follow where a hull is."""
+"""Weight of memory states in the naming of zero modes: they only follow the position of a hull."""
 BALANCINGS = 20
-"""Sweeps over the units of further states."""
+"""Number of sweeps that balance the units of further states."""
 SMALLEST_PRODUCT = 1e-6
-"""Left and right vectors that are across each other by less are of different modes of equal eigenvalue."""
+"""A left and a right vector with a smaller product belong to different modes of equal eigenvalue."""
 ALIKE = 1e-9
-"""Shares that differ by less are equal, and the first is taken."""
+"""Shares that differ by less count as equal, and the first is taken."""
 
 
 @dataclass(frozen=True)
@@ -46,17 +46,16 @@ class Mode:
     eigenvalue
         1/s; of a complex pair the one with the positive imaginary part.
     multiplicity
-        How many eigenvalues of A it stands for: 2 for a pair, and for a zero mode that keeps any
-        rate that it is given.
+        Number of eigenvalues of A that it stands for: 2 for a pair, and for a zero mode that keeps any rate.
     coordinate
-        Its name: for a zero mode the coordinate that is free, otherwise the one with the largest
-        share in the kinetic energy.
+        The mode is named after it: for a zero mode the free coordinate, otherwise the coordinate with the
+        largest share of the kinetic energy.
     shape
-        Amplitudes by coordinate and then by further state, each in its unit; the largest is 1.
+        Amplitudes of the coordinates, then of the further states, each in its unit; the largest is 1.
     memory_share
-        What the states that remember radiated waves take part in it, by their participation factors
-        (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982): those of all states add
-        up to 1, whatever their units.
+        Share of the states that remember radiated waves, by participation factors
+        (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982). The factors of all states add up
+        to 1 in any units.
     """
 
     kind: str
@@ -75,12 +74,12 @@ def eigenmodes(
     Parameters
     ----------
     linear
-        The system; its modes mean what one expects where its rates are zero.
+        The system; modes have their usual meaning only where its rates are zero.
     mass
         Reduced mass matrix M* of its free coordinates.
     constraints
-        J of the closed loops over its free coordinates, a row for each constraint. Modes move so
-        that J xi = 0; at rest A takes such motions to such again.
+        J of the closed loops over its free coordinates, a row for each constraint. Modes satisfy J xi = 0; at
+        rest A maps such motions to such motions.
     """
     system = Scaled.of(linear, mass, constraints)
     if not system.a.size:
@@ -93,11 +92,11 @@ def eigenmodes(
 
 @dataclass(frozen=True)
 class Scaled:
-    """A system in states whose squares are energies: ``w y``, ``y'``, the rest.
+    """A system in states whose squares are energies: ``w y``, ``y'`` and the further states.
 
-    `memory` says which of the names only remember. With M* = L L^T and columns N, orthonormal, of what
-    J L^-T takes to nothing, the coordinates are xi = L^-T N y: independent, and y'^2 / 2 is the kinetic
-    energy. With w the largest frequency, A then has entries near w in the blocks that store energy.
+    `memory` lists the names of memory states. With M* = L L^T and an orthonormal basis N of the null space of
+    J L^-T, the coordinates are xi = L^-T N y: they are independent, and y'^2 / 2 is the kinetic energy. With
+    w the largest frequency, the blocks of A that store energy have entries near w.
     """
 
     names: list[str]
@@ -110,45 +109,48 @@ class Scaled:
 
     @classmethod
     def of(cls, linear: Linearization, mass: NDArray[np.float64], constraints: NDArray[np.float64]) -> Scaled:
+        from scipy.linalg import block_diag
+
         a, n = linear.A.values, len(mass)
         root = np.linalg.cholesky(mass).T
         inverse = np.linalg.solve(root, np.eye(n))
         independent = null_space(constraints @ inverse)
         inward, outward = independent.T @ root, inverse @ independent
         stiffness = inward @ a[n : 2 * n, :n] @ outward
-        # Where nothing is stiff, 1 rad/s is as good as any other.
+        # Without stiffness any frequency would do: take 1 rad/s.
         square = max(np.linalg.norm(stiffness, 2) if stiffness.size else 0.0, 1.0)
         frequency = np.sqrt(square)
         names = linear.coordinates + linear.states[2 * n :]
         memory = np.concatenate([linear.remembers[:n], linear.remembers[2 * n :]])
         plain = np.eye(len(a) - 2 * n)
         energies = (
-            block_diagonal(inward * frequency, inward, plain)
+            block_diag(inward * frequency, inward, plain)
             @ a
-            @ block_diagonal(outward / frequency, outward, plain)
+            @ block_diag(outward / frequency, outward, plain)
         )
         further = balanced(energies, ~memory[n:])
-        to_scaled = block_diagonal(inward * frequency, inward, np.diag(1 / further))
-        from_scaled = block_diagonal(outward / frequency, outward, np.diag(further))
+        to_scaled = block_diag(inward * frequency, inward, np.diag(1 / further))
+        from_scaled = block_diag(outward / frequency, outward, np.diag(further))
         smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
         return cls(names, memory, mass, from_scaled, further, to_scaled @ a @ from_scaled, smallest)
 
     def shapes(self, scaled: NDArray, rates: bool = False) -> NDArray:
-        """Amplitudes by coordinate and further state of scaled states in columns; or their rates."""
+        """Amplitudes of coordinates and further states from scaled states in columns; or their rates."""
         states, n = self.from_scaled @ scaled, len(self.mass)
         start = n if rates else 0
         return np.concatenate([states[start : start + n], states[2 * n :]])
 
     def share(self, shape: NDArray) -> NDArray[np.float64]:
-        """Weights by name: of a coordinate its energy at that amplitude, of a state its scaled square."""
+        """Weights by name: for a coordinate its energy at that amplitude, for a state its scaled square."""
         weights = np.concatenate([np.diag(self.mass), self.further**-2.0])
         return weights[:, None] * np.abs(shape) ** 2 if shape.ndim > 1 else weights * np.abs(shape) ** 2
 
 
 def balanced(a: NDArray, counts: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Units of the last states of A in which those that count have rows as large as their columns.
+    """Units of the last states of A that balance the rows and columns of the states that count.
 
-    Thrusts in N would drown what is in m (Osborne, *J. ACM* 7(4), 1960), powers of 2 as in LAPACK's gebal.
+    Otherwise thrusts in N would hide values in m (Osborne, *J. ACM* 7(4), 1960); powers of 2, as in LAPACK's
+    gebal.
     """
     units, first = np.ones(len(counts)), len(a) - len(counts)
     a = np.abs(a)
@@ -165,23 +167,12 @@ def balanced(a: NDArray, counts: NDArray[np.bool_]) -> NDArray[np.float64]:
 
 
 def null_space(matrix: NDArray) -> NDArray[np.float64]:
-    """Orthonormal columns that a matrix of independent rows takes to nothing."""
+    """Orthonormal basis of the null space of a matrix with independent rows."""
     return np.linalg.qr(matrix.T, mode="complete")[0][:, len(matrix) :]
 
 
-def block_diagonal(*blocks: NDArray) -> NDArray[np.float64]:
-    """Blocks down the diagonal, zeros beside them."""
-    out = np.zeros(np.sum([block.shape for block in blocks], axis=0))
-    row = column = 0
-    for block in blocks:
-        rows, columns = block.shape
-        out[row : row + rows, column : column + columns] = block
-        row, column = row + rows, column + columns
-    return out
-
-
 def zero_levels(a: NDArray, smallest: float) -> tuple[list[NDArray], NDArray]:
-    """Bases of what A takes to nothing, then of what it takes there, and so on; and of the rest.
+    """Bases of the generalised null spaces of A, level by level, and a basis of the rest.
 
     Singular values below `smallest` count as zero. The bases are orthonormal together.
     """
@@ -197,14 +188,14 @@ def zero_levels(a: NDArray, smallest: float) -> tuple[list[NDArray], NDArray]:
 
 
 def zero_modes(system: Scaled, levels: Sequence[NDArray]) -> list[Mode]:
-    """One mode for each way to move that nothing answers, named after its coordinate.
+    """One mode for each motion without a restoring force, named after its coordinate.
 
-    Those that keep a rate, since nothing damps it, stand for two eigenvalues.
+    A mode that keeps its rate, because nothing damps it, stands for two eigenvalues.
     """
     if not levels:
         return []
     free = system.shapes(levels[0])
-    # What A takes to a free motion is that motion's rate.
+    # A maps these states to a free motion: they are the rate of that motion.
     drifting = system.shapes(levels[1], rates=True) if len(levels) > 1 else free[:, :0]
     modes: list[Mode] = []
     taken: list[int] = []
@@ -220,8 +211,8 @@ def zero_modes(system: Scaled, levels: Sequence[NDArray]) -> list[Mode]:
 def named_directions(system: Scaled, basis: NDArray, without: Sequence[int]) -> tuple[NDArray, list[int]]:
     """Directions in the span of `basis` that are zero at `without`, each 1 at its own coordinate.
 
-    A coordinate is taken for its share in the span, the first where shares are alike. What a drive
-    keeps comes before all coordinates: where it is free, they follow it.
+    The coordinate with the largest share in the span is taken, and the first of equal shares. States of a
+    drive come before all coordinates: if one is free, the coordinates follow it.
     """
     weights = np.sqrt(system.share(np.ones(len(basis))))
     largest = weights.max(initial=1.0)
@@ -251,10 +242,10 @@ def cleared(span: NDArray, rows: Sequence[int]) -> NDArray:
 
 
 def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
-    """Modes beside those of the span of `zero`: what rounding hides among them is zero too.
+    """Modes outside the span of `zero`; eigenvalues below the rounding error are also taken as zero.
 
-    What remembers waves has units in which its entries of A are large, and rounding would hide slow motions:
-    here it is balanced with the rest.
+    Memory states have units in which their entries of A are large, and rounding would hide slow motions: here
+    they are balanced with the other states.
     """
     n = len(system.a) - len(system.further)
     units = np.concatenate([np.ones(n), balanced(system.a, np.ones(len(system.further), bool))])
@@ -264,7 +255,7 @@ def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
     inside = rest.T @ a @ rest
     values, vectors = np.linalg.eig(inside)
     lefts = left_vectors(inside, values)
-    # What rounding in A does to an eigenvalue, times the product of its vectors (Golub & Van Loan, Matrix
+    # The effect of rounding in A on an eigenvalue, times the product of its vectors (Golub & Van Loan, Matrix
     # Computations, 7.2.2).
     rounding = 10 * len(a) * np.finfo(float).eps * np.linalg.norm(a, 2)
     inner, coupling = zero.T @ a @ zero, zero.T @ a @ rest
@@ -296,16 +287,16 @@ def across(left: NDArray, right: NDArray) -> float:
 def left_vectors(a: NDArray, values: NDArray) -> NDArray:
     """Rows l with l A = lambda l, for eigenvalues in this order.
 
-    The inverse of all right vectors would give them too, but filters in a row have one vector for several
-    equal eigenvalues, and then it is wrong for all others.
+    The inverse of the matrix of right vectors would give them too. But filters in series have one vector for
+    several equal eigenvalues, and the inverse is then wrong for all other modes.
     """
     found, lefts = np.linalg.eig(a.T)
     return np.array([lefts[:, np.abs(found - value).argmin()] for value in values])
 
 
 def memory_share(left: NDArray, state: NDArray, further: NDArray[np.bool_]) -> float:
-    """What states that only remember take part in a mode (Perez-Arriaga, Verghese & Schweppe, 1982); of what
-    has no left vector of its own, as filters in a row, their share of the motion."""
+    """Participation of the memory states in a mode (Perez-Arriaga, Verghese & Schweppe, 1982); if the mode
+    has no left vector of its own, as with filters in series, their share of the motion."""
     if across(left, state) > SMALLEST_PRODUCT:
         parts = (left * state / (left @ state)).real
     else:
@@ -314,7 +305,7 @@ def memory_share(left: NDArray, state: NDArray, further: NDArray[np.bool_]) -> f
 
 
 def kind(eigenvalue: complex) -> str:
-    """What a motion of an eigenvalue does."""
+    """Kind of the motion of an eigenvalue."""
     if not eigenvalue:
         return FREE
     if eigenvalue.real > 0:
@@ -323,10 +314,11 @@ def kind(eigenvalue: complex) -> str:
 
 
 def normalised(shape: NDArray, coordinates: int | None = None) -> NDArray[np.complex128]:
-    """A shape whose largest entry is 1: among its first `coordinates`, if any of them moves."""
+    """A shape scaled so that its largest entry is 1; the entry is one of the first `coordinates` if any of
+    them moves."""
     among = shape[:coordinates]
     if not among.size or np.abs(among).max() <= ALIKE * np.abs(shape).max():
         among = shape
     shape = shape / among[np.argmax(np.abs(among))]
-    # What rounding left of zero.
+    # Rounding errors of zeros.
     return np.where(np.abs(shape) < 1e-14, 0.0, shape).astype(complex)

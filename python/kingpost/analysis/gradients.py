@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     import xarray
 
 DERIVATIVE = "_derivative"
-"""Ends the name of a variable's derivatives."""
+"""Suffix of the name of a variable's derivatives."""
 PER_UNIT = " per unit of the parameter"
-"""Ends the units of derivatives."""
+"""Suffix of the units of derivatives."""
 
 
 def gradient(
@@ -31,19 +31,18 @@ def gradient(
 ) -> xarray.Dataset:
     """Run a scenario with the derivatives of every result along parameters.
 
-    They come from dual numbers that go through the whole run, so they are the derivatives of the
-    numbers that a run gives, exact to rounding, for the scheme and the step as they are. Four names
-    cost about one run of dual numbers.
+    The whole run is computed with dual numbers. So these are the derivatives of the computed numbers, exact
+    to rounding, for this scheme and step. Four names cost about one run of dual numbers.
 
     Parameters
     ----------
     scenario_or_path, overrides, parameters
         What to run, as in `run`.
     names
-        Parameters, or dotted paths of numbers, along which to differentiate. The parameter's own
-        unit counts: along an angle in degrees the derivative is per degree.
+        Parameters, or dotted paths of numbers, along which to differentiate. The derivative is per the
+        parameter's own unit: per degree for an angle in degrees.
     progress
-        Called now and then with the time in seconds, from the start for every four names.
+        Called now and then with the time in seconds; the time starts again for every four names.
 
     Returns
     -------
@@ -54,13 +53,13 @@ def gradient(
     Raises
     ------
     ScenarioError
-        When the scenario is wrong, or a result has no derivative along a name: one that switches,
-        or changes the structure, the times at which laws change their form, or the stepping.
+        If the scenario is wrong, or a name has no derivative because it switches something, or changes the
+        structure, the stepping or the times at which laws change their form.
     RunError
         When the motion diverges; `.results` holds what was computed.
     KeyboardInterrupt
-        On Ctrl-C; `.results` holds what was computed, for the names that were reached. So it is
-        with whatever `progress` raises.
+        On Ctrl-C; `.results` holds what was computed, for the names that were reached. The same holds for any
+        exception from `progress`.
 
     >>> found = gradient("paper", "crane_x_m", {"simulation.duration_s": 0.1})
     >>> found.roll_derivative.dims

@@ -1,14 +1,16 @@
-"""What standards ask of a crane that lifts, to stand beside what a run finds: the hook's speed, offlead and
-sidelead from another vessel, and the ship's stability when she loses the load on her hook.
+"""Requirements of standards for lifts, to compare with a run: hook speed, offlead and sidelead for a lift
+from another vessel, and the ship's stability after a loss of hook load.
 
-The formulas of the hook are those of EN 13852-1, *Offshore cranes: general-purpose offshore cranes*, annex B,
-for lifts from a supply vessel, as public calculations of others quote them (C. Kunte, ``ckunte/m-one``, file
-``inc/crane.typ``; C. Kunte, *Crane*, 2016). The standard's own text was not at hand: check them against it
-before a lift rests on them. Its table of the crane tip's speeds was not found; that speed is yours to give.
+The formulas for the hook are those of EN 13852-1, *Offshore cranes: general-purpose offshore cranes*, annex
+B,
+for lifts from a supply vessel, as quoted in public calculations (C. Kunte, ``ckunte/m-one``, file
+``inc/crane.typ``; C. Kunte, *Crane*, 2016). The text of the standard was not available: check the formulas
+against it before you rely on them. Its table of crane tip speeds was not found; give that speed yourself.
 
-The areas of righting arms are those of the International Code on Intact Stability, 2008, part B, section
-2.9.5 (resolution MSC.415(97), 2016), for ships whose keel was laid from 2020 on. The text of that section and
-its figure were not at hand either: check them too.
+The areas under the righting arms are those of the International Code on Intact Stability, 2008, part B,
+section
+2.9.5 (resolution MSC.415(97), 2016), for ships whose keel was laid from 2020 on. The text and the figure of
+that section were not available either: check them too.
 """
 
 from __future__ import annotations
@@ -22,7 +24,7 @@ import numpy as np
 from ..errors import KingpostError
 from ..scenario import Scenario
 
-# K_H at the rated capacity, by whether the hook hangs on one fall or on several.
+# K_H at the rated capacity, for a hook on one fall and on several falls.
 SINGLE_FALL = 0.50
 SEVERAL_FALLS = 0.28
 
@@ -74,7 +76,7 @@ def hoisting_speed_m_s(
     Raises
     ------
     KingpostError
-        When a number is negative or none.
+        If a number is negative or NaN.
 
     >>> [round(hoisting_speed_m_s(height), 3) for height in (1.4, 2.7, 3.6)]
     [0.447, 0.757, 0.931]
@@ -84,7 +86,8 @@ def hoisting_speed_m_s(
 
 
 def offlead_m(significant_height_m: float) -> float:
-    """2.5 m + 1.5 Hs: how far the hook may be off the tip in the plane of the boom, m, when it lifts.
+    """2.5 m + 1.5 Hs: allowed offlead, the distance of the hook from the tip in the plane of the boom, m, at
+    lift-off.
 
     Parameters
     ----------
@@ -108,7 +111,7 @@ def offlead_m(significant_height_m: float) -> float:
 
 
 def sidelead_m(significant_height_m: float) -> float:
-    """Half of the offlead, m: across the plane of the boom.
+    """Allowed sidelead, half of the offlead, m: across the plane of the boom.
 
     Parameters
     ----------
@@ -131,17 +134,18 @@ def sidelead_m(significant_height_m: float) -> float:
     return 0.5 * offlead_m(significant_height_m)
 
 
-# Area 2 over area 1 that is asked for, in waters that are exposed and in others.
+# Required ratio of area 2 to area 1, in exposed and in unexposed waters.
 EXPOSED_WATERS = 1.4
 UNEXPOSED_WATERS = 1.0
 
 
 @dataclass(frozen=True)
 class HookLoadLoss:
-    """The righting arms of a ship whose hook has lost its load, from the heel that she had with it.
+    """The areas under the righting arms of a ship after a loss of hook load.
 
-    She rolls to `side`. Area 1 drives her from `heel_before_deg` to her new rest, `heel_after_deg`; area 2
-    stops her from there to `end_deg`, where her arm vanishes, water enters, or her curve ends at 60 degrees.
+    She rolls to `side`. Area 1 drives her from `heel_before_deg`, her heel with the load, to
+    `heel_after_deg`, her new equilibrium. Area 2 stops her, from there to `end_deg`: where her arm vanishes,
+    water enters, or the curve ends at 60 degrees.
     Heel counts towards `side`.
     """
 
@@ -155,7 +159,7 @@ class HookLoadLoss:
 
     @property
     def held(self) -> bool:
-        """Whether area 2 is larger than area 1 by the factor that is asked for."""
+        """Whether area 2 is larger than area 1 by the required factor."""
         return self.area_2_m_rad > self.required * self.area_1_m_rad
 
 
@@ -167,33 +171,33 @@ def hook_load_loss(
     flooding_deg: float = 90.0,
     required: float = EXPOSED_WATERS,
 ) -> HookLoadLoss:
-    """Area 2 > 1.4 area 1: whether a ship that loses the load on her hook does not capsize, by righting arms.
+    """Area 2 > 1.4 area 1: whether a ship survives a loss of hook load, by her righting arms.
 
-    On the side of the load the arms are by the symmetry of the hull: with GZ the arms to one side and a that
-    at no heel, ``GZ(-phi) = 2 a cos(phi) - GZ(phi)``. Areas are trapezia of 5 degrees.
+    The arms on the side of the load follow from the symmetry of the hull: with GZ the arms to one side and a
+    the arm at zero heel, ``GZ(-phi) = 2 a cos(phi) - GZ(phi)``. Areas are sums of trapezia of 5 degrees.
 
     Parameters
     ----------
     before
         The ship with the load on her hook.
     after
-        The same without it, her counter ballast as it was.
+        The ship without the load, with the same counter ballast.
     body
-        The hull's body, where there are several.
+        The hull's body; required if there are several.
     flooding_deg
         Heel at which water enters, deg.
     required
-        Area 2 over area 1 that is asked for: `EXPOSED_WATERS` or `UNEXPOSED_WATERS`.
+        Required ratio of area 2 to area 1: `EXPOSED_WATERS` or `UNEXPOSED_WATERS`.
 
     Returns
     -------
     HookLoadLoss
-        Both areas, m rad, with the heels between which they stand.
+        Both areas, m rad, with the heels that bound them.
 
     Raises
     ------
     KingpostError
-        When there is no such hull or it has no mesh, or the ship does not come to rest at any heel.
+        If there is no such hull, it has no mesh, or the ship has no equilibrium at any heel.
 
     >>> from kingpost import load
     >>> before = load("loss_of_hook_load")
@@ -237,7 +241,7 @@ def _righting_arms(scenario: Scenario, body: str | None) -> tuple[float, np.ndar
         found = "found no mesh in its database, allowed: a mesh"
         raise KingpostError(f"righting arms of {hull['body']}: {found}")
     if curve["equilibrium_rad"] is None:
-        found = "found none that rises through 0, allowed: a heel at rest"
+        found = "found no zero with a positive slope, allowed: a heel at equilibrium"
         raise KingpostError(f"righting arms of {hull['body']}: {found}")
     heel, arm = (np.array([point[name] for point in curve["points"]]) for name in ("heel_rad", "arm_m"))
     mirrored = 2.0 * arm[0] * np.cos(heel[:0:-1]) - arm[:0:-1]
@@ -248,7 +252,7 @@ def _righting_arms(scenario: Scenario, body: str | None) -> tuple[float, np.ndar
 
 
 def _vanishing(heel: np.ndarray, arm: np.ndarray, rest: float) -> float:
-    """The heel beyond rest at which the arms fall through 0, or the last one."""
+    """The heel beyond equilibrium at which the arms fall through 0, or the last heel."""
     beyond = np.flatnonzero((heel[1:] > rest) & (arm[:-1] > 0.0) & (arm[1:] <= 0.0))
     if beyond.size == 0:
         return float(heel[-1])
@@ -257,7 +261,7 @@ def _vanishing(heel: np.ndarray, arm: np.ndarray, rest: float) -> float:
 
 
 def _area(heel: np.ndarray, arm: np.ndarray, start: float, end: float) -> float:
-    """Under the arms from one heel to another, m rad."""
+    """Area under the arms from one heel to another, m rad."""
     if end <= start:
         return 0.0
     at = np.unique([start, *heel[(heel > start) & (heel < end)], end])

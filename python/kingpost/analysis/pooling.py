@@ -1,4 +1,4 @@
-"""Which recorded runs may be averaged: realisations of one scenario, each by a seed of its own."""
+"""Recorded runs that may be averaged: realisations of one scenario, each with its own seed."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ if TYPE_CHECKING:
     import xarray
 
 WORDS = ("title", "description")
-"""Of a scenario, what does not change a run."""
+"""Fields of a scenario that do not change a run."""
 
 
 def check(runs: Sequence[xarray.Dataset]) -> None:
-    """Refuse runs that differ in anything but their seeds, which make them independent.
+    """Refuse runs that differ in anything but their seeds; different seeds make them independent.
 
     Raises
     ------
     KingpostError
-        With the file, what differs and what it is in the first.
+        Names the file, the field that differs and its value in the first run.
     """
     first, files = runs[0], dict[Any, str]()
     expected = _settings(first)
@@ -53,13 +53,13 @@ def check(runs: Sequence[xarray.Dataset]) -> None:
 
 
 def file_of(run: xarray.Dataset) -> str:
-    """The file that a run was read from, else its scenario's."""
+    """The file that a run was read from; otherwise the file of its scenario."""
     return str(run.encoding.get("source") or run.attrs.get("source", "results"))
 
 
 def _settings(run: xarray.Dataset) -> dict[str, Any]:
-    """The resolved scenario by dotted names, without the seed and words, and the digests of the files that
-    it names: two databases of one name are not one."""
+    """The resolved scenario by dotted names, without the seed and descriptive texts, and with the digests of
+    the files that it names: two databases can have the same name."""
     found = _flat(json.loads(run.attrs.get("scenario", "{}")))
     kept = {name: value for name, value in found if name != SEED and name.partition(".")[0] not in WORDS}
     digests = json.loads(run.attrs.get("files", "{}"))
@@ -87,7 +87,7 @@ def seeds(run: xarray.Dataset) -> list[Any]:
     Raises
     ------
     KingpostError
-        When the runs of a `Batch` differ in something else.
+        If the runs of a `Batch` differ in something other than their seeds.
     """
     described = json.loads(run.attrs.get("scenario", "{}"))
     seed = described.get("simulation", {}).get("seed", 0)

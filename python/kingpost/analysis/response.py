@@ -1,4 +1,4 @@
-"""Response amplitude operators: how ship and crane answer small regular waves about rest."""
+"""Response amplitude operators (RAOs) of ship and crane in small regular waves, about equilibrium."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MOST_IN_RANGE = 10_000
 FULL_TURN_RAD = 2 * np.pi
 AXES, ANGLES = ("x", "y", "z"), ("roll", "pitch", "yaw")
 PHASE = "_phase"
-"""Ends the name of a phase."""
+"""Suffix of the name of a phase."""
 
 QUANTITIES = {
     "displacement": ("point", "m/m", "displacement of a point in the world"),
@@ -46,24 +46,24 @@ def rao(
     overrides: Overrides | None = None,
     **parameters: Any,
 ) -> xarray.Dataset:
-    """Response amplitude operators by the exact linearisation about rest in still water.
+    """Response amplitude operators from the exact linearisation about equilibrium in still water.
 
-    All degrees of freedom of ship and crane answer; held and prescribed joints stand where they are.
+    All degrees of freedom of ship and crane respond; held and prescribed joints are fixed.
 
     Parameters
     ----------
     scenario_or_simulation
-        A scenario, with the crane as a run begins; or a simulation, with the crane as it stands.
+        A scenario, with the crane at the start of a run; or a simulation, with the crane as it stands.
     directions_rad
-        That the waves go to, from the world's x counter-clockwise, rad: at heading 0, pi is a head sea.
-        Every 45 degrees unless given.
+        Directions that the waves travel towards, rad, counter-clockwise from the world's x: at heading 0, pi
+        is a head sea. Default: every 45 degrees.
     frequencies_rad_s
-        Angular frequencies; unless given those of the first hull's database and three between each two, from
-        the lowest to the highest that the databases of all hulls cover.
+        Angular frequencies. Default: those of the first hull's database and three between each two, over the
+        range that the databases of all hulls cover.
     points
-        Bodies, for their centres of mass, and named points as ``arm.tip``; all unless given.
+        Bodies, for their centres of mass, and named points such as ``arm.tip``; default: all.
     overrides, parameters
-        Set over a scenario.
+        Values that override those of a scenario.
 
     Returns
     -------
@@ -77,7 +77,7 @@ def rao(
     Raises
     ------
     KingpostError
-        When nothing comes to rest, no waves act, or a database does not cover a frequency.
+        If there is no equilibrium, no waves act, or a database does not cover a frequency.
 
     >>> found = rao("offshore_vessel", directions_rad=[np.pi], frequencies_rad_s=[0.3])
     >>> round(float(found.displacement.sel(point="hull", axis="z").item()), 2)
@@ -90,16 +90,16 @@ def rao(
     else:
         simulation = Simulation(as_scenario(scenario_or_simulation, overrides, parameters))
     given = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
-    directions = _within_one_turn(np.asarray(given, float))
-    covered = _frequencies_that_all_cover(simulation.scenario)
-    frequencies_rad_s = covered if frequencies_rad_s is None else _onto_ends(frequencies_rad_s, covered)
+    directions = within_one_turn(np.asarray(given, float))
+    covered = frequencies_that_all_cover(simulation.scenario)
+    frequencies_rad_s = covered if frequencies_rad_s is None else onto_ends(frequencies_rad_s, covered)
     found = simulation.wave_response(directions, np.atleast_1d(np.asarray(frequencies_rad_s, float)))
     return _dataset(simulation, found, points)
 
 
-def _frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
-    """Those of the first hull's database and three between each two, since resonances are narrower than what
-    data need, within the databases of all hulls in waves; none where these have no frequency in common."""
+def frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
+    """The frequencies of the first hull's database and three between each two, because resonances are
+    narrower than the spacing of the data; only those that the databases of all hulls in waves cover."""
     fields = (of_kind for force in scenario.resolved.get("forces", {}).values() for of_kind in force.values())
     hulls = (given for given in fields if given.get("enabled") and given.get("excitation"))
     names = [hull["database"] for hull in hulls if "database" in hull]
@@ -113,17 +113,17 @@ def _frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
     return np.unique(refined[(ends[0] <= refined) & (refined <= ends[1])])
 
 
-def _onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Frequencies as they are; those that are the lowest or the highest of the data but for the digits that
-    are printed of it are that."""
+def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The frequencies; one that equals the lowest or highest of the data within the printed digits becomes
+    that one."""
     asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
     for end in covered[[0, -1]] if covered.size else ():
         asked = np.where(np.abs(asked - end) <= PRINTED_RAD_S, end, asked)
     return asked
 
 
-def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Directions as they are: beyond one turn they were meant in other units."""
+def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Check the directions: values beyond one turn were probably meant in other units."""
     beyond = directions_rad[~(np.abs(directions_rad) <= FULL_TURN_RAD * (1 + 1e-9))]
     if beyond.size:
         raise KingpostError(
@@ -145,7 +145,7 @@ def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str
     chosen = [_place(places, point) for point in points] if points is not None else range(len(places))
     displacement = displacement[..., chosen, :]
     rate = -1j * omega[:, None, None]
-    # Those of a floating body are its place and angles.
+    # A floating body has its position and angles instead.
     unit_of = _joint_units(simulation)
     joints = [i for i, name in enumerate(found["coordinates"]) if name in unit_of]
     names = [found["coordinates"][i] for i in joints]
@@ -205,7 +205,7 @@ def _place(places: Sequence[str], point: str) -> int:
 
 
 def _joint_units(simulation: Simulation) -> dict[str, str]:
-    """The unit of each coordinate of the joints, as the engine has it in its channels."""
+    """The unit of each joint coordinate, from the engine's channels."""
     channel = next((one for one in simulation.channels if one["variable"] == "joint_position"), None)
     return dict(zip(channel["labels"][0], channel["units"], strict=True)) if channel else {}
 
@@ -224,7 +224,7 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
     """A row for each direction (deg) and frequency (rad/s); columns with their units, such as
     ``arm.tip.displacement.z [m/m]``, ``ship.rotation.roll [deg/m]`` and ``ship.rotation_phase.roll [deg]``.
 
-    Angles are in degrees, as in what is printed; the data set and NetCDF have radians, as their units say.
+    Angles are in degrees, as in the printed tables; the data set and NetCDF have radians, as their units say.
     """
     import pandas
 
@@ -247,7 +247,7 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
 
 
 def write(found: xarray.Dataset, path: str | Path) -> Path:
-    """Write by the file's ending: ``.nc`` (NetCDF), ``.csv``, or a picture, ``.png``."""
+    """Write a file; its ending decides the format: ``.nc`` (NetCDF), ``.csv``, or ``.png`` for a picture."""
     path = output.check(path, ENDINGS)
     ending = path.suffix.lower()
     if ending == ".nc":
@@ -260,7 +260,7 @@ def write(found: xarray.Dataset, path: str | Path) -> Path:
 
 
 def _plot(found: xarray.Dataset, path: Path) -> None:
-    """Displacement of each point and rotation of each body that floats, against the frequency."""
+    """Plot the displacement of each point and the rotation of each floating body against the frequency."""
     from matplotlib.figure import Figure
 
     rows = [("displacement", "point", point, "axis") for point in found["point"].values]
@@ -296,7 +296,7 @@ def parse_range(text: str) -> list[float]:
     except ValueError:
         spaced = []
     if not (0 < len(spaced) <= MOST_IN_RANGE and np.isfinite(spaced).all()):
-        allowed = f"from:to:n, as 0.3:2:18, n up to {MOST_IN_RANGE}"
+        allowed = f"from:to:n, such as 0.3:2:18, n up to {MOST_IN_RANGE}"
         raise KingpostError(f"--frequencies-rad-s: found {text!r}, allowed: {allowed}")
     return spaced
 

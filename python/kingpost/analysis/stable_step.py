@@ -1,4 +1,4 @@
-"""The longest step at which an explicit scheme is stable, by the eigenvalues where a run begins."""
+"""The longest step at which an explicit scheme is stable, by the eigenvalues at the start of a run."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ if TYPE_CHECKING:
 
 
 def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> float | None:
-    """The longest stable step of a scenario's scheme, s; None where the scheme has no such limit.
+    """The longest stable step of a scenario's scheme, s; None if the scheme has no such limit.
 
-    A step beyond it makes the quickest damped motion grow: a cylinder's pressure, a stop, the torsion of a
-    boom. It holds where the run begins; a stop that is met later is stiffer than that. Dormand and Prince's
-    scheme chooses its own steps, implicit ones are stable at any.
+    A longer step makes the fastest damped motion grow: the pressure of a cylinder, a stop, the torsion of a
+    boom. The limit holds at the start of the run; a stop that is reached later may be stiffer. The scheme of
+    Dormand and Prince chooses its own steps, and implicit schemes are stable at any step.
 
     Parameters
     ----------
     scenario_or_simulation
-        A scenario, a file or a name of the gallery, where its run begins; or a simulation as it stands.
+        A scenario, a file or a name of the gallery, at the start of its run; or a simulation as it stands.
 
     Returns
     -------
     float or None
-        s; `None` where the scheme has no such limit.
+        s; `None` if the scheme has no such limit.
 
     Raises
     ------
     KingpostError
-        When the scenario cannot be linearised there.
+        If the scenario cannot be linearised there.
 
     >>> print(f"{stable_step('flexible_boom'):.2g}")
     0.00084

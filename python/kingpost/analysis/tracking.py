@@ -1,4 +1,4 @@
-"""Which mode of one system is which of the next, along a sweep."""
+"""Follows modes from one system to the next, along a sweep."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from numpy.typing import NDArray
 from .eigenmodes import Mode
 
 SMALLEST_CORRELATION = 1e-3
-"""Below it two modes have nothing to do with each other."""
+"""Modes with a smaller correlation are not paired."""
 SLOWEST_SHARE = 1e-3
-"""A zero mode counts as this share of the fastest mode, so that it may begin to move."""
+"""A zero mode gets this share of the fastest frequency, so that it can be paired with a slow mode."""
 
 
 def tracks(
     points: Sequence[Sequence[Mode]], masses: Sequence[NDArray[np.float64]]
 ) -> list[list[Mode | None]]:
-    """The modes of each point in an order that keeps each mode in its place from point to point.
+    """The modes of each point, ordered so that each mode keeps its place from point to point.
 
-    Modes are paired by correlation, the best first. A mode without partner ends its track, or
-    begins one. Tracks stand in the order of the first point, later ones after them.
+    Modes are paired by correlation, the best pair first. A mode without a partner ends its track or begins a
+    new one. Tracks are in the order of the first point; later tracks follow.
     """
     last = list(points[0]) if points else []
     order: list[list[Mode | None]] = [list(last)] if points else []
@@ -32,7 +32,7 @@ def tracks(
             here[track] = points[k][index]
         here += [points[k][index] for index in alone]
         order = [[*row, *[None] * len(alone)] for row in order] + [here]
-        # A track that ended may begin again where its mode comes back.
+        # A track that ended may continue if its mode comes back.
         last = [
             mode or before for mode, before in zip(here, last + [points[k][i] for i in alone], strict=True)
         ]
@@ -42,7 +42,7 @@ def tracks(
 def pairs(
     before: Sequence[Mode], after: Sequence[Mode], mass: NDArray[np.float64]
 ) -> tuple[list[tuple[int, int]], list[int]]:
-    """Indices of the modes that belong together, and of those of `after` that are left."""
+    """Indices of the paired modes, and of the unpaired modes of `after`."""
     fastest = max((abs(mode.eigenvalue) for mode in [*before, *after]), default=0.0)
     slowest = SLOWEST_SHARE * fastest or 1.0
     table = np.array([[correlation(a, b, mass, slowest) for b in after] for a in before])
@@ -56,14 +56,14 @@ def pairs(
 
 
 def correlation(one: Mode, other: Mode, mass: NDArray[np.float64], slowest: float) -> float:
-    """How alike two modes are, from 0 to 1.
+    """Correlation of two modes, from 0 to 1.
 
     The modal assurance criterion of the states (shape, rate of the shape), in the metric of the
     mass matrix and with the rates scaled by the mean of both eigenvalues (Allemang, The Modal
-    Assurance Criterion, Sound and Vibration, 2003, p. 14). So two modes of one shape, as a heavily
-    damped coordinate has, are told apart by their eigenvalues.
+    Assurance Criterion, Sound and Vibration, 2003, p. 14). So two modes of the same shape, such as those of a
+    heavily damped coordinate, are distinguished by their eigenvalues.
     """
-    # What has no mass, such as a state of a drive, counts by its square.
+    # A state without mass, such as that of a drive, counts by its square.
     metric = np.eye(len(one.shape))
     metric[: len(mass), : len(mass)] = mass
 

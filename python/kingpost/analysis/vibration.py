@@ -1,4 +1,4 @@
-"""Linear analysis: where a scenario rests, and the modes about it, along a sweep too."""
+"""Linear analysis: equilibrium and modes about it, also along a sweep."""
 
 from __future__ import annotations
 
@@ -27,27 +27,26 @@ NOTHING = complex(np.nan, np.nan)
 
 VARIABLES = {
     "kind": ("", "zero, oscillation, decay or unstable"),
-    "named_after": ("", "the coordinate that is free, or has the largest share in kinetic energy"),
+    "named_after": ("", "the free coordinate, or the one with the largest share of the kinetic energy"),
     "multiplicity": ("1", "eigenvalues of A that the mode stands for"),
     "eigenvalue_real": ("1/s", "rate of growth of the amplitude"),
     "eigenvalue_imaginary": ("rad/s", "damped angular frequency"),
     "angular_frequency": ("rad/s", "undamped angular frequency, the eigenvalue's modulus"),
     "frequency": ("Hz", "undamped frequency"),
     "damped_period": ("s", "time between maxima"),
-    "damping_ratio": ("1", "damping as a share of the critical"),
-    "time_constant": ("s", "time in which the amplitude falls, or if negative grows, e-fold"),
-    "memory_share": ("1", "what the memory of radiated waves takes part in the mode"),
+    "damping_ratio": ("1", "damping as a fraction of critical damping"),
+    "time_constant": ("s", "time in which the amplitude falls e-fold; negative: grows e-fold"),
+    "memory_share": ("1", "share of the memory of radiated waves in the mode"),
 }
 
 
 def equilibrium(
     scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any
 ) -> xarray.Dataset:
-    """Results where a scenario rests: free coordinates, all rates zero, nothing accelerates.
+    """Results at an equilibrium of a scenario: all rates and accelerations are zero.
 
-    It is the equilibrium that Newton's iteration leads to from the scenario's initial positions,
-    downhill first, with drives as they are at the start. Coordinates that nothing moves, such as
-    the heading of a free ship, stay where they are.
+    Newton's iteration finds it from the scenario's initial positions, first downhill, with drives as at the
+    start. Coordinates without a restoring force, such as the heading of a free ship, keep their values.
 
     Parameters
     ----------
@@ -66,7 +65,7 @@ def equilibrium(
     Raises
     ------
     KingpostError
-        When there is none near: something falls, or is driven on.
+        If there is none near: something falls, or a drive moves it on.
 
     >>> rest = equilibrium("chain", hold_rotation=True)
     >>> bool(abs(rest.joint_position).max() < 1e-9)
@@ -80,7 +79,7 @@ def equilibrium(
 
 
 def at_rest(found: Equilibrium) -> str:
-    """How an equilibrium was found, in words."""
+    """A line on how an equilibrium was found."""
     plural = "" if found.iterations == 1 else "s"
     return (
         f"at rest after {found.iterations} iteration{plural}; "
@@ -103,8 +102,8 @@ def modes(
     scenario_or_path, overrides, parameters
         What to analyse, as in `run`.
     sweep
-        One parameter, or path of a field, and its values. The result has that dimension too; each
-        point is settled by itself, and modes are followed from point to point by their shapes.
+        One parameter, or path of a field, and its values. The result has that dimension too; each point is
+        settled separately, and modes are followed from point to point by their shapes.
     state
         Linearise here instead of at the equilibrium.
 
@@ -114,32 +113,32 @@ def modes(
         Dimension ``mode``, numbered from 1: zero modes, then by frequency. By mode:
 
         ``kind``
-            ``zero``: nothing answers this motion, as the heading of a free ship;
-            ``oscillation``; ``decay``: a motion without oscillation, as of an overdamped
+            ``zero``: no force opposes this motion, such as the heading of a free ship;
+            ``oscillation``; ``decay``: a motion without oscillation, such as that of an overdamped
             coordinate; ``unstable``: it grows.
         ``named_after``
-            The coordinate that is free, or that has the largest share in the kinetic energy.
+            The free coordinate, or the one with the largest share of the kinetic energy.
         ``frequency``, ``angular_frequency``, ``damped_period``, ``damping_ratio``
-            Of pairs of complex eigenvalues, stable or not; 0 for the frequencies of zero modes.
+            For pairs of complex eigenvalues, stable or not; the frequencies of zero modes are 0.
         ``time_constant``
-            s; of what decays, negative for what grows.
+            s; positive for decaying modes, negative for growing ones.
         ``memory_share``
-            What the states that remember radiated waves take part in it, from 0 to 1: near 1 it is a motion
-            of the water, in which the hull is only named.
+            Share of the memory of radiated waves, from 0 to 1: near 1 the mode is a motion of the water
+            rather than of the hull after which it is named.
         ``eigenvalue_real``, ``eigenvalue_imaginary``, ``multiplicity``
             The eigenvalues of A.
         ``shape``, ``shape_imaginary``
-            By ``coordinate``: amplitudes, the largest 1, each in the unit that ``shape_unit`` says. With
-            ``moves`` says which are places and angles, and not states of a control or of the water. With
-            eigenvalue s + i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
+            By ``coordinate``: amplitudes, the largest 1, each in the unit that ``shape_unit`` says. ``moves``
+            marks positions and angles, as opposed to states of a control or of the water. With eigenvalue s +
+            i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
 
-        The attribute ``warning`` is there where a prescribed coordinate moves or accelerates: the
-        modes are those of that instant (`Linearization.warning`).
+        The attribute ``warning`` is present if a prescribed coordinate moves or accelerates: the modes then
+        hold at that instant only (`Linearization.warning`).
 
     Raises
     ------
     KingpostError
-        When there is no equilibrium near, or nothing that is free to move.
+        If there is no equilibrium near, or nothing is free to move.
 
     >>> found = modes("chain", hold_rotation=True)
     >>> float(found.frequency[0].round(4))
@@ -157,7 +156,7 @@ def modes(
         except KingpostError as error:
             raise KingpostError(f"{name} = {value:g}: {error}") from error
     if any(point.names != points[0].names for point in points):
-        raise KingpostError(f"{name}: changes which coordinates are free, allowed: the same in a sweep")
+        raise KingpostError(f"{name}: found other free coordinates, allowed: the same at each value")
     order = tracks([point.modes for point in points], [point.mass_matrix for point in points])
     swept = _dataset(scenario, order, points)
     return swept.rename(point=name).assign_coords({name: np.asarray(values, float)})
@@ -181,18 +180,19 @@ def parse_sweep(text: str) -> dict[str, list[float]]:
     name, _, values = text.partition("=")
     try:
         start, stop, count = values.split(":")
-        spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_SWEEP + 1)).tolist()
+        with np.errstate(all="ignore"):
+            spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_SWEEP + 1)).tolist()
     except ValueError:
         spaced = []
     if not (name and 0 < len(spaced) <= MOST_IN_SWEEP and np.isfinite(spaced).all()):
-        allowed = f"name=from:to:n, as load_mass_kg=100:2000:20, n up to {MOST_IN_SWEEP}"
+        allowed = f"name=from:to:n, such as load_mass_kg=100:2000:20, n up to {MOST_IN_SWEEP}"
         raise KingpostError(f"--sweep: found {text!r}, allowed: {allowed}")
     return {name: spaced}
 
 
 class _Point(NamedTuple):
-    """Modes of one scenario, its mass matrix, the names of a shape's entries, their units, which of them only
-    remember, and where that is."""
+    """Modes of one scenario, its mass matrix, the names and units of a shape's entries, which entries are
+    memory states, and the state of the linearisation in words."""
 
     modes: list[Mode]
     mass_matrix: np.ndarray
@@ -223,7 +223,7 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
 def _dataset(
     scenario: Scenario, modes: Sequence[Sequence[Mode | None]], points: Sequence[_Point]
 ) -> xarray.Dataset:
-    """Modes by point and mode; what a track does not have at a point is empty or not a number."""
+    """Modes by point and mode; where a track has no mode, texts are empty and numbers are NaN."""
     import xarray
 
     names = points[0].names
@@ -278,7 +278,7 @@ def _entry(mode: Mode | None, variable: str) -> str | float:
 def frame(found: xarray.Dataset) -> pandas.DataFrame:
     """Modes as a flat table: a row for each mode, at each point of a sweep.
 
-    Columns are the sweep's parameter, if there is one, ``mode``, the variables, and such as
+    Columns are the sweep's parameter, if there is one, ``mode``, the variables, and the shapes, such as
     ``shape.slew`` and ``shape_imaginary.slew``.
     """
     import pandas
@@ -293,7 +293,7 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
 
 
 def write(found: xarray.Dataset, path: str | Path) -> Path:
-    """Write modes by the file's ending: ``.nc`` (NetCDF) or ``.csv``."""
+    """Write modes; the file's ending decides the format: ``.nc`` (NetCDF) or ``.csv``."""
     path = output.check(path, ENDINGS)
     if path.suffix.lower() == ".nc":
         return output.write_netcdf(found, path)

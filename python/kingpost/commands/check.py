@@ -1,4 +1,4 @@
-"""`kingpost check`: is a scenario valid, and what is the model."""
+"""`kingpost check`: is a scenario valid, and what does it contain."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import argparse
 from ..simulation.simulate import Simulation
 from .common import DONE, FAILED, WARNING, add_output, add_scenario, scenario_of, show, warn
 
-HELP = "validate a scenario and print what the model is"
+HELP = "validate a scenario and print its model"
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -22,7 +22,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Build the model and print what it is; exit code 1 of a ship that would capsize."""
+    """Build the model and print it; exit code 1 for a ship that would capsize."""
     from ..reports import model
 
     scenario = scenario_of(options)

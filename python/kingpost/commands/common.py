@@ -1,4 +1,4 @@
-"""What commands share: exit codes, the scenario with what is set over it, what is printed and how."""
+"""Shared by the commands: exit codes, the scenario with its overrides, printing."""
 
 from __future__ import annotations
 
@@ -20,17 +20,20 @@ from ..scenario import Scenario, load
 
 WORD = re.compile(
     r'"(?:[^"\\]|\\.)*"|'
-    r"(?:true|false|null|-?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)(?=\s*[,}\]])|"
-    r"([^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
+    r"(?:true|false|null)(?=\s*[,}\]])|"
+    r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?=\s*[,}\]])|"
+    r"(?P<word>[^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
 )
-"""Texts in quotes, numbers and other words of JSON, and words that need quotes."""
+"""Quoted strings, keywords of JSON, numbers in any form, and bare words that need quotes."""
+LONGEST_QUOTE, LONGEST_WHOLE = 100, 21
+"""Characters of the input that an error repeats; digits of a whole number that is kept as one."""
 WARNING, WARNING_OF_RUNS = "warning: ", "warning, in "
-"""How lines of a report begin that one should not miss."""
+"""The first words of a warning in a report."""
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
 def add_scenario(command: argparse.ArgumentParser) -> None:
-    """The scenario and what is set over it."""
+    """Add the scenario and its overrides."""
     command.add_argument("scenario", metavar="SCENARIO", help="a file or a gallery name")
     command.add_argument("--set", action="append", default=[], metavar="name=value",
                          help="set a parameter or a field; may be repeated")  # fmt: skip
@@ -47,23 +50,31 @@ def _assignment(given: str) -> tuple[str, Any]:
     value = json.loads(value)
     if not (isinstance(value, str) and value.startswith("{")):
         return name, value
-    with suppress(json.JSONDecodeError):
+    with suppress(json.JSONDecodeError, RecursionError):
         return name, json.loads(value)
     try:
         return name, json.loads(_quoted(value))
-    except json.JSONDecodeError:
+    except (json.JSONDecodeError, RecursionError):
+        found = value if len(value) <= LONGEST_QUOTE else f"{value[:LONGEST_QUOTE]}..."
         raise KingpostError(
-            f"--set {name}: found {value!r}, allowed: fields as {{name: value, list: [1, 2]}}"
+            f"--set {name}: found {found!r}, allowed: fields as {{name: value, list: [1, 2]}}"
         ) from None
 
 
 def _quoted(fields: str) -> str:
-    """Fields in braces as JSON, with quotes about words that have none.
+    """Fields in braces as JSON; bare words get quotes.
 
-    >>> _quoted('{prescribed: {rate_rad_s: 0.1, on: true, "file": gallery:a/b.csv}}')
+    >>> _quoted('{prescribed: {rate_rad_s: .1, on: true, "file": gallery:a/b.csv}}')
     '{"prescribed": {"rate_rad_s": 0.1, "on": true, "file": "gallery:a/b.csv"}}'
     """
-    return WORD.sub(lambda found: found[0] if found[1] is None else json.dumps(found[1].strip()), fields)
+
+    def in_json(found: re.Match[str]) -> str:
+        if found["number"] is not None:
+            is_whole = found["number"].isdigit() and len(found["number"]) < LONGEST_WHOLE
+            return json.dumps(int(found["number"]) if is_whole else float(found["number"]))
+        return found[0] if found["word"] is None else json.dumps(found["word"].strip())
+
+    return WORD.sub(in_json, fields)
 
 
 def add_output(command: argparse.ArgumentParser) -> None:
@@ -74,7 +85,7 @@ def add_output(command: argparse.ArgumentParser) -> None:
 
 
 def show(options: argparse.Namespace, text: Callable[[], str], data: Callable[[], Any]) -> None:
-    """Print a report: as text, as JSON, or nothing. What it warns of goes to stderr in each case."""
+    """Print a report as text, as JSON or not at all. Its warnings go to stderr in each case."""
     lines = printable(text()).split("\n")
     if options.json:
         print(json.dumps(plain(data()), indent=1, ensure_ascii=False, allow_nan=False))
@@ -84,7 +95,7 @@ def show(options: argparse.Namespace, text: Callable[[], str], data: Callable[[]
 
 
 def note(options: argparse.Namespace, words: str) -> None:
-    """Print a line beside a report: not where JSON or nothing is wanted."""
+    """Print a line in addition to the report; not with `--json` or `--quiet`."""
     if not (options.json or options.quiet):
         print(printable(words))
 
@@ -97,7 +108,7 @@ def warn(every: Iterable[str]) -> None:
 
 
 def printable(text: str) -> str:
-    """A text without what steers a terminal: titles and names come from files.
+    """A text without terminal control characters: titles and names come from files.
 
     >>> printable("a\\x1b[31mred\\nline")
     'a?[31mred\\nline'
@@ -106,7 +117,7 @@ def printable(text: str) -> str:
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON knows it; NaN is null.
+    """A value as JSON; NaN becomes null.
 
     >>> plain({"deviation": np.array([0.5, np.nan])})
     {'deviation': [0.5, None]}
@@ -125,7 +136,7 @@ def _is_warning(line: str) -> bool:
 
 
 def _without_double_gaps(lines: Iterable[str]) -> str:
-    """Lines, of empty ones one at a time and none at the end."""
+    """Lines without repeated empty lines and without empty lines at the end."""
     kept: list[str] = []
     for line in lines:
         if line or (kept and kept[-1]):
@@ -135,7 +146,7 @@ def _without_double_gaps(lines: Iterable[str]) -> str:
 
 @contextmanager
 def only_errors_of(library: str) -> Iterator[None]:
-    """Keep what a library logs below an error off this command's stderr."""
+    """Keep log messages of a library below the level of errors off stderr."""
     log = logging.getLogger(library)
     before = log.level
     log.setLevel(logging.ERROR)
@@ -146,7 +157,7 @@ def only_errors_of(library: str) -> Iterator[None]:
 
 
 def fail(error: object, code: int) -> int:
-    """Say what went wrong, in one line, after what was printed so far."""
+    """Print the error in one line, after the output so far."""
     sys.stdout.flush()
     print(f"error: {printable(' '.join(str(error).split()))}", file=sys.stderr)
     return code

@@ -17,7 +17,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("-o", "--output", metavar="FILE", help="modes with their shapes: .nc or .csv")
     command.add_argument("--sweep", metavar="name=from:to:n", help="n values of a parameter or a field")
     command.add_argument(
-        "--all", action="store_true", help="those of the water's memory of radiated waves too"
+        "--all", action="store_true", help="also the modes of the water's memory of radiated waves"
     )
 
 

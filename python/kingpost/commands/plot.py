@@ -15,7 +15,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("files", nargs="+", metavar="FILE", help="results in NetCDF")
     command.add_argument(
         "--channels", nargs="+", default=[], metavar="NAME",
-        help="columns, as ship.roll or 'load.*' (default: limits, the main ones)",
+        help="columns, such as ship.roll or 'load.*' (default: columns with limits, main columns)",
     )  # fmt: skip
     command.add_argument(
         "-o", "--output", metavar="FILE", required=True, help="the picture: .png, .svg or .pdf"

@@ -20,16 +20,16 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--directions-deg", nargs="+", type=float, metavar="D",
-        help="that waves go to; 180 is a head sea at heading 0 (default: every 45)",
+        help="directions that waves travel towards; 180 is a head sea at heading 0 (default: every 45)",
     )  # fmt: skip
     command.add_argument(
-        "--frequencies-rad-s", metavar="from:to:n", help="default: what all hulls' data cover"
+        "--frequencies-rad-s", metavar="from:to:n", help="default: the range that the data of all hulls cover"
     )
     command.add_argument("--points", nargs="+", metavar="NAME",
-                         help="bodies and named points, as arm.tip (default: the main ones)")  # fmt: skip
+                         help="bodies and named points, such as arm.tip (default: the main)")  # fmt: skip
     command.add_argument(
         "--displacement-raos", metavar="FILE",
-        help="the ship's own, as a file .csv that the joint moved_by_waves reads",
+        help="displacement RAOs of the ship, a .csv file for the joint moved_by_waves",
     )  # fmt: skip
 
 

@@ -47,20 +47,20 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     add_output(command)
     command.add_argument("--record", nargs="+", default=[], metavar="NAME",
-                         help="columns in the file, as ship.roll or 'load.*' (default: all)")  # fmt: skip
+                         help="columns to write, such as ship.roll or 'load.*' (default: all)")  # fmt: skip
     command.add_argument(
         "--units", choices=results_units.CHOICES, default=results_units.NAMES,
         help="of the numbers in a .csv or .parquet: si or engineering (deg, kN, t), with the unit in each "
         "column's name; names: SI units, and names alone (default)",
     )  # fmt: skip
     command.add_argument("--seeds", type=int, metavar="N",
-                         help="N runs, of the seeds 1 to N; -o has * for them, as run_*.nc; files .nc of the "
-                         "same runs that are there already are kept")  # fmt: skip
-    command.add_argument("--anew", action="store_true", help="with --seeds: run what is there already, too")
+                         help="N runs, seeds 1 to N; -o has * for the seed, as in run_*.nc; .nc files of the "
+                         "same runs that exist already are kept")  # fmt: skip
+    command.add_argument("--anew", action="store_true", help="with --seeds: repeat runs that have a file")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run, print what came of it, write what was asked for."""
+    """Run, print the report, write the results."""
     from .. import progress, results
     from ..reports import outcomes, plot
     from ..reports.run import numbers
@@ -89,7 +89,7 @@ def run(options: argparse.Namespace) -> int:
             if simulation.results is None:
                 raise
             failure, recorded = error, simulation.results
-    # Before anything is printed: who reads a pipe may leave.
+    # Write before printing: the reader of a pipe may close it.
     written = _write(recorded, output, options) if output else ""
     show(options, lambda: _report(recorded, scenario), lambda: numbers(recorded, scenario))
     warn(line for lines in outcomes.warnings(outcomes.of_runs([recorded])) for line in lines)
@@ -105,10 +105,8 @@ def _ending(options: argparse.Namespace) -> str:
 
 
 def _check_options(options: argparse.Namespace) -> None:
-    """An error for options that would have no effect, before anything is computed."""
-    if options.units != results_units.NAMES and _ending(options) not in results_units.ENDINGS:
-        found = options.output or "no file"
-        raise KingpostError(f"--units {options.units}: found {found}, allowed: -o with .csv or .parquet")
+    """Refuse options that would have no effect, before anything is computed."""
+    results_units.check_units(options.units, options.output or None)
     if options.anew and options.seeds is None:
         raise KingpostError("--anew: found no --seeds, allowed: with --seeds alone")
 
@@ -153,7 +151,7 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
     over = f", {older - kept} replace an older file" if older > kept else ""
     note(options, f"\nwritten         {paths[0]} to {paths[-1]}{over}")
     if kept:
-        note(options, f"kept            {kept} of them, which were of the same runs (--anew runs them too)")
+        note(options, f"kept            {kept} existing files of the same runs (--anew repeats them)")
     note(options, f"to go on        kingpost statistics {options.output}")
     for one in failed:
         fail(f"{one.path}: {one.attributes['status']}", FAILED)

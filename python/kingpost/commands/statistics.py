@@ -15,9 +15,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
     command.add_argument("files", nargs="+", metavar="FILE", help="results in NetCDF, one for each seed")
     command.add_argument("--after-s", type=float, metavar="T",
-                         help="leave out what is before, s (default: the ramp of the waves)")  # fmt: skip
+                         help="leave out earlier records, s (default: the ramp of the waves)")  # fmt: skip
     command.add_argument("--channels", nargs="+", default=[], metavar="NAME",
-                         help="columns, as ship.roll or 'load.*' (default: the main ones)")  # fmt: skip
+                         help="columns, such as ship.roll or 'load.*' (default: the main ones)")  # fmt: skip
     add_output(command)
     command.add_argument("-o", "--output", metavar="FILE", help="the table: .csv")
 

@@ -1,4 +1,4 @@
-"""`kingpost verify`: what is verified, measured now."""
+"""`kingpost verify`: measure every verified quantity now."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..verify import command
 from ..verify.command import add_options as add_options
 from .common import only_errors_of
 
-HELP = "measure what is verified, now, and say whether it holds"
+HELP = "measure every verified quantity now, and say whether it is within its tolerance"
 
 
 def run(options: argparse.Namespace) -> int:

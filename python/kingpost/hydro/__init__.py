@@ -1,6 +1,6 @@
 """Hydrodynamics of a hull: from its shape to one database of coefficients.
 
-`database` is what every part reads, from a file; the rest makes such files.
+All parts use `database`, read from a file; the other modules make such files.
 """
 
 from .database import Database

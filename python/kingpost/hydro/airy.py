@@ -40,7 +40,7 @@ def group_ratio(frequency: float, water: Water) -> float:
 
 
 def decay(k: float, z: np.ndarray, water: Water) -> tuple[np.ndarray, np.ndarray]:
-    """cosh k(z + h) / cosh kh and its slope along z, without large numbers."""
+    """cosh k(z + h) / cosh kh and its derivative along z, without overflow."""
     if water.depth_m is None:
         return np.exp(k * z), k * np.exp(k * z)
     below, bed = np.exp(-2 * k * (z + water.depth_m)), np.exp(-2 * k * water.depth_m)

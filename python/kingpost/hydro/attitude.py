@@ -1,8 +1,8 @@
-"""How a hull that lists or trims stands in the water: heel, trim, and the height of its origin.
+"""Attitude of a hull that lists or trims: heel, trim, and the height of its origin.
 
-The axes of its coefficients are level: x forward along its heading, y to port, z up, the origin on the
-water plane and on the vertical of the upright hull's. There a point r of the upright hull is at
-R r + (0, 0, h) with R = Ry(pitch) Rx(roll): heel to starboard and trim by the bow are positive.
+The axes of its coefficients are level: x forward along its heading, y to port, z up. Their origin is on the
+water plane, vertically above or below the origin of the upright hull. In these axes a point r of the upright
+hull is at R r + (0, 0, h) with R = Ry(pitch) Rx(roll): heel to starboard and trim by the bow are positive.
 """
 
 from __future__ import annotations
@@ -21,26 +21,28 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 BEYOND_DEG = 90.0
-"""Heel and trim are less than this either way: the deck is above the keel and the bow has a heading."""
+"""Bound of heel and trim in either direction: below it the deck is above the keel and the heading is
+defined."""
 ROUNDS = 100
 
 
 @dataclass(frozen=True)
 class Inclination:
-    """How a hull is to stand.
+    """The attitude that is asked for.
 
     Attributes
     ----------
     roll_rad, pitch_rad
         Heel to starboard and trim by the bow, rad.
     height_m
-        Of the hull's origin above the water, m; `None` is that of the upright hull's displacement.
+        Height of the hull's origin above the water, m; `None`: the height at which it has the displacement of
+        the upright hull.
     source
         Where it comes from, for the provenance.
     displaced_m3
-        What the hull displaces so by the word of that source, m3; `None` where it says nothing.
+        Displaced volume according to that source, m3; `None` if it gives none.
     remarks
-        What else is to be said of it.
+        Further notes for the user.
     """
 
     roll_rad: float
@@ -52,12 +54,12 @@ class Inclination:
 
 
 def from_degrees(heel_deg: float | None, trim_deg: float | None) -> Inclination | None:
-    """An inclination by its angles, deg; `None` of a hull that is to stand upright.
+    """An attitude from its angles, deg; `None` for an upright hull.
 
     Raises
     ------
     HydrodynamicsError
-        When an angle is not a number between -90 and 90.
+        If an angle is not a number between -90 and 90.
 
     >>> from_degrees(-90 / np.pi, None).roll_rad, from_degrees(0, None)
     (-0.5, None)
@@ -98,9 +100,9 @@ def placed(points: NDArray[np.float64], attitude: Attitude) -> NDArray[np.float6
 
 
 def settled(hull: Surface, asked: Inclination, volume_m3: float) -> Attitude:
-    """The attitude of a closed hull; where no height is asked, that at which it displaces the volume.
+    """The attitude of a closed hull; if no height is given, the height follows from the displaced volume.
 
-    A box with neither deck nor bottom at the water turns about the middle of its waterplane:
+    A box whose deck stays dry and whose bottom stays wet turns about the middle of its waterplane:
 
     >>> from .meshes import closed
     >>> from .shapes import Box
@@ -115,7 +117,7 @@ def settled(hull: Surface, asked: Inclination, volume_m3: float) -> Attitude:
 
 
 def _height(corners: NDArray[np.float64], volume_m3: float) -> float:
-    """How far a closed hull is to be lifted to displace a volume, m.
+    """Lift of a closed hull at which it displaces a volume, m.
 
     Newton's method with dV/dh = -S, S the waterplane's area, within the bounds that every step narrows.
     """
@@ -134,11 +136,11 @@ def _height(corners: NDArray[np.float64], volume_m3: float) -> float:
 
 
 def _wetted(corners: NDArray[np.float64], height: float) -> tuple[float, float]:
-    """Volume, m3, and waterplane, m2, of a closed hull that is lifted: Int z n_z dS and -Int n_z dS over what
-    is under water of its triangles.
+    """Volume, m3, and waterplane area, m2, of a lifted closed hull: Int z n_z dS and -Int n_z dS over the
+    submerged parts of its triangles.
 
-    Of a triangle with one corner apart from the two others the water cuts off a tip of the share s t, whose
-    mean height is a third of that corner's.
+    If one corner of a triangle is on the other side of the water plane than the other two, the plane cuts off
+    a tip with the share s t of the area; its mean height is a third of the height of that corner.
     """
     vertical = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2] / 2
     z = corners[..., 2] + height
@@ -146,7 +148,7 @@ def _wetted(corners: NDArray[np.float64], height: float) -> tuple[float, float]:
     mean, share = np.where(wet == 3, z.mean(axis=1), 0.0), np.where(wet == 3, 1.0, 0.0)
     for count in (1, 2):
         some = wet == count
-        # Sorted, the corner apart is the lowest of a tip under water, the highest of one above it.
+        # Corners are sorted by height: a submerged tip is at the lowest corner, a dry tip at the highest.
         apart, b, c = np.sort(z[some], axis=1)[:, :: 1 if count == 1 else -1].T
         tip = apart**2 / ((apart - b) * (apart - c))
         full = z[some].mean(axis=1)
@@ -163,7 +165,7 @@ def described(attitude: Attitude) -> str:
     """
     heel = _angle("heel", attitude.roll_rad, ("to starboard", "to port"))
     trim = _angle("trim", attitude.pitch_rad, ("by the bow", "by the stern"))
-    # Rounding of a height that is nothing has digits too.
+    # A height that is zero except for rounding is left out.
     height = round(attitude.height_m, 6)
     where = f"{abs(height):.4g} m {'under' if height < 0 else 'above'}" if height else "on"
     return f"{heel}, {trim}, its origin {where} the water"

@@ -1,4 +1,4 @@
-"""How `kingpost hydro` is told that a hull lists or trims: by angles, or by a scenario that it floats in."""
+"""Attitude options of `kingpost hydro`: angles, or a scenario in which the hull floats."""
 
 from __future__ import annotations
 
@@ -18,32 +18,32 @@ from .surface import Particulars
 
 OPTIONS = ("heel_deg", "trim_deg", "attitude_of")
 SAME_HULL = 0.01
-"""By this share the sizes of one hull may differ between a scenario's database and what is computed."""
+"""Largest relative difference of a hull's dimensions between a scenario's database and the computed ones."""
 SAME_WEIGHT = 0.005
-"""By this share weight and displacement may differ before it is said."""
+"""Largest relative difference of weight and displacement without a note."""
 SAME_ANGLE = 1e-6
-"""Angles, rad, and heights, m, that differ by less are the same."""
+"""Angles, rad, and heights, m, that differ by less count as equal."""
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Heel, trim, and the scenario that has them."""
+    """Add the options for heel, trim, and a scenario that gives them."""
     command.add_argument("--heel-deg", metavar="A", type=float, help=(
-        "the hull lists by so much, positive to starboard, at its upright displacement"))  # fmt: skip
+        "heel of the hull, positive to starboard, at its upright displacement"))  # fmt: skip
     command.add_argument("--trim-deg", metavar="A", type=float, help=(
-        "the hull trims by so much, positive by the bow, at its upright displacement"))  # fmt: skip
+        "trim of the hull, positive by the bow, at its upright displacement"))  # fmt: skip
     command.add_argument("--attitude-of", metavar="SCENARIO", help=(
         "the hull stands as in this scenario (a file or a gallery name) at rest in still water, as `kingpost "
         "check` prints: heel, trim and height"))  # fmt: skip
 
 
 def parse(options: argparse.Namespace, hull: Particulars) -> Inclination | None:
-    """What the options ask of an upright hull; `None` where it is to stay upright.
+    """The attitude from the options; `None` for an upright hull.
 
     Raises
     ------
     HydrodynamicsError
-        When an angle is not between -90 and 90 deg, angles stand beside a scenario, or no one hull of the
-        scenario is this hull.
+        If an angle is not between -90 and 90 deg, angles and a scenario are both given, or the scenario does
+        not have exactly one such hull.
     ScenarioError, KingpostError
         When the scenario cannot be read or its hulls cannot float.
     """
@@ -51,7 +51,7 @@ def parse(options: argparse.Namespace, hull: Particulars) -> Inclination | None:
         return from_degrees(options.heel_deg, options.trim_deg)
     for name in ("heel_deg", "trim_deg"):
         if getattr(options, name) is not None:
-            raise HydrodynamicsError(flag(name), "--attitude-of beside it", "one of the two")
+            raise HydrodynamicsError(flag(name), "--attitude-of, too", "one of the two")
     found = of_scenario(load(options.attitude_of), hull)
     return found if found.roll_rad or found.pitch_rad or found.height_m else None
 
@@ -66,9 +66,9 @@ class _Candidate:
 
 
 def of_scenario(scenario: Scenario, hull: Particulars) -> Inclination:
-    """How the hull of these particulars stands in a scenario where everything is at rest in still water.
+    """Attitude of the hull with these particulars in a scenario, at rest in still water.
 
-    Its hulls are known by the sizes in their databases.
+    The hulls of a scenario are recognised by the dimensions in their databases.
     """
     file = Path(scenario.file).name
     found = [_candidate(scenario, one) for one in scenario.hydrostatics["hulls"]]
@@ -81,10 +81,10 @@ def of_scenario(scenario: Scenario, hull: Particulars) -> Inclination:
     stand = [_attitude(one.afloat, hull.draught_m) for one in same]
     if any(_apart(stand[0], one) > SAME_ANGLE for one in stand):
         names = ", ".join(one.name for one in same)
-        allowed = "one hull of these sizes, or hulls that stand alike: give --heel-deg and --trim-deg"
+        allowed = "one hull of these dimensions, or hulls of equal attitude: give --heel-deg and --trim-deg"
         raise HydrodynamicsError("--attitude-of", f"{file} with {names} of other attitudes", allowed)
     first, afloat = stand[0], same[0].afloat
-    # What is under water of a hull without a mesh is no more than an estimate.
+    # Without a mesh the submerged part of a hull is only estimated.
     displaced = afloat["displacement_m3"] if afloat["by_mesh"] else None
     source = f"as {same[0].name} floats in {file}"
     remarks = _remarks(same[0].name, afloat)
@@ -92,7 +92,7 @@ def of_scenario(scenario: Scenario, hull: Particulars) -> Inclination:
 
 
 def _remarks(name: str, afloat: dict[str, Any]) -> tuple[str, ...]:
-    """What linear hydrostatics, which know the sides at the water line alone, make of the height."""
+    """A note if linear hydrostatics, which only use the waterplane, give another height than the mesh."""
     too_much = afloat["displacement_kg"] / afloat["mass_kg"] - 1
     if afloat["rests_by_mesh"] or not afloat["by_mesh"] or abs(too_much) <= SAME_WEIGHT:
         return ()
@@ -108,14 +108,15 @@ def _candidate(scenario: Scenario, afloat: dict[str, Any]) -> _Candidate:
 
 
 def _attitude(afloat: dict[str, Any], draught_m: float) -> Attitude:
-    """With the depth of the keel under the hull's origin, along the vertical: h = T n_z - depth."""
+    """The attitude with the height h = T n_z - depth, from the keel depth under the hull's origin, along the
+    vertical."""
     roll, pitch = _settled(afloat["heel_rad"]), _settled(afloat["trim_rad"])
     height = draught_m * math.cos(roll) * math.cos(pitch) - afloat["draught_m"]
     return Attitude(roll, pitch, _settled(height))
 
 
 def _settled(value: float) -> float:
-    """An equilibrium is known so well: less is nothing, and leaves a plane of symmetry."""
+    """Smaller angles count as zero, the accuracy of an equilibrium: so planes of symmetry remain."""
     return 0.0 if abs(value) < SAME_ANGLE else value
 
 

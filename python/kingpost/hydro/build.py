@@ -28,17 +28,18 @@ if TYPE_CHECKING:
 FREQUENCIES, PANELS = 40, 900
 DEFAULT_PANELS_PER_WAVE = 6
 MOST_PANELS = 6000
-"""Panels that the method solves for at most, of the part that is not mirrored: its matrices are full."""
+"""The most panels of the part that is not mirrored: the matrices are full."""
 LOWEST, HIGHEST, CENTRE = 0.08, 3.5, 1.2
-"""The grid's ends and the frequency about which it is dense, in units of sqrt(g / V^(1/3))."""
+"""Ends of the frequency grid, and the frequency around which it is dense, in units of sqrt(g / V^(1/3))."""
 
 _NO_LID = "no lid against irregular frequencies"
 
 
 def default_frequencies(hull: HullMeshes, water: Water, count: int = FREQUENCIES) -> NDArray[np.float64]:
-    """Frequencies that follow the hull's size, rad/s: even in w / (w + c), dense about its waves.
+    """Frequencies for the size of the hull, rad/s: evenly spaced in w / (w + c), dense around waves of its
+    length.
 
-    The highest has a wave of six panels or more.
+    The shortest wave is six panels long or longer.
     """
     unit = np.sqrt(water.gravity_m_s2 / hull.particulars.volume_m3 ** (1 / 3))
     resolved = np.sqrt(2 * np.pi * water.gravity_m_s2 / (DEFAULT_PANELS_PER_WAVE * hull.panel_size_m))
@@ -58,24 +59,25 @@ def build(
     update: Callable[[float], None] = lambda _done: None,
     partial: Partial | None = None,
 ) -> Database:
-    """Run the panel method and check what it gives.
+    """Run the panel method and check its results.
 
     Parameters
     ----------
     directions
-        How many round the circle; `None` gives what the hull and the frequencies need, see `resolution`.
+        Number of directions round the circle; `None`: the number that hull and frequencies need, see
+        `resolution`.
     with_lid
-        `None` puts a lid where the draught allows one.
+        `None`: use a lid if the draught allows one.
     loading
-        Gives the mean drift of the hull so loaded; without it there is none.
+        Loading for the mean drift; without it no mean drift is computed.
     partial
-        Keeps what is solved before it is checked, and goes on from what a stopped run has left.
+        Stores solved frequencies, and continues a stopped run.
 
     Raises
     ------
     HydrodynamicsError
-        When the panels are too large for the frequencies, the sea bed is above the keel, a lid is asked
-        for on too shallow a hull, or a result is unphysical.
+        If the panels are too large for the frequencies, the sea bed is above the keel, the draught is too
+        small for the lid, or a result is unphysical.
     """
     if frequencies_rad_s is None:
         frequencies_rad_s = default_frequencies(hull, water)
@@ -86,7 +88,7 @@ def build(
     _check_panels(hull, water, highest)
     lid_wanted, notes = choose_lid(hull, with_lid)
     if loading is not None:
-        # Refused before the long work where such a hull would not stay upright.
+        # Refuse a hull that would not stay upright before the long computation.
         stiffness_matrix(standing(hull), water, loading)
         notes = (*notes, loading.note)
     if hull.attitude is not None:
@@ -145,7 +147,7 @@ def _check_panels(hull: HullMeshes, water: Water, highest: float) -> None:
 
 
 def choose_lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, ...]]:
-    """Whether a hull gets a lid, and what is to be said where it gets none."""
+    """Whether a hull gets a lid, and a note if it gets none."""
     least = SHALLOWEST_LID * hull.panel_size_m
     possible = hull.particulars.draught_m >= least
     if wanted and not possible:
@@ -159,10 +161,10 @@ def choose_lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, 
 
 
 def _remedy(hull: HullMeshes, has_lid: bool) -> str:
-    """What to do where the coefficients are not those of a hull: most often it has too few panels.
+    """Advice for unphysical coefficients: usually the hull has too few panels.
 
-    Fewer than by default are few; twice as many halve the error of a method of first order in the panels'
-    area; a lid needs panels of no more than twice the draught.
+    Fewer than the default are few; twice as many halve the error, which is of first order in the panel area;
+    a lid needs panels of at most twice the draught.
     """
     size, draught = hull.panel_size_m, hull.particulars.draught_m
     wanted = max(2.0 * hull.panel_count, PANELS)
@@ -179,18 +181,19 @@ def _remedy(hull: HullMeshes, has_lid: bool) -> str:
 
 
 def database_hull(hull: HullMeshes) -> Hull:
-    """The upright hull's particulars and mesh as the database has them, and its attitude."""
+    """Particulars and mesh of the upright hull for the database, and its attitude."""
     return replace(_record(hull.upright or hull), attitude=hull.attitude)
 
 
 def standing(hull: HullMeshes) -> Hull:
-    """Particulars of what is under water, in the axes of the coefficients, but the upright hull's draught."""
+    """Particulars of the submerged part, in the axes of the coefficients; the draught is that of the upright
+    hull."""
     draught_m = (hull.upright or hull).particulars.draught_m
     return replace(_record(hull), draught_m=draught_m, attitude=hull.attitude)
 
 
 def _record(hull: HullMeshes) -> Hull:
-    """A hull's particulars, exactly symmetric where the hull is."""
+    """A hull's particulars, made exactly symmetric if the hull is symmetric."""
     found, plane = hull.particulars, hull.particulars.waterplane
     kept = np.array([axis not in hull.reflections for axis in (0, 1)], dtype=float)
     return Hull(

@@ -17,29 +17,29 @@ if TYPE_CHECKING:
 
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ASYMMETRY = 0.05
-"""Largest |A_ij - A_ji| as a fraction of sqrt(A_ii A_jj), each diagonal at its largest."""
+"""Largest |A_ij - A_ji| as a fraction of sqrt(A_ii A_jj), with the largest value of each diagonal."""
 NEGATIVE_DAMPING = 0.05
 """Lowest eigenvalue of the symmetric part of B, over the diagonal's largest, may be this much below 0."""
 HASKIND = 0.10
 """Largest difference of B_ii from Haskind's relation as a fraction of the largest B_ii."""
 REMEDY = "use more panels, a lid, or frequencies that the panels resolve"
 _SMALL = 0.01
-"""Diagonals below this fraction of the displaced water's are counted as that: a sphere's roll is nothing."""
+"""Smallest scale of a diagonal, as a fraction of the displaced water's: the roll of a sphere is zero."""
 
 
 def check(database: Database, remedy: str = REMEDY) -> None:
-    """Refuse a database whose coefficients no hull can have.
+    """Refuse a database with unphysical coefficients.
 
     Parameters
     ----------
     remedy
-        What the error says to do.
+        Advice for the error message.
 
     Raises
     ------
     HydrodynamicsError
-        When added mass or damping is not symmetric, added mass at infinite frequency has no positive
-        diagonal, damping takes energy from nowhere, or excitation and damping disagree.
+        If added mass or damping is not symmetric, the diagonal of the added mass at infinite frequency is not
+        positive, damping generates energy, or excitation and damping disagree.
     """
     check_symmetry(database, remedy)
     check_damping(database, remedy)
@@ -92,7 +92,7 @@ def check_damping(database: Database, remedy: str = REMEDY) -> None:
 
 
 def check_haskind(database: Database, remedy: str = REMEDY) -> None:
-    """Damping agrees with the waves that the excitation says the hull makes; see `haskind_damping`.
+    """Damping agrees with the radiated waves that follow from the excitation; see `haskind_damping`.
 
     Only frequencies for which the grid of directions resolves the integral are compared.
     """
@@ -116,7 +116,7 @@ class Difference:
 
 
 def haskind_difference(database: Database) -> Difference | None:
-    """`None` where the directions resolve the integral at no frequency."""
+    """`None` if the directions do not resolve the integral at any frequency."""
     resolved = database.frequencies_rad_s <= highest_resolved(database)
     if not resolved.any():
         return None
@@ -146,7 +146,7 @@ def _haskind_factor(frequency: float, water: Water) -> float:
 
 
 def highest_resolved(database: Database) -> float:
-    """Highest frequency whose |X|^2, of angular order up to 2 k R, m directions resolve; rad/s.
+    """Highest frequency at which m directions resolve |X|^2, which has angular orders up to 2 k R; rad/s.
 
     R is the radius of the hull's plan; a margin of four orders is kept.
     """
@@ -157,13 +157,13 @@ def highest_resolved(database: Database) -> float:
 
 
 def mass_scale(database: Database) -> NDArray[np.float64]:
-    """The diagonal of A at its largest, not less than a small part of the displaced water's."""
+    """The largest diagonal of A, at least a small part of the displaced water's."""
     largest = np.diagonal(database.added_mass, axis1=1, axis2=2).max(axis=0)
     return np.maximum(largest, _SMALL * displaced_mass(database))
 
 
 def damping_scale(database: Database) -> NDArray[np.float64]:
-    """The diagonal of B at its largest, not less than a small part of the displaced water's mass times
+    """The largest diagonal of B, at least a small part of the displaced water's mass times
     sqrt(g / V^(1/3))."""
     middle = np.sqrt(database.water.gravity_m_s2 / database.hull.volume_m3 ** (1 / 3))
     largest = np.diagonal(database.radiation_damping, axis1=1, axis2=2).max(axis=0)

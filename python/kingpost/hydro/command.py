@@ -43,19 +43,19 @@ OF_A_HULL = (
 def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
     command.add_argument("hull", metavar="HULL", help=(
-        "a mesh file (STL, OBJ, GDF, what meshio reads), another program's database "
+        "a mesh file (STL, OBJ, GDF or another format of meshio), another program's database "
         f"({importers.KINDS}), or a parametric hull such as "
         f"box:length_m=20,beam_m=10,draught_m=2,depth_m=5; of {', '.join(SHAPES)}"))  # fmt: skip
     command.add_argument("-o", "--output", metavar="FILE", required=True, help="database, NAME.hydro.json")
     command.add_argument("--title", metavar="TEXT", help="title of the database (default: the hull)")
     command.add_argument("--frequencies-rad-s", metavar="F", help=(
-        f"from:to:n or a list a,b,c (default: {FREQUENCIES} that follow the hull's size)"))  # fmt: skip
+        f"from:to:n or a list a,b,c (default: {FREQUENCIES} frequencies for the hull's size)"))  # fmt: skip
     command.add_argument("--directions", metavar="N", type=int, help=(
-        "wave directions round the circle; they resolve waves of 2 pi L / N and more (default: what the "
+        "number of wave directions on the circle; N resolve waves of 2 pi L / N and more (default: what the "
         "hull's length L and the shortest wave asked for need, "
         f"in steps of {resolution.STEP} from {resolution.FEWEST} to {resolution.MOST})"))  # fmt: skip
     command.add_argument("--panels", metavar="N", type=int,
-                         help=f"about how many panels the wetted hull has (default: {PANELS})")  # fmt: skip
+                         help=f"approximate number of panels, wetted hull (default: {PANELS})")  # fmt: skip
     command.add_argument("--draught-m", metavar="T", type=float,
                          help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
     command.add_argument("--water-depth-m", metavar="H", type=float, help="water depth (default: infinite)")
@@ -64,27 +64,27 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--lid", action=argparse.BooleanOptionalAction, default=None,
                          help="lid against irregular frequencies (default: if deep enough)")  # fmt: skip
     command.add_argument("--loading", metavar="L", help=(
-        "computes the mean drift of the hull so loaded: kg_m=,roll_gyration_m=,pitch_gyration_m=,"
+        "loading of the hull, to compute its mean drift: kg_m=,roll_gyration_m=,pitch_gyration_m=,"
         "yaw_gyration_m=, and roll_damping_ratio= (default: 0.05 of the critical)"))  # fmt: skip
     attitude_command.add_options(command)
     command.add_argument(
-        "--flip-normals", action="store_true", default=None, help="turn a mesh file's normals round"
+        "--flip-normals", action="store_true", default=None, help="reverse the normals of a mesh file"
     )
     command.add_argument(
         "--highest-rad-s", metavar="W", type=float,
-        help="frequencies above it are left out: of another program's file before all else, of a hull's "
-        "computed ones of the fit of the memory",
+        help="leave out frequencies above it: for another program's file from all data, for a hull's "
+        "computed data from the fit of the memory",
     )  # fmt: skip
     command.add_argument(
         "--accept-fit", action="store_true",
-        help="where no fit of the memory meets 2 %%, take the best one and say which motions miss it",
+        help="if no fit of the memory meets 2 %%, take the best one and list the motions that miss the limit",
     )  # fmt: skip
     import_command.add_options(command)
 
 
 def run(options: argparse.Namespace) -> Database:
-    """Do what the options ask, print a summary and return the database."""
-    # What takes no time is checked before what takes minutes.
+    """Run with the options, print a summary and return the database."""
+    # Quick checks come before the computation of minutes.
     target = check_output(options.output)
     if not _is_parametric(options.hull) and importers.recognise(options.hull) is not None:
         _refuse_for_a_file(options)
@@ -119,20 +119,20 @@ def run(options: argparse.Namespace) -> Database:
 
 
 def _partial(target: Path, every: int) -> Partial:
-    """Goes on from what a stopped run has left, and says so."""
-    left = f"of {every} frequencies are there from a run that was stopped"
+    """Continue a stopped run, with a line about it."""
+    left = f"of {every} frequencies are solved by the stopped run"
     return Partial(
         target.with_name(target.name + ENDING), lambda done: print(f"{'goes on':<20}{done} {left}")
     )
 
 
 def _demand(run: demand.Size) -> list[str]:
-    """Say what the panel method will take, before it starts; warnings of what the machine has not."""
+    """Print the size of the computation before it starts; warn if the machine has too little memory."""
     threads = os.environ.get("OMP_NUM_THREADS") or os.cpu_count()
     lid = f", {run.lid_panels} of them a lid," if run.lid_panels else ""
     print(f"{'to be solved':<20}{run.panels} panels{lid} for 1 frequency at a time, {threads} threads")
     needed, matrix = demand.process_bytes(run), run.matrix_bytes
-    print(f"{'memory':<20}{needed / 1e9:.3g} GB at most, all of the process; a matrix {matrix / 1e6:.3g} MB")
+    print(f"{'memory':<20}{needed / 1e9:.3g} GB at most, whole process; {matrix / 1e6:.3g} MB a matrix")
     there = demand.machine_bytes()
     if there is not None and needed > there:
         return [f"this machine has {there / 1e9:.3g} GB of memory: use fewer panels"]
@@ -198,10 +198,10 @@ def _count(name: str, given: int | None, limits: tuple[int, int]) -> int | None:
 
 
 def _refuse_for_a_file(options: argparse.Namespace) -> None:
-    """What is computed of a hull has no meaning where another program has computed it."""
+    """Refuse options of the computation for a file of another program."""
     for name in OF_A_HULL:
         if getattr(options, name) is not None:
-            allowed = "a hull, whose waves are computed; another program's are taken as they are"
+            allowed = "a hull that is computed; another program's results are taken unchanged"
             raise HydrodynamicsError(flag(name), options.hull, allowed)
 
 
@@ -230,7 +230,7 @@ def parse_frequencies(text: str) -> np.ndarray:
 
 
 def _is_parametric(hull: str) -> bool:
-    """Whether a hull is described in words: its last number may end as another program's file does."""
+    """Whether a hull is a description: its last number may look like the ending of another program's file."""
     return (hull.partition(":")[0] in SHAPES or "=" in hull) and not Path(hull).is_file()
 
 
@@ -275,7 +275,7 @@ def parse_loading(text: str) -> Loading:
 
 
 def _values(kind: type, description: str, field: str, start: str) -> dict[str, float]:
-    """Numbers ``name=value,...`` for the fields of a data class, those without a default required."""
+    """Numbers ``name=value,...`` for the fields of a data class; fields without a default are required."""
     names = [each.name for each in fields(kind)]
     form = start + ",".join(f"{name}=..." for name in names)
     values: dict[str, float] = {}

@@ -1,14 +1,16 @@
-"""The hydrodynamic database: what a panel method knows of a hull.
+"""The hydrodynamic database: results of a panel method for a hull.
 
-`database_file` keeps it in one JSON file `NAME.hydro.json`.
+`database_file` stores it in one JSON file `NAME.hydro.json`.
 
 Frame: x forward, y to port, z up, the origin on the water plane at the stated draught. All vectors of
-six are (force or translation x, y, z; moment or rotation x, y, z) about that origin. Waves go to
-their direction, from +x counter-clockwise. Phases are those of exp(-i w t): the elevation is
+six are (force or translation x, y, z; moment or rotation x, y, z) about that origin. A wave direction is the
+direction that the wave travels towards, counter-clockwise from +x. Phases are those of exp(-i w t): the
+elevation is
 Re{a exp(i (k x cos b + k y sin b - w t))}, the force Re{X a exp(-i w t)}. Zero forward speed.
 
-Of a hull that lists or trims (`Attitude`) the coefficients are in level axes: x forward along its heading, y
-to port, z up, the origin on the water plane and on the vertical of the hull's own. Particulars, waterplane
+For a hull that lists or trims (`Attitude`) the coefficients are in level axes: x forward along its heading, y
+to port, z up, the origin on the water plane, vertically above or below the hull's own origin. Particulars,
+waterplane
 and mesh stay those of the hull upright, in its own axes.
 """
 
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Provenance:
-    """Where the numbers come from; no dates, so that equal input gives an equal file."""
+    """Origin of the numbers; without dates, so that equal input gives an equal file."""
 
     tool: str
     solver: str
@@ -54,7 +56,7 @@ class Waterplane:
 
 @dataclass(frozen=True)
 class Mesh:
-    """The whole hull with its deck: closed, triangles seen from outside counter-clockwise."""
+    """The whole closed hull with its deck; triangles are counter-clockwise seen from outside."""
 
     vertices_m: NDArray[np.float64]
     triangles: NDArray[np.int64]
@@ -62,7 +64,7 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Attitude:
-    """How the upright hull stands in the axes of the coefficients, where it lists, trims or floats deeper.
+    """Attitude of the hull in the axes of the coefficients, if it lists, trims or floats at another draught.
 
     A point r of the upright hull is at Ry(pitch) Rx(roll) r + (0, 0, height) there.
 
@@ -71,7 +73,7 @@ class Attitude:
     roll_rad, pitch_rad
         Heel to starboard and trim by the bow, rad.
     height_m
-        Of the hull's origin above the still water, m.
+        Height of the hull's origin above the still water, m.
     """
 
     roll_rad: float
@@ -81,8 +83,8 @@ class Attitude:
 
 @dataclass(frozen=True)
 class Hull:
-    """Particulars of the upright hull at its draught, and the attitude that the coefficients are for; `None`
-    is upright at that draught."""
+    """Particulars of the upright hull at its draught, and the attitude of the coefficients; `None`: upright
+    at that draught."""
 
     draught_m: float
     length_m: float
@@ -97,7 +99,7 @@ class Hull:
 @dataclass(frozen=True)
 class DriftLoading:
     """The loading that a mean drift was computed for: mass, KG, radii of gyration in roll, pitch and yaw
-    about the centre of gravity, and what was added to the roll damping, of the critical."""
+    about the centre of gravity, and the added roll damping ratio."""
 
     mass_kg: float
     keel_to_gravity_m: float
@@ -119,7 +121,7 @@ class RadiationMode:
 
 @dataclass(frozen=True)
 class Radiation:
-    """The fitted memory, a mode for each of the six motions, and the relative error of the fit."""
+    """The fitted memory, an entry for each of the six motions, and the relative error of the fit."""
 
     modes: tuple[RadiationMode, ...]
     fit_error: float
@@ -147,7 +149,7 @@ class Database:
     radiation
         The fitted memory, or `None`.
     mean_drift_loading
-        What the mean drift was computed for, or `None` where nothing says it.
+        Loading for which the mean drift was computed, or `None` if it is unknown.
     """
 
     title: str

@@ -1,7 +1,8 @@
-"""A hydrodynamic database's file, `NAME.hydro.json`: read with every field checked, written whole or not.
+"""A hydrodynamic database's file, `NAME.hydro.json`: every field is checked on reading, and files are written
+completely or not at all.
 
-Coefficients are kept to seven digits, the fitted memory to all of them. Optional fields that a database does
-not have are not in its file: the attitude of a hull that is upright, the loading of a mean drift.
+Coefficients are stored with seven digits, the fitted memory with all digits. A file leaves out optional
+fields without a value: the attitude of an upright hull, the loading of a mean drift.
 """
 
 from __future__ import annotations
@@ -43,8 +44,8 @@ def read(path: str | Path) -> Database:
     Raises
     ------
     HydrodynamicsError
-        When the file cannot be read, is no database, is cut short or holds a value that is not allowed;
-        the message names the field, what was found and what is allowed.
+        If the file cannot be read, is not a database, is truncated or holds a value that is not allowed; the
+        message names the field, the value found and the allowed values.
     """
     file = str(path)
     allowed = f"a hydrodynamic database, as `kingpost hydro` writes ({ENDING})"
@@ -66,7 +67,7 @@ def read(path: str | Path) -> Database:
 
 
 def write(database: Database, path: str | Path) -> Path:
-    """Write a database, checked, and whole or not at all: beside its place first, then renamed.
+    """Check a database and write it atomically: to a temporary file, which is then renamed.
 
     Raises
     ------
@@ -80,21 +81,21 @@ def write(database: Database, path: str | Path) -> Path:
     try:
         output.write_text(target, text)
     except OutputError as error:
-        raise HydrodynamicsError("", error.reason, "a place that can be written to", str(target)) from None
+        raise HydrodynamicsError("", error.reason, "a path that can be written to", str(target)) from None
     return target
 
 
 def rounded(database: Database) -> Database:
-    """As its file gives it back.
+    """The database as read back from its file.
 
-    The memory is fitted to this, so that a fit to the stored coefficients is the stored memory: poles that
-    the data hardly determine follow the eighth digit.
+    The memory is fitted to these rounded numbers, so that a fit to the stored coefficients gives the stored
+    memory: poles that the data hardly determine depend on the eighth digit.
     """
     return from_tree(to_tree(database))
 
 
 def check_output(path: str | Path) -> Path:
-    """The place to write to, refused before any work where it cannot be."""
+    """The output path; an impossible one is refused before any computation."""
     target = Path(path)
     if not target.name.endswith(ENDING):
         raise HydrodynamicsError("", repr(target.name), f"a name that ends with {ENDING}")
@@ -116,9 +117,9 @@ def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
     """The database that a tree of plain values describes, every field checked."""
     for name, value in (("format", FORMAT), ("version", VERSION)):
         if name in tree:
-            # Another version has other fields: say that rather than which.
+            # Another version has other fields: name the version instead of the fields.
             Fields(tree, "", file).constant(name, value)
-    # Files of before have no loading.
+    # Older files have no loading.
     top = Fields.of(tree, "", file, _TOP, ("mean_drift_loading",))
     frequencies = top.numbers("frequencies_rad_s", None)
     if len(frequencies) == 0 or frequencies[0] <= 0 or (np.diff(frequencies) <= 0).any():
@@ -226,7 +227,7 @@ def _mode(radiation: Fields, index: int, mode: object) -> RadiationMode:
 
 
 def to_tree(database: Database) -> dict[str, Any]:
-    """The database as plain values, to seven digits but for the memory: the contents of its file."""
+    """The database as plain values, with seven digits except for the memory: the contents of its file."""
     here, hull, plane = database, database.hull, database.hull.waterplane
     about, water, mesh = here.provenance, here.water, hull.mesh
     tree = {
@@ -257,7 +258,7 @@ def to_tree(database: Database) -> dict[str, Any]:
 
 
 def _radiation_tree(radiation: Radiation | None) -> dict[str, Any] | None:
-    """Every digit: rounded residues would leave K(0) beside zero, a drag on a steady drift."""
+    """Every digit: with rounded residues K(0) would not be zero, which would be a drag on a steady drift."""
     if radiation is None:
         return None
     modes = [
@@ -276,7 +277,7 @@ def _pairs(values: NDArray[np.complex128]) -> NDArray[np.float64]:
 
 
 def _plain(value: Any) -> Any:
-    """Lists, dictionaries and numbers of Python, rounded; whole numbers without a point."""
+    """Rounded Python lists, dictionaries and numbers; whole numbers without a decimal point."""
     if isinstance(value, dict):
         return {name: _plain(item) for name, item in value.items()}
     if isinstance(value, np.ndarray):

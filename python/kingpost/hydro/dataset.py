@@ -19,12 +19,12 @@ LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or 
 
 
 def to_dataset(database: Database) -> xarray.Dataset:
-    """Label a database, by the names of Capytaine, whose post-processing takes it.
+    """Label a database with the names of Capytaine, so that Capytaine's post-processing accepts it.
 
     Parameters
     ----------
     database
-        Of one hull.
+        A database of one hull.
 
     Returns
     -------
@@ -33,8 +33,8 @@ def to_dataset(database: Database) -> xarray.Dataset:
         ``radiating_dof`` (Surge to Yaw), ``added_mass_infinite`` without ``omega``; ``Froude_Krylov_force``,
         ``diffraction_force`` and ``excitation_force`` along ``omega``, ``wave_direction`` (rad, to where
         waves go) and ``influenced_dof``, complex, for each metre of amplitude, for exp(-i w t);
-        ``mean_drift``, where it is known. The variable ``<variable>_unit`` has the units, which differ by the
-        motions. Of a hull that lists or trims the attributes have ``roll_rad``, ``pitch_rad`` and
+        ``mean_drift``, if it is known. The variable ``<variable>_unit`` holds the units, which differ by
+        motion. For a hull that lists or trims, the attributes have ``roll_rad``, ``pitch_rad`` and
         ``height_m``.
 
     >>> from kingpost import gallery
@@ -70,8 +70,8 @@ def to_dataset(database: Database) -> xarray.Dataset:
 
 
 def _units(name: str, dims: tuple[str, ...]) -> tuple[tuple[str, ...], NDArray[np.str_], dict[str, str]]:
-    """Units of a variable by its motions; no coordinate, which Capytaine would carry along."""
-    # Powers of a length by which an entry differs from that of translations alone.
+    """Units of a variable by its motions; not a coordinate, because Capytaine would carry it along."""
+    # Power of a length in the unit of an entry, relative to translations.
     lever = np.repeat([0, 1], 3)
     kept, units = {
         "added_mass": (dims[-2:], np.array(["kg", "kg m", "kg m^2"])[lever[:, None] + lever]),

@@ -1,9 +1,9 @@
-"""What a run of the panel method takes of the machine's memory, said before it starts.
+"""Memory that a run of the panel method needs, estimated before it starts.
 
-Its peak is that of one frequency: the matrices S and D of the part that is solved and of its influence on
-its mirror images, 2 x 2^p matrices of n x n complex numbers for p planes of symmetry and n panels, factored
-where they stand (`influence`). Beside them stand what the process already has, the waves of the problems,
-and what is kept of every frequency.
+The peak is that of one frequency: the matrices S and D of the solved part and of its influence on its mirror
+images, 2 x 2^p matrices of n x n complex numbers for p planes of symmetry and n panels, factored in place
+(`influence`). Added to these are the memory that the process already has, the waves of the problems, and the
+stored results of every frequency.
 """
 
 from __future__ import annotations
@@ -28,31 +28,31 @@ if TYPE_CHECKING:
 COMPLEX = 16
 """Bytes of a complex number."""
 RESERVE = 60e6
-"""Bytes for what is loaded, and set aside by libraries, when the work begins: measured."""
+"""Bytes that libraries load and reserve when the computation begins: measured."""
 PER_PANEL = 4e3
-"""Bytes of Capytaine's meshes and of scratch, for each panel of the whole hull: measured."""
+"""Bytes of Capytaine's meshes and temporary arrays, for each panel of the whole hull: measured."""
 COPIES = 5
 """Arrays of the size of all ring waves at the end of the run: rows, their sums for drift, and the file's."""
 UNKNOWN = 300e6
-"""Bytes of Python and its packages where the system does not say."""
+"""Bytes of Python and its packages, if the system does not report them."""
 
 
 @dataclass(frozen=True)
 class Size:
-    """How large a run is.
+    """Size of a run.
 
     Attributes
     ----------
     panels
-        That are solved for, a lid's among them.
+        Panels to solve for, those of a lid included.
     lid_panels
-        Of the lid.
+        Panels of the lid.
     reflections
         Planes of symmetry.
     directions
-        Wave directions that are solved for.
+        Number of wave directions to solve for.
     rings
-        Angles of the ring waves.
+        Number of angles of the ring waves.
     """
 
     panels: int
@@ -84,7 +84,7 @@ def size(
 
 
 def memory_bytes(run: Size) -> float:
-    """Bytes that a run takes beside what the process has when it starts.
+    """Bytes that a run needs in addition to those of the process at its start.
 
     Two matrices of 1600 x 1600 complex numbers, and little else:
 
@@ -94,25 +94,25 @@ def memory_bytes(run: Size) -> float:
     """
     images = 2**run.reflections
     whole, problems = run.panels * images, 6 + run.directions
-    # Potential, pressure and condition of each problem, and as many again to make waves of them.
+    # Potential, pressure and boundary condition of each problem, and the same again for the ring waves.
     fields = 6 * COMPLEX * problems * whole
     kept = COPIES * COMPLEX * run.frequencies * problems * run.rings
     return RESERVE + 2 * images * run.matrix_bytes + fields + PER_PANEL * whole + kept
 
 
 def process_bytes(run: Size) -> float:
-    """The most bytes that the whole process will have had when the run is done."""
+    """Estimated peak memory of the whole process, bytes."""
     return max(peak_bytes(), resident_bytes() + memory_bytes(run))
 
 
 def resident_bytes() -> float:
-    """Bytes of memory that this process has now, or the most that it has had where that alone is known."""
+    """Present memory of this process, bytes; its peak if only that is known."""
     return _status("VmRSS") or peak_bytes()
 
 
 def peak_bytes() -> float:
-    """The most bytes of memory that this process has had."""
-    # Linux's getrusage counts what the process was a copy of before it became another program.
+    """Peak memory of this process, bytes."""
+    # On Linux getrusage also counts the memory of the parent process before exec.
     found = _status("VmHWM")
     if found is not None:
         return found
@@ -136,7 +136,7 @@ def _status(name: str) -> float | None:
 
 
 def machine_bytes() -> float | None:
-    """Bytes of memory that the machine has, where it says so."""
+    """Memory of the machine, bytes, if it is known."""
     try:
         return float(os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"))
     except (ValueError, OSError, AttributeError):

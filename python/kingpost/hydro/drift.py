@@ -1,10 +1,10 @@
-"""Mean drift of a floating hull in regular waves, from the waves that it sends out.
+"""Mean drift of a floating hull in regular waves, from the waves that it radiates and scatters.
 
 H. Maruo, The drift of a body floating on waves, J. Ship Research 4(3), 1960; J. N. Newman, The drift force
 and moment on ships in waves, J. Ship Research 11(1), 1967. Far from the hull the elevation is that of the
 incident wave of amplitude a and of a ring wave,
-a (exp(i k R cos(t - b)) + f(t) exp(i k R) / sqrt(R)). What the two lose of momentum and of angular
-momentum the hull receives.
+a (exp(i k R cos(t - b)) + f(t) exp(i k R) / sqrt(R)). The hull receives the momentum and the angular momentum
+that these two lose.
 """
 
 from __future__ import annotations
@@ -31,22 +31,22 @@ if TYPE_CHECKING:
 HORIZONTAL = [0, 1, 5]
 RADII = ("roll_gyration_m", "pitch_gyration_m", "yaw_gyration_m")
 ROUNDING = 1e-6
-"""Of a radius: a flat body has the sum of the other two moments as its largest."""
+"""Tolerance of a radius: for a flat body the largest moment is the sum of the other two."""
 
 
 @dataclass(frozen=True)
 class Loading:
-    """What the hull carries: it decides how it moves, and so how it drifts.
+    """Loading of the hull: it determines its motion, and so its drift.
 
     Attributes
     ----------
     kg_m
-        Height of the centre of gravity above the keel, m, along the hull's z; it lies above the centre of
-        buoyancy, of a hull that lists or trims too.
+        Height of the centre of gravity above the keel, m, along the hull's z; it lies vertically above the
+        centre of buoyancy, also for a hull that lists or trims.
     roll_gyration_m, pitch_gyration_m, yaw_gyration_m
         Radii of gyration about the centre of gravity, m.
     roll_damping_ratio
-        Of the critical roll damping, added for viscosity.
+        Added viscous roll damping over the critical damping.
     """
 
     kg_m: float
@@ -72,17 +72,17 @@ class Loading:
 
     @property
     def note(self) -> str:
-        """What the database says of it."""
+        """The line about it in the database."""
         radii = (self.roll_gyration_m, self.pitch_gyration_m, self.yaw_gyration_m)
         return (
             f"mean drift of the hull free to move, its centre of gravity {self.kg_m:g} m above the keel, "
-            f"radii of gyration {', '.join(f'{radius:g}' for radius in radii)} m, roll damped by "
-            f"{self.roll_damping_ratio:g} of the critical beside its waves"
+            f"radii of gyration {', '.join(f'{radius:g}' for radius in radii)} m, added roll damping of "
+            f"{self.roll_damping_ratio:g} of the critical"
         )
 
 
 def stored(loading: Loading, hull: Hull, water: Water) -> DriftLoading:
-    """As the database keeps it."""
+    """The loading as the database stores it."""
     radii = np.array([loading.roll_gyration_m, loading.pitch_gyration_m, loading.yaw_gyration_m])
     mass = water.density_kg_m3 * hull.volume_m3
     return DriftLoading(mass, loading.kg_m, radii, loading.roll_damping_ratio)
@@ -94,7 +94,7 @@ def mass_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.float6
     Parameters
     ----------
     hull
-        As `build.standing` gives it; so for the other functions.
+        The hull from `build.standing`, here and in the other functions.
     """
     mass = water.density_kg_m3 * hull.volume_m3
     x, y, z = _centre_of_gravity(hull, loading)
@@ -106,12 +106,12 @@ def mass_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.float6
 
 
 def stiffness_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.float64]:
-    """Restoring matrix about the origin, weight and buoyancy in one vertical line.
+    """Restoring matrix about the origin; weight and buoyancy are on one vertical line.
 
     Raises
     ------
     HydrodynamicsError
-        When the metacentric height is not positive: such a hull would not stay as it is.
+        If the metacentric height is not positive: such a hull would capsize.
     """
     unit = water.density_kg_m3 * water.gravity_m_s2
     plane = hull.waterplane
@@ -134,7 +134,7 @@ def stiffness_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.f
 
 
 def _centre_of_gravity(hull: Hull, loading: Loading) -> NDArray[np.float64]:
-    """In one vertical line with the centre of buoyancy, and so high above the keel along the hull's z.
+    """Centre of gravity on the vertical through the centre of buoyancy, KG above the keel along the hull's z.
 
     Of c = R r + (0, 0, h), with r_z = KG - T, the horizontal part is that of the centre of buoyancy.
     """
@@ -163,7 +163,8 @@ def motions(database: Database, loading: Loading) -> NDArray[np.complex128]:
     w = database.frequencies_rad_s[:, None, None]
     damping = database.radiation_damping.copy()
     inertia = mass + database.added_mass
-    # Critical for a roll about the axis on the water plane over the centre of gravity, beside the origin.
+    # Critical damping for roll about the axis on the water plane above the centre of gravity, which may
+    # differ from the origin.
     roll = np.array([0.0, 0.0, -database.hull.centre_of_buoyancy_m[1], 1.0, 0.0, 0.0])
     critical = 2 * np.sqrt((roll @ inertia @ roll) * (roll @ stiffness @ roll))
     damping[:, 3, 3] += loading.roll_damping_ratio * critical

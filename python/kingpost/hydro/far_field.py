@@ -1,4 +1,4 @@
-"""The ring waves that a hull sends out, from the potential on its panels."""
+"""The ring waves that a hull radiates and scatters, from the potential on its panels."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .meshes import HullMeshes
 
 ANGLES_AT_ONCE = 24
-"""Angles whose waves are summed over the panels together."""
+"""Number of angles that are summed over the panels at a time."""
 
 
 @dataclass(frozen=True)
@@ -26,9 +26,9 @@ class FarField:
     Attributes
     ----------
     radiated
-        (frequency, motion, angle): of a motion of 1 m or 1 rad, for a = 1 m.
+        (frequency, motion, angle): for a motion of 1 m or 1 rad, with a = 1 m.
     scattered
-        (frequency, direction, angle): of the hull held in waves of 1 m that go to `directions`.
+        (frequency, direction, angle): for the held hull in waves of 1 m towards `directions`.
     directions
         Indices of those directions on the circle of the database; the others are mirror images.
     """
@@ -41,7 +41,8 @@ class FarField:
 def ring_angles(
     hull: HullMeshes, water: Water, frequencies_rad_s: NDArray[np.float64], directions: int
 ) -> int:
-    """Angles that resolve f, of order up to k R, and its products; a multiple of the directions."""
+    """Number of angles that resolves f, with orders up to k R, and its products; a multiple of the
+    directions."""
     radius = np.hypot(hull.particulars.length_m, hull.particulars.beam_m) / 2
     least = max(240.0, 6 * radius * wave_number(frequencies_rad_s[-1], water))
     return directions * int(np.ceil(least / directions))
@@ -75,7 +76,7 @@ def ring_waves(
     flux = normal_velocity * mesh.faces_areas * height - phi * mesh.faces_normals[:, 2] * slope
     along = phi * height
     sums = np.empty((len(potential), angles), complex)
-    # A few angles at a time: all of them over all panels would take more than the matrices of a small hull.
+    # A few angles at a time: all at once would need more memory than the matrices of a small hull.
     for some in np.array_split(np.arange(angles), -(-angles // ANGLES_AT_ONCE)):
         turn = 2 * np.pi * some / angles
         ahead = np.stack([np.cos(turn), np.sin(turn), 0 * turn])

@@ -1,4 +1,4 @@
-"""Checked access to the fields of a tree that was read from JSON, so that each error names its place."""
+"""Checked access to the fields of a tree read from JSON; each error names the field."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Fields:
     def of(
         cls, value: object, path: str, file: str | None, names: Sequence[str], optional: Sequence[str] = ()
     ) -> Fields:
-        """An object that has these fields and no others; optional ones that are not there are null."""
+        """An object with these fields and no others; missing optional fields become null."""
         if not isinstance(value, dict):
             raise HydrodynamicsError(path, shown(value), "an object", file)
         value, names = {**dict.fromkeys(optional), **value}, (*names, *optional)
@@ -82,7 +82,7 @@ class Fields:
         return value
 
     def number(self, name: str, *, positive: bool = False) -> float:
-        """A field that is a finite number, greater than 0 where that is asked."""
+        """A field that is a finite number, and greater than 0 if required."""
         value = self.values[name]
         allowed = "a number greater than 0" if positive else "a finite number"
         if not isinstance(value, int | float) or isinstance(value, bool) or not math.isfinite(value):
@@ -100,7 +100,7 @@ class Fields:
         except ValueError:
             raise self.wrong(name, "lists of unequal lengths", allowed) from None
         if array.size == 0 and 0 in array.shape:
-            # An empty list does not say how long its members would be.
+            # The length of the members of an empty list is unknown.
             array = np.zeros([0 if length is None else length for length in shape])
         if array.dtype.kind not in "iuf":
             raise self.wrong(name, shown(value), allowed)
@@ -119,7 +119,7 @@ class Fields:
 
 
 def shown(value: object) -> str:
-    """A value as an error shows it, cut where it is long."""
+    """A value for an error message, shortened if it is long."""
     text = "null" if value is None else repr(value)
     return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}..."
 

@@ -1,16 +1,17 @@
-"""Green's function of water of finite depth, as exact as that of deep water.
+"""Green's function of water of finite depth, as accurate as that of deep water.
 
-Capytaine writes it as four of deep water and a smooth rest (G. Delhommeau, "Les problemes de
-diffraction-radiation et de resistance des vagues", thesis, ENSM Nantes 1987). The rest's integral is known
-where it is a sum of exponentials: with x = k' h, the wave's k h, and K = k h tanh k h,
+Capytaine writes it as four deep-water functions and a smooth remainder (G. Delhommeau, "Les problemes de
+diffraction-radiation et de resistance des vagues", thesis, ENSM Nantes 1987). The integral of the remainder
+has a closed form if it is a sum of exponentials: with x = k' h, the wave's k h, and K = k h tanh k h,
 
     f(x) = (x + K) exp(x) / (x sinh x - K cosh x) - c / (x - k h) - 2 = sum of a_n exp(lambda_n x),
     c = (1 + tanh k h)^2 / (1 - tanh^2 k h + tanh k h / k h).
 
 Version 3.0 of Capytaine looks for the fewest exponentials by Prony's method, on points drawn at random,
-until their mean square error is below 1e-4: f, of order 1, is wrong by up to 0.2, otherwise in each run, and
-below k h = 0.1 there is none. Of a prism of 8 x 0.4 x 0.2 m in 1 m of water that makes heave damping 45 %
-too small at k h = 6.5. Here the rates lambda_n are a geometric series, and the amplitudes follow by linear
+until their mean square error is below 1e-4: f, of order 1, is then wrong by up to 0.2, differently in each
+run, and below k h = 0.1 no sum is found. For a prism of 8 x 0.4 x 0.2 m in 1 m of water the heave damping at
+k h = 6.5 becomes 45 % too small. Here the rates lambda_n are a geometric series, and the amplitudes follow by
+linear
 least squares.
 """
 
@@ -32,13 +33,13 @@ POLE = 8.0
 DENSITY = 3
 """Exponentials for each factor e between their rates: the error of f is at most 1e-5 for all k h."""
 SHALLOWEST = 0.005
-"""The least k h that has been looked at."""
+"""The smallest tested k h."""
 INFINITE = 1e5
-"""From this k h on f is that of infinite frequency, 2 - 2 / (1 + exp(-2 x))."""
+"""From this k h on f has its form at infinite frequency, 2 - 2 / (1 + exp(-2 x))."""
 
 
 def rest(kh: float, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """f(x) of water in which the wave has k h, away from x = k h.
+    """f(x) for a wave with this k h, away from x = k h.
 
     >>> rest(np.inf, np.array([0.0])), rest(30.0, np.array([0.0])).round(12)
     (array([1.]), array([1.]))
@@ -47,7 +48,7 @@ def rest(kh: float, x: NDArray[np.float64]) -> NDArray[np.float64]:
         return 2 - 2 / (1 + np.exp(-2 * x))
     tanh = np.tanh(kh)
     c = (1 + tanh) ** 2 / (1 - tanh**2 + tanh / kh)
-    # exp(x) / cosh(x), without large numbers.
+    # exp(x) / cosh(x), without overflow.
     ratio = 2 / (1 + np.exp(-2 * x))
     return (x + kh * tanh) * ratio / (x * np.tanh(x) - kh * tanh) - c / (x - kh) - 2
 
@@ -73,7 +74,7 @@ def decomposition(kh: float) -> NDArray[np.float64]:
     fastest = max(FASTEST, POLE / kh)
     rates = -np.geomspace(SLOWEST, fastest, int(np.ceil(DENSITY * np.log(fastest / SLOWEST))) + 1)
     x = np.append(0.0, np.geomspace(0.01 / fastest, FASTEST, 700))
-    # Both terms of f have a pole at k h, which cancels: near it their digits do too.
+    # Both terms of f have a pole at k h; the poles cancel, and near k h digits are lost.
     x = x[np.abs(x - kh) > 1e-4 * min(1.0, kh)]
     amplitudes = np.linalg.lstsq(np.exp(np.outer(x, rates)), rest(kh, x), rcond=1e-12)[0]
     return np.stack([rates, amplitudes])

@@ -1,11 +1,11 @@
-"""What the memory is fitted to, and how an error of it is measured.
+"""The data for the fit of the memory, and the measure of its error.
 
-Two errors of K = B + j w (A - A_inf) count. Beside its peak, for the force that a motion has from the memory;
-and beside what holds the motion at each frequency, for the response. A hull of mass M that is free to move in
-i has the impedance j w (M_ii + A_ii) + B_ii + C_ii / (j w), of which at resonance B_ii alone is left, with
-what damping it has besides. Let that be 5 % of the critical, 2 zeta w (M_ii + A_ii): an error dK moves the
-response there by dK / (B_ii + 2 zeta w (M_ii + A_ii)), and by less elsewhere. Platforms resonate where their
-damping by waves is a thousandth of its peak, and a fit by the peak alone is nothing there.
+Two errors of K = B + j w (A - A_inf) count: relative to its peak, for the memory force of a motion; and
+relative to the impedance of the motion at each frequency, for the response. A hull of mass M that is free in
+i has the impedance j w (M_ii + A_ii) + B_ii + C_ii / (j w). At resonance only B_ii and the other damping
+remain. With other damping of 5 % of the critical, 2 zeta w (M_ii + A_ii), an error dK changes the response
+there by dK / (B_ii + 2 zeta w (M_ii + A_ii)), and by less elsewhere. Platforms resonate where their radiation
+damping is a thousandth of its peak, and a fit by the peak alone is useless there.
 """
 
 from __future__ import annotations
@@ -26,29 +26,29 @@ if TYPE_CHECKING:
     from .vector_fitting import Array, ComplexArray
 
 FEWEST_FREQUENCIES = 8
-# A motion is measured by its peak of K, or by this share of rho V l^2 sqrt(g / l) where that is more:
-# the yaw of a body of revolution is noise, and is not fitted as if it were large.
+# The scale of a motion is its peak of K, at least this share of rho V l^2 sqrt(g / l): the yaw of a body of
+# revolution # is noise and must not be scaled up.
 LEAST_PEAK = 1e-3
-# Damping that a hull has beside the waves', of the critical: by viscosity, moorings, rigging.
+# Damping other than radiation, over the critical: viscosity, moorings, rigging.
 OTHER_DAMPING = 0.05
 
 
 @dataclass(frozen=True)
 class FitData:
-    """K of the data, its two halves averaged: panels keep K_ij = K_ji only nearly (`checks`).
+    """K of the data, made symmetric: panel methods satisfy K_ij = K_ji only approximately (`checks`).
 
     Attributes
     ----------
     peaks
         (motion): the largest min(1, w_i / w) |K_ii|, w_i the frequency of the motion's largest damping; at
-        least what `LEAST_PEAK` says.
+        least the value from `LEAST_PEAK`.
     scaled
         K_ij / sqrt(peak_i peak_j).
     coupled
-        (force, motion): where there is more than a tenth of the limit.
+        (force, motion): entries larger than a tenth of the limit.
     importance
         (frequency): min(1, w_c / w), w_c the highest w_i of the motions that are damped. Beyond it K is
-        nearly j w (A - A_inf), and this makes of an error of K one of A.
+        nearly j w (A - A_inf), and this weight turns an error of K into one of A.
     sensitivity
         (frequency, motion): peak_i / (B_ii + 2 zeta w (M_ii + A_ii)).
     """
@@ -70,7 +70,7 @@ class FitData:
         weighted = np.minimum(1.0, centres / omega[:, None]) * np.abs(diagonal)
         peaks = np.maximum(weighted.max(axis=0), LEAST_PEAK * _natural_damping(database))
         scaled = response / np.sqrt(np.outer(peaks, peaks))
-        # Motions whose damping is noise have no say in where the largest damping is.
+        # Motions whose damping is noise do not decide where the largest damping is.
         damped = diagonal.real.max(axis=0) > 0.1 * peaks
         centre = centres[damped].max(initial=omega[0])
         coupled = np.abs(scaled).max(axis=0) > 0.1 * limit
@@ -83,7 +83,7 @@ class FitData:
         return np.sqrt(np.outer(self.peaks, self.peaks))
 
     def counts(self, group: list[int]) -> Array:
-        """Weight of an error at each frequency, of motions that are fitted together."""
+        """Weight of an error at each frequency, for motions that are fitted together."""
         return np.maximum(self.importance, np.exp(np.log(self.sensitivity[:, group]).mean(axis=1)))
 
     def by_frequency(self, error: ComplexArray) -> Array:
@@ -95,8 +95,8 @@ class FitData:
         return float(self.by_frequency(error).max())
 
     def response_error(self, error: ComplexArray, group: list[int]) -> float:
-        """The largest error of a response, up to the frequency of the largest damping: beyond it the mass
-        alone holds a motion. `error` has the motions of the group."""
+        """The largest error of a response, up to the frequency of the largest damping: above it only the mass
+        resists a motion. `error` has the motions of the group."""
         root = np.sqrt(self.sensitivity[:, group])
         relative = np.abs(error) * root[:, :, None] * root[:, None, :]
         return float(relative[self.importance >= 1.0].max(initial=0.0))
@@ -110,7 +110,8 @@ def _least_impedance(database: Database, damping: Array) -> Array:
 
 
 def _natural_damping(database: Database) -> Array:
-    """rho V l^2 sqrt(g / V^(1/3)) of each motion, l half the beam or the length of rotations, else 1."""
+    """rho V l^2 sqrt(g / V^(1/3)) of each motion, with l half the beam or the length for rotations, otherwise
+    1."""
     hull, water = database.hull, database.water
     lever = np.array([1.0, 1.0, 1.0, 0.5 * hull.beam_m, 0.5 * hull.length_m, 0.5 * hull.length_m])
     rate = np.sqrt(water.gravity_m_s2 / hull.volume_m3 ** (1.0 / 3.0))
@@ -123,7 +124,7 @@ def up_to(database: Database, highest_rad_s: float) -> Database:
     Raises
     ------
     HydrodynamicsError
-        When fewer than eight are left.
+        If fewer than eight are left.
     """
     kept = database.frequencies_rad_s <= highest_rad_s
     if kept.sum() < FEWEST_FREQUENCIES:

@@ -1,4 +1,4 @@
-"""Hulls from mesh files: STL, OBJ and whatever else meshio reads, and WAMIT's GDF."""
+"""Hulls from mesh files: STL, OBJ, other formats of meshio, and WAMIT's GDF."""
 
 from __future__ import annotations
 
@@ -20,10 +20,12 @@ from .surface import LARGEST_M, SMALLEST_M, Surface, check_closed, check_outward
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+FARTHEST_M = 1e9
+"""From the origin: in the frame of a map, at most."""
 LARGEST_HULL = 2000
-"""Triangles of the largest hull that goes into a database."""
+"""The most triangles of a hull mesh in a database."""
 METRIC_GRAVITY = (9.7, 9.9)
-"""What GRAV of a file in metres may be, m/s2; in feet it is 32.2."""
+"""Range of GRAV in a file in metres, m/s2; in feet it is 32.2."""
 INSTALL = 'pip install "meshio>=5.3"'
 
 
@@ -36,9 +38,9 @@ class HullFile:
     path
         The file; metres, x forward, y to port, z up.
     draught_m
-        Depth of the lowest point under the water plane; `None` where z = 0 is the water plane.
+        Depth of the lowest point under the water plane; `None`: z = 0 is the water plane.
     flip_normals
-        Turn all normals round first.
+        Reverse all normals first.
     """
 
     path: Path
@@ -46,7 +48,8 @@ class HullFile:
     flip_normals: bool = False
 
     def meshes(self, panels: int) -> HullMeshes:
-        """Panels, particulars and the closed hull, checked; with about so many panels or more."""
+        """Checked panels, particulars and closed hull, with approximately the given number of panels or
+        more."""
         surface = self.placed()
         closed = self.check(surface)
         wetted = surface.below()
@@ -71,7 +74,7 @@ class HullFile:
         return Surface(lifted, surface.triangles)
 
     def check(self, surface: Surface) -> bool:
-        """Refuse what cannot be solved; whether the hull is closed, deck and all."""
+        """Refuse a surface that cannot be solved; return whether the hull is closed, deck included."""
         file = str(self.path)
         lowest, highest = surface.vertices[:, 2].min(), surface.vertices[:, 2].max()
         extent = float(np.ptp(surface.vertices, axis=0).max())
@@ -101,12 +104,12 @@ class HullFile:
 
 
 def file_panels(wetted: Surface, panels: int, axes: tuple[int, ...]) -> tuple[tuple[int, ...], Panels]:
-    """Those of the axes along which a wetted hull is symmetric, and panels of the part that they mirror."""
+    """The axes along which a wetted hull is symmetric, and the panels of the part to mirror."""
     reflections = tuple(axis for axis in axes if _symmetric(wetted, axis))
     part = wetted
     for axis in reflections:
         part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
-    # Triangles of this side have about the area that was asked for.
+    # Triangles with this side have approximately the wanted area.
     return reflections, of_triangles(part.refined(2 * (wetted.area / panels) ** 0.5))
 
 
@@ -117,18 +120,18 @@ def _too_large(triangles: int) -> str:
 
 
 def read(path: Path) -> Surface:
-    """Triangles of a mesh file, equal points made one, panels that do not meet edge to edge joined.
+    """Triangles of a mesh file; equal points are merged, and panels that do not meet edge to edge are joined.
 
     Raises
     ------
     HydrodynamicsError
-        When the file cannot be read or holds no surface.
+        If the file cannot be read or holds no surface.
     """
     return stitched(_as_written(path))
 
 
 def _joined(path: Path, surface: Surface) -> tuple[str, ...]:
-    """What is said where panels were joined."""
+    """A note if panels were joined."""
     written = _as_written(path)
     joined = len(open_edges(written)) - len(open_edges(surface))
     if not joined:
@@ -148,11 +151,20 @@ def _as_written(path: Path) -> Surface:
             "hull", "a face with a point that is not in the file",
             f"faces of the {len(surface.vertices)} points that it lists", str(path),
         )  # fmt: skip
-    if not (np.diff(np.sort(surface.triangles, axis=1), axis=1) > 0).all(axis=1).any():
+    _check_size(surface.vertices[np.unique(surface.triangles)], path)
+    joined = surface.welded()
+    if len(joined.triangles) == 0:
         raise HydrodynamicsError("hull", "faces without an area only", "a surface mesh", str(path))
-    if not np.isfinite(surface.vertices).all():
+    return joined
+
+
+def _check_size(points: NDArray[np.float64], path: Path) -> None:
+    """Refuse points that are not finite, or as far apart as those of no hull."""
+    if not np.isfinite(points).all():
         raise HydrodynamicsError("hull", "a point that is not finite", "finite coordinates", str(path))
-    return surface.welded()
+    if np.abs(points).max() > FARTHEST_M:
+        found = f"a point {np.abs(points).max():.3g} m from the origin"
+        raise HydrodynamicsError("hull", found, f"points within {FARTHEST_M:g} m", str(path))
 
 
 def _read_meshio(path: Path) -> Surface:
@@ -161,7 +173,7 @@ def _read_meshio(path: Path) -> Surface:
     except ImportError:
         raise HydrodynamicsError("meshio", "no such package", f"`{INSTALL}`, which installs it") from None
     try:
-        # meshio reports some errors by printing and leaving.
+        # meshio reports some errors by printing them and exiting.
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
             found = meshio.read(path)
             cells = [found.get_cells_type(name) for name in ("triangle", "quad")]
@@ -188,9 +200,9 @@ def _halved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
 def _read_gdf(path: Path) -> Surface:
     """WAMIT's low-order geometry: title, ULEN and GRAV, ISX and ISY, number of panels, corners of each.
 
-    Its panels run counter-clockwise as the water sees them (WAMIT User Manual, version 7, chapter 6); ISX
-    and ISY of 1 say that x = 0 and y = 0 are planes of symmetry, of -1 that a wall stands there. Corners have
-    the unit of length of GRAV, the acceleration of gravity, whatever ULEN.
+    Its panels are counter-clockwise seen from the water (WAMIT User Manual, version 7, chapter 6); ISX
+    and ISY of 1 mean that x = 0 and y = 0 are planes of symmetry, and -1 means a wall there. Corners are in
+    the length unit of GRAV, the acceleration of gravity, independent of ULEN.
     """
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()[1:]
     allowed = "WAMIT's GDF: a title, ULEN GRAV, ISX ISY, the number of panels, twelve coordinates each"
@@ -201,7 +213,7 @@ def _read_gdf(path: Path) -> Surface:
         count = int(words[2][0])
         numbers = np.array([float(word) for line in words[3:] for word in line][: 12 * count])
         quads = numbers.reshape(count, 4, 3)
-    except (ValueError, IndexError):
+    except (ValueError, IndexError, OverflowError):
         found = "a file of another format or cut short"
         raise HydrodynamicsError("hull", found, allowed, str(path)) from None
     if not METRIC_GRAVITY[0] <= gravity <= METRIC_GRAVITY[1]:
@@ -214,6 +226,7 @@ def _read_gdf(path: Path) -> Surface:
         if value not in (0, 1):
             found = f"{name} {value}" + (", a wall along that plane" if value == -1 else "")
             raise HydrodynamicsError("hull", found, f"{name} 0, or 1 for a plane of symmetry", str(path))
+    _check_size(quads.reshape(-1, 3), path)
     corners = np.arange(4 * count).reshape(count, 4)
     part = Surface(quads.reshape(-1, 3), _halved(corners))
     return whole(part.welded(), tuple(axis for axis in (0, 1) if symmetric[axis]))

@@ -10,15 +10,15 @@ from . import importers
 from .database import Database
 
 SHARED = ("density_kg_m3", "water_depth_m", "draught_m")
-# Of the fit's limit, for responses: files are of platforms too, which resonate with next to no damping.
+# Share of the fit's limit for responses: some files are of platforms, which resonate with little damping.
 RESPONSE_SHARE = 0.25
 TRUE = {"yes": True, "no": False}
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """What a file may leave unsaid; `SHARED` are options of `kingpost hydro` already."""
+    """Options for values that a file may lack; those in `SHARED` are already options of `kingpost hydro`."""
     group = command.add_argument_group(
-        "another program's file", "what the file does not say is asked for; nothing is assumed"
+        "another program's file", "values that the file does not contain must be given; nothing is assumed"
     )
     for field in fields(importers.Options):
         if field.name not in SHARED:
@@ -39,7 +39,7 @@ def run(options: argparse.Namespace) -> Database:
 
 
 def refuse(options: argparse.Namespace) -> None:
-    """Options of other programs' files have no meaning for a hull."""
+    """Refuse options of other programs' files for a hull."""
     allowed = f"another program's file: {importers.KINDS}"
     for field in fields(importers.Options):
         if field.name not in SHARED and getattr(options, field.name) is not None:

@@ -1,4 +1,4 @@
-"""Meshes of a hull that lists or trims: the closed hull turned, lifted and cut at the water."""
+"""Meshes of a hull that lists or trims: the closed hull is rotated, lifted and cut at the water plane."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
     from .shapes import Shape
 
 FINE_PANELS = 6000
-"""About how many panels are under water of the mesh that says how a parametric hull floats."""
+"""Approximate number of submerged panels of the mesh that gives the attitude of a parametric hull."""
 SAME_VOLUME = 0.01
-"""By this share what a hull displaces may differ from what the source of its attitude says of it."""
+"""Largest relative difference of a hull's displacement from that of the source of its attitude."""
 
 
 def of_shape(shape: Shape, upright: HullMeshes, panels: int, asked: Inclination) -> HullMeshes:
-    """A parametric hull as it stands, with about so many panels.
+    """A parametric hull in its attitude, with approximately the given number of panels.
 
     Raises
     ------
     HydrodynamicsError
-        When it stands dry, or displaces something else than the source of its attitude says.
+        If it is dry, or its displacement differs from that of the source of its attitude.
     """
     size, fine = ((shape.wetted_area_m2 / count) ** 0.5 for count in (panels, FINE_PANELS))
     volume = upright.particulars.volume_m3
@@ -46,12 +46,12 @@ def of_shape(shape: Shape, upright: HullMeshes, panels: int, asked: Inclination)
 
 
 def of_file(file: HullFile, upright: HullMeshes, panels: int, asked: Inclination) -> HullMeshes:
-    """A mesh file's hull as it stands, with about so many panels or more.
+    """The hull of a mesh file in its attitude, with approximately the given number of panels or more.
 
     Raises
     ------
     HydrodynamicsError
-        As `of_shape`, and when the mesh ends at the water line: what would come under water is not known.
+        As for `of_shape`, and if the mesh ends at the water line: the newly submerged part is unknown.
     """
     hull = file.placed()
     if not file.check(hull):
@@ -67,7 +67,7 @@ def of_file(file: HullFile, upright: HullMeshes, panels: int, asked: Inclination
 
 
 def _kept(reflections: tuple[int, ...], attitude: Attitude) -> tuple[int, ...]:
-    """Planes of symmetry that are left: heel takes y = 0 away, trim x = 0."""
+    """Remaining planes of symmetry: heel removes y = 0, trim removes x = 0."""
     turned = {0: attitude.pitch_rad, 1: attitude.roll_rad}
     return tuple(axis for axis in reflections if turned[axis] == 0)
 
@@ -75,7 +75,7 @@ def _kept(reflections: tuple[int, ...], attitude: Attitude) -> tuple[int, ...]:
 def _afloat(
     hull: Surface, upright: HullMeshes, asked: Inclination
 ) -> tuple[Attitude, Surface, tuple[str, ...]]:
-    """How a closed hull stands, what of it is under water, and what is to be said of that."""
+    """Attitude of a closed hull, its submerged part, and notes about it."""
     attitude = settled(hull, asked, upright.particulars.volume_m3)
     stands = Surface(placed(hull.vertices, attitude), hull.triangles)
     wetted = stands.below()
@@ -97,7 +97,7 @@ def _check_displaced(asked: Inclination, found_m3: float) -> None:
 
 
 def _remarks(hull: Surface, stands: Surface) -> tuple[str, ...]:
-    """What is said of a hull whose deck goes under or whose bottom comes out of the water."""
+    """Note for a hull whose deck is immersed or whose bottom emerges."""
     before, z = hull.vertices[:, 2], stands.vertices[:, 2]
     near = 1e-6 * np.ptp(hull.vertices, axis=0).max()
     found = []

@@ -1,10 +1,10 @@
-"""Added mass at infinite frequency, found together with the memory where a file does not have it.
+"""Added mass at infinite frequency, fitted together with the memory if a file lacks it.
 
-Ogilvie's relation (`memory.added_mass_infinite`) integrates the damping to infinity; where data end before
-the damping has gone, a guessed tail decides it. T. Perez and T. I. Fossen, "Joint identification of infinite-
+Ogilvie's relation (`memory.added_mass_infinite`) integrates the damping to infinity; if the data end before
+the damping has decayed, a guessed tail decides the result. T. Perez and T. I. Fossen, "Joint identification
+of infinite-
 frequency added mass and fluid-memory models of marine structures", Modeling, Identification and Control
-29(3), 2008, fit B + j w A = K(j w) + j w A_inf with both unknown: the data themselves then say where A tends
-to.
+29(3), 2008, fit B + j w A = K(j w) + j w A_inf with both unknown: the limit of A then follows from the data.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 STATES = (4, 6, 8, 10, 12)
 ROUNDS = 8
 GONE = 0.15
-"""Where damping ends below this part of its peak, Ogilvie's relation needs no help: its tail is little."""
+"""If the last damping is below this fraction of its peak, Ogilvie's relation is used: its tail is small."""
 
 
 def joint_added_mass_infinite(omega: Array, added_mass: Array, damping: Array) -> Array:
-    """A_inf (6, 6) of symmetric A and B (frequency, 6, 6): Ogilvie's, but where damping has not gone at the
-    last frequency."""
+    """A_inf (6, 6) of symmetric A and B (frequency, 6, 6): by Ogilvie's relation, or by the fit if damping
+    has not decayed at the last frequency."""
     found = added_mass_infinite(omega, added_mass, damping)
     found = 0.5 * (found + found.T)
     scale = np.sqrt(np.abs(np.diagonal(added_mass, axis1=1, axis2=2)).max(axis=0))
@@ -43,7 +43,7 @@ def joint_added_mass_infinite(omega: Array, added_mass: Array, damping: Array) -
 
 
 def _joint(omega: Array, added_mass: Array, damping: Array, start: float) -> float:
-    """The A_inf of the fit of least error over a few numbers of states."""
+    """A_inf of the fit with the smallest error among several numbers of states."""
     centre = omega[np.abs(damping).argmax()]
     width = np.gradient(omega)
     weights = np.minimum(1.0, centre / omega) * np.sqrt(np.maximum(width / width.mean(), 1.0 / 3.0))
@@ -60,7 +60,7 @@ def _joint(omega: Array, added_mass: Array, damping: Array, start: float) -> flo
 def _alternating(
     omega: Array, added_mass: Array, damping: Array, weights: Array, start: float, states: int
 ) -> tuple[float, float]:
-    """Poles by vector fitting with A_inf known, then residues and A_inf by least squares, in turns."""
+    """Poles by vector fitting with A_inf known, then residues and A_inf by least squares, alternately."""
     value, error = start, np.inf
     right = damping + 1j * omega * added_mass
     for _ in range(ROUNDS):

@@ -1,11 +1,12 @@
-"""Influence matrices of a hull with planes of symmetry, in the memory that the least of them needs.
+"""Influence matrices of a hull with planes of symmetry, with minimal memory.
 
-The matrix between all panels of a hull of 2^p like parts consists of 2^p different blocks: between parts i
-and j stands the block i XOR j. The Walsh-Hadamard transform over the parts makes it block diagonal, so that
-one system of 2^p n unknowns falls into 2^p of n (`scipy.linalg.hadamard` has the matrix of the transform).
-Blocks are transformed and factored where they stand: S and D take 2 x 2^p matrices of n x n complex numbers
-and nothing beside them. Capytaine's own engine writes the blocks of two planes out in matrices of
-twice the size, which it copies and keeps: ten times as much at its peak.
+For a hull of 2^p mirrored parts, the matrix between all panels has 2^p different blocks: the block between
+parts i and j is block i XOR j. The Walsh-Hadamard transform over the parts makes it block diagonal, so that
+one system of 2^p n unknowns becomes 2^p systems of n unknowns (`scipy.linalg.hadamard` has the matrix of the
+transform).
+Blocks are transformed and factored in place: S and D need 2 x 2^p matrices of n x n complex numbers and
+nothing else. For two planes, Capytaine's own engine expands the blocks into matrices of twice the size, which
+it copies and keeps: ten times as much at its peak.
 """
 
 from __future__ import annotations
@@ -23,9 +24,9 @@ if TYPE_CHECKING:
 
 
 def transform(parts: Sequence[NDArray]) -> None:
-    """Walsh-Hadamard transform over arrays of one shape, their number a power of two, in place.
+    """In-place Walsh-Hadamard transform of arrays of one shape; their number is a power of two.
 
-    Twice it is the number of the arrays.
+    Applied twice, it multiplies by the number of the arrays.
 
     >>> a, b = np.array([5.0]), np.array([3.0])
     >>> transform([a, b])
@@ -44,7 +45,7 @@ def transform(parts: Sequence[NDArray]) -> None:
 
 
 class Influence:
-    """The matrix whose first column of blocks is given; the blocks are transformed where they stand.
+    """A matrix with the given first column of blocks; the blocks are transformed in place.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ class Influence:
         return self._by_block(vector, [block.__matmul__ for block in self.blocks])
 
     def solve(self, vector: NDArray) -> NDArray:
-        """x of A x = vector. The first call overwrites the matrix by its factors, which are kept."""
+        """Solve A x = vector. The first call overwrites the matrix with its factors, which are kept."""
         from scipy.linalg import lu_factor
 
         while self.blocks:
@@ -87,14 +88,14 @@ def _solver(factor: Any) -> Any:
 
 
 class Engine:
-    """What Capytaine's solver asks of an engine: the matrices S and D of a hull, and x of D x = b.
+    """The matrix engine for Capytaine's solver: the matrices S and D of a hull, and the solution of D x = b.
 
-    It has the matrices of one frequency and lets them go before it builds the next.
+    It holds the matrices of one frequency and frees them before it builds the next.
 
     Parameters
     ----------
     green_function
-        One of Capytaine's.
+        A Green function of Capytaine.
     """
 
     def __init__(self, green_function: Any) -> None:
@@ -103,7 +104,7 @@ class Engine:
         self.forget()
 
     def forget(self) -> None:
-        """Let the matrices go."""
+        """Free the matrices."""
         self._mesh: Any = None
         self._settings: dict[str, Any] = {}
         self._matrices: tuple[Influence, Influence] | None = None
@@ -119,10 +120,10 @@ class Engine:
     def _build(self, parts: Sequence[Any], settings: dict[str, Any]) -> tuple[Influence, Influence]:
         single, double = [], []
         for number, part in enumerate(parts):
-            # The jump of the double layer is that of panels on themselves.
+            # The jump term of the double layer acts on the diagonal.
             at_home = {**settings, "diagonal_term_in_double_layer": number == 0}
             s, d = self.green_function.evaluate(part, parts[0], early_dot_product=True, **at_home)
-            # Sums need no memory, and one NaN spoils them.
+            # A sum needs no memory, and any NaN makes it NaN.
             if not np.isfinite(s.sum() + d.sum()):
                 found = f"panels between which there is no influence at {settings}"
                 raise HydrodynamicsError("hull", found, "panels that do not overlap")
@@ -131,12 +132,13 @@ class Engine:
         return Influence(single), Influence(double)
 
     def linear_solver(self, matrix: Influence, vector: NDArray) -> NDArray:
-        """x of matrix x = vector."""
+        """Solve matrix x = vector."""
         return matrix.solve(vector)
 
 
 def parts_of(mesh: Any) -> list[Any]:
-    """The like parts of one of Capytaine's meshes, the order of its panels; itself where it has no plane."""
+    """The mirrored parts of a Capytaine mesh, in the order of its panels; the mesh itself if it has no
+    symmetry plane."""
     if hasattr(mesh, "other_half"):
         return [*parts_of(mesh.half), *parts_of(mesh.other_half)]
     return [mesh]

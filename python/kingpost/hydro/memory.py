@@ -7,8 +7,8 @@ response function and ship motions", Schiffstechnik 9, 1962). A velocity nu(t) o
     F(t) = -A_inf nu'(t) - integral_0^inf k(tau) nu(t - tau) dtau.
 
 Put nu = Re{v exp(+j w t)}: F = -Re{[j w A_inf + K(j w)] v exp(+j w t)} with
-K(j w) = integral k exp(-j w tau) dtau. A(w) and B(w) are defined by F = -A nu' - B nu, real and so the
-same for exp(-i w t) and exp(+j w t): only excitation changes with that sign. Comparison gives, in the
+K(j w) = integral k exp(-j w tau) dtau. A(w) and B(w) are defined by F = -A nu' - B nu, they are real, and so
+the same for exp(-i w t) and exp(+j w t): only the excitation depends on that sign. Comparison gives, in the
 sense of exp(+st), s = j w,
 
     K(j w) = B(w) + j w (A(w) - A_inf),
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     from .database import Database
     from .vector_fitting import Array, ComplexArray
 
-# Powers of omega by which damping falls beyond the data: 3 is the slowest that is known, of a vertical
-# side that moves across itself (a piston wavemaker, B ~ rho omega / k^2, k = omega^2 / g).
+# Powers of omega with which damping falls beyond the data: 3 is the slowest known, for a vertical side that
+# moves # along its normal (a piston wavemaker, B ~ rho omega / k^2, k = omega^2 / g).
 SLOWEST_TAIL, FASTEST_TAIL = 3.0, 7.0
-# Times the highest frequency, where the integral of the tail ends: 40^-3 of its height.
+# The integral of the tail ends at this multiple of the highest frequency: there it is 40^-3 of its height.
 TAIL_END = 40.0
 
 
@@ -42,8 +42,8 @@ def frequency_response(database: Database) -> ComplexArray:
 def tail(omega: Array, damping: Array, beyond: Array) -> Array:
     """Damping (frequency, ...) beyond the data: B(w_n) (w_n / w)^m.
 
-    m is the slope of the last fifth of the range in logarithms, of the sum of the squares of all entries
-    given, between 3 and 7.
+    m is the logarithmic slope over the last fifth of the range, for the sum of the squares of all given
+    entries, limited to 3 to 7.
     """
     size = np.sqrt((damping.reshape(len(omega), -1) ** 2).sum(axis=1))
     last = (omega >= 0.8 * omega[-1]) & (size > 0.0)
@@ -56,7 +56,7 @@ def tail(omega: Array, damping: Array, beyond: Array) -> Array:
 
 
 def smooth(omega: Array, values: Array, at: Array) -> Array:
-    """Values (frequency, ...) by piecewise cubics, their slopes those of parabolas through three points."""
+    """Values (frequency, ...) by piecewise cubics with the slopes of parabolas through three points."""
     flat = values.reshape(len(omega), -1)
     step, rise = np.diff(omega)[:, None], np.diff(flat, axis=0)
     chord = rise / step
@@ -71,7 +71,8 @@ def smooth(omega: Array, values: Array, at: Array) -> Array:
 
 
 def damping_on_a_fine_grid(omega: Array, damping: Array, points: int = 4000) -> tuple[Array, Array]:
-    """Frequencies from 0 to `TAIL_END` times the last and damping there: 0 at 0, data, tail."""
+    """Frequencies from 0 to `TAIL_END` times the last, and the damping: 0 at frequency 0, then data, then
+    tail."""
     with_zero = np.append(0.0, omega)
     values = np.concatenate([np.zeros((1, *damping.shape[1:])), damping])
     inside = np.unique(np.concatenate([np.linspace(0.0, omega[-1], points), with_zero]))
@@ -81,18 +82,18 @@ def damping_on_a_fine_grid(omega: Array, damping: Array, points: int = 4000) -> 
 
 
 def retardation(database: Database, t: Array) -> Array:
-    """k(t) = (2/pi) integral_0^inf B(w) cos(w t) dw, (time, force, motion), straight from the damping.
+    """k(t) = (2/pi) integral_0^inf B(w) cos(w t) dw, (time, force, motion), directly from the damping.
 
     Between the frequencies damping is a piecewise cubic, at 0 it is 0, beyond the last it is `tail`; on
     a fine grid of these the integral is exact for straight lines (Filon's way), so that large t need no
-    finer grid. It is what direct convolution and the tests use; nothing is fitted.
+    finer grid. Direct convolution and the tests use it; nothing is fitted.
     """
     omega, damping = damping_on_a_fine_grid(database.frequencies_rad_s, database.radiation_damping)
     return cosine_transform(omega, damping, np.atleast_1d(np.asarray(t, float)))
 
 
 def cosine_transform(omega: Array, values: Array, t: Array) -> Array:
-    """(2/pi) integral of piecewise straight values(omega) cos(omega t), (time, ...).
+    """(2/pi) integral of piecewise linear values(omega) cos(omega t), (time, ...).
 
     By parts: [B sin(wt)/t] + sum of slopes times differences of cos(wt)/t^2.
     """
@@ -114,13 +115,13 @@ def cosine_transform(omega: Array, values: Array, t: Array) -> Array:
 def added_mass_infinite(omega: Array, added_mass: Array, damping: Array) -> Array:
     """A_inf = A(w) - (2/pi) P integral_0^inf B(x) / (x^2 - w^2) dx, the median over the middle frequencies.
 
-    It is the third of Ogilvie's relations with the second put in. The singularity goes with
+    This is the third of Ogilvie's relations with the second inserted. The singularity is removed with
     P integral_0^inf dx / (x^2 - w^2) = 0: the integrand is (B(x) - B(w)) / (x^2 - w^2).
     """
     fine, values = damping_on_a_fine_grid(omega, damping)
     found = []
     for k in range(len(omega) // 4, len(omega) - len(omega) // 4):
-        # Beyond the grid B is nothing and -B(w) / (x^2 - w^2) is left, whose integral is known.
+        # Beyond the grid B is zero; the integral of the remaining -B(w) / (x^2 - w^2) is known.
         w, away = omega[k], np.abs(fine - omega[k]) > 1e-9 * omega[k]
         x = fine[away]
         integrand = (values[away] - damping[k]) / (x**2 - w**2)[:, None, None]

@@ -19,19 +19,19 @@ if TYPE_CHECKING:
     from .shapes import Shape
 
 HULL_TRIANGLES = 530
-"""About how many triangles the closed hull of a database has."""
+"""Approximate number of triangles of the closed hull in a database."""
 PARTICULARS_PANELS = 30_000
-"""About how many panels the volume and the waterplane of a parametric hull are integrated over."""
+"""Approximate number of panels for the volume and the waterplane of a parametric hull."""
 
 
 @dataclass(frozen=True)
 class HullMeshes:
-    """What the panel method and the database need of a hull, z = 0 on the water plane.
+    """Meshes and particulars of a hull for the panel method and the database, z = 0 on the water plane.
 
     Attributes
     ----------
     source
-        What the hull is, for the provenance.
+        Description of the hull, for the provenance.
     reflections
         Axes (0 is x, 1 is y) along which `panels` are mirrored to give the whole wetted hull.
     panels
@@ -39,19 +39,18 @@ class HullMeshes:
     particulars
         Of the whole wetted hull.
     hull
-        The closed hull with its deck, or `None` where the mesh ends at the water line or has too many
-        triangles.
+        The closed hull with its deck, or `None` if the mesh ends at the water line or has too many triangles.
     why_no_hull
-        Where there is none, why; else empty.
+        The reason if there is none; otherwise empty.
     attitude
-        How the hull stands, where it is not upright: panels, particulars and their axes are then those of
-        the wetted hull as it stands.
+        Attitude of the hull, if it is not upright: panels, particulars and their axes are then those of the
+        wetted hull in this attitude.
     upright
-        Of a hull with an attitude the hull upright, whose particulars and mesh the database keeps.
+        For a hull with an attitude: the upright hull, whose particulars and mesh the database stores.
     attitude_source
-        Where the attitude comes from, for the provenance.
+        Origin of the attitude, for the provenance.
     remarks
-        What is to be said of how it stands.
+        Notes about the attitude.
     """
 
     source: str
@@ -84,10 +83,10 @@ def whole(part: Surface, reflections: tuple[int, ...]) -> Surface:
 
 
 def parametric(shape: Shape, source: str, panels: int) -> HullMeshes:
-    """Meshes of a parametric hull with about so many panels.
+    """Meshes of a parametric hull with approximately the given number of panels.
 
-    The particulars are those of a far finer mesh. The meshes for use are stretched by what their
-    chords cut off, so that they displace the same volume.
+    The particulars are those of a much finer mesh. The meshes are stretched, because their flat panels cut
+    off some volume, so that they displace the same volume.
     """
     size, fine = ((shape.wetted_area_m2 / count) ** 0.5 for count in (panels, PARTICULARS_PANELS))
     found = particulars(whole(_wetted(shape, fine).surface, shape.reflections))
@@ -102,7 +101,8 @@ def parametric(shape: Shape, source: str, panels: int) -> HullMeshes:
 
 
 def closed(shape: Shape, size_m: float, volume_m3: float | None = None) -> Surface:
-    """The whole hull of a shape with its deck, not welded: triangles of `closed_panels` and their images."""
+    """The whole hull of a shape with its deck, points not merged: triangles of `closed_panels` and their
+    images."""
     quads = closed_panels(shape, size_m, volume_m3, shape.reflections)
     corners = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     return Surface(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
@@ -111,13 +111,14 @@ def closed(shape: Shape, size_m: float, volume_m3: float | None = None) -> Surfa
 def closed_panels(
     shape: Shape, size_m: float, volume_m3: float | None, reflections: Sequence[int]
 ) -> NDArray[np.float64]:
-    """Corners of panels of about the stated size of a shape with its deck, shape (panels, 4, 3).
+    """Corners of the panels of a shape with its deck, shape (panels, 4, 3), panels of approximately the
+    stated size.
 
-    Of the part that it describes and its mirror images; stretched, so that the whole hull upright displaces
-    the volume, or as it is where there is none.
+    They cover the part that the shape describes, and its mirror images; stretched if a volume is given,
+    so that the whole upright hull displaces it.
     """
     stretch = np.ones(3) if volume_m3 is None else _stretch(shape, size_m, volume_m3)
-    # Of a sphere the part above the water is as round as that below it.
+    # The part of a sphere above the water is as round as the part below.
     above = stretch if len(shape.stretched) == 3 else stretch * [1, 1, 0] + [0, 0, 1]
     patches = [grid * stretch for grid in shape.wetted(size_m)] + [grid * above for grid in shape.dry(size_m)]
     quads = corners_of(patches, _inside(shape))
@@ -135,7 +136,7 @@ def _wetted(shape: Shape, size: float, stretch: NDArray[np.float64] | float = 1.
 
 
 def _stretch(shape: Shape, size: float, volume: float) -> NDArray[np.float64]:
-    """Factors along x, y, z that give a mesh of this size the volume."""
+    """Stretch factors along x, y, z with which a mesh of this size displaces the volume."""
     found = particulars(whole(_wetted(shape, size).surface, shape.reflections)).volume_m3
     factors = np.ones(3)
     factors[list(shape.stretched)] = (volume / found) ** (1 / len(shape.stretched))

@@ -1,4 +1,4 @@
-"""Panels of four corners, as the panel method takes them, and a lid of panels inside the water line."""
+"""Panels of four corners for the panel method, and a lid of panels inside the water line."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Panels:
-    """Panels by their corners, counter-clockwise as the water sees them; a triangle repeats its last."""
+    """Panels by their corners, counter-clockwise seen from the water; a triangle repeats its last corner."""
 
     vertices: NDArray[np.float64]
     faces: NDArray[np.int64]
@@ -43,17 +43,18 @@ def of_triangles(surface: Surface) -> Panels:
 
 
 def of_patches(patches: Sequence[Grid], inside: Grid) -> Panels:
-    """Grids of points as panels, their normals away from a point inside the hull."""
+    """Panels from grids of points, with normals that point away from a point inside the hull."""
     return _welded(corners_of(patches, inside))
 
 
 def corners_of(patches: Sequence[Grid], inside: Grid) -> Grid:
-    """Corners of the panels of grids, shape (panels, 4, 3), not welded."""
+    """Corners of the panels of grids, shape (panels, 4, 3), points not merged."""
     return np.concatenate([_quads(grid, inside) for grid in patches])
 
 
 def under_water(quads: Grid) -> Panels:
-    """Panels by their corners, those across the water plane z = 0 cut there and those above it left out."""
+    """Panels by their corners; those that cross the water plane z = 0 are cut, and those above it are left
+    out."""
     size = np.ptp(quads.reshape(-1, 3), axis=0).max()
     quads = quads.copy()
     quads[..., 2][np.abs(quads[..., 2]) < SAME_POINT * size] = 0.0
@@ -64,10 +65,10 @@ def under_water(quads: Grid) -> Panels:
 
 
 def _pieces(quad: Grid) -> list[Grid]:
-    """What of a panel is under water: of three or four corners each."""
+    """The submerged part of a panel, as panels of three or four corners."""
     above = quad[:, 2]
     if (above[[0, 2]].max() < 0 < above[[1, 3]].min()) or (above[[1, 3]].max() < 0 < above[[0, 2]].min()):
-        # So twisted that two corners across from each other are wet: two triangles.
+        # Twisted so much that two opposite corners are wet: two triangles.
         return [piece for half in ([0, 1, 2, 2], [0, 2, 3, 3]) for piece in _pieces(quad[half])]
     polygon = cut_polygon(quad, above, 0.0, 2)
     polygon = [point for point, next_ in zip(polygon, np.roll(polygon, -1, axis=0), strict=True)
@@ -77,7 +78,7 @@ def _pieces(quad: Grid) -> list[Grid]:
 
 
 def mirrored(quads: Grid, axis: int) -> Grid:
-    """The mirror images of panels along an axis, seen from the water counter-clockwise again.
+    """The mirror images of panels along an axis, again counter-clockwise seen from the water.
 
     Their diagonals between the first and the third corner are mirror images too.
     """
@@ -96,7 +97,7 @@ def _quads(grid: Grid, inside: Grid) -> Grid:
 
 
 def _welded(quads: Grid) -> Panels:
-    """Equal points made one, panels without an area left out."""
+    """Merge equal points and leave out panels without area."""
     points = quads.reshape(-1, 3)
     size = np.ptp(points, axis=0).max()
     keys = np.round(points / (SAME_POINT * size)).astype(np.int64)
@@ -104,7 +105,7 @@ def _welded(quads: Grid) -> Panels:
     faces = index.reshape(-1, 4)
     repeated = faces == np.roll(faces, 1, axis=1)
     triangle = repeated.sum(axis=1) == 1
-    # The three corners after the repeated one, and the last of them again.
+    # The three corners after the repeated one; the last is repeated.
     after = repeated[triangle].argmax(axis=1)[:, None] + [1, 2, 3, 3]
     faces[triangle] = np.take_along_axis(faces[triangle], after % 4, axis=1)
     a, b, c, d = faces.T
@@ -115,8 +116,9 @@ def _welded(quads: Grid) -> Panels:
 def lid(wetted: Panels, size: float) -> Panels:
     """Panels on the water plane inside the water line, against irregular frequencies.
 
-    Between stations along x the water line's crossings bound strips across, which are divided evenly.
-    A part of a hull that is to be mirrored along y ends at y = 0.
+    Crossings of the water line bound transverse strips between stations along x; the strips are divided
+    evenly.
+    The part of a hull that will be mirrored along y ends at y = 0.
     """
     surface = wetted.surface
     edges = surface.vertices[open_edges(surface)]
@@ -130,7 +132,7 @@ def lid(wetted: Panels, size: float) -> Panels:
 
 
 def _stations(x: Grid, size: float) -> Grid:
-    """The water line's own corners, thinned or divided so that they stand about a size apart."""
+    """The corners of the water line, thinned or divided to a spacing of approximately one panel size."""
     kept = [x.min()]
     for value in np.unique(x)[1:]:
         if value - kept[-1] > 0.7 * size:

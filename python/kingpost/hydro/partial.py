@@ -1,9 +1,8 @@
-"""What a panel method has solved so far, in a file beside the output: a run that was stopped goes
-on from there.
+"""Solved frequencies in a file next to the output, so that a stopped run can continue.
 
 The file belongs to one set of settings: hull, attitude, lid, water, frequencies, directions and solver.
-Their SHA-256 stands in it, and a file of other settings is not looked at. It is written after each frequency,
-whole or not at all, and taken away when the database stands.
+It contains their SHA-256, and a file of other settings is ignored. It is written atomically after each
+frequency, and removed when the database is written.
 """
 
 from __future__ import annotations
@@ -51,9 +50,9 @@ class Partial:
     Parameters
     ----------
     path
-        Of the file, or `None` to keep nothing.
+        Path of the file, or `None` to store nothing.
     say
-        Told how many frequencies are taken up, where there are any.
+        Called with the number of frequencies that are reused, if any.
     """
 
     def __init__(self, path: Path | None, say: Callable[[int], None] = lambda _count: None) -> None:
@@ -61,7 +60,7 @@ class Partial:
         self.arrays: dict[str, tuple[NDArray, ...]] = {}
 
     def open(self, settings: str) -> int:
-        """Take up what is there for these settings; how many frequencies it has."""
+        """Load the solved frequencies for these settings; return their number."""
         self.settings, self.arrays = settings, {}
         if self.path is None or not self.path.is_file():
             return 0
@@ -75,7 +74,7 @@ class Partial:
                         self.arrays.setdefault(key, ())
                         self.arrays[key] += (stored[f"{key}/{int(place)}"],)
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-            # A file that cannot be read is as none: all is computed anew.
+            # A file that cannot be read is ignored: everything is computed again.
             self.arrays = {}
         if self.arrays:
             self.say(len(self.arrays))
@@ -85,19 +84,19 @@ class Partial:
         return self.arrays.get(key)
 
     def put(self, key: str, values: tuple[NDArray, ...]) -> None:
-        """Keep and write."""
+        """Store a frequency and write the file."""
         self.arrays[key] = values
         if self.path is None:
             return
         named = {f"{name}/{k}": value for name, some in self.arrays.items() for k, value in enumerate(some)}
-        # Without a place to keep it the work still goes on.
+        # If the file cannot be written, the computation still goes on.
         with suppress(OutputError), output.whole(self.path) as beside:
             np.savez(beside, settings=np.array(self.settings), **named)
 
     def done(self) -> None:
-        """The database stands: the file is no longer wanted."""
+        """The database is written: remove the file."""
         if self.path is not None:
             self.path.unlink(missing_ok=True)
-            # What a run that was killed while it wrote has left.
+            # The temporary file of a run that was killed while writing.
             for left in self.path.parent.glob(f".{glob.escape(self.path.name)}.*.npz"):
                 left.unlink(missing_ok=True)

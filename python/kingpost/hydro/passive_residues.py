@@ -2,7 +2,7 @@
 
 K(s) = sum over poles of R / (s - p), a complex pole with its conjugate, is the memory of the water:
 strictly proper, K(0) = 0, K = K^T, and passive: Re K(j omega) has no negative eigenvalue at any
-omega, so that the water takes energy and never gives any (Z. Yu and J. Falnes, "State-space modelling
+omega, so that the water only absorbs energy (Z. Yu and J. Falnes, "State-space modelling
 of a vertical cylinder in heave", Applied Ocean Research 17, 1995; T. Perez and T. I. Fossen,
 "Time- vs. frequency-domain identification of parametric radiation force models", Modeling,
 Identification and Control 29(1), 2008, list these properties).
@@ -26,40 +26,40 @@ from .least_squares import least_distance
 from .vector_fitting import Array, ComplexArray, columns, partial_fractions, residues
 
 ROUNDS = 60
-# Eigenvalues of the scaled Re K are kept above this, the peak of K being 1.
+# Lower bound of the eigenvalues of the scaled Re K, relative to a peak of K of 1.
 MARGIN = 1e-5
 REFINEMENTS = 4
-# How many of the lowest points are looked at more closely, or cut off, at a time.
+# Number of the lowest points that are refined, or cut off, at a time.
 AT_ONCE = 60
 
 
 @dataclass(frozen=True)
 class Grid:
-    """Frequencies at which passivity is looked at: from 0 to infinity, the ends by their limits."""
+    """Frequencies at which passivity is checked: from 0 to infinity, the ends by their limits."""
 
     centre: float
     omega: Array
 
     @classmethod
     def of(cls, poles: ComplexArray, omega: Array, points: int = 1500) -> Grid:
-        """omega = centre tan(theta), evenly in theta, and more points about every pole."""
+        """omega = centre tan(theta), even in theta, with more points around every pole."""
         centre = float(np.sqrt(omega[0] * omega[-1]))
         even = centre * np.tan(np.linspace(0.0, 0.5 * np.pi, points + 1)[:-1])
         near = [pole.imag + abs(pole.real) * np.linspace(-3.0, 3.0, 41) for pole in poles if pole.imag > 0.0]
         return cls(centre, np.unique(np.abs(np.concatenate([even, *near]))))
 
     def about(self, lowest: NDArray[np.intp]) -> Grid:
-        """With twenty more points on either side of some of these."""
+        """The frequencies with twenty more points on either side of the given ones."""
         last = len(self.omega) - 1
         low, high = self.omega[np.maximum(lowest - 1, 0)], self.omega[np.minimum(lowest + 1, last)]
         return Grid(self.centre, np.unique(np.append(self.omega, np.linspace(low, high, 41))))
 
     def scaled_real_part(self, poles: ComplexArray) -> Array:
-        """Columns of Re K(j omega) (centre/omega + omega/centre)^2 where K(0) = 0; the last row is its
-        limit at infinity.
+        """Columns of Re K(j omega) (centre/omega + omega/centre)^2 for K(0) = 0; the last row is the limit at
+        infinity.
 
-        Re K goes with omega^2 towards 0 and omega^-2 towards infinity. Written with K(0) = 0, it needs no
-        difference of nearly equal numbers: below the centre 1/(s-p) may be replaced by s^2/(p^2 (s-p)),
+        Re K falls with omega^2 towards 0 and with omega^-2 towards infinity. With K(0) = 0 no differences of
+        nearly equal numbers are needed: below the centre 1/(s-p) may be replaced by s^2/(p^2 (s-p)),
         above it by p/(s (s-p)), the rest being imaginary or zero in the sum.
         """
         square, omega = self.centre**2, self.omega
@@ -73,14 +73,14 @@ class Grid:
 
 @dataclass(frozen=True)
 class Problem:
-    """What is fitted: entries (i, j), i <= j, of a symmetric matrix of `size` rows.
+    """Data of the fit: entries (i, j), i <= j, of a symmetric matrix of `size` rows.
 
     Attributes
     ----------
     omega, responses, weights
         (frequency), (frequency, entry) complex, (frequency).
     tail_omega, tail_real, tail_weights
-        Beyond the data only the real part is asked for: (frequency), (frequency, entry), (frequency).
+        Beyond the data only the real part is fitted: (frequency), (frequency, entry), (frequency).
     """
 
     size: int
@@ -106,7 +106,7 @@ def best_residues(poles: ComplexArray, problem: Problem) -> ComplexArray:
 
 
 def passive_residues(poles: ComplexArray, problem: Problem) -> ComplexArray | None:
-    """Residues (pole, size, size) of the best passive fit; `None` where no fit with these poles is."""
+    """Residues (pole, size, size) of the best passive fit; `None` if no fit with these poles is passive."""
     span = zero_at_zero(poles)
     triangle, best = _unconstrained(poles, problem, span)
     doubled = np.array([1.0 if i == j else np.sqrt(2.0) for i, j in problem.entries])
@@ -134,7 +134,7 @@ def passive_residues(poles: ComplexArray, problem: Problem) -> ComplexArray | No
         found = least_distance(cuts, bounds)
         if found is None:
             return None
-        # Those that do not touch the solution are left out, and come again if they must.
+        # Inactive constraints are dropped; they are added again if needed.
         touching = cuts @ found - bounds < 1e-9
         cuts, bounds = cuts[touching], bounds[touching]
         unknowns = best + np.linalg.solve(triangle, found.reshape(len(doubled), -1).T / doubled)
@@ -150,7 +150,7 @@ def _lowest_points(values: Array) -> NDArray[np.intp]:
 
 
 def _unconstrained(poles: ComplexArray, problem: Problem, span: Array) -> tuple[Array, Array]:
-    """The triangle of the weighted least squares and its solution, an entry a column."""
+    """The triangular factor of the weighted least squares and its solution, a column for each entry."""
     inside = problem.weights[:, None] * partial_fractions(poles, 1j * problem.omega)
     beyond = problem.tail_weights[:, None] * partial_fractions(poles, 1j * problem.tail_omega)
     right = problem.weights[:, None] * problem.responses

@@ -5,9 +5,9 @@ K_ij(s) = sum over poles p of r_ij / (s - p), conjugates included. The model has
 the water's memory (`passive_residues`): stable, K(0) = 0, of relative degree one, symmetric, and
 positive real as a matrix at every frequency from 0 to infinity, not only at the data's.
 
-Motions that are coupled (surge, heave and pitch of a hull with two equal sides) have their poles in common
-(`vector_fitting`): only then can K be symmetric, and where it is not, K + K^H is indefinite at both
-ends of the frequencies. Couplings that the data do not have stay exactly zero.
+Coupled motions (surge, heave and pitch of a symmetric hull) have common poles (`vector_fitting`): only then
+can K be symmetric. If K is not symmetric, K + K^H is indefinite at both ends of the frequency range.
+Couplings that the data do not have stay exactly zero.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ if TYPE_CHECKING:
 LIMIT = 0.02
 MOST_STATES = 24
 PASSIVE_TRIALS = 4
-# Frequencies of the tail that the fit sees, over the highest of the data.
+# Frequencies of the tail in the fit, over the highest frequency of the data.
 TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
-# Weights of the tail beside the last frequency of the data, tried in turn: where no order meets the limits
-# with the first, the guess gives way to the data, and counts a hundredth, in squares.
+# Weights of the tail relative to the last frequency of the data, tried in turn: if no order meets the limits
+# with # the first, the guessed tail counts less than the data, a hundredth in squares.
 TAIL_WEIGHTS = (1.0, 0.1)
-# Fits whose errors differ by less than this factor are alike: the one with fewer poles is taken.
+# Fits whose errors differ by less than this factor count as equal: the one with fewer poles is taken.
 ALIKE = 1.5
 
 
@@ -60,28 +60,29 @@ def fit(
         ``min(1, w_c / w) |K_fit - K|_ij / sqrt(peak_i peak_j)``, ``peak_i`` the largest
         ``min(1, w_i / w) |K_ii|``, ``w_i`` the frequency of the largest damping of motion i, ``w_c`` the
         highest ``w_i`` of the motions that are damped. Beyond it K is nearly j w (A - A_inf), and the weight
-        makes of an error of K one of A, which panels know no better with w. Dimensionless, the same in any
+        turns an error of K into one of A, whose accuracy by panels does not improve with w. Dimensionless,
+        the same in any
         units and for forces and moments. Couplings below a tenth of it count as zero.
     most_states
-        For a group of coupled motions.
+        The most states for a group of coupled motions.
     highest_rad_s
-        Frequencies above it are left out: where the panels are too large for the waves.
+        Leave out frequencies above it: the panels are too large for their waves.
     accept
-        Whether the best passive fit is taken where none meets the limit; `misfits` says which
-        motions miss it.
+        Whether to take the best passive fit if none meets the limit; `misfits` gives the motions that miss
+        it.
     response_share
-        Of the limit, what the error of responses is to be (`fit_data`), if the poles are enough for that:
-        less than 1 for hulls that resonate with less damping than is counted there.
+        Aim for the error of responses as a share of the limit (`fit_data`), if there are enough poles: less
+        than 1 for hulls that resonate with less damping than `fit_data` assumes.
 
     Returns
     -------
     Radiation
-        Its ``fit_error`` is the error of the whole.
+        The fitted memory; its ``fit_error`` is the error of the whole fit.
 
     Raises
     ------
     HydrodynamicsError
-        When no order meets the limit, or fewer than eight frequencies are left.
+        If no order meets the limit, or fewer than eight frequencies are left.
     """
     database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
     data = FitData.of(database, limit)
@@ -110,8 +111,8 @@ def evaluate(radiation: Radiation, omega: Array) -> ComplexArray:
 
 @dataclass(frozen=True)
 class Misfit:
-    """How far a motion's fit is from its data: K as `fit` measures it, couplings too, A and B of the diagonal
-    over the largest of each; the frequency at which K misses most, and the other motion of a coupling.
+    """Errors of a motion's fit: K as in `fit`, with couplings; A and B of the diagonal over the largest of
+    each; the frequency with the largest error of K; and the other motion if that error is in a coupling.
     """
 
     motion: str
@@ -125,10 +126,10 @@ class Misfit:
 def misfits(
     database: Database, radiation: Radiation, limit: float = LIMIT, highest_rad_s: float | None = None
 ) -> list[Misfit]:
-    """Of each motion with a memory, in order.
+    """The errors of each motion with a memory, in order.
 
-    A of the fit is A_inf + Im K / w: the error of K that is small beside the peak of K is large in A where w
-    is small, and the other way round.
+    A of the fit is A_inf + Im K / w: at low w, an error of K that is small relative to its peak is large in
+    A, and at high w the reverse holds.
     """
     database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
     data, found = FitData.of(database, limit), []
@@ -162,7 +163,8 @@ def impulse_response(radiation: Radiation, t: Array) -> Array:
 
 
 def _groups(coupled: Array) -> list[list[int]]:
-    """Motions that are coupled, directly or through others; motions without a memory are in none."""
+    """Groups of motions that are coupled, directly or through others; motions without a memory are in no
+    group."""
     left, groups = [motion for motion in range(6) if coupled[motion, motion]], []
     while left:
         group = [left.pop(0)]
@@ -199,8 +201,8 @@ class _Trial:
 def _fit_group(
     data: FitData, group: list[int], limits: tuple[float, float], most_states: int, accept: bool
 ) -> tuple[ComplexArray, ComplexArray]:
-    """Poles and residues (pole, force, motion) of a group, scaled: the fewest that meet the limit and that
-    of responses; else, of those that meet the limit, the one of least error of responses."""
+    """Scaled poles and residues (pole, force, motion) of a group: the fewest poles that meet both limits;
+    otherwise, among the fits that meet the limit of K, the one with the smallest error of responses."""
     limit, response_limit = limits
     tried: list[tuple[_Trial, Problem]] = []
     passed: list[_Trial] = []
@@ -210,7 +212,7 @@ def _fit_group(
             poles = common_poles(problem.responses, problem.omega, problem.weights, states)
             trial = _Trial.of(data, group, poles, best_residues(poles, problem))
             tried.append((trial, problem))
-            # What misses the limit without passivity misses it with it.
+            # A fit that misses the limit without passivity also misses it with passivity.
             passive = passive_residues(poles, problem) if trial.error <= limit else None
             if passive is None:
                 continue
@@ -232,7 +234,7 @@ def _fit_group(
         return best.poles, best.residues
     best = min((trial for trial, _ in tried), key=lambda one: one.error)
     omega, names = data.omega, ", ".join(MOTIONS[motion] for motion in group)
-    why = "" if best.error > limit else ", of a memory that makes energy; no passive one meets the limit"
+    why = "" if best.error > limit else ", of a memory that generates energy; no passive one meets the limit"
     raise HydrodynamicsError(
         f"radiation of {names}",
         f"an error of {best.error:.3g} at {omega[best.worst]:.4g} rad/s with up to {states} poles{why}",
@@ -262,11 +264,11 @@ def _values(poles: ComplexArray, residues: ComplexArray, omega: Array) -> Comple
 
 
 def _problem(data: FitData, group: list[int], limit: float, tail_weight: float) -> Problem:
-    """Each interval of frequencies counts by its width, and none by less than a third of the mean; each
-    frequency by what an error there does to responses.
+    """Each frequency interval is weighted by its width, at least a third of the mean; each frequency also by
+    the effect of an error there on responses.
 
-    Where damping has not fallen to the limit at the last frequency, its asymptote is asked for beyond, with
-    no more weight than the last frequency has.
+    If damping has not fallen to the limit at the last frequency, its asymptote is fitted beyond it, with at
+    most the weight of the last frequency.
     """
     omega, n = data.omega, len(group)
     entries = [(i, j) for i in range(n) for j in range(i, n) if data.coupled[group[i], group[j]]]

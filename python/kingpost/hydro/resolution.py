@@ -1,8 +1,8 @@
-"""How many wave directions the loads on a hull need.
+"""Number of wave directions that the loads on a hull need.
 
-Between N directions of the circle a load is a sum of N / 2 harmonics; about a hull of length L a wave of
-number k has about k L / 2 of them. So N directions resolve waves of 2 pi L / N and more, the rule by which
-`kingpost check` warns of a sea.
+N directions on the circle resolve N / 2 harmonics of a load; for a hull of length L, a wave with wave number
+k has about k L / 2 harmonics. So N directions resolve waves of 2 pi L / N and more. `kingpost check` warns of
+a sea by this rule.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     from .database import Database, Water
 
 STEP = 12
-"""Directions by default are so many, or a multiple: ahead, astern and abeam are among them."""
+"""The default number of directions is a multiple of this: it contains ahead, astern and abeam."""
 FEWEST, MOST = 24, 120
 
 
 def shortest_resolved_m(length_m: float, directions: int) -> float:
-    """The shortest wave that so many directions resolve about a hull of this length, m.
+    """The shortest wave that this number of directions resolves for a hull of this length, m.
 
     >>> round(shortest_resolved_m(80.0, 24), 1)
     20.9
@@ -33,7 +33,7 @@ def shortest_resolved_m(length_m: float, directions: int) -> float:
 
 
 def default_directions(length_m: float, highest_rad_s: float, water: Water) -> int:
-    """The least multiple of 12, from 24 to 120, that resolves the shortest wave asked for, N >= k L.
+    """The smallest multiple of 12, from 24 to 120, that resolves the shortest wave, N >= k L.
 
     >>> from .database import Water
     >>> [default_directions(length_m, 1.8, Water()) for length_m in (20.0, 80.0, 160.0, 400.0)]
@@ -46,19 +46,19 @@ def default_directions(length_m: float, highest_rad_s: float, water: Water) -> i
 def warnings(
     length_m: float, frequencies_rad_s: NDArray[np.float64], directions: int, water: Water
 ) -> list[str]:
-    """What is said of frequencies whose waves are shorter than the directions resolve; empty if none are."""
+    """A note on frequencies whose waves are too short for the directions; empty if there are none."""
     shortest_m = shortest_resolved_m(length_m, directions)
     shorter = [w for w in frequencies_rad_s if 2 * math.pi / wave_number(w, water) < shortest_m * (1 - 1e-9)]
     if not shorter:
         return []
     return [
         f"{directions} wave directions of the database resolve waves of {shortest_m:.1f} m and more about "
-        f"its {length_m:.1f} m: those from {shorter[0]:.4g} rad/s on are shorter, whose loads are rough at "
+        f"its {length_m:.1f} m: those from {shorter[0]:.4g} rad/s on are shorter, with inaccurate loads at "
         "headings between the directions"
     ]
 
 
 def of_database(database: Database) -> list[str]:
-    """The same of a database."""
+    """The same for a database."""
     count = len(database.wave_directions_rad)
     return warnings(database.hull.length_m, database.frequencies_rad_s, count, database.water)

@@ -1,7 +1,7 @@
 """Parametric hulls: a box, Wigley's hull, a sphere, a hemisphere.
 
-Each shape is a few patches on the part x >= 0, y >= 0 (or y >= 0 alone) of the hull, which reflections
-complete. A patch is a grid of points, its normals on either side.
+Each shape is a few patches on the part x >= 0, y >= 0 (or only y >= 0) of the hull; reflections complete it.
+A patch is a grid of points with normals on either side.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Shape(ABC):
-    """A parametric hull with its keel `draught_m` under the water plane z = 0."""
+    """A parametric hull; its keel is `draught_m` under the water plane z = 0."""
 
     reflections: ClassVar[tuple[int, ...]] = (0, 1)
     """Axes along which the part of the hull is mirrored: 0 is x, 1 is y."""
     stretched: ClassVar[tuple[int, ...]] = (2,)
-    """Axes along which a mesh of it is stretched to give back the volume that its chords cut off."""
+    """Axes along which its mesh is stretched to restore the volume that flat panels cut off."""
 
     if TYPE_CHECKING:
-        # A field of some, a property of others.
+        # A field of some shapes, a property of others.
         @property
         def draught_m(self) -> float: ...
 
@@ -49,30 +49,30 @@ class Shape(ABC):
     @property
     @abstractmethod
     def wetted_area_m2(self) -> float:
-        """About how large the wetted part of the whole hull is, to choose a panel's size."""
+        """Approximate wetted area of the whole hull, to choose the panel size."""
 
     @abstractmethod
     def wetted(self, size_m: float) -> list[Grid]:
-        """Patches under the water plane, with panels of about the stated size."""
+        """Patches under the water plane, with panels of approximately the stated size."""
 
     @abstractmethod
     def dry(self, size_m: float) -> list[Grid]:
-        """Patches above the water plane and the deck, meeting the wetted ones of the same size."""
+        """Patches above the water plane and the deck; they meet the wetted patches of the same size."""
 
 
 def divisions(length: float, size: float, least: int = 2) -> int:
-    """How many panels of about a size go on a length."""
+    """Number of panels of approximately a given size along a length."""
     return max(least, math.ceil(length / size - 1e-9))
 
 
 def toward_edge(extent: float, count: int) -> Grid:
-    """Stations from 0 to an edge, closer together there, since the flow turns round it."""
+    """Stations from 0 to an edge, closer together at the edge, because the flow turns round it."""
     even = np.linspace(0, 1, count + 1)
     return extent * (even + np.sin(np.pi / 2 * even)) / 2
 
 
 def patch(first: Grid, second: Grid, place: Callable[[Grid, Grid], tuple[Grid | float, ...]]) -> Grid:
-    """Grid of the points place(u, v), u among the first stations and v among the second."""
+    """Grid of the points place(u, v), with u from the first stations and v from the second."""
     u, v = first[:, None], second[None, :]
     return np.stack(np.broadcast_arrays(*place(u, v)), axis=-1).astype(float)
 
@@ -228,7 +228,7 @@ class Hemisphere(Shape):
 
 
 _SPHERICAL_AREA = math.pi**2
-"""Of a half sphere of radius 1, if its panels were as large everywhere as on the water line."""
+"""Number of panels of a half sphere of radius 1, if all were as large as on the water line."""
 
 
 def _spherical(radius: float, size: float) -> Grid:

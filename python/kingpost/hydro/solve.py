@@ -1,8 +1,8 @@
 """The linear potential flow about a hull at zero forward speed, by the panel method of Capytaine 3.
 
 M. Ancellin & F. Dias, Capytaine: a Python-based linear potential flow solver, J. Open Source Software
-4(36), 2019. The boundary integral equation is the direct one, for the potential: on equal panels its
-added masses are several times as accurate as those of the equation for sources.
+4(36), 2019. The direct boundary integral equation, for the potential, is used: on equal panels its added
+masses are several times as accurate as those of the source formulation.
 """
 
 from __future__ import annotations
@@ -29,19 +29,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SHALLOWEST_LID = 0.5
-"""A lid needs a draught of this many panel sizes: nearer the bottom it spoils the equations.
+"""A lid needs a draught of this many panel sizes: nearer to the bottom it makes the equations
+ill-conditioned.
 
 On a box of 20 x 10 m, below its irregular frequencies, a lid at 0.4 panel sizes changes damping by 1 %, at
 0.1 by 9 %."""
 PANELS_PER_WAVE = 4
-"""Panels that the shortest wave needs along its length."""
+"""Panels per length of the shortest wave."""
 LOG = logging.getLogger(__name__)
 INSTALL = 'pip install "capytaine>=3"'
 
 
 @dataclass(frozen=True)
 class Coefficients:
-    """What the panel method gives; arrays as in `Database`."""
+    """Results of the panel method; arrays as in `Database`."""
 
     added_mass: NDArray[np.float64]
     radiation_damping: NDArray[np.float64]
@@ -54,7 +55,7 @@ class Coefficients:
 
 
 def capytaine() -> Any:
-    """The module, or one error that says how to install it."""
+    """The module, or an error that says how to install it."""
     try:
         import capytaine
     except ImportError:
@@ -85,13 +86,13 @@ def solve(
     frequencies_rad_s
         Increasing.
     directions
-        How many wave directions the circle is divided into.
+        Number of wave directions on the circle.
     with_lid
         Whether to close the inner water plane, which shifts irregular frequencies away.
     update
-        Called with the number of frequencies done.
+        Called with the number of solved frequencies.
     partial
-        Keeps each frequency when it is solved, and has those of a run that was stopped.
+        Stores each solved frequency, and holds those of a stopped run.
     """
     module = capytaine()
     cover = lid(hull.panels, hull.panel_size_m) if with_lid else None
@@ -136,7 +137,7 @@ def _settings(
     problem: _Problem, hull: HullMeshes, cover: Panels | None, frequencies_rad_s: NDArray[np.float64],
     directions: int,
 ) -> str:  # fmt: skip
-    """The digest of all that the coefficients depend on."""
+    """Digest of everything that the coefficients depend on."""
     lids = () if cover is None else (cover.vertices, cover.faces)
     stands = () if hull.attitude is None else (hull.attitude,)
     water, engine = problem.water, problem.engine.exportable_settings
@@ -148,7 +149,7 @@ def _settings(
 
 
 class _Problem:
-    """A hull as Capytaine knows it."""
+    """A hull as a Capytaine body."""
 
     def __init__(self, module: Any, hull: HullMeshes, water: Water, cover: Panels | None, rings: int) -> None:
         self.module = module
@@ -232,6 +233,6 @@ def froude_krylov(
     x, y, z = points.T
     height, _ = decay(k, z, water)
     pressure = water.density_kg_m3 * water.gravity_m_s2 * height
-    # A direction at a time: together they would take more than the matrices of a small hull.
+    # One direction at a time: all at once would need more memory than the matrices of a small hull.
     forces = [-(pressure * np.exp(1j * k * (np.cos(a) * x + np.sin(a) * y))) @ weights for a in angles]
     return np.array(forces)

@@ -1,11 +1,11 @@
-"""Meshes whose panels do not meet edge to edge, made to.
+"""Joins mesh panels that do not meet edge to edge.
 
-Patches that were panelled by themselves have points beside each other that are nearly the same, or two
-panels along an edge where the neighbour has one. The first are made one. A triangle (a, b, c) whose open
+Patches that were meshed separately have neighbouring points that are nearly equal, or two panels along an
+edge where the neighbour has one. Nearly equal points are merged. A triangle (a, b, c) whose open
 edge a, b has points p, q of other open edges on it becomes (a, p, c), (p, q, c), (q, b, c), so that both
 sides have the same edges; where the neighbours bend, the sliver between them is closed with it. Nothing is
-moved by more than `NEAR` of an edge, and what stays open was a hole. The edge of the water plane is no seam,
-however near to each other its two sides are.
+moved by more than `NEAR` of an edge, and an edge that stays open is a hole. The edge of the water plane is
+not a seam, even if its two sides are close.
 """
 
 from __future__ import annotations
@@ -21,13 +21,14 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 NEAR = 0.05
-"""Of the length of an edge: how far from it, or from its ends, a point is taken to be on it."""
+"""Tolerance, as a fraction of the length of an edge, within which a point counts as on the edge or its
+ends."""
 ROUNDS = 12
 MOST_EDGES = 6000
 
 
 def stitched(surface: Surface) -> Surface:
-    """With its open edges joined where they lie on each other; the same surface where that closes none."""
+    """The surface with coinciding open edges joined; the same surface if none can be joined."""
     before = len(open_edges(surface))
     if not 0 < len(_seams(surface)) <= MOST_EDGES:
         return surface
@@ -41,8 +42,8 @@ def stitched(surface: Surface) -> Surface:
 
 
 def _seams(surface: Surface) -> NDArray[np.int64]:
-    """Open edges but those at the top, where a hull without a deck is open at its water plane. Where panels
-    lie in that plane, a deck, these may be seams too."""
+    """Open edges except those at the top: a hull without a deck is open at its water plane. If panels lie in
+    that plane, a deck, its edges may be seams too."""
     edges = open_edges(surface)
     height = surface.vertices[:, 2]
     top = height > height.max() - SAME_POINT * np.ptp(surface.vertices, axis=0).max()
@@ -52,7 +53,7 @@ def _seams(surface: Surface) -> NDArray[np.int64]:
 
 
 def _merged(surface: Surface) -> Surface:
-    """Points of seams made one with those nearer than `NEAR` of the shortest open edge."""
+    """Merge points of seams that are nearer than `NEAR` of the shortest open edge."""
     ends = surface.vertices[open_edges(surface)]
     tolerance = NEAR * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min())
     numbers = np.unique(_seams(surface))
@@ -71,7 +72,8 @@ def _merged(surface: Surface) -> Surface:
 
 
 def _split(surface: Surface) -> Surface | None:
-    """One seam of each triangle divided at the points of other seams on it; `None` where no seam has any."""
+    """Divide one seam of each triangle at the points of other seams on it; `None` if there are no such
+    points."""
     edges = _seams(surface)
     owners = _owners(surface)
     numbers = np.unique(edges)
@@ -101,7 +103,7 @@ def _owners(surface: Surface) -> dict[tuple[int, int], tuple[int, int]]:
 
 
 def _between(a: NDArray[np.float64], b: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Which points lie between a and b, nearer to the line than `NEAR` of its length, in their order."""
+    """The points between a and b that are nearer to the line than `NEAR` of its length, in order."""
     line = b - a
     length = float(np.linalg.norm(line))
     along = (points - a) @ line / length**2

@@ -1,4 +1,4 @@
-"""What `kingpost hydro` prints of a hull before the long work."""
+"""Summary of a hull that `kingpost hydro` prints before the computation."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def summary(hull: HullMeshes, water: Water) -> str:
-    """Particulars of the upright hull, how it stands where it is inclined, and its panels."""
+    """Particulars of the upright hull, its attitude if inclined, and its panels."""
     upright = hull.upright or hull
     found, plane = upright.particulars, upright.particulars.waterplane
     x, y = plane.first_moments_m3 / plane.area_m2
@@ -35,16 +35,16 @@ def summary(hull: HullMeshes, water: Water) -> str:
     lines = [f"{name:<20}{value}" for name, value in rows]
     if hull.hull is None:
         lines.append(
-            f"warning: no hull mesh goes into the database, for {hull.why_no_hull}; without it there are no "
+            f"warning: the database gets no hull mesh, because {hull.why_no_hull}; without it there are no "
             "righting arms, no hydrostatics or wave pressure of the mesh, and no hull in the app's picture"
         )
     return "\n".join(lines)
 
 
 def _inclined(hull: HullMeshes) -> list[tuple[str, str]]:
-    """How it stands, in level axes, and what is under water of it then."""
+    """Attitude in level axes, and the submerged part."""
     found = hull.particulars
-    # No minus before what is nothing.
+    # No minus sign before a zero.
     change = round(found.volume_m3 / hull.upright.particulars.volume_m3 - 1, 6) + 0.0
     return [
         ("attitude", described(hull.attitude)),

@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SMALLEST_M, LARGEST_M = 0.01, 2000.0
-"""Extents of the hulls that are taken: others are in other units than metres."""
+"""Allowed extents of a hull: others are probably not in metres."""
 SAME_POINT = 1e-7
-"""Points nearer than this fraction of the surface's size are one."""
+"""Points nearer than this fraction of the surface's size are merged."""
 
 
 @dataclass(frozen=True)
 class Surface:
-    """Triangles by the indices of their corners; seen from outside they run counter-clockwise.
+    """Triangles by the indices of their corners, counter-clockwise seen from outside.
 
     >>> box = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
     >>> tetrahedron = Surface(box, np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]))
@@ -59,20 +59,20 @@ class Surface:
         return float(np.einsum("ti,ti->", self.corners.mean(axis=1), self.area_vectors) / 3)
 
     def mirrored(self, axis: int) -> Surface:
-        """Mirror image along an axis, its normals outward again."""
+        """Mirror image along an axis, again with outward normals."""
         turned = self.vertices.copy()
         turned[:, axis] *= -1
         return Surface(turned, self.triangles[:, ::-1])
 
     def joined(self, other: Surface) -> Surface:
-        """Both surfaces as one, equal points made one."""
+        """Both surfaces as one, with equal points merged."""
         vertices = np.concatenate([self.vertices, other.vertices])
         shifted = other.triangles + len(self.vertices)
         return Surface(vertices, np.concatenate([self.triangles, shifted])).welded()
 
     def welded(self) -> Surface:
-        """Equal points made one; triangles that have no area left out, and points that no triangle has."""
-        size = np.ptp(self.vertices, axis=0).max() if len(self.vertices) else 1.0
+        """Merge equal points; leave out triangles without area and unused points."""
+        size = (np.ptp(self.vertices, axis=0).max() if len(self.vertices) else 0.0) or 1.0
         grid = np.round(self.vertices / (SAME_POINT * size)).astype(np.int64)
         _, first, index = np.unique(grid, axis=0, return_index=True, return_inverse=True)
         triangles = index.reshape(-1)[self.triangles]
@@ -86,14 +86,14 @@ class Surface:
         return _below(self, height, axis)
 
     def refined(self, longest: float) -> Surface:
-        """Triangles halved across their longest edges until none is longer than stated."""
+        """Halve triangles across their longest edges until no edge is longer than stated."""
         corners = self.corners
         while True:
             edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
             long = edges.max(axis=1) > longest
             if not long.any():
                 break
-            # Turned so that the longest edge runs from the first corner to the second.
+            # Rotated so that the longest edge runs from the first corner to the second.
             first = edges[long].argmax(axis=1)[:, None]
             a, b, c = (corners[long][np.arange(long.sum()), (first[:, 0] + k) % 3] for k in range(3))
             middle = (a + b) / 2
@@ -121,12 +121,12 @@ def _below(surface: Surface, height: float, axis: int) -> Surface:
 def cut_polygon(
     corners: NDArray[np.float64], above: NDArray[np.float64], height: float, axis: int
 ) -> list[NDArray[np.float64]]:
-    """Corners of the part of a polygon that is not above a height along an axis.
+    """Corners of the part of a polygon that is below a height along an axis.
 
     Parameters
     ----------
     above
-        How far each corner is above it, m.
+        Height of each corner above it, m.
 
     >>> square = np.array([[0, 0, -1], [2, 0, -1], [2, 0, 1], [0, 0, 1.0]])
     >>> [point.tolist() for point in cut_polygon(square, square[:, 2], 0.0, 2)]
@@ -146,7 +146,7 @@ def cut_polygon(
 
 @dataclass(frozen=True)
 class Particulars:
-    """What the hydrostatics know of a hull: volume, centre of buoyancy and waterplane."""
+    """Hydrostatic integrals of a hull: volume, centre of buoyancy and waterplane."""
 
     volume_m3: float
     centre_of_buoyancy_m: NDArray[np.float64]
@@ -189,14 +189,14 @@ def particulars(wetted: Surface) -> Particulars:
 
 
 def open_edges(surface: Surface) -> NDArray[np.int64]:
-    """Edges that one triangle alone has, as pairs of vertices."""
+    """Edges that belong to only one triangle, as pairs of vertices."""
     directed = _directed_edges(surface)
     _, first, counts = np.unique(np.sort(directed, axis=1), axis=0, return_index=True, return_counts=True)
     return directed[first[counts == 1]]
 
 
 def check_closed(surface: Surface, file: str | None) -> None:
-    """Refuse a surface that does not close, or whose normals do not all point outwards."""
+    """Refuse a surface that is not closed, or whose normals do not all point outwards."""
     edges = open_edges(surface)
     if len(edges):
         point = surface.vertices[edges[0]].mean(axis=0)

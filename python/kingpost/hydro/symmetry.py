@@ -1,4 +1,4 @@
-"""What a hull's planes of symmetry say of its coefficients."""
+"""Consequences of a hull's planes of symmetry for its coefficients."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SIGNS = {0: np.array([-1, 1, 1, 1, -1, -1]), 1: np.array([1, -1, 1, -1, 1, -1])}
-"""How surge to yaw change under a reflection along x (0) and along y (1); rotations are axial vectors."""
+"""Signs of surge to yaw under a reflection along x (0) and along y (1); rotations are axial vectors."""
 
 
 def reflected_direction(index: int, axis: int, count: int) -> int | None:
@@ -26,7 +26,7 @@ def reflected_direction(index: int, axis: int, count: int) -> int | None:
 
 
 def independent_directions(count: int, reflections: Sequence[int]) -> list[int]:
-    """Directions of which all others of the circle are mirror images.
+    """Directions whose mirror images fill the circle.
 
     >>> independent_directions(12, (0, 1))
     [0, 1, 2, 3]
@@ -48,9 +48,9 @@ def _images(index: int, count: int, reflections: Sequence[int]) -> dict[int, NDA
 def whole_circle(
     forces: NDArray, directions: Sequence[int], count: int, reflections: Sequence[int]
 ) -> NDArray:
-    """Forces (frequency, direction, 6) for the independent directions as those for the whole circle.
+    """Forces (frequency, direction, 6) for the whole circle from those for the independent directions.
 
-    Where a direction is its own mirror image, what the symmetry forbids is zero.
+    If a direction is its own mirror image, the forces that the symmetry forbids are zero.
     """
     circle = np.empty((len(forces), count, 6), dtype=forces.dtype)
     for k, index in enumerate(directions):

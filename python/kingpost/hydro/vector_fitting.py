@@ -5,8 +5,9 @@ IEEE Transactions on Power Delivery 14(3), 1999; with the relaxed normalisation 
 Transactions on Power Delivery 21(3), 2006, and each response eliminated by itself as D. Deschrijver
 et al. do, IEEE Microwave and Wireless Components Letters 18(6), 2008.
 
-A response is H(s) = sum over poles p of r / (s - p), a complex pole with its conjugate: no direct term.
-Poles are one complex array which holds, of each conjugate pair, the pole of positive imaginary part.
+A response is H(s) = sum over poles p of r / (s - p), each complex pole with its conjugate, without a direct
+term.
+Poles are a complex array that holds one pole of each conjugate pair, the one with positive imaginary part.
 Unknowns are real: Re r and Im r of a pair, r of a real pole, in the order of the poles.
 """
 
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 ITERATIONS = 30
-# A pole that decays slower than this share of its own frequency is noise: no hull rings so long.
+# A pole that decays more slowly than this share of its own frequency is noise: no hull rings that long.
 LEAST_DAMPING = 0.01
 
 Array = NDArray[np.float64]
@@ -55,12 +56,12 @@ def residues(poles: ComplexArray, unknowns: Array) -> ComplexArray:
 
 
 def order(poles: ComplexArray) -> int:
-    """Number of states: two of a pair, one of a real pole."""
+    """Number of states: two for a pair, one for a real pole."""
     return int(np.where(poles.imag == 0.0, 1, 2).sum())
 
 
 def starting_poles(states: int, lowest: float, highest: float) -> ComplexArray:
-    """Well damped pairs, and one real pole where the number is odd, evenly over a range of frequencies."""
+    """Well-damped pairs, and one real pole if the number is odd, evenly over a range of frequencies."""
     imaginary = np.linspace(lowest, highest, states // 2 + 2)[1:-1]
     poles = -0.2 * imaginary + 1j * imaginary
     return np.append(poles, -0.5 * (lowest + highest) + 0j) if states % 2 else poles
@@ -74,13 +75,13 @@ def common_poles(responses: ComplexArray, omega: Array, weights: Array, states: 
     weights
         (frequency), of the residuals.
     states
-        How many, conjugates counted.
+        Number of states, conjugates included.
 
     Returns
     -------
     ComplexArray
         Poles with negative real parts, within [lowest / 10, 2 highest] of the frequencies in modulus:
-        beyond that the data determine none.
+        the data determine no poles beyond.
     """
     poles = starting_poles(states, omega[0], omega[-1])
     for _ in range(ITERATIONS):
@@ -93,7 +94,7 @@ def common_poles(responses: ComplexArray, omega: Array, weights: Array, states: 
 
 
 def _relocated(poles: ComplexArray, responses: ComplexArray, s: ComplexArray, weights: Array) -> ComplexArray:
-    """The zeros of sigma(s) = d + sum c / (s - p), which make sigma H a function with the poles p."""
+    """The zeros of sigma(s) = d + sum c / (s - p), where sigma H has the poles p."""
     fractions = partial_fractions(poles, s)
     n = fractions.shape[1]
     of_sigma = np.column_stack([fractions, np.ones(len(s))])
@@ -102,7 +103,7 @@ def _relocated(poles: ComplexArray, responses: ComplexArray, s: ComplexArray, we
         block = np.column_stack([fractions, -response[:, None] * of_sigma])
         triangle = np.linalg.qr(weight * np.vstack([block.real, block.imag]), mode="r")
         rows.append(triangle[n:, n:])
-    # Relaxed: the mean of sigma over the frequencies is 1, weighted as the responses are.
+    # Relaxed: the mean of sigma over the frequencies is 1, with the weights of the responses.
     scale = np.sqrt((weights[:, None] ** 2 * np.abs(responses) ** 2).sum()) / len(s)
     rows.append(scale * of_sigma.real.sum(axis=0)[None, :])
     matrix = np.vstack(rows)
@@ -131,7 +132,8 @@ def _real_state_space(poles: ComplexArray) -> tuple[Array, Array]:
 
 
 def _within(poles: ComplexArray, omega: Array) -> ComplexArray:
-    """Reflected into the left half plane, moved into the range that the data determine, one of each pair."""
+    """Poles reflected into the left half plane and moved into the range that the data determine, one of each
+    pair."""
     upper = poles[poles.imag >= 0.0]
     size = np.clip(np.abs(upper), 0.1 * omega[0], 2.0 * omega[-1])
     damping = np.maximum(np.abs(upper.real) / np.maximum(np.abs(upper), 1e-300), LEAST_DAMPING)

@@ -19,12 +19,12 @@ _FINE = 801
 
 @dataclass(frozen=True)
 class OffshoreVessel(Shape):
-    """A vessel with a plumb bow, round bilges, and a wide stern that lifts to a transom.
+    """A vessel with a plumb bow, round bilges, and a wide stern that rises to a transom.
 
-    The lines are plausible ones, not those of a built ship. Sections are quarters of superellipses,
+    The lines are plausible, but not those of a built ship. Sections are quarters of superellipses,
     (y/b)^n + (-z/d)^n = 1 with half breadth b(x), local draught d(x) and fullness n(x). Forward the
     half breadth goes to zero as 1 - u^f over the entrance of 0.5 L, u from 0 to 1; aft the bottom
-    rises as 1 - (1 - 0.3) u^f over the run of 0.45 L. The one number f is solved for the asked block
+    rises as 1 - (1 - 0.3) u^f over the run of 0.45 L. The exponent f is solved for the given block
     coefficient. Above the water the sides are vertical.
     """
 
@@ -57,7 +57,7 @@ class OffshoreVessel(Shape):
 
     @cached_property
     def power(self) -> float:
-        """The exponent f that gives the asked block coefficient, by bisection."""
+        """The exponent f for a block coefficient, by bisection."""
         low, high = self.powers
         for _ in range(60):
             middle = (low + high) / 2

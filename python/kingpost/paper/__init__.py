@@ -1,4 +1,4 @@
-"""The paper's results from the engine: figures, table, integrators, and where its text errs.
+"""The paper's results from the engine: figures, table, integrators, and errors in its text.
 
 The paper is Jardim, Rein, Haveland, Rykkje and Impelluso, "Modeling Crane-Induced Ship Motion
 Using the Moving Frame Method", J. Offshore Mech. Arct. Eng. 141(5), 2019, doi 10.1115/1.4042536.
@@ -49,7 +49,7 @@ def write(folder: str | Path) -> tuple[list[Path], list[summary.Table]]:
 
 
 def _write(folder: Path) -> tuple[list[Path], list[summary.Table]]:
-    # A folder that cannot be written to should fail before the work, not after it.
+    # A folder that cannot be written to should fail before the computation, not after it.
     rows = table.write(folder)
     with progress.bar(RUNS, "runs") as update:
         done = iter(range(1, RUNS + 1))

@@ -1,4 +1,4 @@
-"""The integrators compared: one table, one picture, the numbers as CSV, and what to choose."""
+"""Comparison of the integrators: a table, a picture, a CSV file and a recommendation."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ PANELS = {
     ("paper", "rotation"): ("Ship's rotation", "angle from the true orientation, rad", 10.0),
     ("stiff", "slew"): ("With the arm on a stiff spring: slew", "angle from the true one, rad", 10.0),
 }
-"""Title, axis and its upper end: what lies above has blown up."""
+"""Title, axis and its upper end: larger errors mean that the run has diverged."""
 
 
 def table(compared: list[Compared]) -> Table:
-    """Orders, errors, cost and largest steps; a head, then a row an integrator."""
+    """Orders, errors, cost and largest steps: a header, then a row for each integrator."""
     shown, timed = f"{1000 * SHOWN_STEP_S:g} ms", f"{1000 * TIMED_STEP_S:g} ms"
     rows: Table = [
         (
@@ -66,20 +66,20 @@ def _step(one: Compared, case: str) -> str:
 
 
 def recommendation(compared: list[Compared]) -> str:
-    """One paragraph: which integrator for what."""
+    """One paragraph: which integrator suits which case."""
     by_name = {one.integrator: one for one in compared}
     rk4, alpha = by_name["rk4"], by_name["generalized_alpha"]
     ratio = by_name["forward_euler"].shown().energy / rk4.shown().energy
     return (
         "Take RK4, the default, for rigid cranes: at 10 ms its energy error is "
         f"{_power(ratio)} times smaller than that of the paper's forward Euler, for four times the work. "
-        "Take Dormand-Prince where you would rather name an error than a step: for small errors it "
-        "needs the fewest evaluations. Where a stiff spring, stop or servo swings faster "
-        f"than you care to see, explicit schemes must follow it all the same (RK4: {_ms(rk4)} ms here), "
+        "Take Dormand-Prince if you prefer to set an error instead of a step: for small errors it "
+        "needs the fewest evaluations. If a stiff spring, stop or servo swings faster "
+        f"than you need to resolve, explicit schemes must still follow it (RK4: {_ms(rk4)} ms here), "
         "and generalized-alpha steps over it and damps it "
         f"({_ms(alpha)} ms); Newmark and the midpoint rule step over it without damping, and the midpoint "
-        "rule keeps the momentum of free bodies to rounding. Forward Euler is here to "
-        "compare with the paper; where one evaluation a step is all there is, semi-implicit Euler costs "
+        "rule keeps the momentum of free bodies to rounding. Forward Euler is included to "
+        "compare with the paper; if only one evaluation per step is affordable, semi-implicit Euler costs "
         "the same and does not pump energy into oscillations."
     )
 
@@ -93,7 +93,7 @@ def _power(ratio: float) -> str:
 
 
 def write(folder: Path, compared: list[Compared]) -> None:
-    """Write the runs as CSV, one a line, and draw them."""
+    """Write the runs as CSV, one per line, and draw them."""
     with (
         output.whole(folder / f"{NAME}.csv") as beside,
         beside.open("w", newline="", encoding="utf-8") as file,
@@ -113,7 +113,7 @@ def _cells(one: Compared, point: Point) -> tuple[object, ...]:
 
 
 def draw(folder: Path, compared: list[Compared]) -> None:
-    """Draw errors against cost on logarithmic axes, a panel for each."""
+    """Draw errors against cost on logarithmic axes, a panel for each error."""
     with plotting() as pyplot:
         drawn, panels = pyplot.subplots(2, 2, figsize=(12, 9.2))
         for panel, ((case, name), (title, unit, top)) in zip(panels.flat, PANELS.items(), strict=True):

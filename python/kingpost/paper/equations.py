@@ -1,8 +1,8 @@
 """Eqs. 43 and 46b, the velocity of the arm's centre, as printed and corrected.
 
 LaTeX is in the paper's notation: S(a) is the skew matrix of a, and the paper's axes are 1 athwartship,
-2 up, 3 along the ship. Numbers are in ours (x forward, y to port, z up): the paper's e1 is our y, its
-e2 our z.
+2 up, 3 along the ship. Numbers are in Kingpost's axes (x forward, y to port, z up): the paper's e1 is our y,
+its e2 our z.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ FORMS = ("printed", "corrected")
 
 @dataclass(frozen=True)
 class Equation:
-    """One equation in LaTeX, both ways."""
+    """One equation in LaTeX, as printed and corrected."""
 
     printed: list[str]
     corrected: list[str]
@@ -41,7 +41,7 @@ EQUATIONS = {
     name: Equation(**forms)
     for name, forms in json.loads(files(__package__).joinpath("equations.json").read_text()).items()
 }
-"""By the paper's number, or by the block of B. The app shows the same file."""
+"""The equations by the paper's number, or by the block of B. The app shows the same file."""
 
 
 def arm_velocity(
@@ -52,7 +52,7 @@ def arm_velocity(
     Parameters
     ----------
     simulation
-        Of the scenario ``paper``, at any instant.
+        A simulation of the scenario ``paper``, at any instant.
     equation
         ``43``, or ``46b``: the arm's row of B times the generalized velocity.
     form

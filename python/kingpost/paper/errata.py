@@ -1,4 +1,4 @@
-"""Where the paper's text and the physics differ.
+"""Where the paper's text and the physics disagree.
 
 Equations are LaTeX in the paper's notation; S(a) is the skew matrix of a, and the paper's axes
 are 1 athwartship, 2 up, 3 along the ship.
@@ -15,7 +15,7 @@ from .measured import PRINTED_AT_S, Measured
 
 @dataclass(frozen=True)
 class Erratum:
-    """One remark: HTML text with equations as printed and as they should be."""
+    """One remark: HTML text with equations as printed and as corrected."""
 
     title: str
     text: str
@@ -42,7 +42,7 @@ def _kinematics(m: Measured) -> list[Erratum]:
     return [
         Erratum(
             "Eq. 43: the velocity of the arm's centre",
-            "The last term must reach from the ship's centre to the tower's centre; the printed one "
+            "The last term must reach from the ship's centre to the tower's centre; the printed term "
             "starts at the tower's foot. With the crane at the ship's centre the two agree. With the "
             f"crane in the stern corner and both motors on for {PRINTED_AT_S:g} s, the printed form is off "
             f"by {m.eq_43_m_s:.2f} m/s where the arm's centre moves at {m.arm_m_s:.2f} m/s; the "

@@ -1,4 +1,4 @@
-"""Figures 9 to 11 of the paper: pitch, yaw and roll rate of the ship, damped and not."""
+"""Figures 9 to 11 of the paper: pitch, yaw and roll rate of the ship, damped and undamped."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ CASES = (
 
 @dataclass(frozen=True)
 class Figure:
-    """A case as it was run: rates in rad/s by name, undamped and damped."""
+    """Results of a case: rates in rad/s by name, undamped and damped."""
 
     case: Case
     time_s: np.ndarray
@@ -53,11 +53,11 @@ class Figure:
 
     @property
     def name(self) -> str:
-        """Name of its files, without the ending."""
+        """Name of the files of the figure, without the ending."""
         return f"figure_{self.case.number}"
 
     def table(self) -> pandas.DataFrame:
-        """Its numbers, one row per record."""
+        """The numbers of the figure, one row per record."""
         import pandas
 
         columns = {"time_s": self.time_s}
@@ -79,7 +79,7 @@ def rates(results: xarray.Dataset, body: str = "ship") -> dict[str, np.ndarray]:
 
 
 def run(progress: Callable[[], None]) -> list[Figure]:
-    """Run the three cases, each damped and not."""
+    """Run the three cases, each damped and undamped."""
     figures = []
     for case in CASES:
         undamped = simulate(case, damping=False)

@@ -46,12 +46,12 @@ CASES: dict[str, dict[str, object]] = {
 }
 """Both motors, no load, crane at the centre; then the arm on a spring that swings at about 56 Hz."""
 USABLE = 0.1
-"""A step is usable while the energy error is within this part of the work, and the tower within this
-angle (rad) of where it should be."""
+"""A step is usable if the energy error is below this fraction of the work, and the tower's angle is within
+this error (rad)."""
 ENERGY_ROUNDING = 1e-11
 MOMENTUM_ROUNDING = 1e-6
 ROTATION_ROUNDING = 1e-12
-"""Errors below these (relative; N m s; rad) are rounding, and no part of a slope."""
+"""Errors below these (relative; N m s; rad) are rounding and are left out of slopes."""
 
 
 @dataclass(frozen=True)
@@ -61,15 +61,15 @@ class Point:
     Attributes
     ----------
     setting
-        Step, s; of Dormand-Prince the tolerance, absolute and relative alike.
+        Step, s; for Dormand-Prince the tolerance, absolute and relative.
     energy
-        Size of the energy error over the work done by the motors, dimensionless.
+        Magnitude of the energy error over the work done by the motors, dimensionless.
     momentum
-        Size of the error of the angular momentum about the held centre, N m s.
+        Magnitude of the error of the angular momentum about the held centre, N m s.
     rotation, slew
-        Angle of the ship's orientation, and of the tower, from those of RK4 at `REFERENCE_STEP_S`, rad.
+        Difference of the ship's orientation, and of the tower's angle, from RK4 at `REFERENCE_STEP_S`, rad.
     evaluations
-        Of the right-hand side, per simulated second.
+        Evaluations of the right-hand side per simulated second.
     """
 
     setting: float
@@ -82,7 +82,8 @@ class Point:
 
 @dataclass(frozen=True)
 class Compared:
-    """One integrator: its runs by case, time a simulated second at `TIMED_STEP_S`, largest steps by case."""
+    """One integrator: its runs by case, computing time per simulated second at `TIMED_STEP_S`, largest steps
+    by case."""
 
     integrator: str
     points: dict[str, list[Point]]
@@ -91,7 +92,7 @@ class Compared:
     largest_step_s: dict[str, float]
 
     def slopes(self) -> tuple[float, float, float] | None:
-        """Orders of energy, momentum and rotation error on the paper's case; `None` of error control."""
+        """Orders of energy, momentum and rotation error on the paper's case; `None` with error control."""
         if self.integrator == ADAPTIVE:
             return None
         points = [point for point in self.points["paper"] if point.setting <= SHOWN_STEP_S]
@@ -109,7 +110,7 @@ class Compared:
 
 
 def slope(steps: list[float], errors: list[float], rounding: float) -> float:
-    """Slope of errors against steps on logarithmic axes, where they exceed rounding.
+    """Slope of errors against steps on logarithmic axes, for errors above rounding.
 
     >>> slope([1.0, 2.0, 4.0], [1e-3, 4e-3, 16e-3], 1e-9)
     2.0
@@ -140,8 +141,8 @@ def run(progress: Callable[[], None]) -> list[Compared]:
 
 
 def largest_step_s(case: str, integrator: str, reference: _Run) -> float:
-    """The largest of a ladder of steps, each a fifth longer, up to which all are usable; not a number
-    for an integrator with steps of its own, 0 where none is."""
+    """The largest step, in a series of steps each a fifth longer, up to which all are usable; NaN for an
+    integrator that chooses its own steps, 0 if none is usable."""
     if integrator == ADAPTIVE:
         return float("nan")
     largest, most = 0.0, round(DURATION_S / TIMED_STEP_S)
@@ -157,7 +158,7 @@ def largest_step_s(case: str, integrator: str, reference: _Run) -> float:
 
 
 def _cost(integrator: str) -> tuple[float, float]:
-    """Time, ms, and evaluations of a simulated second of the paper's case, the best of three."""
+    """Computing time, ms, and evaluations per simulated second of the paper's case, the best of three."""
     runs = [_Run("paper", integrator, 1e-6 if integrator == ADAPTIVE else TIMED_STEP_S) for _ in range(3)]
     times = []
     for one in runs:
@@ -168,7 +169,7 @@ def _cost(integrator: str) -> tuple[float, float]:
 
 
 class _Run:
-    """A run of half a second, of which the end is looked at."""
+    """A run of half a second; only its end is used."""
 
     def __init__(self, case: str, integrator: str, setting: float) -> None:
         step_s = TIMED_STEP_S if integrator == ADAPTIVE else setting
@@ -186,7 +187,7 @@ class _Run:
         self.steps = round(DURATION_S / step_s)
 
     def finish(self) -> bool:
-        """Step to the end; whether it is reached."""
+        """Step to the end; return whether it was reached."""
         try:
             self.simulation.step(self.steps)
         except RunError:
@@ -195,13 +196,13 @@ class _Run:
         return bool(np.isfinite(self.row).all())
 
     def value(self, variable: str) -> float:
-        """A channel of one number, at the end."""
+        """A scalar channel at the end."""
         return float(
             self.row[next(c["offset"] for c in self.simulation.channels if c["variable"] == variable)]
         )
 
     def point(self, reference: _Run) -> Point:
-        """What is compared of the end."""
+        """The quantities that are compared at the end."""
         q, true = self.simulation.state.q, reference.simulation.state.q
         return Point(
             setting=self.setting,

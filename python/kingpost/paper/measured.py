@@ -1,4 +1,4 @@
-"""Numbers, from the engine, that the page's remarks on the paper's text rest on."""
+"""Numbers, measured with the engine, for the page's remarks on the paper's text."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from . import figures
 from .equations import arm_velocity
 
 PRINTED_AT_S = 0.25
-"""When the printed kinematics is compared with the corrected one, s."""
+"""The time at which printed and corrected kinematics are compared, s."""
 
 
 @dataclass(frozen=True)
 class Measured:
-    """What the remarks quote.
+    """The numbers in the remarks.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Measured:
 
 
 def measure(drawn: list[figures.Figure]) -> Measured:
-    """Measure them; `drawn` are Figs. 9 to 11 as run."""
+    """Measure them; `drawn` holds the results of Figs. 9 to 11."""
     level, both = drawn[0], drawn[-1]
     arm = "bodies.arm.joint.revolute"
     held_upright = {f"{arm}.initial_angle_rad": -np.pi / 2, f"{arm}.mode": "held"}
@@ -99,7 +99,8 @@ def _peaks(rates: dict[str, np.ndarray]) -> dict[str, float]:
 
 
 def _printed_kinematics() -> tuple[float, float, float, float]:
-    """Errors of eqs. 43 and 46b as printed and of 43 corrected, and the arm's speed; crane in its corner."""
+    """Errors of eqs. 43 and 46b as printed and of 43 corrected, and the arm's speed; the crane is in the
+    stern corner."""
     simulation = Simulation(load("paper", motor_1=True, motor_2=True, load=False))
     simulation.step(round(PRINTED_AT_S / simulation.step_s))
     rows = [f"arm.{axis}_dot" for axis in "xyz"]

@@ -1,4 +1,4 @@
-"""The page that shows the paper's results and says where its text and the physics differ."""
+"""The page with the paper's results and the differences between its text and the physics."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ TITLE = "Crane-induced ship motion by the moving frame method"
 SECTIONS = {
     "figures": "Figures 9 to 11",
     "table": "Table 2",
-    "integrators": "The integrators compared",
-    "differences": "Where the paper's text and the physics differ",
+    "integrators": "Comparison of the integrators",
+    "differences": "Where the paper's text and the physics disagree",
     "choices": "What we chose where the paper is silent",
     "files": "The numbers",
 }
@@ -33,7 +33,7 @@ CHOICES = (
     "speaks of abrupt changes of the torque and of phases of constant torque, without their times, so "
     "its curves and ours cannot be compared point by point.",
     "Start: at rest, tower and arm angle zero: the arm is level and points forward.",
-    "Joints without friction; no limit of a motor's power or speed.",
+    "Joints without friction; motors without limits of power or speed.",
     "The load, where it is on, is a point mass of 1,000 kg fixed at the arm's tip. Here it is off.",
     "Axes: x forward, y to port, z up. The paper's 1, 2, 3 are our y, z, x: its w1 is the pitch rate "
     "about y, w2 the yaw rate about z, w3 the roll rate about x, all in the ship's axes.",
@@ -44,7 +44,7 @@ CHOICES = (
 def html(
     folder: Path, drawn: list[Figure], rows: list[Row], compared: list[Compared], remarks: Measured
 ) -> str:
-    """The page as one file: pictures, style and equations are inside it."""
+    """The page as one file that contains pictures, style and equations."""
     bodies = {
         "figures": _figures(folder, drawn, rows),
         "table": _table_2(rows),
@@ -99,7 +99,7 @@ def _figures(folder: Path, drawn: list[Figure], rows: list[Row]) -> str:
         pictures += _picture(folder, figure.name, description, caption)
     head, *body = summary.largest_rates(drawn)
     end = f"{drawn[0].time_s[-1]:g}"
-    return f"{pictures}<p>Largest sizes within {end} s:</p>{_table(head, body)}"
+    return f"{pictures}<p>Largest magnitudes within {end} s:</p>{_table(head, body)}"
 
 
 def _table_2(rows: list[Row]) -> str:
@@ -126,17 +126,17 @@ def _integrators(folder: Path, compared: list[Compared], remarks: Measured) -> s
         f"Errors after {DURATION_S:g} s with both motors on, no damping, no load, against what they cost. "
         "The kinetic energy should equal the work of the motors, and the angular momentum about the held "
         "centre should stay zero; the true orientation and slew angle are those of RK4 at "
-        f"{1000 * REFERENCE_STEP_S:g} ms. Each mark is a step, or of Dormand-Prince a tolerance. Below "
+        f"{1000 * REFERENCE_STEP_S:g} ms. Each mark is a step, or for Dormand-Prince a tolerance. Below "
         "right: the arm's joint holds a spring of 10<sup>9</sup> N m/rad, swinging at about 56 Hz. "
-        "The two explicit forms of Euler differ in the rotation alone: nothing else here depends on it."
+        "The two explicit forms of Euler differ only in the rotation: nothing else here depends on it."
     )
     picture = _picture(folder, comparison.NAME, "Errors of eight integrators against their cost", caption)
     head, *body = comparison.table(compared)
     columns = (
-        "<p>Order: what it should be, then the slopes of the three errors against the step, up to 10 ms. "
-        "Largest step: up to which the energy error stays within a tenth of the work and the tower within "
-        "0.1 rad of where it should be, on the paper's case and with the spring. Implicit schemes "
-        "count the evaluations that their derivatives take. Times are of this machine.</p>"
+        "<p>Order: the expected one, then the slopes of the three errors against the step, up to 10 ms. "
+        "Largest step: the energy error stays within a tenth of the work and the tower within "
+        "0.1 rad of its true angle, on the paper's case and with the spring. Implicit schemes "
+        "count the evaluations that their derivatives take. Times were measured on this machine.</p>"
     )
     advice = f'<p class="advice">{comparison.recommendation(compared)}</p>'
     note = (

@@ -1,4 +1,4 @@
-"""How the paper's plots look: one colour for one thing in all of them."""
+"""Style of the paper's plots: each quantity has the same colour in all of them."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ Table = list[tuple[str, ...]]
 
 
 def largest_rates(drawn: list[Figure]) -> Table:
-    """Largest pitch, yaw and roll rate of each run, rad/s; a head, then a row a run."""
+    """Largest pitch, yaw and roll rate of each run, rad/s: a header, then a row for each run."""
     rows: Table = [("", *(f"{name} rate, rad/s" for name in drawn[0].undamped))]
     for figure in drawn:
         for label, rates in (("without damping", figure.undamped), ("with damping", figure.damped)):

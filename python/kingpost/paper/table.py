@@ -1,4 +1,4 @@
-"""Table 2 of the paper, with units, as the scenario has it."""
+"""Table 2 of the paper, with units, from the values of the scenario."""
 
 from __future__ import annotations
 

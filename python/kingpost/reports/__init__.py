@@ -1,1 +1,1 @@
-"""What the command line prints and draws."""
+"""Reports and pictures of the command line."""

@@ -1,4 +1,4 @@
-"""What the command line prints of a run afloat: the sea and heave."""
+"""Report of a floating run: the sea and heave."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ if TYPE_CHECKING:
     from ..scenario import Scenario
 
 SHORTEST_RECORD_S = 60.0
-"""A significant height of less is none."""
+"""A smaller significant height counts as no sea."""
 
 
 def text(results: xarray.Dataset, scenario: Scenario) -> str:
-    """The sea and heave of a run; empty where there is nothing of that kind."""
+    """Report of the sea and heave of a run; empty if there is neither."""
     parts = [_sea(results, scenario), _heave(results, scenario)]
     return "\n\n".join("\n".join(part) for part in parts if part)
 
 
 def _rise(results: xarray.Dataset, body: str) -> NDArray[np.float64]:
-    """Of a body's centre of mass since the start, m."""
+    """Heave of a body's centre of mass since the start, m."""
     height = results["position"].sel(body=body, axis="z").values
     return height - height[0]
 

@@ -1,4 +1,4 @@
-"""What the command line prints of what happened in a run: what matters, then what repeats."""
+"""Report of the events of a run: important ones one by one, then counts of repeating ones."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from .tables import table
 if TYPE_CHECKING:
     import xarray
 
-# What happens to one thing more often is counted too, whatever it is: a load leaves the water in every wave.
+# More events of one element are counted, too: a load leaves the water in every wave.
 MOST_OF_ONE = 4
 
 Event = dict[str, Any]
 
 
 def events(results: xarray.Dataset) -> list[str]:
-    """What happened in a run: a row for each event that matters, in order of time, then a row for each
-    thing of which events repeat."""
+    """Events of a run: a row for each important event, in order of time, then a row for each element with
+    repeating events."""
     found: list[Event] = json.loads(results.attrs.get("events", "[]"))
     often = Counter((event["element"], event["what"]) for event in found)
     repeats = {kind for kind, count in often.items() if kind[1] in REPEATING or count > MOST_OF_ONE}
@@ -40,7 +40,7 @@ def _in_order(events: list[Event]) -> list[str]:
 
 
 def _counted(events: list[Event]) -> list[str]:
-    """A row for each thing: how often each of its events was, the first and the last time of them."""
+    """A row for each element: the count of each of its events, the first and the last time."""
     of_things: dict[str, list[Event]] = {}
     for event in events:
         of_things.setdefault(event["element"], []).append(event)

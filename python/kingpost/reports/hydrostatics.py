@@ -1,4 +1,4 @@
-"""What the command line prints of hulls afloat."""
+"""Report of floating hulls."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .tables import fixed, table
 if TYPE_CHECKING:
     from ..scenario import Scenario
 
-# Loads that swing by less than this share of their length are not told of.
+# Loads that swing by less than this share of their length are not reported.
 SMALLEST_SHARE = 0.005
 
 
@@ -38,7 +38,7 @@ def _hull(hull: dict[str, Any]) -> list[str]:
 
     across = 0
     tanks = bool(hull["free_surfaces"])
-    fluid = "hanging loads where they hang from" + ", free surfaces" * tanks
+    fluid = "hanging loads at their suspension points" + ", free surfaces" * tanks
     solid = "hanging loads as if fixed" + ", liquids as if frozen" * tanks
     rows = [
         ("displacement", f"{hull['displacement_kg'] / 1000:.3f} t", f"{hull['displacement_m3']:.3f} m3"),
@@ -61,7 +61,7 @@ def _hull(hull: dict[str, Any]) -> list[str]:
 
 
 def _angle(radians: float, positive: str, negative: str) -> tuple[str, str]:
-    """Its size in degrees, and which way; upright, no way."""
+    """The size of an angle in degrees, and its side; no side if it is zero."""
     size = f"{abs(degrees(radians)):.4f}"
     way = "" if float(size) == 0 else positive if radians > 0 else negative
     return f"{size} deg", way
@@ -83,7 +83,7 @@ def _hanging(hull: dict[str, Any]) -> list[str]:
 
 
 def _tanks(hull: dict[str, Any]) -> list[str]:
-    """What their free surfaces change GM by, the liquid and its height."""
+    """The change of GM by the free surfaces, the liquid and its height."""
     surfaces = hull["free_surfaces"]
     if not surfaces:
         return []
@@ -113,10 +113,10 @@ def _arms(hull: dict[str, Any]) -> list[str]:
 
 
 def _range(curve: dict[str, Any], rests_by_mesh: bool) -> str:
-    """Equilibrium, where the run has that of the curve, the largest arm and how far stability reaches."""
+    """Equilibrium (if the run rests at that of the curve), largest arm, and range of stability."""
     rest, vanishing = curve["equilibrium_rad"], curve["vanishing_rad"]
     if rest is None:
-        return "none that rises through zero to 90 deg"
+        return "no equilibrium up to 90 deg"
     top = curve["largest"]
     reach = (
         "positive beyond to 90 deg"

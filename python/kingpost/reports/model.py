@@ -1,4 +1,4 @@
-"""What the command line prints of a model."""
+"""Report of a model."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
-    """What a scenario builds: bodies, joints, closed loops, parameters, drives, forces and
-    sensors, and how its hulls float."""
+    """The model of a scenario: bodies, joints, closed loops, parameters, drives, forces, sensors, and how its
+    hulls float."""
     described = scenario.model
     settings = scenario.resolved["simulation"]
     mass = sum(body["mass_kg"] for body in described["bodies"])
@@ -51,7 +51,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
 
 
 def data(scenario: Scenario, coordinates: Sequence[str]) -> dict[str, Any]:
-    """The same as `text` says, in SI units: what the engine describes, the settings, and how hulls float."""
+    """The content of `text` in SI units: the engine's description, the settings, and how hulls float."""
     given = scenario.resolved
     return {
         "title": scenario.title,
@@ -73,7 +73,7 @@ def is_unstable(scenario: Scenario) -> bool:
 
 
 def _parts(parts: list[dict[str, Any]]) -> list[str]:
-    """What the scenario is made of, and where each part stands."""
+    """The parts of the scenario and the position of each."""
     rows = [("part", "is", "on", "at")]
     for part in parts:
         at = ", ".join(f"{x:g}" for x in part["position_m"])
@@ -112,7 +112,7 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 
 
 def _elements(described: dict[str, Any], group: str) -> list[str]:
-    """Forces, drives or sensors, with what is given of them. A model without sensors says nothing of them."""
+    """Forces, drives or sensors with their facts. A model without sensors gets no section of sensors."""
     rows = [(group, "", "", "")]
     for element in described["elements"]:
         if element["group"] == group:
@@ -124,7 +124,7 @@ def _elements(described: dict[str, Any], group: str) -> list[str]:
 
 
 def facts(given: list[dict[str, str]]) -> str:
-    """Facts in a line, in the units of engineers.
+    """Facts in a line, in engineering units.
 
     >>> facts([{"label": "target", "value": "1.5708", "unit": "rad"},
     ...        {"label": "joint", "value": "luff", "unit": ""}])
@@ -142,7 +142,7 @@ def _fact(fact: dict[str, str]) -> str:
 
 
 def _prescribed(joints: list[dict[str, Any]]) -> list[str]:
-    """The joints that a given rate moves, or that go a given way."""
+    """The joints that are held or follow a prescribed motion."""
     rows = [("prescribed", "")]
     rows += [(joint["name"], facts(joint["prescribed"])) for joint in joints if joint["prescribed"]]
     return table(rows, "<<") if len(rows) > 1 else []

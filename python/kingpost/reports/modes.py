@@ -1,4 +1,4 @@
-"""What the command line prints of modes."""
+"""Report of modes."""
 
 from __future__ import annotations
 
@@ -10,33 +10,30 @@ import xarray
 from ..analysis.eigenmodes import DECAY, OSCILLATION, UNSTABLE
 from .tables import table
 
-# Amplitudes of a mode below this share of the largest are not printed, nor more than so many.
+# Amplitudes below this share of the largest are not printed, and at most this many.
 SMALLEST_AMPLITUDE = 0.005
 MOST_AMPLITUDES = 4
-# Modes in which the memory of radiated waves has more than this share are the water's own.
+# With a larger share of the memory of radiated waves, a mode is one of the water.
 WATERS_SHARE = 2 / 3
 
 
 def text(found: xarray.Dataset, all_modes: bool = False) -> str:
-    """Modes of small motion as a table; of a sweep, a row for each value.
+    """Modes of small motion as a table; for a sweep, a row for each value.
 
-    Modes of the water's memory, which come of fitting what the hull has radiated, and those in which a
-    control moves by itself are counted, and shown with `all_modes`; of the others those states are left out
-    of the shapes.
+    Modes of the water's memory, which come from the fit of the radiation, and modes of controls alone are
+    only counted, unless `all_modes` is set. The shapes of the other modes leave out these states.
     """
     lines = [found.attrs["title"], found.attrs["status"], ""]
     if not found.sizes["mode"]:
         return "\n".join([*lines, "no free coordinate, no modes"])
-    sweep = next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
-    waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
-    waters = waters.all(sweep) if sweep else waters
-    controls = _of_controls(found) & ~waters if not sweep else xarray.zeros_like(waters)
-    shown_ones = found if all_modes else found.isel(mode=~(waters | controls).values)
+    sweep = _sweep(found)
+    waters, controls = _of_water_and_controls(found)
+    shown_ones = found if all_modes else of_ship_and_crane(found)
     shown_ones = shown_ones if all_modes else shown_ones.isel(coordinate=~found["memory"].values)
     lines += _modes_along(shown_ones, sweep) if sweep else _modes(shown_ones, all_modes)
     counts = (
         (waters, "modes of the water's memory of radiated waves"),
-        (controls, "modes of what controls and drives keep"),
+        (controls, "modes of the states of controls and drives"),
     )
     told = [f"and {int(those.sum())} {of} (--all shows them)" for those, of in counts if those.any()]
     lines += ["", *told] if told and not all_modes else []
@@ -44,6 +41,30 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     if "warning" in found.attrs:
         lines += ["", f"warning: {found.attrs['warning']}"]
     return "\n".join(line.rstrip() for line in lines)
+
+
+def of_ship_and_crane(found: xarray.Dataset) -> xarray.Dataset:
+    """The modes in which ship and crane move: without those of the water's memory of radiated waves and those
+    of what controls and drives keep.
+
+    >>> import kingpost
+    >>> of_ship_and_crane(kingpost.modes("chain")).sizes["mode"] > 0
+    True
+    """
+    waters, controls = _of_water_and_controls(found)
+    return found.isel(mode=~(waters | controls).values)
+
+
+def _of_water_and_controls(found: xarray.Dataset) -> tuple[xarray.DataArray, xarray.DataArray]:
+    sweep = _sweep(found)
+    waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
+    waters = waters.all(sweep) if sweep else waters
+    return waters, _of_controls(found) & ~waters if not sweep else xarray.zeros_like(waters)
+
+
+def _sweep(found: xarray.Dataset) -> str | None:
+    """The dimension of a sweep, where there is one."""
+    return next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
 
 
 def _modes(found: xarray.Dataset, all_states: bool) -> list[str]:
@@ -60,13 +81,13 @@ def _modes(found: xarray.Dataset, all_states: bool) -> list[str]:
 
 
 def _natural_period_s(mode: xarray.Dataset) -> float:
-    """Undamped, as the frequency is: 1 over it."""
+    """Undamped period: 1 over the natural frequency."""
     frequency = mode["frequency"].item()
     return 1 / frequency if frequency > 0 else np.nan
 
 
 def shown(value: float) -> str:
-    """A number to five digits, and nothing for what is not there.
+    """A number with five digits; an empty text for NaN.
 
     >>> shown(0.0012345678), shown(float("nan"))
     ('0.0012346', '')
@@ -75,13 +96,13 @@ def shown(value: float) -> str:
 
 
 def _of_controls(found: xarray.Dataset) -> xarray.DataArray:
-    """Which modes are named after a state that is neither a place nor an angle, and go by themselves."""
+    """Which modes belong to controls alone: named after a state that is neither a position nor an angle."""
     moving = found["coordinate"].values[found["moves"].values]
     return ~found["named_after"].isin(moving) & found["kind"].isin([OSCILLATION, DECAY])
 
 
 def _names(found: xarray.Dataset) -> dict[int, str]:
-    """What modes are named after; of several with one name the second and the third say so."""
+    """Names of the modes; the second and third mode of one name are numbered."""
     given = found["named_after"].values.tolist()
     counts = [given[:k].count(name) for k, name in enumerate(given)]
     return {
@@ -91,10 +112,11 @@ def _names(found: xarray.Dataset) -> dict[int, str]:
 
 
 def _shape(mode: xarray.Dataset, all_states: bool) -> str:
-    """The largest amplitudes of a mode; of one that is named after a place or an angle among those, since
-    what a control keeps has numbers of its own size."""
+    """The largest amplitudes of a mode. For a mode named after a position or an angle, only positions and
+    angles count, because states of a control have another scale."""
     moves = mode["moves"]
-    if not all_states and moves.sel(coordinate=mode["named_after"].item()).item():
+    # What the water remembers has no place among them where it is left out.
+    if not all_states and mode["named_after"].item() in mode["coordinate"].values[moves.values]:
         mode = mode.isel(coordinate=moves.values)
     shape = mode["shape"].values + 1j * mode["shape_imaginary"].values
     shape = shape / max(1.0, np.abs(shape).max(initial=0.0))
@@ -106,7 +128,7 @@ def _shape(mode: xarray.Dataset, all_states: bool) -> str:
 
 
 def _amplitude(value: complex) -> str:
-    """A real amplitude with its sign, another with its phase.
+    """An amplitude: real with its sign, complex with its phase.
 
     >>> _amplitude(-0.25 + 1e-12j), _amplitude(0.5j)
     ('-0.25', '0.5 at 90 deg')
@@ -117,7 +139,7 @@ def _amplitude(value: complex) -> str:
 
 
 def _modes_along(found: xarray.Dataset, sweep: Any) -> list[str]:
-    """Frequencies, Hz, and for what does not oscillate its kind, by value of the sweep."""
+    """Frequencies, Hz, by value of the sweep; for a mode without oscillation its kind."""
     rows = [(str(sweep), *(f"mode {number}" for number in found["mode"].values))]
     rows.append(("", *(_first(found["named_after"].sel(mode=n).values) for n in found["mode"].values)))
     for value in found[sweep].values:

@@ -1,6 +1,6 @@
-"""What the command line prints of what came of runs: how limits held and what the engine warned of.
+"""Report of the outcomes of runs: limits and warnings.
 
-Of several runs, which differ in their seeds, each limit and each warning stands once.
+For several runs, which differ in their seeds, each limit and each warning is printed once.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 
 def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
-    """What came of recorded runs; a data set may be of a `Batch`."""
+    """The outcomes of recorded runs; a data set may hold a `Batch`."""
     found = []
     for run in runs:
         seeds = pooling.seeds(run)
         if "run" not in run.sizes:
             found.append(of_run(run.attrs, seeds[0]))
             continue
-        # Each is a list for each run.
+        # Each attribute is a list with an entry for each run.
         limits, warnings = (json.loads(run.attrs.get(name, "[]")) for name in ("limits", "warnings"))
         each = zip(seeds, limits or [[]] * len(seeds), warnings or [[]] * len(seeds), strict=True)
         found += [with_partings(*one) for one in each]
@@ -34,13 +34,13 @@ def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
 
 
 def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:
-    """What parted, the limits and the other warnings, as lines, where there are any."""
+    """Lines on parted ropes, limits and other warnings, if there are any."""
     of_parting, others = warnings(outcomes)
     return [lines for lines in (of_parting, limits(outcomes), others) if lines]
 
 
 def limits(outcomes: Sequence[Outcome]) -> list[str]:
-    """How the scenario's limits held: a table, a row each, with the worst value of all runs."""
+    """A table of the scenario's limits: a row for each limit, with the worst value of all runs."""
     several = len(outcomes) > 1
     judged = [outcome for outcome in outcomes if outcome.limits]
     if not judged:
@@ -65,21 +65,19 @@ def limits(outcomes: Sequence[Outcome]) -> list[str]:
 
 
 def _distrust(outcomes: Sequence[Outcome]) -> list[str]:
-    """The heading of limits that are not to be trusted, else none."""
+    """A heading if the limits cannot be trusted, otherwise empty."""
     off = [str(outcome.seed) for outcome in outcomes if outcome.is_off_balance]
-    of = (
-        f" of {len(off)} of {len(outcomes)} runs, of the seeds {', '.join(off)}," if len(outcomes) > 1 else ""
-    )
-    return [f"limits, NOT to be trusted: the energy{of} is off its balance"] if off else []
+    of = f" in {len(off)} of {len(outcomes)} runs, seeds {', '.join(off)}" if len(outcomes) > 1 else ""
+    return [f"limits, NOT reliable: the energy does not balance{of}"] if off else []
 
 
 def _in_runs(cells: Sequence[str], several: bool) -> tuple[str, ...]:
-    """The cells of a limit; of one run without those of the count of runs and of the seed."""
+    """The cells of a limit; for one run without the count of runs and the seed."""
     return tuple(cells) if several else (*cells[:2], *cells[3:5], *cells[6:])
 
 
 def _margin(limit: Mapping[str, Any]) -> float:
-    """How far the worst value is inside of its bounds; negative: beyond one.
+    """Margin of the worst value to its bounds; negative if it is outside.
 
     >>> _margin({"worst": 5.5, "at_least": None, "at_most": 5.0})
     -0.5
@@ -102,7 +100,7 @@ def _allowed(limit: Mapping[str, Any]) -> str:
 
 
 def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
-    """What the engine warned of, a line each, of ropes that parted and of the rest."""
+    """Warnings of the engine, a line each: of ropes that parted, and the others."""
     begin = "warning, " if len(outcomes) > 1 else "warning: "
     of_parting, others = in_words(outcomes)
     return [begin + words for words in of_parting], [begin + words for words in others]

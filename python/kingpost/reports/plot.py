@@ -22,19 +22,19 @@ if TYPE_CHECKING:
 ENDINGS = (".png", ".svg", ".pdf")
 WIDTH_IN, PANEL_HEIGHT_IN = 11.0, 2.3
 MOST_LINES = 8
-"""Lines of one panel: more cannot be told apart."""
+"""The most lines in one panel: more cannot be distinguished."""
 BEGINS = "begins "
 
 
 def write(
     runs: xarray.Dataset | Sequence[xarray.Dataset], path: str | Path, patterns: Sequence[str] = ()
 ) -> Path:
-    """Write a picture of runs by the file's ending: ``.png``, ``.svg`` or ``.pdf``.
+    """Write a picture of runs; the file's ending decides the format: ``.png``, ``.svg`` or ``.pdf``.
 
     Raises
     ------
     KingpostError
-        Another ending, a file that cannot be written, or what `figure` refuses.
+        If the ending is another, the file cannot be written, or `figure` refuses the columns.
 
     >>> import tempfile, kingpost
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -51,20 +51,20 @@ def figure(runs: xarray.Dataset | Sequence[xarray.Dataset], patterns: Sequence[s
     """Columns over time: a panel for each unit, angles in deg, forces in kN.
 
     Limits are dashed lines in the colour of their column, steps of the operation dotted lines with their
-    names. Of several runs, which share their colours, limits and steps are the first one's.
+    names. Several runs share the colours; limits and steps are those of the first run.
 
     Parameters
     ----------
     runs
         Data sets of `run`, or of files that it wrote.
     patterns
-        Columns, as ``hull.roll`` or ``*.rope_tension``; without any, those with a limit and the main ones,
-        the first eight of a unit.
+        Columns, such as ``hull.roll`` or ``*.rope_tension``; default: the columns with a limit and the main
+        columns, the first eight of each unit.
 
     Raises
     ------
     KingpostError
-        A pattern that no column has, nothing to show, or more columns of one unit than can be told apart.
+        If a pattern matches no column, there is nothing to show, or too many columns have one unit.
 
     >>> import kingpost
     >>> found = figure(kingpost.run("paper", {"simulation.duration_s": 0.1}), ["ship.roll"])
@@ -93,7 +93,7 @@ def figure(runs: xarray.Dataset | Sequence[xarray.Dataset], patterns: Sequence[s
 
 
 def check(run: xarray.Dataset, patterns: Sequence[str]) -> None:
-    """An error unless these columns can be drawn together."""
+    """Raise an error unless these columns can be drawn together."""
     _panels(run, patterns, {})
 
 
@@ -105,8 +105,8 @@ def _limits(run: xarray.Dataset) -> dict[str, dict[str, Any]]:
 def _panels(
     run: xarray.Dataset, patterns: Sequence[str], limits: dict[str, dict[str, Any]]
 ) -> dict[str, list[str]]:
-    """Columns by the unit that they are shown in."""
-    # Without patterns the main ones are chosen.
+    """Columns grouped by the displayed unit."""
+    # Without patterns the main columns are chosen.
     limited = chosen(run, [*limits]) if limits and not patterns else {}
     names = limited | chosen(run, patterns)
     panels: dict[str, list[str]] = {}
@@ -130,7 +130,7 @@ def _draw(axes: Axes, runs: Sequence[xarray.Dataset], name: str, colour: str) ->
 
 
 def _series(run: xarray.Dataset, name: str) -> Iterator[xarray.DataArray]:
-    """A column of each run of a data set; none where it has none."""
+    """A column of each run of a data set; an empty list if the data set does not have the column."""
     place = of_time(run).get(name)
     if place is None:
         raise KingpostError(f"{pooling.file_of(run)}: found no column {name}, allowed: runs of one scenario")
@@ -139,7 +139,7 @@ def _series(run: xarray.Dataset, name: str) -> Iterator[xarray.DataArray]:
 
 
 def _draw_limit(axes: Axes, limit: dict[str, Any] | None, unit: str, colour: str) -> None:
-    """The bounds of a column, where they are in the panel's unit or in the SI unit of it."""
+    """The bounds of a column, if they are in the panel's unit or in its SI unit."""
     if limit is None:
         return
     shown, factor = (unit, 1.0) if limit["unit"] == unit else engineering(limit["unit"])

@@ -1,4 +1,4 @@
-"""What the command line prints of response amplitude operators."""
+"""Report of response amplitude operators."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-# Lines of one direction's table; the rest is in the file.
+# Rows in the table of one direction; the file has all.
 MOST_FREQUENCIES = 16
 
 
 def text(found: xarray.Dataset) -> str:
-    """A table for each direction: amplitudes by frequency, of points and of what floats."""
+    """A table for each direction: amplitudes of points and floating bodies by frequency."""
     lines = [found.attrs["title"], "amplitudes for each metre of wave amplitude, about rest in still water"]
     for direction in found["direction"].values:
         lines += ["", f"waves to {np.rad2deg(direction):g} deg", *_table(found.sel(direction=direction))]
@@ -29,7 +29,7 @@ def text(found: xarray.Dataset) -> str:
 
 
 def _lines(values: NDArray[np.float64]) -> list[int]:
-    """Which rows are printed: evenly spaced ones, and those where a column has its largest value."""
+    """The printed rows: evenly spaced ones, and those with the largest value of a column."""
     every = -(-len(values) // MOST_FREQUENCIES)
     return sorted({*range(0, len(values), every), *values.argmax(axis=0).tolist()})
 

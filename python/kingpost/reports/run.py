@@ -1,4 +1,4 @@
-"""What the command line prints of a run."""
+"""Report of a run."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from ..scenario import Scenario
 
-# Rows of a table that a summary prints.
+# The most rows of a table in a summary.
 MOST_ROWS = 20
 
 AXES = ("x", "y", "z")
@@ -53,8 +53,8 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
 
 
 def numbers(results: xarray.Dataset, scenario: Scenario) -> dict[str, Any]:
-    """What came of a run, in SI units: its end, events, warnings and limits, and of each column the last,
-    the smallest and the largest value."""
+    """The outcome of a run, in SI units: its end, events, warnings and limits, and the last, smallest and
+    largest value of each column."""
     of_columns = {
         name: {"unit": unit_of(series), "last": series.values[-1], "smallest": series.values.min(),
                "largest": series.values.max()}
@@ -73,7 +73,7 @@ def numbers(results: xarray.Dataset, scenario: Scenario) -> dict[str, Any]:
 
 
 def steps(simulation: dict[str, Any]) -> str:
-    """How a scenario's integrator steps.
+    """The steps of a scenario's integrator, in words.
 
     >>> steps({"integrator": "rk4", "step_s": 0.001})
     'in steps of 0.001 s'
@@ -103,7 +103,8 @@ def _ship(results: xarray.Dataset, body: str) -> list[str]:
 
 
 def _joints(results: xarray.Dataset) -> list[str]:
-    """Each joint coordinate: where it ends, the largest values, and the force or torque it carries."""
+    """Each joint coordinate: its value at the end, its largest values, and the force or torque that it
+    carries."""
     rows: list[tuple[str, ...]] = [
         ("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")
     ]
@@ -128,16 +129,16 @@ def _joints(results: xarray.Dataset) -> list[str]:
 
 
 def _shown(value: float, most: float, unit: str) -> tuple[str, str]:
-    """A number with the unit that engineers say it in."""
+    """A number with its engineering unit."""
     shown, size = engineering(unit)
     return significant(value / size, most / size), shown
 
 
 def _points(results: xarray.Dataset) -> list[str]:
-    """How far named points, as a crane's tip, went in each direction, and how fast they were at most."""
+    """The range of named points, such as a crane tip, in each direction, and their largest speed."""
     if not results.sizes.get("point", 0):
         return []
-    rows: list[tuple[str, ...]] = [("point, from least to most, m", *AXES, "largest speed, m/s")]
+    rows: list[tuple[str, ...]] = [("point, range, m", *AXES, "largest speed, m/s")]
     for name in results["point"].values:
         position, velocity = (
             results[variable].sel(point=name).values for variable in ("point_position", "point_velocity")
@@ -148,7 +149,7 @@ def _points(results: xarray.Dataset) -> list[str]:
 
 
 def _reactions(results: xarray.Dataset, dim: str, heading: str) -> list[str]:
-    """What each joint, or closed loop, carries at most: the lengths of its force and of its moment."""
+    """The largest reaction of each joint or closed loop: the magnitudes of its force and its moment."""
     force, moment = (
         np.linalg.norm(
             results[f"{dim}_reaction"].sel(component=[f"{kind}_{axis}" for axis in "xyz"]), axis=-1
@@ -163,7 +164,7 @@ def _reactions(results: xarray.Dataset, dim: str, heading: str) -> list[str]:
 
 
 def _loop_error(results: xarray.Dataset) -> list[str]:
-    """How far the loops were open at most, and along which constraint."""
+    """The largest error of the closed loops, and its constraint."""
     worst = np.abs(results["loop_error"].values).max(axis=0)
     constraint = str(results["constraint"].values[worst.argmax()])
     unit = unit_of(results["loop_error"].sel(constraint=constraint))
@@ -171,13 +172,13 @@ def _loop_error(results: xarray.Dataset) -> list[str]:
 
 
 def _elements(results: xarray.Dataset) -> list[str]:
-    """What forces and drives show by single numbers: at the end, the smallest and the largest."""
+    """Scalar outputs of forces and drives: at the end, the smallest and the largest."""
     rows: list[tuple[str, ...]] = [("force or drive", "", "at the end", "smallest", "largest", "")]
     shown = [variable for variable in results.data_vars.values() if is_single_number(variable)]
     names = Counter(variable.attrs["long_name"] for variable in shown)
-    # Forces first: hook load and lines are what people look for.
+    # Forces first: people look for hook load and line tensions.
     for variable in sorted(shown, key=lambda one: not is_single_force(one)):
-        # The two ends of a rope have one short name.
+        # Both ends of a rope have the same short name.
         is_shared = names[variable.attrs["long_name"]] > 1
         words = variable.attrs["description" if is_shared else "long_name"]
         (things,) = (dim for dim in variable.dims if dim != "time")
@@ -192,7 +193,7 @@ def _elements(results: xarray.Dataset) -> list[str]:
 
 
 def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    """A heading and the first rows under it; the rest is in the results."""
+    """A heading and the first rows of a table; all rows are in the results."""
     left = len(rows) - 1 - MOST_ROWS
     if left <= 0:
         return rows
@@ -216,5 +217,5 @@ def _ledger(results: xarray.Dataset) -> list[str]:
 
 
 def _share(error: float, scale: float, of: str) -> str:
-    """An error beside the largest of what was in play so far, as the app shows it too."""
+    """An error relative to the largest energy or momentum in the run so far; the app shows the same."""
     return f" ({error / scale:+.2e} of the largest {of} in play)" if scale else ""

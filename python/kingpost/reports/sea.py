@@ -1,4 +1,4 @@
-"""What the command line prints of the sea, the current and the wind of a scenario."""
+"""Report of the sea, the current and the wind of a scenario."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
     from ..scenario import Scenario
 
 UNITS = {"m": "m", "s": "s", "rad": "deg", "Hz": "Hz", "m_s": "m/s", "rad_s": "rad/s", "kg_m3": "kg/m3"}
-"""How names of fields end, and the units that are printed; the longest ending counts."""
+"""Suffixes of field names, and the printed units; the longest suffix counts."""
 
 
 def lines(scenario: Scenario) -> list[str]:
-    """The water, each system of waves, the current and the wind, with what is cut off the spectra; nothing
-    where there is neither water nor wind."""
+    """The water, each wave system, the current and the wind, with the energy that is cut off the spectra;
+    empty if there is neither water nor wind."""
     rows = [("sea and wind", "", "", "")]
     sea, wind = scenario.resolved.get("sea"), scenario.resolved.get("wind")
     if sea:
@@ -32,7 +32,7 @@ def lines(scenario: Scenario) -> list[str]:
 
 
 def facts(given: dict[str, Any]) -> Iterator[str]:
-    """Numbers and words among fields, in the units that people say; not those of tables under them.
+    """The numbers and words among fields, in engineering units; nested tables are left out.
 
     >>> list(facts({"enabled": True, "significant_height_m": 2.5, "direction_rad": math.pi}))
     ['significant height 2.5 m', 'direction 180 deg']
@@ -68,7 +68,7 @@ def _on(given: dict[str, Any]) -> str:
 
 
 def _cut(sea: dict[str, Any] | None) -> list[str]:
-    """What is cut off the spectra of the sea, if anything."""
+    """Lines on the energy that is cut off the spectra of the sea, if any."""
     found = []
     for cut in sea["cut_spectra"] if sea else []:
         whole, kept = cut["significant_height_m"], 1 - cut["energy_cut_off"]

@@ -1,4 +1,4 @@
-"""Which columns of a run are shown: those that are asked for, else the main ones."""
+"""Selection of columns to show: those that the user names, otherwise the main columns."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..results.columns import Place, floating_bodies, places, unit_of
 if TYPE_CHECKING:
     import xarray
 
-# Of these where no columns are named; a floating body's place and angles, and all of the others.
+# The main columns: position and angles of floating bodies only, and all of the other variables.
 OF_SHIPS = ("position.z", "roll", "pitch", "yaw")
 ALL_OF = ("wave_elevation", "joint_position", "line_tension")
 HEIGHT = ".point_position.z"
@@ -21,18 +21,18 @@ FORCE = "N"
 
 
 def of_time(results: xarray.Dataset) -> dict[str, Place]:
-    """The flat columns as `kingpost run -o FILE.csv` names them, over time and, of many runs, ``run``."""
+    """The flat columns, named as by `kingpost run -o FILE.csv`, over time and, for many runs, ``run``."""
     over_time = results[[name for name, values in results.data_vars.items() if "time" in values.dims]]
     return places(over_time, along=("time", "run"))
 
 
 def chosen(results: xarray.Dataset, patterns: Sequence[str], option: str = "--channels") -> dict[str, str]:
-    """Names of columns with their units: those of the patterns, else those that people look at first.
+    """Names of columns with their units: those that match the patterns, otherwise the main columns.
 
     Raises
     ------
     KingpostError
-        When no column has the name of a pattern.
+        If a pattern matches no column.
     """
     every = of_time(results)
     if patterns:
@@ -48,8 +48,8 @@ def chosen(results: xarray.Dataset, patterns: Sequence[str], option: str = "--ch
 
 
 def main_ones(results: xarray.Dataset, every: dict[str, Place]) -> list[str]:
-    """Columns that people look at first: those with limits, place and angles of what floats, waves, joints,
-    heights of named points such as a crane's tip, and the forces of lines and of whatever shows one."""
+    """The main columns: those with limits, position and angles of floating bodies, waves, joints, heights of
+    named points such as a crane tip, and the forces of lines and other elements."""
     limited = {limit["column"] for limit in json.loads(results.attrs.get("limits", "[]") or "[]")
                if isinstance(limit, dict)}  # fmt: skip
     of_ships = {f"{body}.{quantity}" for body in floating_bodies(results) for quantity in OF_SHIPS}
@@ -65,11 +65,11 @@ def main_ones(results: xarray.Dataset, every: dict[str, Place]) -> list[str]:
 
 
 def is_single_number(variable: xarray.DataArray) -> bool:
-    """Whether forces and drives show it, by one number a thing."""
+    """Whether a variable is a scalar output of forces and drives."""
     dims = [dim for dim in variable.dims if dim not in ("time", "run")]
     return bool(variable.attrs.get("of_elements")) and len(dims) == 1
 
 
 def is_single_force(variable: xarray.DataArray) -> bool:
-    """Whether it is a force of a force or a drive by one number a thing, as a line's tension."""
+    """Whether a variable is a scalar force of an element, such as the tension of a line."""
     return is_single_number(variable) and variable.attrs.get("units") == FORCE

@@ -1,4 +1,4 @@
-"""What the command line prints of the statistics of recorded runs."""
+"""Report of the statistics of recorded runs."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     import xarray
 
 FEWEST_RUNS, ENOUGH_RUNS = 5, 10
-"""Runs that an extreme is fitted to, and those that give an error worth having."""
+"""Smallest number of runs for the fit of an extreme, and the number for a useful standard error."""
 SMALLEST_MOTION = 1e-12
-"""What varies by less than this share of its size stands still but for rounding."""
+"""A column that varies by a smaller share of its size is constant except for rounding."""
 DEVIATIONS = ("standard_deviation", "significant_amplitude", "significant_double_amplitude")
 HEADINGS = {
     "mean": "mean",
@@ -36,7 +36,8 @@ HEADINGS = {
 
 
 def start_s(results: xarray.Dataset, after_s: float | None) -> float:
-    """From when on records count: as asked, else from the end of the waves' ramp, if the run has one."""
+    """The time from which records count: the given one, otherwise the end of the waves' ramp, if there is
+    one."""
     if after_s is not None:
         return after_s
     sea = json.loads(results.attrs.get("scenario", "{}")).get("sea")
@@ -45,8 +46,8 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
 
 
 def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
-    """How long the extremes are of: as long as the record where an operation steers, which is done once; else
-    three hours."""
+    """Duration of the extremes: the length of the record for an operation, which is carried out once;
+    otherwise three hours."""
     operation = json.loads(results.attrs.get("scenario", "{}")).get("operation")
     if operation and operation.get("enabled", True):
         return float(results["time"].values[-1]) - start_s(results, after_s)
@@ -59,13 +60,13 @@ def frame(
     """A row for each channel: its unit (deg, kN, t), its statistics and, from five runs on, the expected
     largest and smallest value of three hours, or of one operation, with their standard errors.
 
-    Of several runs mean, deviation, double amplitude and period are the means over them, the largest and the
-    smallest value those of all. Where no channels are asked for, those that stand still are left out.
+    For several runs, mean, deviation, double amplitude and period are averaged over the runs, and the largest
+    and smallest values are those of all runs. If no channels are named, constant ones are left out.
 
     Raises
     ------
     KingpostError
-        When the runs are not realisations of one scenario, each with a seed of its own.
+        If the runs are not realisations of one scenario with different seeds.
     """
     import pandas
 
@@ -73,6 +74,9 @@ def frame(
     first = start_s(runs[0], after_s)
     exposure = exposure_s(runs[0], after_s)
     names = chosen(runs[0], patterns)
+    if not names:
+        file = pooling.file_of(runs[0])
+        raise KingpostError(f"{file}: found no main column, allowed: --channels with columns as ship.roll")
     pooled = _pooled(runs, list(names), first)
     record_s = float(runs[0]["time"].values[-1]) - first
     rows = []
@@ -88,7 +92,7 @@ def frame(
 def _pooled(
     runs: Sequence[xarray.Dataset], names: Sequence[str], after_s: float
 ) -> dict[str, dict[str, np.ndarray]]:
-    """By column and statistic the values of all runs; one run's numbers are in memory at a time."""
+    """The values of all runs by column and statistic; one run is in memory at a time."""
     found: dict[str, list[dict[str, float]]] = {name: [] for name in names}
     for run in runs:
         for side_by_side in _tables(run, names):
@@ -129,12 +133,12 @@ def _summaries(table: xarray.DataArray, after_s: float) -> Iterator[dict[str, fl
 
 
 def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float | None) -> str:
-    """The statistics as a table, with what they are of."""
+    """The statistics as a table, with the runs and times that they cover."""
     first, time = start_s(runs[0], after_s), runs[0]["time"].values
     count = sum(run.sizes.get("run", 1) for run in runs)
     hours = f"{count * (time[-1] - first) / 3600:.2g} h in all"
     of = (
-        f"{count} runs, {hours}: means over them, but for the largest and the smallest"
+        f"{count} runs, {hours}: averages over the runs; largest and smallest of all runs"
         if count > 1
         else "one run"
     )
@@ -156,22 +160,22 @@ def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float
 
 
 def _extremes(found: pandas.DataFrame, count: int, of: str) -> list[str]:
-    """Expected extremes with their standard errors, where there are runs enough."""
+    """Expected extremes with their standard errors, if there are enough runs."""
     if count < FEWEST_RUNS:
-        return [f"expected extremes of {of} need {ENOUGH_RUNS} runs or more, each of another seed"]
+        return [f"expected extremes of {of} need {ENOUGH_RUNS} runs or more with different seeds"]
     rows = [(f"expected of {of}", "", "largest", "", "smallest", "")]
     for row in found.to_dict("records"):
         cells = [(_number(row[side]), f"+- {_number(row[f'{side}_error'])}" if np.isfinite(row[side]) else "")
                  for side in ("extreme_largest", "extreme_smallest")]  # fmt: skip
         rows.append((row["channel"], row["unit"], *cells[0], *cells[1]))
-    lines = [*table(rows, "<<><><"), "+- one standard error, by the scatter of the runs"]
+    lines = [*table(rows, "<<><><"), "+- one standard error, from the scatter of the runs"]
     if count < ENOUGH_RUNS:
         lines.append(f"warning: of {count} runs these are rough: {ENOUGH_RUNS} or more, each of another seed")
     return lines
 
 
 def _unfinished(runs: Sequence[xarray.Dataset]) -> list[str]:
-    """Of the runs that Ctrl-C or a divergence ended early."""
+    """Warnings about runs that Ctrl-C or a divergence ended early."""
     ends = [(run, str(run.attrs.get("status", FINISHED))) for run in runs if "run" not in run.sizes]
     return [f"warning: a run ended early, at {run['time'].values[-1]:g} s: {status}"
             for run, status in ends if status != FINISHED]  # fmt: skip
@@ -186,7 +190,7 @@ def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale
         name: float(of_runs[name].mean()) * (1.0 if name == "zero_up_crossing_period" else scale)
         for name in statistics.STATISTICS
     }
-    # The largest is that of all runs.
+    # The largest value is that of all runs.
     row["maximum"] = scale * float(of_runs["maximum"].max())
     row["minimum"] = scale * float(of_runs["minimum"].min())
     if len(of_runs["maximum"]) >= FEWEST_RUNS:
@@ -201,7 +205,7 @@ def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale
 def _extreme(
     side: str, scale: float, sign: int, values: np.ndarray, record_s: float, exposure: float
 ) -> dict[str, float]:
-    """Expected extreme of the exposure, s, and its standard error; not a number where nothing moves."""
+    """Expected extreme for the exposure, s, and its standard error; NaN if the column is constant."""
     if not np.isfinite(values).all() or _stands_still(values):
         return {f"extreme_{side}": np.nan, f"extreme_{side}_error": np.nan}
     found = statistics.extreme(sign * values, record_s, exposure)
@@ -212,7 +216,7 @@ def _extreme(
 
 
 def _number(value: float) -> str:
-    """Four digits or more, without an exponent where none is needed."""
+    """A number with at least four digits, without an exponent if possible."""
     if not np.isfinite(value):
         return "-"
     size = abs(value)

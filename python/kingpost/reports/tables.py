@@ -1,4 +1,4 @@
-"""Rows of text in columns, and numbers as they stand in them."""
+"""Text tables, and numbers formatted for them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 HUGE = 1e10
-"""From here on decimals say nothing."""
+"""From this size on decimals are not printed."""
 LARGEST_IN_KG = 2e4
 """Larger masses are in t."""
 
@@ -31,7 +31,7 @@ def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
 
 
 def fixed(value: float, places: int) -> str:
-    """A number with a fixed count of decimals, and no sign on a zero; one that is huge with five digits.
+    """A number with a fixed count of decimals and no sign on a zero; a huge number gets five digits.
 
     >>> fixed(-0.00001, 4), fixed(-0.0617, 4), fixed(1e300, 4)
     ('0.0000', '-0.0617', '1e+300')
@@ -42,7 +42,7 @@ def fixed(value: float, places: int) -> str:
 
 
 def significant(value: float, scale: float) -> str:
-    """A number with five digits; 0 where it is rounding beside `scale`.
+    """A number with five digits; 0 if it is a rounding error relative to `scale`.
 
     >>> significant(17922.43, 2e4), significant(1e-8, 2e4)
     ('17922', '0')
@@ -74,7 +74,7 @@ def kilograms(value: float) -> str:
 
 
 def largest(values: np.ndarray) -> float:
-    """The value that is largest in size, with its sign.
+    """The value with the largest magnitude, with its sign.
 
     >>> float(largest(np.array([1.0, -3.0, 2.0])))
     -3.0

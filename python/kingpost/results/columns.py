@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def unit_coordinate(variable: Hashable | None) -> str:
-    """Name of the coordinate that has the units of a variable's numbers, where they differ.
+    """Name of the coordinate that holds the units of a variable's numbers, if the units differ.
 
     Parameters
     ----------
@@ -38,12 +38,12 @@ def unit_coordinate(variable: Hashable | None) -> str:
 
 
 def unit_of(column: xarray.DataArray) -> str:
-    """The unit of a variable, or of one of its columns where they differ in their units.
+    """The unit of a variable, or of one of its columns if the units differ.
 
     Parameters
     ----------
     column
-        Of a data set of a run.
+        A variable of a run's data set, or one column of it.
 
     Returns
     -------
@@ -62,7 +62,7 @@ def unit_of(column: xarray.DataArray) -> str:
 def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NAMES) -> pandas.DataFrame:
     """Results as a flat table, one column per number.
 
-    Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
+    The columns are ``time`` and then, for example, ``ship.angular_velocity.x``, ``slew.joint_position``,
     ``arm.tip.point_position.z`` or ``kinetic_energy``.
 
     Parameters
@@ -70,10 +70,11 @@ def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NA
     results
         A data set of a run.
     patterns
-        Columns to take, whose names are like one, as ``ship.*``; all unless given.
+        Columns to take: those whose names match a pattern such as ``ship.*``; default: all.
     units
-        ``names``: SI units, and names alone; ``si``: a name ends with its unit, as ``ship.roll [rad]``;
-        ``engineering``: so it does, ``ship.roll [deg]``, and the numbers are in that.
+        ``names``: SI units, not shown in the names; ``si``: each name ends with its SI unit, as in
+        ``ship.roll [rad]``; ``engineering``: numbers and names have engineering units, as in ``ship.roll
+        [deg]``.
 
     Returns
     -------
@@ -99,19 +100,19 @@ def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NA
 def columns(
     results: xarray.Dataset, along: Sequence[str] = ("time",)
 ) -> Iterator[tuple[str, xarray.DataArray]]:
-    """The flat columns with their names: each goes along time, and along what else is asked for.
+    """The flat columns with their names: each keeps ``time`` and the dimensions in `along`.
 
     Parameters
     ----------
     results
         A data set of a run.
     along
-        Dimensions that a column keeps.
+        Further dimensions that a column keeps.
 
     Yields
     ------
     tuple of str and xarray.DataArray
-        Name and numbers.
+        Name and values of a column.
 
     >>> from kingpost import run
     >>> next(columns(run("paper", {"simulation.duration_s": 0.1})))[0]
@@ -123,7 +124,7 @@ def columns(
 
 @dataclass(frozen=True)
 class Place:
-    """Where a flat column is in a data set: its variable, and its index in each dimension but time."""
+    """Place of a flat column in a data set: its variable, and its index in each dimension except time."""
 
     variable: Hashable
     at: dict[Hashable, int]
@@ -134,7 +135,7 @@ class Place:
 
 
 def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[str, Place]:
-    """Where each flat column is, by name; no number is read for it."""
+    """Place of each flat column, by name; this reads no values."""
     found: dict[str, Place] = {}
     for variable in results.data_vars.values():
         dims = [dim for dim in variable.dims if dim not in along]
@@ -156,19 +157,19 @@ def column(
     results
         A data set of a run.
     name
-        Of the column, as ``ship.roll``.
+        Name of the column, such as ``ship.roll``.
     period_s
-        From and to, s, both included; the whole run without.
+        First and last time, s, both included; default: the whole run.
 
     Returns
     -------
     xarray.DataArray
-        Along ``time``, of a `Batch` along ``run`` too, with its ``units``.
+        Along ``time``, and along ``run`` for a `Batch`, with its ``units``.
 
     Raises
     ------
     KingpostError
-        When there is no such column, or no record in the period.
+        If there is no such column, or no record in the period.
 
     >>> from kingpost import run
     >>> found = run("paper", {"simulation.duration_s": 0.5})
@@ -178,7 +179,7 @@ def column(
     every = places(results, along=("time", "run"))
     if name not in every:
         near = difflib.get_close_matches(name, every, n=3) or list(every)[:3]
-        raise KingpostError(f"column: found {name!r}, allowed: a column of the run, as {', '.join(near)}")
+        raise KingpostError(f"column: found {name!r}, allowed: a column, such as {', '.join(near)}")
     found = every[name].of(results)
     found.attrs["units"] = unit_of(found)
     if period_s is None:
@@ -194,19 +195,20 @@ def column(
 
 
 def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
-    """Name of a flat column, by the variable's attribute ``column``; labels that it leaves out are last.
+    """Name of a flat column from the variable's attribute ``column``; labels that it does not mention come
+    last.
 
     Parameters
     ----------
     variable
-        With the attribute ``column``.
+        A variable with the attribute ``column``.
     labels
-        By dimension.
+        The labels by dimension.
 
     Returns
     -------
     str
-        As in files and in the app.
+        The name, as in files and in the app.
 
     >>> import xarray
     >>> rate = xarray.DataArray(0.0, name="angular_velocity")
@@ -220,7 +222,7 @@ def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
 
 
 def floating_bodies(results: xarray.Dataset) -> list[str]:
-    """Names of the ships and of whatever floats as they do.
+    """Names of the bodies that float.
 
     Parameters
     ----------

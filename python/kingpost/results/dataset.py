@@ -27,8 +27,8 @@ STANDARD_NAMES = {
     "yaw": "platform_yaw_fore_port",
     "wave_elevation": "sea_surface_height_above_mean_sea_level",
 }
-"""Of the variables that the table of the CF conventions has, of version 93; the still water stands for the
-mean sea level."""
+"""Standard names from the table of the CF conventions, version 93; the still water level is their mean sea
+level."""
 AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
 
 
@@ -40,24 +40,23 @@ def dataset(
     Parameters
     ----------
     scenario
-        What was run; stored resolved in the attributes.
+        The scenario of the run; its resolved form is stored in the attributes.
     channels
         The channel table: variable, units, names, frame, dimensions and their labels, offset, length.
     rows
-        One row per record, shape (records, values); or of many runs, shape (runs, records, values),
-        where a run that ended early has NaN.
+        One row per record, shape (records, values); for many runs, shape (runs, records, values), with NaN
+        after the end of a run that ended early.
     status
         ``finished``, or why the run ended.
 
     Returns
     -------
     xarray.Dataset
-        Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
-        every variable carries ``units``, ``standard_name`` where the CF conventions have one,
-        ``long_name``, short enough for an axis of a plot, ``description``, ``frame``, ``column``, how its
-        flat columns are named, and ``of_elements``, 1 where forces and drives show it. Where its numbers
-        differ in their units, as forces and moments do, the coordinate ``<variable>_unit`` has them in the
-        place of ``units`` (`unit_of`).
+        Dimensions ``run`` (for many runs), ``time`` (s) and those of the channels. Every variable has
+        ``units``, ``standard_name`` if the CF conventions have one, ``long_name`` (short, for the axis of a
+        plot), ``description``, ``frame``, ``column`` (the pattern of its column names) and ``of_elements`` (1
+        for an output of forces and drives). If its numbers differ in their units, as forces and moments do,
+        the coordinate ``<variable>_unit`` holds the units, and there is no ``units`` (`unit_of`).
 
     >>> from kingpost import Simulation
     >>> simulation = Simulation("paper")
@@ -93,7 +92,7 @@ def dataset(
 
 
 def _where_they_differ(units: NDArray[np.str_], dims: Sequence[str]) -> tuple[list[str], NDArray[np.str_]]:
-    """Units without the dimensions along which they are the same."""
+    """Units without the dimensions along which they do not change."""
     kept = list(dims)
     for axis in reversed(range(units.ndim)):
         if (units == units.take([0], axis)).all():
@@ -103,12 +102,12 @@ def _where_they_differ(units: NDArray[np.str_], dims: Sequence[str]) -> tuple[li
 
 
 def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
-    """What every data set says of the run that it comes from.
+    """The attributes that describe the run, for every data set.
 
     Parameters
     ----------
     scenario
-        What was run.
+        The scenario of the run.
     status
         ``finished``, or why the run ended.
 

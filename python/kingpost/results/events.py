@@ -1,4 +1,4 @@
-"""What happened in a run and what was warned of, as tables."""
+"""Events and warnings of a run, as tables."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 
 def events(results: xarray.Dataset) -> xarray.Dataset:
-    """What happened in a run, in order of time: ``event_time`` (s), ``event_element`` and ``event_what``.
+    """Events of a run, in order of time: ``event_time`` (s), ``event_element`` and ``event_what``.
 
-    It reads the attribute ``events``, so that a data set that comes back from a NetCDF file has the same.
+    It reads the attribute ``events``, so that a data set read from a NetCDF file gives the same table.
 
     Parameters
     ----------
@@ -35,8 +35,8 @@ def events(results: xarray.Dataset) -> xarray.Dataset:
     rows = json.loads(results.attrs.get("events", "[]"))
     texts = {name: np.array([row[name] for row in rows], dtype=str) for name in ("element", "what")}
     about = {
-        "event_time": {"units": "s", "long_name": "time", "description": "when it happened"},
-        "event_element": {"long_name": "element", "description": "what watched for it, or the parameter"},
+        "event_time": {"units": "s", "long_name": "time", "description": "time of the event"},
+        "event_element": {"long_name": "element", "description": "element that watches for it, or parameter"},
         "event_what": {"long_name": "event", "description": "what happened"},
     }
     values = [np.array([row["time_s"] for row in rows], dtype=float), texts["element"], texts["what"]]
@@ -45,10 +45,10 @@ def events(results: xarray.Dataset) -> xarray.Dataset:
 
 
 def warnings(results: xarray.Dataset) -> xarray.Dataset:
-    """What one should know of a run: ``warning_time`` (s), ``warning_name`` and ``warning_text``.
+    """Warnings of a run: ``warning_time`` (s), ``warning_name`` and ``warning_text``.
 
-    First what was known before the run, which has no time and no name. Of a `Batch` ``warning_run`` says
-    which run it was.
+    Warnings from before the run come first, without time and name. For a `Batch`, ``warning_run`` is the
+    number of the run.
 
     Parameters
     ----------
@@ -73,13 +73,13 @@ def warnings(results: xarray.Dataset) -> xarray.Dataset:
     rows = known + told
     columns = {
         "warning_time": ("warning", np.array([row.get("time_s", np.nan) for row in rows], float),
-                         {"units": "s", "long_name": "time", "description": "when it was so"}),
+                         {"units": "s", "long_name": "time", "description": "time of the warning"}),
         "warning_name": ("warning", np.array([row.get("name", "") for row in rows], str),
                          {"long_name": "name", "description": "a joint, closed loop, body, force or drive"}),
         "warning_text": ("warning", np.array([row["text"] for row in rows], str),
-                         {"long_name": "warning", "description": "what was so"}),
+                         {"long_name": "warning", "description": "text of the warning"}),
     }  # fmt: skip
     if "run" in results.sizes:
         of_runs = np.array([row.get("run", -1) for row in rows], int)
-        columns["warning_run"] = ("warning", of_runs, {"long_name": "run", "description": "-1 is every run"})
+        columns["warning_run"] = ("warning", of_runs, {"long_name": "run", "description": "-1 for every run"})
     return xarray.Dataset(columns, attrs={"title": results.attrs.get("title", "")})

@@ -19,7 +19,8 @@ from ..errors import KingpostError
 from . import xarrays
 from .columns import columns, frame, places, unit_of
 from .events import events, warnings
-from .units import IN_ENGINEERING, NAMES, engineering
+from .kept import are_of_a_run
+from .units import IN_ENGINEERING, NAMES, check_units, engineering
 
 if TYPE_CHECKING:
     import xarray
@@ -29,20 +30,9 @@ ENDINGS = (".nc", ".csv", PARQUET)
 ALLOWED = "allowed: results in NetCDF, as kingpost run -o FILE.nc writes them"
 DAMAGED = "found a damaged file"
 HDF5 = b"\x89HDF\r\n\x1a\n"
-"""How a file of NetCDF begins."""
+"""The first bytes of a NetCDF file."""
 TIME_LIMIT_S = 60.0
-"""Time in which a file is read."""
-JSON_ATTRIBUTES = {
-    "scenario": dict,
-    "files": dict,
-    "versions": dict,
-    "events": list,
-    "warnings": list,
-    "limits": list,
-    "model_warnings": list,
-    "floating_bodies": list,
-}
-"""Attributes that are JSON, and what they hold."""
+"""Time allowed for reading one file, s."""
 
 
 def check_output(path: str | Path) -> Path:
@@ -61,7 +51,7 @@ def check_output(path: str | Path) -> Path:
     Raises
     ------
     KingpostError
-        Another ending, a folder that is not there, or Parquet where pyarrow is not installed.
+        If the ending is another, the folder does not exist, or Parquet is asked for without pyarrow.
 
     >>> check_output("run.nc").name
     'run.nc'
@@ -72,17 +62,17 @@ def check_output(path: str | Path) -> Path:
 
 
 def check_parquet(path: Path) -> None:
-    """Make sure that pyarrow is there, where a file is to be of Parquet.
+    """Make sure that pyarrow is installed if a file has the ending of Parquet.
 
     Parameters
     ----------
     path
-        Of any ending.
+        A file with any ending.
 
     Raises
     ------
     KingpostError
-        With the extra that brings it.
+        If it is missing; the message names the extra that installs it.
 
     >>> check_parquet(Path("run.nc"))
     """
@@ -95,10 +85,10 @@ def write(
 ) -> Path:
     """Write results by the file's ending: ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
 
-    A CSV holds the numbers alone; units and attributes are in the other two: in Parquet the unit of a
-    column is in the metadata of its field. Where anything happened, its table (`events`) stands beside a
-    CSV, as ``<name>.events.csv``, and so does that of the warnings (`warnings`), ``<name>.warnings.csv``; one
-    of an earlier run that is there is written anew in any case.
+    NetCDF and Parquet also hold units and attributes (Parquet: in the metadata of each field). A CSV holds
+    only the numbers; tables of the events (`events`) and the warnings (`warnings`) stand next to it as
+    ``<name>.events.csv`` and ``<name>.warnings.csv``, if there are any. Such tables of an earlier run are
+    always overwritten.
 
     Parameters
     ----------
@@ -107,20 +97,20 @@ def write(
     path
         With the ending ``.nc``, ``.csv`` or ``.parquet``.
     patterns
-        Columns to write, as ``ship.roll`` or ``load.*``; all unless given. NetCDF has whole variables.
+        Columns to write, such as ``ship.roll`` or ``load.*``; default: all. NetCDF gets whole variables.
     units
-        How a CSV or a Parquet file says its units: ``names``, ``si`` or ``engineering`` (`frame`).
+        Units of a CSV or Parquet file: ``names``, ``si`` or ``engineering`` (`frame`).
 
     Returns
     -------
     pathlib.Path
-        The file that was written.
+        The written file.
 
     Raises
     ------
     KingpostError
-        Another ending, a file that cannot be written, a pattern that no column has, or units in NetCDF,
-        which has its own.
+        If the ending is another, the file cannot be written, a pattern matches no column, or units are asked
+        for in NetCDF, which is always in SI.
 
     >>> import tempfile
     >>> from kingpost import run
@@ -131,11 +121,8 @@ def write(
     path = check_output(path)
     ending = path.suffix.lower()
     check_patterns(results, patterns)
+    check_units(units, path)
     if ending == ".nc":
-        if units != NAMES:
-            raise KingpostError(
-                f"{path}: found the units {units}, allowed: of .csv and .parquet; NetCDF has SI"
-            )
         return output.write_netcdf(_variables(results, patterns), path)
     if ending == ".csv":
         output.write_csv(frame(results, patterns, units), path)
@@ -150,7 +137,7 @@ def write(
 
 
 def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
-    """Make sure that each pattern is like the name of a column."""
+    """Make sure that each pattern matches the name of a column."""
     names = list(places(results))
     for pattern in patterns:
         if not any(fnmatchcase(name, pattern) for name in names):
@@ -158,7 +145,7 @@ def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
 
 
 def _variables(results: xarray.Dataset, patterns: Sequence[str]) -> xarray.Dataset:
-    """The variables of which a column is like one of the patterns."""
+    """The variables with a column that matches one of the patterns."""
     if not patterns:
         return results
     every = places(results).items()
@@ -183,7 +170,7 @@ def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str],
 
 
 def read(path: str | Path) -> xarray.Dataset:
-    """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`.
+    """Read a data set that `kingpost run -o FILE.nc` or `Batch` wrote.
 
     Parameters
     ----------
@@ -198,7 +185,7 @@ def read(path: str | Path) -> xarray.Dataset:
     Raises
     ------
     KingpostError
-        When there is no such file, or it is damaged, or something else.
+        If the file does not exist, is damaged, or is not a file of results.
 
     >>> import tempfile
     >>> from kingpost import run
@@ -213,17 +200,17 @@ def read(path: str | Path) -> xarray.Dataset:
 
 
 def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) -> list[xarray.Dataset]:
-    """Data sets of files, of which numbers are read only when they are asked for.
+    """Data sets of files; their numbers are read only when they are used.
 
-    The files are first read to the end in a process of its own, since the HDF5 library does not end, or
-    crashes, on some that are damaged: `time_limit_s` is what one file may take, s.
+    The files are first read to the end in a separate process, because the HDF5 library hangs or crashes on
+    some damaged files.
 
     Parameters
     ----------
     paths
         NetCDF files.
     time_limit_s
-        What reading one may take, s.
+        Time allowed for reading one file, s.
 
     Returns
     -------
@@ -233,7 +220,7 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
     Raises
     ------
     KingpostError
-        As `read`, and when a file cannot be read to its end.
+        As for `read`, and if a file cannot be read to its end.
 
     >>> import tempfile
     >>> from kingpost import run
@@ -258,7 +245,7 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
 def _probe(paths: Sequence[str], time_limit_s: float) -> None:
     command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py"))]
     try:
-        # What the HDF5 library says of damage is for its authors.
+        # The HDF5 library's own messages about damage do not help a user.
         done = subprocess.run(
             command,
             input=json.dumps(paths).encode(),
@@ -277,7 +264,7 @@ def _probe(paths: Sequence[str], time_limit_s: float) -> None:
 
 @contextmanager
 def _told(path: str | Path) -> Iterator[None]:
-    """Where a file cannot be read, say so in one line."""
+    """Turn a failure to read a file into one line."""
     try:
         if not Path(path).is_file():
             what = "is a folder" if Path(path).is_dir() else "no such file"
@@ -285,29 +272,29 @@ def _told(path: str | Path) -> Iterator[None]:
         yield
     except KingpostError:
         raise
-    except PermissionError as error:
-        raise KingpostError(f"{path}: {error.strerror}, {ALLOWED}") from None
     except Exception as error:
-        # Of a damaged file the libraries that read it raise whatever they stumble over.
+        # On a damaged file the libraries raise exceptions of many types.
         raise _unreadable(path) from error
 
 
 def _unreadable(path: str | Path) -> KingpostError:
-    with Path(path).open("rb") as file:
-        is_hdf5 = file.read(len(HDF5)) == HDF5
+    try:
+        with Path(path).open("rb") as file:
+            is_hdf5 = file.read(len(HDF5)) == HDF5
+    except (OSError, ValueError) as error:
+        return KingpostError(f"{path}: {getattr(error, 'strerror', None) or error}, {ALLOWED}")
     return KingpostError(f"{path}: {DAMAGED if is_hdf5 else 'found a file that is not NetCDF'}, {ALLOWED}")
 
 
 def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
-    """A data set with a time, and attributes that can be read."""
+    """Check that a data set has a time and readable attributes."""
     if "time" not in found.dims or "time" not in found.coords:
         raise KingpostError(f"{path}: found no dimension time, {ALLOWED}")
     time = found["time"].values
     if not (time.dtype.kind == "f" and time.size and np.isfinite(time).all()):
         raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
-    for name, kind in JSON_ATTRIBUTES.items():
-        if name in found.attrs and not isinstance(json.loads(found.attrs[name]), kind):
-            raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
+    if not are_of_a_run(found.attrs, found.sizes.get("run")):
+        raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
     for key, variable in found.variables.items():
         str(variable.attrs.get("column", key)).format_map(dict.fromkeys(map(str, variable.dims), ""))
     return found

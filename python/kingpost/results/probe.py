@@ -1,7 +1,7 @@
-"""Reads files of results to the end, in a process of its own: it says which it got through.
+"""Reads files of results to the end, in a separate process, and reports each file that it has read.
 
-Run as a program, with the paths as JSON on its input. In a damaged file the HDF5 library may go round in
-circles, or crash: here that ends nothing else.
+Run as a program, with the paths as JSON on its input. On a damaged file the HDF5 library may hang or crash:
+here only this process ends.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import sys
 
 
 def main(paths: list[str]) -> None:
-    """Read each file and print a word when that is over."""
+    """Read each file and print a word when it is read."""
     import xarray
 
     for path in paths:

@@ -1,15 +1,18 @@
-"""Units as engineers say them, in tables and pictures: degrees, kN, t."""
+"""Engineering units in tables and pictures: degrees, kN, t."""
 
 from __future__ import annotations
 
 import math
+from pathlib import Path
+
+from ..errors import KingpostError
 
 NAMES, SI, IN_ENGINEERING = "names", "si", "engineering"
 CHOICES = (NAMES, SI, IN_ENGINEERING)
-"""How a table of results says its units: not at all, which is SI; in the names of its columns; and there, of
-numbers as engineers say them."""
+"""Units of a table of results: SI without units in the names; SI with units in the column names; engineering
+units with units in the column names."""
 ENDINGS = (".csv", ".parquet")
-"""Files in which it may be chosen; others carry the unit beside each number."""
+"""Files for which the units can be chosen; other files store the unit of each variable."""
 ENGINEERING = {
     "rad": ("deg", math.pi / 180),
     "rad/s": ("deg/s", math.pi / 180),
@@ -24,13 +27,28 @@ ENGINEERING = {
     "J": ("kJ", 1e3),
     "W": ("kW", 1e3),
 }
-"""By the SI unit: the unit that is shown, and how many of the SI unit it is."""
+"""By SI unit: the engineering unit, and its size in the SI unit."""
 
 
 def engineering(unit: str) -> tuple[str, float]:
-    """The unit that is shown instead of an SI unit, and how many of that it is.
+    """The engineering unit for an SI unit, and its size in the SI unit.
 
     >>> engineering("N"), engineering("m")
     (('kN', 1000.0), ('m', 1.0))
     """
     return ENGINEERING.get(unit, (unit, 1.0))
+
+
+def check_units(units: str, path: str | Path | None) -> None:
+    """Make sure that a file, by its ending, has units to choose.
+
+    Raises
+    ------
+    KingpostError
+        When units other than ``names`` are asked for without a file, or of one that has its own.
+
+    >>> check_units(SI, "run.csv")
+    """
+    if units != NAMES and (path is None or Path(path).suffix.lower() not in ENDINGS):
+        found = "no file" if path is None else path
+        raise KingpostError(f"--units {units}: found {found}, allowed: -o with {' or '.join(ENDINGS)}")

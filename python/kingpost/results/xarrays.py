@@ -1,4 +1,4 @@
-"""xarray, which takes a second to load, and what waits for it."""
+"""Loads xarray late, because it takes a second, and calls what waits for it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def when_loaded(register: Callable[[Any], None]) -> None:
 
 
 def load() -> ModuleType:
-    """xarray, after what waits for it."""
+    """Load xarray, call what waits for it, and return it."""
     import xarray
 
     while _waiting:

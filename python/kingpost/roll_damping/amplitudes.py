@@ -15,17 +15,17 @@ if TYPE_CHECKING:
     from .sections import Array
 
 FEWEST_SWINGS = 4
-"""Half periods that a record must have."""
+"""Fewest half periods in a record."""
 FEWEST_PER_PERIOD = 8
-"""Samples in a period."""
-# A swing counts where it is more than so many deviations of the noise, and this share of the largest.
+"""Fewest samples in a period."""
+# A swing counts if it exceeds this many standard deviations of the noise and this share of the largest swing.
 ABOVE_NOISE, SMALLEST_SHARE = 5.0, 0.02
 
 
 @dataclass(frozen=True)
 class Swings:
-    """Of windows one period long, half a period apart: time of the middle, s, offset and amplitude, rad, and
-    the frequency there, rad/s."""
+    """Results for windows one period long, half a period apart: time of the middle, s, offset and amplitude,
+    rad, and frequency, rad/s."""
 
     time_s: Array
     offset_rad: Array
@@ -48,14 +48,14 @@ def swings(record: DecayRecord) -> Swings:
     """Amplitudes of a record, each from all samples of a period by least squares.
 
     In a window one period long about t0 the roll is
-    c + (a + a' t) cos omega t + (b + b' t) sin omega t, t from t0: the amplitude is |a + i b|, and what its
-    phase gains, (a' b - a b') / (a^2 + b^2), is added to omega. Noise is averaged over the window, as a
-    reading of the extrema would not; the decay within it is in a' and b'.
+    c + (a + a' t) cos omega t + (b + b' t) sin omega t, t from t0: the amplitude is |a + i b|, and the rate
+    of its phase, (a' b - a b') / (a^2 + b^2), is added to omega. The fit averages noise over the window,
+    which a reading of the extrema does not; a' and b' contain the decay within the window.
 
     Raises
     ------
     RollDampingError
-        When the record does not oscillate, or too coarsely.
+        If the record does not oscillate, or has too few samples in a period.
 
     >>> from kingpost.roll_damping.record import DecayRecord
     >>> time = np.linspace(0, 100, 2001)
@@ -71,7 +71,7 @@ def swings(record: DecayRecord) -> Swings:
     if 2 * half < FEWEST_PER_PERIOD * float(np.median(np.diff(time))):
         allowed = f"{FEWEST_PER_PERIOD} samples in a period of {2 * half:.4g} s, or more"
         raise RollDampingError("time_s", f"steps of {np.median(np.diff(time)):.4g} s", allowed)
-    # Beyond the last crossing the swings are not more than the noise.
+    # After the last crossing the swings are below the noise.
     last = min(time[-1], crossings[-1] + half / 2)
     middles = np.arange(time[0] + half, last - half + 1e-9 * half, half)
     if len(middles) < FEWEST_SWINGS - 1:
@@ -104,12 +104,12 @@ def _window(time: Array, roll: Array, middle: float, half: float) -> tuple[float
 
 
 def _crossings(time: Array, roll: Array) -> Array:
-    """Times at which the roll changes sides, by more than the noise."""
+    """Times at which the roll changes its side by more than the noise."""
     about = roll - np.median(roll)
-    # Third differences leave of a smooth record next to nothing; of noise the square root of 20 deviations.
+    # Third differences of a smooth record are nearly zero; those of noise are sqrt(20) standard deviations.
     noise = float(np.median(np.abs(np.diff(about, 3)))) / (0.6745 * np.sqrt(20.0))
     largest = float(np.abs(about).max())
-    # Coarse samples look like noise; they are told of by name.
+    # Coarse samples look like noise, so they get their own error.
     least = min(max(ABOVE_NOISE * noise, SMALLEST_SHARE * largest), largest / 2)
     sides = np.sign(about) * (np.abs(about) > least)
     far = np.flatnonzero(sides)

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from .sections import Array, Sections
 
 CUTS = 24
-"""Places along a keel at which the damping is taken."""
+"""Number of places along a keel at which the damping is computed."""
 FORWARD_PRESSURE = 1.2
-"""C_p+, on the side of a keel that meets the water."""
+"""C_p+, on the front side of a keel."""
 # Half the arc of a bilge, in radii: from the bottom or the side to the keel in its middle.
 HALF_ARC = math.pi / 4
 
@@ -28,9 +28,9 @@ class BilgeKeels:
     Attributes
     ----------
     breadth_m, length_m
-        Of each keel: from the hull outwards, and along the ship.
+        Breadth of each keel, outwards from the hull, and its length along the ship.
     centre_m
-        Their middle along the ship, in the frame of the sections; the ship's middle unless given.
+        Their middle along the ship, in the frame of the sections; default: the ship's middle.
 
     >>> BilgeKeels(breadth_m=0.4, length_m=30).breadth_m
     0.4
@@ -57,7 +57,7 @@ class BilgeKeels:
         Raises
         ------
         RollDampingError
-            When they are broader than the hull is deep, or reach beyond its ends.
+            If they are too broad for the draught, or reach beyond the ends of the hull.
         """
         first, last = sections.ends_m
         centre = (first + last) / 2 if self.centre_m is None else self.centre_m
@@ -74,7 +74,8 @@ class BilgeKeels:
 
 def bilge_keel_damping(sections: Sections, keels: BilgeKeels, axis_depth_m: float, frequency_rad_s: float,
                        amplitude_rad: float, density_kg_m3: float) -> tuple[float, float]:  # fmt: skip
-    """Equivalent linear damping, N m s, of a pair of keels: by the force on them, by pressure on the hull.
+    """Equivalent linear damping, N m s, of a pair of keels: by the force on them, and by the pressure on the
+    hull.
 
     For each metre, with l the distance from the roll axis to the keel's root, b its breadth and
     f = 1 + 0.3 exp(-160 (1 - sigma)) for the faster water at a full bilge:
@@ -124,16 +125,17 @@ def pressure_levers(sections: Sections, axis_depth_m: float, negative_length_m: 
     """A0 and B0: moments about the roll axis of unit pressures behind and before the keels, over d^2.
 
     The section has a flat bottom, vertical sides and a quarter circle of radius R between them. Behind a keel
-    the pressure is constant over the length S0 of the girth; before it, it falls evenly from the keel to
-    nothing at the centre line or the water line. With m1 = R/d, m2 = OG/d, m3 = 1 - m1 - m2, m4 = H0 - m1:
+    the pressure is constant over the length S0 of the girth; before it, it falls linearly from the keel to
+    zero at the centre line or the water line. With m1 = R/d, m2 = OG/d, m3 = 1 - m1 - m2, m4 = H0 - m1:
 
         A0 = (m3 + m4) m8 - m7^2
         B0 = m4^3 / 3 (H0 - 0.215 m1) + (1 - m1)^2 (2 m3 - m2) / 6 (1 - 0.215 m1) + m1 (m3 m5 + m4 m6)
 
     where m7 is the part of S0/d beyond the arc and m8 = m7 + (sqrt 2 - 1) m1, or within the arc
     sqrt 2 m1 (1 - cos S0/R). (Here the numbers 0.215, 0.414, 0.0651, 0.382 and 0.0106 of the published
-    formulas are 1 - pi/4 and integrals over the arc, exactly. Prints of the procedure have m2^2 for the first
-    m4^3, which for a square bilge contradicts the integral; the test does it by quadrature.)
+    formulas are 1 - pi/4 and integrals over the arc, exactly. Printed versions of the procedure have m2^2
+    instead of the first m4^3, which contradicts the integral for a square bilge; the test integrates
+    numerically.)
     """
     d = sections.draught_m
     m1, m2 = sections.bilge_radius_m / d, axis_depth_m / d

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import RollDampingError
-from ..hydro.least_squares import nonnegative
 
 if TYPE_CHECKING:
     from .sections import Array
 
+LEAST_IN_FULL, MOST_IN_FULL = 1e-9, 1e21
 QUADRATIC, CUBIC = 8 / (3 * math.pi), 3 / 4
-"""Of b2 |v| v and b3 v^3 along a harmonic motion of speed amplitude v: what is as v in b v."""
+"""Equivalent linear factors of b2 |v| v and b3 v^3 in a harmonic motion of speed amplitude v."""
 
 
 @dataclass(frozen=True)
@@ -37,31 +37,33 @@ class Coefficients:
     cubic: float = 0.0
 
     def equivalent(self, frequency_rad_s: float, amplitude_rad: Array | float) -> Array | float:
-        """The linear damping, N m s, that takes as much energy in a period:
+        """The linear damping, N m s, that dissipates the same energy in a period:
         B1 + 8 / (3 pi) omega phi B2 + 3/4 omega^2 phi^2 B3 (ITTC 7.5-02-07-04.5, 2021, eq. 15)."""
         speed = frequency_rad_s * amplitude_rad
         return self.linear + QUADRATIC * speed * self.quadratic + CUBIC * speed**2 * self.cubic
 
 
 def fitted(amplitudes_rad: Array, damping: Array, frequency_rad_s: float) -> Coefficients:
-    """The linear and quadratic coefficients, neither negative, that come nearest to a damping over the
-    amplitude.
+    """The best linear and quadratic coefficients, neither negative, for a damping over the amplitude.
 
-    Least squares of the relative error. A scenario has no cubic damping, and its forces only take energy.
+    Least squares of the relative error. A scenario has no cubic damping, and its forces only dissipate
+    energy.
 
     >>> amplitudes = np.radians([2.0, 5.0, 10.0])
     >>> again = fitted(amplitudes, Coefficients(2e6, 3e7).equivalent(0.5, amplitudes), 0.5)
     >>> round(again.linear), round(again.quadratic)
     (2000000, 30000000)
     """
+    from scipy.optimize import nnls
+
     columns = np.stack([np.ones_like(amplitudes_rad), QUADRATIC * frequency_rad_s * amplitudes_rad], axis=1)
     size = np.abs(columns / damping[:, None]).max(axis=0)
-    found = nonnegative(columns / damping[:, None] / size, np.ones_like(damping)) / size
+    found = nnls(columns / damping[:, None] / size, np.ones_like(damping))[0] / size
     return Coefficients(float(found[0]), float(found[1]))
 
 
 def fragment(found: Coefficients, body: str, title: str) -> str:
-    """The piece of a scenario that damps a body so, as YAML.
+    """The forces of a scenario with this damping, as YAML.
 
     Parameters
     ----------
@@ -70,13 +72,13 @@ def fragment(found: Coefficients, body: str, title: str) -> str:
     body
         Name of the hull in the scenario.
     title
-        A remark for the first line: of what the damping is.
+        A comment for the first line: the ship or the test.
 
     Raises
     ------
     RollDampingError
-        When there is a cubic part or a negative one, which no force of a scenario has: `fitted` gives what
-        has none.
+        If there is a cubic or a negative part, which no force of a scenario has: `fitted` gives coefficients
+        without.
 
     Examples
     --------
@@ -103,5 +105,11 @@ def fragment(found: Coefficients, body: str, title: str) -> str:
 
 
 def _plain(value: float) -> str:
-    """Six significant digits without an exponent."""
+    """Six significant digits; without an exponent where the number is not very small or large.
+
+    >>> _plain(3.45e7), _plain(1e-61)
+    ('34500000', '1e-61')
+    """
+    if not LEAST_IN_FULL <= abs(value) < MOST_IN_FULL:
+        return f"{value:.6g}"
     return np.format_float_positional(float(f"{value:.6g}"), trim="-")

@@ -24,11 +24,11 @@ from .record import DecayRecord
 ENDINGS = (".yaml", ".yml")
 KEELS = ("breadth_m", "length_m", "centre_m")
 LARGEST = 1e15
-"""Of a mass, an inertia or a height: squares of more overflow."""
+"""Largest mass, inertia or height: squares of larger numbers overflow."""
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """The command's two ways and their options."""
+    """The two subcommands and their options."""
     ways = command.add_subparsers(title="ways", metavar="WAY", required=True)
     sections = ways.add_parser("sections", help="by Ikeda's method, from the sections of a hull")
     _add_sections(sections)
@@ -60,31 +60,31 @@ def _add_sections(way: argparse.ArgumentParser) -> None:
     way.add_argument("--draught-m", metavar="D", type=float,
                      help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
     way.add_argument("--sharpness", choices=SHARPNESS, default=SHARPNESS[0], help=(
-        "of the bilges to the eddies, by their radius or, as the formula is printed, by the area of the "
+        "measure of the bilges in the eddies: their radius or, as the formula is printed, the area of the "
         "section (default: %(default)s)"))  # fmt: skip
     way.add_argument("--stations", metavar="N", type=int, default=STATIONS,
                      help="sections that a mesh is cut into (default: %(default)s)")  # fmt: skip
     way.add_argument("--density-kg-m3", metavar="RHO", type=float, default=SEA_WATER_KG_M3,
                      help="density of the water (default: %(default)g)")  # fmt: skip
     way.add_argument("--viscosity-m2-s", metavar="NU", type=float, default=SEA_WATER_M2_S,
-                     help="its kinematic viscosity (default: %(default)g)")  # fmt: skip
+                     help="kinematic viscosity of the water (default: %(default)g)")  # fmt: skip
 
 
 def _add_decay(way: argparse.ArgumentParser) -> None:
     way.add_argument("record", metavar="FILE", help="time_s and roll_deg or roll_rad: .csv")
-    way.add_argument("--column", metavar="NAME", help="of the roll, where there are several")
+    way.add_argument("--column", metavar="NAME", help="column of the roll, if there are several")
     way.add_argument("--model", choices=tuple(MODELS), default="quadratic",
                      help="the highest term of the damping (default: %(default)s)")  # fmt: skip
     way.add_argument("--after-s", metavar="T", type=float,
-                     help="leave out what is before, s (default: the largest angle)")  # fmt: skip
-    way.add_argument("--until-s", metavar="T", type=float, help="leave out what is after, s")
-    way.add_argument("--inertia-kg-m2", metavar="I", type=float, help="in roll, with that of the water")
+                     help="leave out earlier records, s (default: from the largest angle on)")  # fmt: skip
+    way.add_argument("--until-s", metavar="T", type=float, help="leave out later records, s")
+    way.add_argument("--inertia-kg-m2", metavar="I", type=float, help="roll inertia, with added inertia")
     way.add_argument(
         "--mass-kg", metavar="M", type=float, help="with --gm-m: the inertia is m g GM / omega^2"
     )
     way.add_argument("--gm-m", metavar="GM", type=float, help="metacentric height")
     way.add_argument("--database", metavar="FILE", help=(
-        f"the hull's {ENDING}: what its waves take is not put into the scenario's forces again"))  # fmt: skip
+        f"the hull's {ENDING}: its radiation damping is left out of the scenario's forces"))  # fmt: skip
     way.add_argument(
         "--kg-m", metavar="KG", type=float, help="with --database: centre of gravity above the keel"
     )
@@ -116,14 +116,14 @@ def of_sections(options: argparse.Namespace) -> str:
         print(f"warning: {found.attrs['warning']}")
     if str(options.hull).endswith(ENDING):
         waves = radiated(read(options.hull), options.kg_m, found.attrs["frequency_rad_s"])[1]
-        print(f"radiated waves take {waves:.4g} N m s besides, by the database")
+        print(f"radiated waves add {waves:.4g} N m s, by the database")
     of_what = f"roll of {Path(options.hull).name} at {options.period_s:g} s"
     title = f"{of_what} by Ikeda's method, without radiated waves"
     return fragment(Coefficients(float(found.linear), float(found.quadratic)), options.body, title)
 
 
 def of_decay(options: argparse.Namespace) -> str | None:
-    """Print what a decay test says; the forces as text, where the inertia is known."""
+    """Print the results of a decay test; return the forces as text if the inertia is known."""
     _check(options)
     record = DecayRecord.read(options.record, options.column)
     found = from_decay(record, options.model, options.after_s, options.until_s)
@@ -135,7 +135,7 @@ def of_decay(options: argparse.Namespace) -> str | None:
         return None
     without = ""
     if options.database is not None:
-        print(f"radiated waves take {waves:.4g} N m s of it, by the database; the forces below have the rest")
+        print(f"radiated waves are {waves:.4g} N m s of it, by the database; the forces have the rest")
         without = ", without radiated waves"
     forces = found.for_scenario(inertia, waves)
     print(report.of_forces(found, forces, inertia, waves))

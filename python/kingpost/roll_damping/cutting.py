@@ -9,28 +9,28 @@ from ..hydro.surface import Surface
 from .sections import Array, Sections, estimated_bilge_radius
 
 STATIONS = 40
-# A cut with less than this share of the largest section's area sheds no eddies worth a number.
+# The eddies of a section with less than this share of the largest area are negligible.
 SMALLEST = 1e-3
 
 
 def cut(hull: Surface, stations: int = STATIONS) -> Sections:
     """Sections of a hull at stations in the middle of equal lengths.
 
-    A plane x = constant meets each triangle in a straight piece from (y1, z1) to (y2, z2), all of them run
+    A plane x = constant meets each triangle in a straight piece from (y1, z1) to (y2, z2), and all pieces run
     the same way about the section. By Green's theorem the area under the water plane is the sum of
     (y1 z2 - y2 z1) / 2, for the water plane z = 0 adds nothing; so it is exact for the mesh.
 
     Parameters
     ----------
     hull
-        Triangles, x forward, z up, z = 0 on the water plane; what is above it is left out.
+        Triangles, x forward, z up, z = 0 on the water plane; parts above it are left out.
     stations
         How many sections.
 
     Raises
     ------
     RollDampingError
-        When no part of the hull is in the water, or too few stations are asked for.
+        If no part of the hull is in the water, or the number of stations is too small.
 
     >>> from kingpost.hydro.shapes import Box
     >>> from kingpost.hydro.meshes import parametric
@@ -58,7 +58,7 @@ def cut(hull: Surface, stations: int = STATIONS) -> Sections:
 
 
 def _measures(wetted: Surface, x: float) -> tuple[float, float, float]:
-    """Beam, draught and area where a plane across the ship meets the mesh."""
+    """Beam, draught and area of the section that a plane across the ship cuts from the mesh."""
     pieces = _pieces(wetted, x)
     if not len(pieces):
         return 0.0, 0.0, 0.0
@@ -73,7 +73,7 @@ def _pieces(wetted: Surface, x: float) -> Array:
     section."""
     corners = wetted.corners
     over = corners[:, :, 0] - x
-    # A corner in the plane belongs to what is ahead: every triangle then has both its ends or none.
+    # A corner in the plane counts as ahead of it: every triangle then has two crossings or none.
     ahead = over >= 0
     crossed = ahead.any(axis=1) & ~ahead.all(axis=1)
     corners, over, ahead = corners[crossed], over[crossed], ahead[crossed]

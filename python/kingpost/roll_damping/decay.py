@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from .sections import Array
 
 MODELS = {"linear": 1, "quadratic": 2, "cubic": 3}
-"""How many of p1, p2, p3 a model has."""
+"""Number of the terms p1, p2, p3 in each model."""
 TERMS = ("linear", "quadratic", "cubic")
-# With fewer swings the bend of the righting arm cannot be told from the period.
+# With fewer swings the curvature of the righting arm cannot be distinguished from the period.
 SWINGS_FOR_STIFFENING = 8
 
 
@@ -39,15 +39,15 @@ class DecayFit:
     deviations
         Standard deviations by name: ``frequency``, ``linear``, ``quadratic``, ``cubic``.
     stiffening
-        k, 1/rad^2: how the righting arm bends.
+        k, 1/rad^2: curvature of the righting arm.
     offset_rad
-        About which it rolls.
+        Mean angle of the roll.
     rms_rad
-        Of what the model leaves of the record.
+        RMS of the difference between record and model.
     swings
         Amplitudes, half period by half period.
     averaged
-        p1, p2, p3 from those amplitudes alone.
+        p1, p2, p3 from these amplitudes alone.
     """
 
     model: str
@@ -71,13 +71,13 @@ class DecayFit:
         return Coefficients(*self.damping).equivalent(self.frequency_rad_s, amplitude_rad)
 
     def damping_ratio(self, amplitude_rad: Array | float) -> Array | float:
-        """The equivalent linear damping as a share of the critical, 2 omega0."""
+        """The equivalent linear damping as a fraction of the critical damping, 2 omega0."""
         return self.equivalent(amplitude_rad) / (2 * self.frequency_rad_s)
 
     def inertia_kg_m2(
         self, mass_kg: float, metacentric_height_m: float, gravity_m_s2: float = 9.80665
     ) -> float:
-        """Inertia in roll with the water's, m g GM / omega0^2.
+        """Inertia in roll, added inertia included, m g GM / omega0^2.
 
         Raises
         ------
@@ -90,21 +90,21 @@ class DecayFit:
         return mass_kg * gravity_m_s2 * metacentric_height_m / self.frequency_rad_s**2
 
     def coefficients(self, inertia_kg_m2: float) -> Coefficients:
-        """B1, B2 and B3 of the whole roll damping, radiated waves and all."""
+        """B1, B2 and B3 of the total roll damping, radiated waves included."""
         if not (math.isfinite(inertia_kg_m2) and inertia_kg_m2 > 0):
             raise RollDampingError("inertia_kg_m2", f"{inertia_kg_m2:g}", "a number greater than 0")
         return Coefficients(*(inertia_kg_m2 * p for p in self.damping))
 
     def for_scenario(self, inertia_kg_m2: float, radiated_damping: float = 0.0) -> Coefficients:
-        """Linear and quadratic damping, neither negative, for a scenario whose database radiates waves
-        itself.
+        """Linear and quadratic damping, neither negative, for a scenario whose database already contains the
+        radiation damping.
 
-        Nearest to the equivalent damping less the radiated over the amplitudes of the record.
+        The best fit to the equivalent damping less the radiation damping, over the amplitudes of the record.
 
         Raises
         ------
         RollDampingError
-            When waves would take more than all.
+            If the radiation damping exceeds the total.
         """
         amplitudes = np.linspace(self.swings.amplitude_rad.min(), self.swings.amplitude_rad.max(), 20)
         whole = self.coefficients(inertia_kg_m2).equivalent(self.frequency_rad_s, amplitudes)
@@ -115,7 +115,7 @@ class DecayFit:
         return fitted(amplitudes, rest, self.frequency_rad_s)
 
     def simulated(self, record: DecayRecord, angle_rad: float, rate_rad_s: float) -> Array:
-        """Roll at the times of a record from an angle about the offset and a rate."""
+        """Roll at the times of a record, from an initial angle about the offset and an initial rate."""
         rate = rate_rad_s / self.frequency_rad_s
         state = [self.frequency_rad_s, self.offset_rad, self.stiffening, angle_rad, rate, *self.damping]
         return simulated(np.array(state)[:, None], record.time_s)[:, 0]
@@ -125,9 +125,9 @@ def from_decay(record: DecayRecord, model: str = "quadratic", after_s: float | N
                until_s: float | None = None) -> DecayFit:  # fmt: skip
     """Damping and natural period from a record of decaying roll.
 
-    The amplitudes of the swings (`amplitudes.swings`) give a first estimate by the energy that each loses;
-    from it the simulated roll is fitted to the whole record by least squares, with the angle and the rate at
-    its start, the offset and, where there are eight swings or more, the bend of the righting arm.
+    The amplitudes of the swings (`amplitudes.swings`) and the energy lost in each give a first estimate. From
+    there the simulated roll is fitted to the whole record by least squares, with the initial angle and rate,
+    the offset and, from eight swings on, the curvature of the righting arm.
 
     Parameters
     ----------
@@ -136,12 +136,12 @@ def from_decay(record: DecayRecord, model: str = "quadratic", after_s: float | N
     model
         ``linear`` (p1), ``quadratic`` (p1, p2) or ``cubic`` (p1, p2, p3).
     after_s, until_s
-        The part of the record that is used; from its largest angle to its end unless given.
+        The used part of the record; default: from its largest angle to its end.
 
     Raises
     ------
     RollDampingError
-        When the record does not oscillate, or nothing of the kind comes near it.
+        If the record does not oscillate, or no model fits it.
 
     >>> time = np.linspace(0, 120, 1201)
     >>> record = DecayRecord(time, 0.2 * np.exp(-0.01 * time) * np.cos(0.6 * time))
@@ -179,7 +179,7 @@ def from_decay(record: DecayRecord, model: str = "quadratic", after_s: float | N
 
 
 def _part(record: DecayRecord, after_s: float | None, until_s: float | None) -> DecayRecord:
-    """From the largest angle on, or what was asked for."""
+    """The record from its largest angle on, or the given part."""
     time, roll = record.time_s, record.roll_rad
     if after_s is None:
         after_s = float(time[np.abs(roll - np.median(roll)).argmax()])

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 CORNER = 1.65e5 * (1 - 0.997) ** 2 / (10 / 112) ** 4
 """c, by Ikeda's section B: bilges of 10 mm at a draught of 112 mm."""
 SHARPNESS = ("radius", "area")
-"""What says how sharp a bilge is: `sharpness`."""
+"""The two measures of the sharpness of a bilge, see `sharpness`."""
 
 
 def eddy_coefficient(sections: Sections, axis_depth_m: float, by: str = "radius") -> Array:
@@ -29,8 +29,8 @@ def eddy_coefficient(sections: Sections, axis_depth_m: float, by: str = "radius"
     with gamma the largest over the mean speed of the water at the hull, `speed_ratio`, r_max the greatest
     distance of the Lewis form from its centre, R the bilge radius, H0 = B / 2d and OG the depth of the roll
     axis under the water plane (Ikeda, J. Soc. Naval Architects of Japan 142, 1977, eqs. 10-15; Himeno, Univ.
-    of Michigan report 239, 1981). Sections to which a negative moment would come, or that lie above the roll
-    axis, are outside of what was measured, and get none.
+    of Michigan report 239, 1981). Sections with a negative moment, or above the roll axis, are outside the
+    measured range and get zero.
 
     Parameters
     ----------
@@ -43,8 +43,8 @@ def eddy_coefficient(sections: Sections, axis_depth_m: float, by: str = "radius"
 
     Notes
     -----
-    On Ikeda's own two-dimensional cylinders, digitised by Alexandersson (doi:10.17632/p3r9nmtvyj.1), the
-    tests say how well this holds.
+    The tests compare this with Ikeda's own two-dimensional cylinders, digitised by Alexandersson
+    (doi:10.17632/p3r9nmtvyj.1).
     """
     d, sigma = sections.draught_m, sections.area_coefficient
     ratio, depth = sections.beam_m / (2 * d), axis_depth_m / d
@@ -85,11 +85,12 @@ def sharpness(sections: Sections, by: str = "radius") -> Array:
 
     Printed is f3 = 1 + 4 exp(-1.65e5 (1 - sigma)^2), drawn through Ikeda's cylinders A to D of H0 = 1.25.
     With a round bilge 1 - sigma = (4 - pi) (R/d)^2 / 4 H0, so the same law by the radius is
-    f3 = 1 + 4 exp(-c (R/d)^4). The two differ, for the area that is quoted of B, 0.997, is not that of its
-    radius of 10 mm, 0.9986, and only B stands between the sharp and the round ones. What makes a corner
-    sharp is its radius: c is that of B, 1.65e5 (1 - 0.997)^2 / (10 / 112)^4 = 2.34e4. A to D come out alike
-    by both. Of sections of 0.99 to 1 with a bilge the radius makes the eddies up to four times as small;
-    KVLCC2, in sight of which this reading was chosen but from which c is not, was measured nearer to that.
+    f3 = 1 + 4 exp(-c (R/d)^4). The two differ, because the quoted area coefficient of B, 0.997, does not
+    agree with its radius of 10 mm, which gives 0.9986, and B is the only section between the sharp and the
+    round ones. A corner is sharp because its radius is small, so c is fitted to B: 1.65e5 (1 - 0.997)^2 / (10
+    / 112)^4 = 2.34e4. Both laws agree on A to D. For sections of 0.99 to 1 with a bilge, the law by the
+    radius gives eddies up to four times smaller. KVLCC2 was measured nearer to that; it was known when this
+    law was chosen, but c does not come from it.
 
     >>> from kingpost.roll_damping.sections import Sections
     >>> tanker = Sections.of_table({"x_m": [0, 1, 2], "beam_m": [58] * 3, "draught_m": [20.8] * 3,

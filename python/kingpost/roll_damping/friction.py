@@ -19,9 +19,9 @@ def friction_damping(sections: Sections, axis_depth_m: float, frequency_rad_s: f
         S = L (1.7 d + C_B B), r = [(0.887 + 0.145 C_B) S / L - 2 OG] / pi
 
     (H. Kato, J. Soc. Naval Architects of Japan 102, 1957; the speed by Tamiya & Komura, ibid. 132, 1972; ITTC
-    7.5-02-07-04.5, 2021, eqs. 38-41). C_f is that of a laminar layer, so C_f phi is a constant. It is the one
-    component that grows with the scale by less than the others: a tenth of the damping of a model of 2 m, 1
-    to 3 % of a ship's.
+    7.5-02-07-04.5, 2021, eqs. 38-41). C_f is that of a laminar layer, so C_f phi is a constant. It grows less
+    with the scale than the other components: it is a tenth of the damping of a model of 2 m, and 1 to 3 % of
+    a ship's.
     """
     length, block = sections.total_length_m, sections.block_coefficient
     girth = 1.7 * sections.draught_m.max() + block * sections.beam_m.max()
@@ -32,7 +32,7 @@ def friction_damping(sections: Sections, axis_depth_m: float, frequency_rad_s: f
 
 
 def lift_damping(sections: Sections, axis_depth_m: float, density_kg_m3: float, speed_m_s: float) -> float:
-    """Damping by the lift of a hull that rolls as it goes ahead, N m s; nothing at rest.
+    """Damping by the lift of a hull that rolls at forward speed, N m s; zero at rest.
 
         B_L = rho / 2 U L d k_N l0 lR (1 - 1.4 OG / lR + 0.7 OG^2 / (l0 lR)), l0 = 0.3 d, lR = 0.5 d
         k_N = 2 pi d / L + kappa (4.1 B / L - 0.045), kappa = 0, 0.1 or 0.3 as C_M <= 0.92, <= 0.97 or more

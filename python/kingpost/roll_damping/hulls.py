@@ -1,4 +1,4 @@
-"""Sections of a hull, whatever it is given by."""
+"""Sections of a hull from any kind of input."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .cutting import STATIONS, cut
 from .sections import Sections
 
 PANELS = 6000
-"""About how many panels a parametric hull is cut from."""
+"""Approximate number of panels of a parametric hull that is cut into sections."""
 
 
 def sections_of(hull: str | Path, draught_m: float | None = None, stations: int = STATIONS) -> Sections:

@@ -1,5 +1,4 @@
-"""Ikeda's method: the roll damping of a hull as the sum of what friction, eddies, lift and bilge keels
-take."""
+"""Ikeda's method: the roll damping of a hull as the sum of friction, eddies, lift and bilge keels."""
 
 from __future__ import annotations
 
@@ -24,7 +23,7 @@ if TYPE_CHECKING:
 COMPONENTS = ("friction", "eddies", "lift", "bilge_keel_force", "bilge_keel_pressure")
 AMPLITUDES_DEG = (2.5, 5.0, 7.5, 10.0, 12.5, 15.0)
 LARGEST_DEG = 60.0
-# By how much the two readings of a bilge's sharpness may differ before the user is told.
+# Above this ratio of the eddies by the two measures of sharpness, the user gets a warning.
 UNSURE = 1.25
 SEA_WATER_KG_M3 = 1025.0
 SEA_WATER_M2_S = 1.19e-6
@@ -42,10 +41,10 @@ def from_sections(
     viscosity_m2_s: float = SEA_WATER_M2_S,
     sharpness: str = "radius",
 ) -> xarray.Dataset:
-    """Equivalent linear roll damping of a hull by Ikeda's method, without that of radiated waves.
+    """Equivalent linear roll damping of a hull by Ikeda's method, without radiation damping.
 
-    Radiated waves are the matter of potential theory: the hydrodynamic database of a scenario has them, so
-    they are not counted twice. The roll axis goes through the centre of gravity.
+    Radiation damping comes from potential theory: the hydrodynamic database of a scenario contains it, so it
+    is not counted twice. The roll axis goes through the centre of gravity.
 
     Parameters
     ----------
@@ -54,31 +53,31 @@ def from_sections(
     keel_to_gravity_m
         KG, above the lowest point of the sections.
     period_s
-        Of the roll, most often the natural one.
+        Roll period, usually the natural period.
     amplitudes_rad
-        Of the roll; 2.5, 5, ... 15 degrees unless given.
+        Roll amplitudes; default: 2.5, 5, ... 15 degrees.
     bilge_keels
-        A pair of them, or `None`.
+        A pair of bilge keels, or `None`.
     speed_m_s
         Forward speed: at rest there is no lift.
     density_kg_m3, viscosity_m2_s
-        Of the water, kinematic viscosity.
+        Density and kinematic viscosity of the water.
     sharpness
-        What says how sharp bilges are to the eddies: their ``radius``, or the ``area`` of the section, as the
-        formula is printed (`eddies.sharpness`).
+        Measure of the sharpness of bilges in the eddies: their ``radius``, or the ``area`` of the section, as
+        the formula is printed (`eddies.sharpness`).
 
     Returns
     -------
     xarray.Dataset
         ``damping`` by component and amplitude and their ``total``, N m s; ``linear`` and ``quadratic``, N m s
-        and N m s^2, the coefficients not less than 0 whose equivalent damping comes nearest (relative least
-        squares), and ``fitted``, that equivalent damping. The attribute ``warning`` is there where the
-        eddies hang on how sharp bilges are taken to be.
+        and N m s^2, the non-negative coefficients with the best fit (relative least squares), and ``fitted``,
+        their equivalent damping. The attribute ``warning`` is present if the eddies depend strongly on the
+        measure of sharpness.
 
     Raises
     ------
     RollDampingError
-        When a number is not one that a ship has.
+        If a number is outside the range of ships.
 
     >>> barge = Sections.of_table({"x_m": [0, 50, 100], "beam_m": [20] * 3, "draught_m": [5] * 3,
     ...     "area_coefficient": [0.98] * 3})
@@ -132,18 +131,19 @@ def eddy_drag(
 
 
 def _of_sharpness(sections: Sections, axis_depth_m: float) -> str:
-    """A word where the eddies by the area are far from those by the radius of the bilges; else nothing."""
+    """A warning if the eddies by the area differ much from those by the radius of the bilges; otherwise
+    empty."""
     radius, area = (eddy_drag(sections, axis_depth_m, 1.0, by) for by in SHARPNESS)
     if max(radius, area) <= UNSURE * min(radius, area):
         return ""
     return (
-        "sections so full that the eddies hang on the sharpness of the bilges: by their area, as the formula "
-        f"is printed, {area / radius:.2g} times those by their radius"
+        "very full sections: the eddies depend on the sharpness of the bilges. By the area, as the formula "
+        f"is printed, they are {area / radius:.2g} times those by the radius"
     )
 
 
 def _slowed(frequency_rad_s: float, sections: Sections, speed_m_s: float) -> float:
-    """How forward speed washes eddies away: (0.04 K)^2 / (1 + (0.04 K)^2), K = omega L / U (ITTC
+    """Reduction of the eddies by forward speed: (0.04 K)^2 / (1 + (0.04 K)^2), K = omega L / U (ITTC
     7.5-02-07-04.5, 2021, eq. 45)."""
     if not speed_m_s:
         return 1.0
@@ -158,6 +158,9 @@ def _amplitudes(given: Sequence[float] | Array | None) -> Array:
     if not len(found) or not inside.all():
         shown = ", ".join(f"{value:g}" for value in found[~inside]) or "none"
         raise RollDampingError("amplitudes_rad", shown, f"numbers greater than 0, up to {most:.4g}")
+    if (np.diff(found) == 0).any():
+        twice = found[np.flatnonzero(np.diff(found) == 0)[0]]
+        raise RollDampingError("amplitudes_rad", f"{twice:g} twice", "each amplitude once")
     return found
 
 

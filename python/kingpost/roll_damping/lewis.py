@@ -35,8 +35,8 @@ def lewis_forms(beam_m: Array, draught_m: Array, area_coefficient: Array) -> Lew
     """Lewis forms of given beam, draught and area.
 
     With H = B / 2d and D = 3 + 4 sigma / pi + (1 - 4 sigma / pi) ((H - 1) / (H + 1))^2:
-    a3 = (3 - D + sqrt(9 - 2 D)) / D, a1 = (1 + a3) (H - 1) / (H + 1). Areas that no Lewis form has
-    (D > 4.5) take the fullest.
+    a3 = (3 - D + sqrt(9 - 2 D)) / D, a1 = (1 + a3) (H - 1) / (H + 1). Sections too full for a Lewis form (D >
+    4.5) get the fullest one.
 
     >>> half_circle = lewis_forms(np.array([2.0]), np.array([1.0]), np.array([np.pi / 4]))
     >>> abs(half_circle.a1.item()) < 1e-12, abs(half_circle.a3.item()) < 1e-12

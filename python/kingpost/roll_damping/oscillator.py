@@ -92,8 +92,8 @@ def _between(path: Array, place: Array, step: float) -> Array:
 
 @dataclass(frozen=True)
 class Fit:
-    """Parameters in the order of `PARAMETERS`, their standard deviations (0 of those that were held), and
-    what is left of the record."""
+    """Parameters in the order of `PARAMETERS`, their standard deviations (0 for held ones), and the residual
+    of the record."""
 
     parameters: Array
     deviations: Array
@@ -101,25 +101,25 @@ class Fit:
 
 
 def fit(start: Array, free: Array, time_s: Array, roll_rad: Array) -> Fit:
-    """The oscillator whose roll comes nearest to a record, by least squares (Levenberg, Quart. Appl. Math. 2,
+    """The oscillator that fits a record best, by least squares (Levenberg, Quart. Appl. Math. 2,
     1944; Marquardt, J. SIAM 11(2), 1963).
 
     The standard deviations are those of linear theory, s^2 (J^T J)^-1, times the root of (1 + r) / (1 - r)
-    with r the correlation of neighbouring residuals: what the model leaves out is no white noise.
+    with r the correlation of neighbouring residuals, because the residual is not white noise.
 
     Parameters
     ----------
     start
-        Where to begin.
+        Starting values.
     free
-        Which parameters are sought; the others keep their values.
+        Which parameters are fitted; the others keep their values.
     time_s, roll_rad
         The record.
 
     Raises
     ------
     RollDampingError
-        When no step makes the misfit smaller and it is not at its least.
+        If no step reduces the residual and it is not at its minimum.
     """
     index = np.flatnonzero(free)
 
@@ -135,14 +135,15 @@ def fit(start: Array, free: Array, time_s: Array, roll_rad: Array) -> Fit:
 
 
 def _least(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Array, Array]:
-    """Point, derivatives and residual at the least: one simulation tries a step and differentiates there."""
+    """Point, derivatives and residual at the minimum: one simulation tries a step and differentiates
+    there."""
     damping = 1e-3
     jacobian, residual = _jacobian(residuals, point)
     for _ in range(MOST_ITERATIONS):
         size = np.linalg.norm(jacobian, axis=0)
         scaled = jacobian / size
-        # What a whole step would still take of the residual. Where that is next to nothing, rounding is
-        # measured by what the parameters do.
+        # The reduction of the residual that a whole step promises. If it is nearly zero, the rounding error
+        # is # measured by the change of the parameters.
         whole = np.linalg.lstsq(scaled, residual, rcond=None)[0]
         rounding = 1e-9 * float(np.linalg.norm(size * point))
         if np.linalg.norm(scaled @ whole) <= 1e-5 * np.linalg.norm(residual) + rounding:
@@ -155,7 +156,7 @@ def _least(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Ar
             point, jacobian, residual, damping = there, new_jacobian, new_residual, max(damping / 10, 1e-12)
         else:
             damping *= 10
-    raise RollDampingError("roll_rad", "a record that no damped oscillator comes near", "decaying roll")
+    raise RollDampingError("roll_rad", "a record that no damped oscillator fits", "decaying roll")
 
 
 def _jacobian(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""What radiated waves take from a hull that rolls freely, by its hydrodynamic database."""
+"""Radiation damping of a freely rolling hull, from its hydrodynamic database."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..errors import RollDampingError
 if TYPE_CHECKING:
     from ..hydro.database import Database
 
-# Radius of gyration in yaw over the length: it matters little, for yaw hardly couples with roll.
+# Radius of gyration in yaw over the length: it matters little, because yaw hardly couples with roll.
 YAW_GYRATION = 0.25
 SWAY, ROLL, YAW = 1, 3, 5
 
@@ -28,16 +28,16 @@ def radiated(database: Database, keel_to_gravity_m: float, frequency_rad_s: floa
     Parameters
     ----------
     database
-        Of the hull; the mass is that of the water it displaces.
+        Database of the hull; its mass is that of the displaced water.
     keel_to_gravity_m
-        KG; the centre of gravity is over that of buoyancy.
+        KG; the centre of gravity is vertically above the centre of buoyancy.
     frequency_rad_s
-        Of the roll, within the database's.
+        Roll frequency, within the range of the database.
 
     Raises
     ------
     RollDampingError
-        When the database does not cover the frequency.
+        If the database does not cover the frequency.
 
     >>> from kingpost.gallery import folder
     >>> from kingpost.hydro import read
@@ -73,8 +73,8 @@ def natural_period(database: Database, keel_to_gravity_m: float, roll_gyration_m
                    metacentric_height_m: float | None = None) -> float:  # fmt: skip
     """Natural period of roll, s, of a hull free to sway and yaw: omega^2 (m k^2 + A(omega)) = m g GM.
 
-    GM is KB + BM - KG of the database's waterplane unless it is given, as of an inclining test. Fixed-point
-    iteration, which the slow change of the added inertia contracts.
+    GM can be given, for example from an inclining test; default: KB + BM - KG with the database's waterplane.
+    Solved by fixed-point iteration, which converges because the added inertia changes slowly.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def natural_period(database: Database, keel_to_gravity_m: float, roll_gyration_m
 
 
 def _about(centre: np.ndarray) -> np.ndarray:
-    """Motion of the origin by that of a point: v_O = v + r x w."""
+    """Motion of the origin from that of a point: v_O = v + r x w."""
     x, y, z = centre
     found = np.eye(6)
     found[:3, 3:] = [[0, -z, y], [z, 0, -x], [-y, x, 0]]

@@ -17,7 +17,7 @@ FEWEST_SAMPLES = 16
 
 @dataclass(frozen=True)
 class DecayRecord:
-    """Roll angles, rad, at times, s, that increase.
+    """Roll angles, rad, at increasing times, s.
 
     >>> time = np.linspace(0, 60, 601)
     >>> record = DecayRecord(time, 0.2 * np.exp(-0.02 * time) * np.cos(0.6 * time))
@@ -57,7 +57,7 @@ class DecayRecord:
         Raises
         ------
         RollDampingError
-            When the file has no such columns or its numbers are no record.
+            If the file has no such columns or its numbers are not a record of roll.
         """
         columns = read_columns(path)
         times = [name for name in TIMES if name in columns]

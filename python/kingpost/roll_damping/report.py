@@ -1,4 +1,4 @@
-"""What `kingpost roll-damping` prints."""
+"""Reports of `kingpost roll-damping`."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from .decay import DecayFit
     from .sections import Sections
 
-# Lines of the table of a long record.
+# The most rows in the table of a long record.
 MOST_SWINGS = 12
 
 
 def hull(sections: Sections, source: str, keel_to_gravity_m: float) -> str:
-    """What hull it is, by its sections."""
+    """The hull and its main dimensions, from its sections."""
     widest = sections.midship
     depth = sections.draught_m.max() - keel_to_gravity_m
     rows = [
@@ -62,7 +62,8 @@ def components(found: xarray.Dataset) -> str:
 
 
 def second_opinion(sections: Sections, found: xarray.Dataset, keels: BilgeKeels | None) -> str:
-    """Eddies and keels beside the regression of Kawahara et al., at the amplitude nearest to 10 degrees."""
+    """Comparison of eddies and keels with the regression of Kawahara et al., at the amplitude nearest to 10
+    degrees."""
     beam, draught = float(sections.beam_m.max()), float(sections.draught_m.max())
     depth = draught - found.attrs["keel_to_gravity_m"]
     form = simplified.HullForm(
@@ -89,7 +90,7 @@ def second_opinion(sections: Sections, found: xarray.Dataset, keels: BilgeKeels 
         ours.append(float(both.sum()))
         names.append("bilge keels")
     if outside:
-        return f"no second opinion by Kawahara et al. (2009): {'; '.join(outside)}"
+        return f"no comparison with Kawahara et al. (2009): {'; '.join(outside)}"
     pairs = ", ".join(
         f"{name} {theirs:.4g} ({mine:.4g})" for name, theirs, mine in zip(names, expected, ours, strict=True)
     )
@@ -98,7 +99,7 @@ def second_opinion(sections: Sections, found: xarray.Dataset, keels: BilgeKeels 
 
 
 def decay(found: DecayFit, source: str, inertia_kg_m2: float | None) -> str:
-    """What a decay test says: period, damping with its uncertainty, amplitudes."""
+    """Results of a decay test: period, damping with its uncertainty, amplitudes."""
     rows = [
         ("record", f"{source}: {len(found.swings.time_s)} swings from "
                    f"{math.degrees(found.swings.amplitude_rad[0]):.3g} to "
@@ -114,13 +115,13 @@ def decay(found: DecayFit, source: str, inertia_kg_m2: float | None) -> str:
             of_inertia = "" if inertia_kg_m2 is None else f", {inertia_kg_m2 * value:.4g} {moment}"
             rows.append((f"{name} damping", f"{text} of the inertia{of_inertia}"))
     if inertia_kg_m2 is not None:
-        rows.append(("inertia", f"{inertia_kg_m2:.5g} kg m2 with the water's"))
+        rows.append(("inertia", f"{inertia_kg_m2:.5g} kg m2, added inertia included"))
     head = "\n".join(f"{name:<18}{value}" for name, value in rows)
     return "\n".join([head, "", *_swings(found, inertia_kg_m2)])
 
 
 def of_forces(found: DecayFit, forces: Coefficients, inertia_kg_m2: float, waves: float) -> str:
-    """How near the linear and quadratic damping of a scenario come to what was found."""
+    """The misfit of the linear and quadratic damping of a scenario to the measured damping."""
     seen = found.swings.amplitude_rad
     amplitudes = np.linspace(seen.min(), seen.max(), 20)
     whole = found.coefficients(inertia_kg_m2).equivalent(found.frequency_rad_s, amplitudes) - waves
@@ -134,7 +135,7 @@ def _of_period(found: DecayFit) -> float:
 
 
 def _swings(found: DecayFit, inertia_kg_m2: float | None) -> list[str]:
-    """The damping of each swing beside that of the model."""
+    """The damping of each swing, and that of the model."""
     seen = found.swings
     every = -(-len(seen.between_rad) // MOST_SWINGS)
     rows = [["amplitude", "period", "damping ratio", "of the model"], ["deg", "s", "", ""]]

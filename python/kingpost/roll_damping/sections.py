@@ -1,4 +1,4 @@
-"""A hull as a row of sections: beam, draught, area and bilge radius at stations."""
+"""A hull as a series of sections: beam, draught, area and bilge radius at stations."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-COLUMNS = "x_m,beam_m,draught_m and area_m2 or area_coefficient; bilge_radius_m may be there too"
+COLUMNS = "x_m,beam_m,draught_m and area_m2 or area_coefficient; bilge_radius_m is optional"
 FEWEST_STATIONS = 3
-# A mesh's chords, and tables that are rounded, may give a little more than a rectangle.
+# The straight edges of a mesh, and rounded tables, may give slightly more area than the rectangle.
 FULLEST = 1.0 + 1e-3
 
 
@@ -33,7 +33,7 @@ class Sections:
     Attributes
     ----------
     x_m
-        Place along the ship, forward, in any frame.
+        Position along the ship, forward, in any frame.
     length_m
         Length of ship that the section stands for.
     beam_m, draught_m
@@ -43,7 +43,7 @@ class Sections:
     bilge_radius_m
         Radius of the bilge.
     ends_m
-        Where the wetted hull begins and ends along x.
+        The ends of the wetted hull along x.
 
     >>> box = Sections.of_table({"x_m": [0, 50, 100], "beam_m": [20] * 3, "draught_m": [5] * 3,
     ...     "area_coefficient": [0.98] * 3})
@@ -61,12 +61,12 @@ class Sections:
 
     @classmethod
     def of_table(cls, columns: Mapping[str, ArrayLike], file: str | None = None) -> Sections:
-        """Sections from columns of a table; between stations the trapezoidal rule.
+        """Sections from columns of a table, with the trapezoidal rule between stations.
 
         Raises
         ------
         RollDampingError
-            When a column is missing, or holds what no section has.
+            If a column is missing, or a value is impossible for a section.
         """
         given = {name: np.asarray(values, float) for name, values in columns.items()}
         areas = {"area_m2", "area_coefficient"} & given.keys()
@@ -109,13 +109,13 @@ class Sections:
 
     @property
     def midship(self) -> int:
-        """The section of the largest area; of several equal ones that in their middle."""
+        """The section of the largest area; among several equal ones, the middle one."""
         largest = np.flatnonzero(self.area_m2 >= self.area_m2.max() * (1 - 1e-6))
         return int(largest[len(largest) // 2])
 
     @property
     def block_coefficient(self) -> float:
-        """C_B = V / (L B d), of the largest beam and draught."""
+        """C_B = V / (L B d), with the largest beam and draught."""
         return self.volume_m3 / (self.total_length_m * self.beam_m.max() * self.draught_m.max())
 
     @property
@@ -124,7 +124,7 @@ class Sections:
         return float(self.area_m2.max() / (self.beam_m.max() * self.draught_m.max()))
 
     def at(self, x_m: Array) -> Sections:
-        """Sections between the stations, each measure straight between its neighbours; no length."""
+        """Sections between the stations by linear interpolation; their length is zero."""
         between = {
             name: np.interp(x_m, self.x_m, getattr(self, name))
             for name in ("beam_m", "draught_m", "area_m2", "bilge_radius_m")
@@ -139,9 +139,10 @@ class Sections:
         return replace(self, area_m2=factor**2 * self.area_m2, ends_m=ends, **found)
 
     def with_draught(self, draught_m: float) -> Sections:
-        """Sections of the same areas whose greatest draught is the given one.
+        """Sections of the same areas with a given greatest draught.
 
-        The meshes of parametric hulls are stretched downwards by what their chords cut off.
+        The meshes of parametric hulls are deeper than the hull, to make up for the area that their flat
+        panels cut off.
         """
         draught = self.draught_m * (draught_m / self.draught_m.max())
         area = np.minimum(self.area_m2, self.beam_m * draught)
@@ -181,7 +182,8 @@ def _check(given: Mapping[str, Array], file: str | None) -> None:
         raise RollDampingError("bilge_radius_m", f"{given['bilge_radius_m'].min():g}", "0 or more", file)
     sigma = given.get("area_coefficient")
     if sigma is None:
-        sigma = given["area_m2"] / (given["beam_m"] * given["draught_m"])
+        with np.errstate(all="ignore"):
+            sigma = given["area_m2"] / (given["beam_m"] * given["draught_m"])
     if sigma.max() > FULLEST:
         allowed = "an area of at most beam times draught"
         raise RollDampingError("area_m2", f"{sigma.max():.4g} times beam times draught", allowed, file)
@@ -193,7 +195,7 @@ def read_columns(path: str | Path) -> dict[str, Array]:
     Raises
     ------
     RollDampingError
-        When the file cannot be read, or a number is missing in a line.
+        If the file cannot be read, or a number is missing in a line.
     """
     file = str(path)
     try:

@@ -1,4 +1,4 @@
-"""The regression of Kawahara, Maekawa & Ikeda (2009): a second opinion on eddies and bilge keels.
+"""The regression of Kawahara, Maekawa & Ikeda (2009), to compare eddies and bilge keels.
 
 They fitted Ikeda's method for a series of hulls by polynomials of the main dimensions (STAB 2009, pp.
 387-398, eqs. 31 and 38; ITTC 7.5-02-07-04.5, 2021, section 4.3). Damping is B / (rho V B^2) sqrt(B / 2g), the
@@ -22,7 +22,7 @@ KEEL_RANGES = {"breadth_over_beam": (0.01, 0.06), "length_over_length": (0.05, 0
 
 @dataclass(frozen=True)
 class HullForm:
-    """What the regression knows of a hull: C_B, C_M, B/d and OG/d, OG being the depth of the roll axis."""
+    """The inputs of the regression: C_B, C_M, B/d and OG/d, OG being the depth of the roll axis."""
 
     block_coefficient: float
     midship_coefficient: float
@@ -30,7 +30,7 @@ class HullForm:
     axis_depth_over_draught: float
 
     def outside(self) -> list[str]:
-        """What lies outside of the series that was fitted, in words; nothing is clamped."""
+        """The inputs outside the range of the fitted series, in words; nothing is clamped."""
         found = []
         for name, (least, most) in RANGES.items():
             value = getattr(self, name)

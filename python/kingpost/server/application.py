@@ -1,4 +1,5 @@
-"""What the server answers: files of the app's folder and pages from memory, where it is asked by its name."""
+"""Answers of the server: files of the app's folder and pages from memory, for requests to its own host
+name."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ class Application:
     folder
         The built app.
     pages
-        Contents by their paths of the address, which come before files: the scenarios.
+        The scenarios: contents by URL path; they take precedence over files.
     named
         The host that the server was told to listen on.
     """
@@ -34,7 +35,7 @@ class Application:
     compressor: Compressor = field(default_factory=Compressor)
 
     def __call__(self, environ: dict[str, Any], start: Start) -> Iterable[bytes]:
-        """The answer to one request. Nothing is sent again that the browser says it has."""
+        """The answer to one request. A body that the browser has already is not sent again."""
         answer = self._answer(environ, start)
         return [] if environ["REQUEST_METHOD"] == "HEAD" else answer
 
@@ -54,7 +55,7 @@ class Application:
         return [body.content]
 
     def _body(self, path: str, gzipped: bool) -> Body | None:
-        """The page at this path of the address, else the file; None where there is neither."""
+        """The page at this URL path, otherwise the file; None if there is neither."""
         if not path.isprintable():
             return None
         if path in self.pages:
@@ -71,7 +72,7 @@ class Application:
 
 
 def _begin(start: Start, status: HTTPStatus, headers: Mapping[str, str]) -> None:
-    """The head of an answer: no browser keeps an older build, nor loads what is not from here."""
+    """The headers of an answer: the browser keeps no older build and loads nothing from other sites."""
     every = {**headers, "Cache-Control": "no-cache", **POLICY}
     start(f"{status.value} {status.phrase}", list(every.items()))
 

@@ -1,6 +1,6 @@
-"""What the server of the app sends: bodies of HTTP answers, gzipped for the browsers that take that.
+"""Bodies of HTTP answers, gzipped for browsers that accept it.
 
-A phone on a weak net waits for bytes: the engine and the hydrodynamic databases shrink to a third.
+This helps a phone on a slow network: the engine and the hydrodynamic databases shrink to a third.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ TYPES = {
     ".wasm": "application/wasm",
     ".webmanifest": "application/manifest+json",
 }
-"""MIME types by the ending of a path: what browsers insist on, and no system's table changes."""
+"""MIME types by the ending of a path: browsers require them, and the tables of operating systems differ."""
 
 PICTURES = {".webp": "image/webp", ".png": "image/png"}
-"""Those of what is compressed already."""
+"""MIME types of compressed content."""
 
 POLICY = {
     "X-Content-Type-Options": "nosniff",
@@ -48,10 +48,10 @@ POLICY = {
         )
     ),
 }
-"""What every answer tells a browser: take nothing for what it is not, load nothing from elsewhere."""
+"""Security headers of every answer: no guessing of MIME types, no content from other sites."""
 
 PLAIN_TEXT = "text/plain; charset=utf-8"
-# Nothing of these types is compressed already, as pictures are.
+# Content of these types is not yet compressed, unlike pictures.
 COMPRESSIBLE = {*TYPES.values(), PLAIN_TEXT}
 
 
@@ -67,8 +67,8 @@ def content_type(path: str) -> str:
 def accepts_gzip(accept_encoding: str | None) -> bool:
     """Whether a request with this `Accept-Encoding` takes gzip (RFC 9110, section 12.5.3).
 
-    A weight of 0 refuses; `*` stands for every coding that is not named; without the header nothing but the
-    plain bytes is safe.
+    A weight of 0 refuses; `*` stands for every coding that is not named; without the header only the plain
+    bytes are safe.
 
     >>> [accepts_gzip(header) for header in ("gzip, deflate, br", "gzip;q=0, *", "br;q=1, *;q=0.5", None)]
     [True, False, True, False]
@@ -84,8 +84,8 @@ def accepts_gzip(accept_encoding: str | None) -> bool:
 def is_host_of(header: str | None, named: str) -> bool:
     """Whether a `Host` header names the server: by an address, as localhost, or by its own name.
 
-    Any other name leads here only where a web page has its own name resolved to this machine, to read what is
-    served to it alone (DNS rebinding).
+    Any other name means that a foreign web page has its own name resolved to this machine, to read what is
+    served here (DNS rebinding).
 
     >>> [is_host_of(header, "ship.lan") for header in ("127.0.0.1:8000", "Ship.lan:80", "evil.example", "[x")]
     [True, True, False, False]
@@ -105,7 +105,7 @@ def is_host_of(header: str | None, named: str) -> bool:
 
 @dataclass(frozen=True)
 class Body:
-    """The bytes of one answer, and what its head says of them."""
+    """The bytes of one answer and their headers."""
 
     content: bytes
     kind: str
@@ -113,15 +113,16 @@ class Body:
     coding: str | None
     """`gzip`, or None for the plain bytes."""
     tag: str
-    """`ETag`: other bytes have another one."""
+    """`ETag`: different bytes have a different one."""
 
     def headers(self) -> dict[str, str]:
-        """What the head says of an answer with these bytes (RFC 9110, section 8)."""
+        """The headers of an answer with these bytes (RFC 9110, section 8)."""
         said = {"Content-Type": self.kind, "Content-Length": str(len(self.content))}
         return said | ({"Content-Encoding": self.coding} if self.coding else {}) | self.validators()
 
     def validators(self) -> dict[str, str]:
-        """What a cache keeps these bytes by: all that is said where it has them already (section 15.4.5)."""
+        """The headers for a cache: the only headers if the browser has these bytes already (section
+        15.4.5)."""
         return {"ETag": self.tag} | ({"Vary": "Accept-Encoding"} if self.kind in COMPRESSIBLE else {})
 
 
@@ -133,7 +134,8 @@ class Compressor:
         self._lock = threading.Lock()
 
     def body(self, content: bytes, kind: str, gzipped: bool) -> Body:
-        """The body of these plain bytes, gzipped where that is wanted, allowed and smaller."""
+        """The body of these plain bytes, gzipped if the browser accepts it, the type allows it and it is
+        smaller."""
         digest = hashlib.sha256(content).hexdigest()
         if gzipped and kind in COMPRESSIBLE:
             with self._lock:

@@ -14,26 +14,26 @@ from .application import Application
 LOOPBACK, LOOPBACK6 = "127.0.0.1", "::1"
 EVERYWHERE, EVERYWHERE6 = ("0.0.0.0", ""), "::"
 IDLE_S = 60
-"""How long a connection may say nothing, s."""
+"""Time for which a connection may be idle, s."""
 CONNECTIONS = 100
-"""How many may be open; further ones wait."""
+"""The most open connections; further ones wait."""
 THREADS = 6
 LARGEST_REQUEST = 2**16
-"""Bytes of the body of a request, which nobody here reads."""
+"""The most bytes of a request's body; the body is read and ignored."""
 
 
 class Server:
-    """The app on a port of its own: a busy one is an error, on every system.
+    """The app on its own port; a busy port is an error on every operating system.
 
     Attributes
     ----------
     application, server_port
-        What answers, and where.
+        The application, and its port.
 
     Raises
     ------
     OSError, OverflowError
-        When the port cannot be had, and when it is none.
+        If the port is not available, or is not a valid port.
     """
 
     def __init__(self, address: tuple[str, int], application: Application) -> None:
@@ -62,7 +62,7 @@ class Server:
         self._ends.set()
 
     def close(self) -> None:
-        """Give the port and all connections back."""
+        """Close the port and all connections."""
         self._waitress.task_dispatcher.shutdown()
         wasyncore.close_all(self._waitress._map)
 
@@ -79,7 +79,7 @@ def _bound(host: str, port: int) -> socket.socket:
         if sys.platform != "win32":
             made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         if host == EVERYWHERE6:
-            # Phones without IPv6 reach it too.
+            # So that phones without IPv6 reach it too.
             made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 0)
         made.bind((host, port))
     except BaseException:
@@ -89,7 +89,7 @@ def _bound(host: str, port: int) -> socket.socket:
 
 
 def reachable(host: str | None) -> str:
-    """The host as another machine writes it in an address."""
+    """The host name in an address for other machines."""
     if host is None:
         return LOOPBACK
     if host in EVERYWHERE:
@@ -100,19 +100,19 @@ def reachable(host: str | None) -> str:
 
 
 def from_here(host: str) -> str:
-    """The host as this machine itself writes it in an address."""
+    """The host name in an address for this machine."""
     if host in EVERYWHERE or host == EVERYWHERE6:
         return LOOPBACK if host in EVERYWHERE else f"[{LOOPBACK6}]"
     return reachable(host)
 
 
 def lan_address() -> str:
-    """This machine's address on its network; the loopback address where there is none."""
+    """This machine's address on its network; the loopback address if there is none."""
     return _own(socket.AF_INET, "192.0.2.1") or LOOPBACK
 
 
 def lan_address6() -> str:
-    """This machine's IPv6 address on its network; empty where there is none."""
+    """This machine's IPv6 address on its network; empty if there is none."""
     return _own(socket.AF_INET6, "2001:db8::1")
 
 

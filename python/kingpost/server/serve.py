@@ -1,4 +1,4 @@
-"""The browser app, served from the package: which files, at which address."""
+"""Serves the browser app from the package."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
     if given is None:
         return files, None
     scenario = load(given)
-    # In an address some characters of a file name would mean something else.
+    # Some characters of a file name have a special meaning in a URL.
     name = re.sub(r"[^\w.-]", "-", Path(scenario.file).name)
     files[name] = scenario.text
     return files, Path(name).stem
@@ -71,7 +71,7 @@ def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
 def databases(given: str | None) -> dict[str, str]:
     """Texts of parts, hydrodynamic databases and tables of RAOs, by their paths below the scenarios' folder.
 
-    Those of the gallery, and what the given scenario names; one name stands for one file.
+    These are the files of the gallery and those that the given scenario names; each name stands for one file.
     """
     below = gallery.folder()
     named = ("parts/*.yaml", "hydro/*.json", "hydro/*.csv")
@@ -91,8 +91,8 @@ def databases(given: str | None) -> dict[str, str]:
 def index(
     files: dict[str, str], databases: dict[str, str], chosen: str | None = None
 ) -> list[dict[str, str | bool]]:
-    """What `scenarios/index.json` says of each scenario: name, title, file, description, the group of the
-    gallery that it is in, and whether the bare address opens it; in the order of the groups."""
+    """Entries of `scenarios/index.json`: name, title, file, description, group of the gallery, and whether
+    the bare address opens the scenario; in the order of the groups."""
     groups = gallery.groups()
     order = {name: place for place, name in enumerate(groups)}
     ordered = sorted(files.items(), key=lambda item: (order.get(Path(item[0]).stem, len(order)), item[0]))
@@ -119,7 +119,7 @@ def open_server(
     databases: dict[str, str] | None = None,
     chosen: str | None = None,
 ) -> Server:
-    """Listen on `port`; without one on the first free port from 8000.
+    """Listen on `port`, or on the first free port from 8000.
 
     Serves the folder, and under `scenarios/` the scenarios and the databases that they name; the page opens
     the chosen scenario.
@@ -127,7 +127,7 @@ def open_server(
     Raises
     ------
     KingpostError
-        When the port is busy or not allowed, or the host is not this machine's.
+        If the port is busy or not allowed, or the host is not an address of this machine.
     """
     databases = databases or {}
     pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
@@ -148,9 +148,9 @@ def open_server(
 
 
 def _leaving(folder: Path) -> bytes:
-    """A service worker that replaces the app's: it removes what a browser has kept of the app.
+    """A service worker that replaces the app's and removes the app's files from the browser's cache.
 
-    What is served here can be another with every start.
+    A local server can serve another build at each start.
     """
     script = folder / "offline-leave.js"
     return script.read_bytes() if script.is_file() else b""
@@ -168,7 +168,7 @@ def qr_code(address: str) -> str:
 
 
 def _check(server: Server, query: str, chosen: str | None) -> int:
-    """Fetch the page, the engine and the scenarios over HTTP and print what came."""
+    """Fetch the page, the engine and the scenarios over HTTP and print the results."""
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     thread.start()
     try:

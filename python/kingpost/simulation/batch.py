@@ -26,23 +26,23 @@ FINISHED = "finished"
 SEED = "simulation.seed"
 
 MOST_MEMORY_GB = 2.0
-"""What the rows of all runs may take; their data set takes as much again while it is put together."""
+"""Memory for the rows of all runs; building their data set takes the same amount again."""
 LARGEST_MEMORY_GB = 1e6
-"""No machine has so much; above it lies nothing but infinity."""
+"""An upper bound that no machine reaches: it refuses infinity."""
 
 
 class Batch:
     """Variants of one scenario, run together.
 
-    Four variants of one structure go side by side in SIMD lanes, groups of them over threads; each
-    run has the bits that it has alone. A run that diverges is marked, the others go on.
+    Four variants of one structure run side by side in SIMD lanes, and such groups run in threads. Each run
+    gives the same bits as it does alone. A run that diverges is marked, and the others go on.
 
     Parameters
     ----------
     scenario
-        What all variants start from.
+        The scenario that all variants are based on.
     parameters
-        By parameter name, or dotted path of a field, one value a run. All lists have one length.
+        Lists by parameter name or by the dotted path of a field: one value for each run, all of one length.
 
     Examples
     --------
@@ -80,12 +80,11 @@ class Batch:
         Parameters
         ----------
         threads
-            How many to take; 0 takes as many as the machine has.
+            Number of threads; 0 takes as many as the machine has.
         progress
-            Called now and then with the number of runs that are done.
+            Called now and then with the number of finished runs.
         memory_gb
-            What the rows of all runs may take; their data set takes as much again while it is put
-            together.
+            Memory for the rows of all runs; building their data set takes the same amount again.
 
         Returns
         -------
@@ -93,16 +92,17 @@ class Batch:
             The variables of `kingpost.run` with a first dimension ``run``; along it the values of
             the parameters and ``status``, which is ``finished`` or why the run ended. A run that
             ended early has NaN from there on. The attributes ``warnings`` and
-            ``limits`` are a list for each run, as JSON. What is known before, ``model_warnings``, is that
-            of the first run. Each warning, of many runs once, is a `KingpostWarning` too.
+            ``limits`` are a list for each run, as JSON. ``model_warnings`` holds the warnings about the model
+            of the first run. Each warning is also a `KingpostWarning`; the same warning of many runs appears
+            once.
 
         Raises
         ------
         ScenarioError
-            When a variant is wrong; nothing ran.
+            If a variant is wrong; no variant has run then.
         KingpostError
-            When the variants differ in their bodies, or in the times at which rows are recorded;
-            when they would record more than `memory_gb`.
+            If the variants differ in their bodies or in the times of their records, or would record more than
+            `memory_gb`.
         KeyboardInterrupt
             On Ctrl-C, within a second; nothing is kept.
 
@@ -140,17 +140,17 @@ class Batch:
         return found.assign_coords({**about, **along})
 
     def _known(self) -> list[str]:
-        """What one should know before the first run."""
+        """Warnings about the model of the first run."""
         for variant in self._variants()[:1]:
             try:
                 return Simulation(self.scenario.with_overrides(dict(variant))).model_warnings
             except KingpostError:
-                # The engine says better which variant is wrong.
+                # The engine's error names the wrong variant.
                 break
         return []
 
     def _came_of(self, limits: list[list[dict[str, Any]]], warnings: list[list[dict[str, Any]]]) -> list[str]:
-        """What the engine warned of, of runs that differ in their seeds alone by their seeds."""
+        """Warnings of the runs; runs that differ only in their seeds are named by their seeds."""
         seeds = self.parameters.get(SEED) if len(self.parameters) == 1 else None
         counted_by = "run" if seeds is None else "seed"
         runs = zip(seeds or range(len(warnings)), limits, warnings, strict=True)
@@ -163,14 +163,14 @@ class Batch:
 
 
 def _stacked(rows: list[np.ndarray]) -> np.ndarray:
-    """Runs over one axis of time; those that ended early are filled up with NaN."""
+    """Runs over one time axis; a run that ended early is filled up with NaN."""
     if not rows:
         return np.empty((0, 0, 0))
     longest = max(rows, key=len)
     stacked = np.full((len(rows), *longest.shape), np.nan)
     for run, of_run in enumerate(rows):
         stacked[run, : len(of_run)] = of_run
-        # The row at which a run diverged stands at the last good time, beside the grid.
+        # The last row of a run that diverged is at its last good time, which is not on the grid.
         on_grid = of_run[:, 0] == longest[: len(of_run), 0]
         if not on_grid[:-1].all():
             raise KingpostError(

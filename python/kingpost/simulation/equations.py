@@ -1,8 +1,10 @@
-"""A simulation where it stands: matrices, accelerations, linearisation, rest, waves, hydrostatics."""
+"""Computations at the present state of a simulation: matrices, accelerations, linearisation, equilibrium,
+RAOs, hydrostatics."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,17 +16,19 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from ..engine import engine
+    from ..scenario import Scenario
 
 
 class Equations:
-    """What `kingpost.Simulation` computes where it stands, without a step."""
+    """The methods of `kingpost.Simulation` that compute at the present state, without a step."""
 
+    scenario: Scenario
     _engine: engine.Simulation
 
     def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:
         """Accelerations of the free coordinates now (m/s2 or rad/s2).
 
-        `tau` adds a generalized force per free coordinate (N or N m) to the loads that act.
+        `tau` adds a generalized force per free coordinate (N or N m) to the acting loads.
 
         Parameters
         ----------
@@ -39,7 +43,7 @@ class Equations:
         Raises
         ------
         KingpostError
-            When `tau` has another length.
+            If `tau` has another length.
 
         >>> from kingpost import Simulation, load
         >>> Simulation(load("paper")).acceleration().shape
@@ -94,9 +98,9 @@ class Equations:
 
         Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
         rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
-        ``M_star``, ``N_star`` and ``F_star``, and where there are any ``q_ddot_given`` of prescribed
-        motions and ``J`` of closed loops, with labels and units by row and column; their LaTeX,
-        their formulas and their CSV files (`MovingFrame`).
+        ``M_star``, ``N_star`` and ``F_star``, ``q_ddot_given`` if motions are prescribed, and ``J`` if there
+        are closed loops. Each has labels and units by row and column. `MovingFrame` also gives their LaTeX,
+        their formulas and their CSV files.
 
         Returns
         -------
@@ -126,7 +130,7 @@ class Equations:
         return labelled(*self._engine.linearize())
 
     def settle(self) -> Equilibrium:
-        """Move to an equilibrium near here, all rates zero, and begin the ledger anew there.
+        """Move to an equilibrium near the present state, with all rates zero, and restart the ledger there.
 
         Returns
         -------
@@ -136,7 +140,7 @@ class Equations:
         Raises
         ------
         KingpostError
-            When there is none; the state stays as it was.
+            If there is none; the state is then unchanged.
 
         >>> from kingpost import Simulation, load
         >>> simulation = Simulation(load("chain"))
@@ -146,25 +150,26 @@ class Equations:
         return Equilibrium(*self._engine.settle())
 
     def wave_response(self, directions_rad: ArrayLike, frequencies_rad_s: ArrayLike) -> dict[str, Any]:
-        """What `kingpost.rao` labels: complex amplitudes of all motions by direction and frequency, with
-        the crane as it stands now; no frequencies ask for those of the hull's database, refined.
+        """Complex amplitudes of all motions by direction and frequency, with the crane as it stands now;
+        `kingpost.rao` puts labels on them.
 
         Parameters
         ----------
         directions_rad
-            That the waves go to, rad.
+            Directions that the waves travel towards, rad.
         frequencies_rad_s
-            Angular frequencies; none ask for those of the database.
+            Angular frequencies; if empty, those of the hull's database, refined.
 
         Returns
         -------
         dict
-            ``real`` and ``imaginary`` parts of all motions, flat, with the names of what moves.
+            ``real`` and ``imaginary`` parts of all motions, flat, and the names of the moving points and
+            joints.
 
         Raises
         ------
         KingpostError
-            When nothing comes to rest, or a database does not cover a frequency.
+            If there is no equilibrium, or a database does not cover a frequency.
 
         >>> from kingpost import Simulation, load
         >>> found = Simulation(load("barge")).wave_response([0.0], [1.0])
@@ -177,14 +182,103 @@ class Equations:
         }
         return json.loads(self._engine.wave_response_json(json.dumps(waves)))
 
-    def hydrostatics(self) -> dict[str, Any]:
-        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
-        coordinates stay, the rest comes to rest in still water. The simulation itself does not move.
+    def column_response(
+        self,
+        directions_rad: ArrayLike,
+        frequencies_rad_s: ArrayLike,
+        columns: Sequence[str] = (),
+        about_resonances: bool = False,
+    ) -> dict[str, Any]:
+        """What `kingpost.wave_response` labels: complex amplitudes of columns of the results by direction,
+        frequency and column, with the crane as it stands now.
+
+        Parameters
+        ----------
+        directions_rad
+            That the waves go to, rad.
+        frequencies_rad_s
+            Angular frequencies, rad/s; none ask for those of the database, refined.
+        columns
+            Their names; none ask for all.
+        about_resonances
+            Whether to add frequencies about each resonance that is narrower than the steps between them.
 
         Returns
         -------
         dict
-            As `Scenario.hydrostatics`.
+            ``amplitudes``, complex, shape (directions, frequencies, columns), NaN for a column that does not
+            follow in proportion; ``columns``, ``units``, ``mean``, ``not_linear``, ``resonances``,
+            ``frequencies_rad_s``, ``warnings``.
+
+        Raises
+        ------
+        KingpostError
+            When nothing comes to rest, a database does not cover a frequency, or there is no such column.
+
+        >>> from kingpost import Simulation, load
+        >>> found = Simulation(load("barge")).column_response([0.0], [1.0], ["ship.roll", "ship.pitch"])
+        >>> found["amplitudes"].shape
+        (1, 1, 2)
+        """
+        waves = {
+            "directions_rad": np.asarray(directions_rad, float).tolist(),
+            "frequencies_rad_s": np.asarray(frequencies_rad_s, float).tolist(),
+        }
+        parts, about = self._engine.column_response(json.dumps(waves), list(columns), about_resonances)
+        found = json.loads(about)
+        shape = (len(found["directions_rad"]), len(found["frequencies_rad_s"]), len(found["columns"]))
+        found["amplitudes"] = parts.view(complex).reshape(shape)
+        return found
+
+    def sea_spectra(
+        self,
+        frequencies_rad_s: ArrayLike,
+        directions: int = 1,
+        seas: Sequence[dict[str, Any]] | None = None,
+    ) -> list[list[dict[str, Any]]]:
+        """The energy of each wave system of a sea over frequency, as runs draw their waves from it.
+
+        Parameters
+        ----------
+        frequencies_rad_s
+            Angular frequencies at which the density is given, rad/s.
+        directions
+            How many directions of equal energy stand for a sea that is spread.
+        seas
+            ``sea.waves`` of resolved scenarios, to be taken instead of this one's.
+
+        Returns
+        -------
+        list of list of dict
+            For each sea, of each system that runs: ``name``, ``directions_rad`` with equal shares of the
+            energy, ``band_rad_s``, ``nodes_rad_s`` where the density changes its form, ``density_m2_s``
+            (m^2 s/rad), and ``lines`` of waves of one frequency: angular frequency (rad/s), direction
+            (rad), variance (m^2).
+
+        Raises
+        ------
+        ScenarioError
+            When there are no such waves.
+
+        >>> from kingpost import Simulation, load
+        >>> ((sea,),) = Simulation(load("offshore_vessel", waves=True)).sea_spectra(np.linspace(0.4, 4, 2000))
+        >>> height_m = 4 * np.sqrt(np.trapezoid(sea["density_m2_s"], np.linspace(0.4, 4, 2000)))
+        >>> round(float(height_m), 2)
+        2.5
+        """
+        own = (self.scenario.resolved.get("sea") or {}).get("waves", {})
+        given = [own] if seas is None else list(seas)
+        frequencies = np.ascontiguousarray(frequencies_rad_s, float)
+        return json.loads(self._engine.sea_spectra_json(json.dumps(given), frequencies, directions))
+
+    def hydrostatics(self) -> dict[str, Any]:
+        """Like the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
+        coordinates stay, the others settle in still water. The simulation itself does not move.
+
+        Returns
+        -------
+        dict
+            The same entries as `Scenario.hydrostatics`.
 
         Raises
         ------

@@ -13,42 +13,41 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 RATE = ".rate"
-"""Ends the name of a coordinate's rate."""
+"""Suffix of the name of a coordinate's rate."""
 
 
 @dataclass(frozen=True)
 class Linearization:
     """A and B of ``x' = rates + A x + B u`` about one state, exact to rounding.
 
-    The states x are small motions from there, in this order:
+    The states x are small motions from that state, in this order:
 
-    1. the free coordinates, as ``slew`` (m or rad). A floating body moves along the world's axes
+    1. the free coordinates, such as ``slew`` (m or rad). A floating body moves along the world's axes
        and turns by a rotation vector in its own axes;
-    2. their rates, as ``slew.rate`` (m/s or rad/s), in the same axes;
-    3. what drives and forces keep, as ``luffing.wanted_length`` of a lever (m).
+    2. their rates, such as ``slew.rate`` (m/s or rad/s), in the same axes;
+    3. the states of drives and forces, such as ``luffing.wanted_length`` of a lever (m).
 
-    The inputs u are changes of `Simulation.inputs`. Held and prescribed coordinates are not among
-    the states; prescribed ones keep the motion that they have. Where there are closed loops all
-    coordinates of the open tree are, and motions are such that `Simulation.constraint_matrix` times
-    x vanishes, for the coordinates and for their rates. Equations without D are linearised with it.
+    The inputs u are changes of `Simulation.inputs`. Held and prescribed coordinates are not states;
+    prescribed coordinates keep their motion. With closed loops, all coordinates of the open tree are states,
+    and `Simulation.constraint_matrix` times x is zero for the coordinates and for their rates. A scenario
+    that leaves D out is linearised with D.
 
     Attributes
     ----------
     A
-        Rate of the row's state by the column's, dimensions ``row`` and ``column``.
+        Derivative of the rate of the row's state by the column's state, dimensions ``row`` and ``column``.
     B
-        Rate of the row's state by the column's input.
+        Derivative of the rate of the row's state by the column's input.
     rates
         The rates at the state itself, by ``row``: zero at an equilibrium.
     units
         SI unit of each state.
     remembers
-        Whether each state only remembers how something moved, as radiated waves do and filters.
+        Whether each state is a memory of past motion, such as a state of radiated waves or of a filter.
     input_units
         Unit of each input.
     warning
-        What A does not say, or None: where a prescribed coordinate moves or accelerates, A is that of
-        one instant.
+        A warning or None: if a prescribed coordinate moves or accelerates, A holds at one instant only.
     """
 
     A: xarray.DataArray
@@ -71,7 +70,7 @@ class Linearization:
 
     @property
     def coordinates(self) -> list[str]:
-        """Names of the free coordinates: the states begin with them, then come their rates."""
+        """Names of the free coordinates, which are the first states; their rates follow."""
         return self.states[: sum(name.endswith(RATE) for name in self.states)]
 
 
@@ -105,9 +104,9 @@ class Equilibrium:
     Attributes
     ----------
     iterations
-        Newton's iterations.
+        Number of Newton iterations.
     residual
-        Largest acceleration that is left, m/s2 or rad/s2.
+        Largest remaining acceleration, m/s2 or rad/s2.
     """
 
     iterations: int

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 ENVIRONMENTS = ("bmatrix", "pmatrix", "array")
 NOISE = 1e-12
-"""What is smaller than this part of a matrix's largest entry is printed as 0."""
+"""Entries below this fraction of a matrix's largest entry are printed as 0."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Formula:
     name, symbol, equation
         Its key, its symbol in LaTeX, and the paper's equation.
     rows, columns
-        What block rows and columns stand for, in LaTeX.
+        Names of the block rows and columns, in LaTeX.
     blocks
         Blocks by row, in LaTeX.
     """
@@ -55,7 +55,7 @@ class Formula:
             raise KingpostError(f"{self.name}: no block ({row}, {column}), allowed: {size}") from None
 
     def latex(self, environment: str = "bmatrix") -> str:
-        """The equation in LaTeX; ``array`` shows what rows and columns stand for.
+        """The equation in LaTeX; ``array`` adds the names of rows and columns.
 
         Two blocks alone are written as they are, without brackets.
         """
@@ -71,8 +71,8 @@ class MovingFrame(dict[str, "xarray.DataArray"]):
     """The matrices at one instant by name, with their LaTeX, their formulas and their CSV files.
 
     Each is an array with dimensions ``row`` and ``column`` and the coordinates ``row_unit`` and
-    ``column_unit``: it takes a list in its columns' units to one in its rows'. The coordinate ``unit``
-    is that of each entry.
+    ``column_unit``: it maps a vector in the units of its columns to a vector in the units of its rows. The
+    coordinate ``unit`` gives the unit of each entry.
     """
 
     def __init__(self, blocks: Iterable[tuple[Any, ...]], symbols_json: Callable[[bool], str]) -> None:
@@ -80,7 +80,7 @@ class MovingFrame(dict[str, "xarray.DataArray"]):
         self._symbols_json = symbols_json
 
     def formulas(self, names: bool = False) -> dict[str, Formula]:
-        """What stands in the blocks, with bodies by number as in the paper, or by name.
+        """The blocks as formulas, with bodies by number as in the paper, or by name.
 
         >>> from kingpost import Simulation, load
         >>> formulas = Simulation(load("paper")).moving_frame().formulas()
@@ -131,7 +131,7 @@ def matrix(
 
 
 def entry_unit(row: str, column: str) -> str:
-    """Unit of an entry: its row's over its column's, radians left out.
+    """Unit of an entry: the unit of its row over the unit of its column, without radians.
 
     >>> entry_unit("N m", "rad/s^2"), entry_unit("m/s", "rad/s"), entry_unit("N", "m/s"), entry_unit("m", "m")
     ('kg m^2', 'm', 'kg/s', '1')
@@ -150,7 +150,7 @@ def entry_unit(row: str, column: str) -> str:
 def latex(matrix: xarray.DataArray, environment: str = "bmatrix", digits: int = 4) -> str:
     r"""A matrix of numbers in LaTeX, in ``bmatrix``, ``pmatrix`` or a labelled ``array``.
 
-    Numbers are rounded to significant `digits`; what is smaller than 1e-12 of the largest is 0.
+    Numbers are rounded to `digits` significant digits; entries below 1e-12 of the largest become 0.
 
     >>> row = matrix("M", np.array([[57260.4, 1e-15]]), [["a"], ["a", "b"]], [["N"], ["1", "1"]])
     >>> print(latex(row))
@@ -166,7 +166,7 @@ def latex(matrix: xarray.DataArray, environment: str = "bmatrix", digits: int = 
 
 
 def number(value: float, digits: int = 4) -> str:
-    r"""A number in LaTeX with so many significant digits; with a power of ten from a million on.
+    r"""A number in LaTeX with `digits` significant digits; from a million on with a power of ten.
 
     >>> number(0.25), number(-1.23456e-7), number(28700.0)
     ('0.25', '-1.235 \\times 10^{-7}', '28700')

@@ -1,4 +1,4 @@
-"""What is seen of a simulation: what happened, what is recorded, where everything is."""
+"""What a simulation shows: events, warnings, channels, poses."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import KingpostError
 from . import step_limit
-from .records import DrawnLine, Event, LeverMove, Limit, Warning
+from .records import DrawnLine, Event, LeverMove, Limit, LimitBounds, Warning
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 
 class Observed:
-    """What `kingpost.Simulation` shows of itself."""
+    """The attributes of `kingpost.Simulation` that show its events, warnings, channels and poses."""
 
     scenario: Scenario
     _engine: engine.Simulation
 
     @property
     def events(self) -> list[Event]:
-        """What has happened so far, in order of time; a data set holds it as JSON in ``attrs["events"]``.
+        """The events so far, in order of time; a data set holds them as JSON in ``attrs["events"]``.
 
         >>> from kingpost import Simulation, load
         >>> Simulation("paper").events
@@ -37,8 +37,8 @@ class Observed:
 
     @property
     def model_warnings(self) -> list[str]:
-        """What one should know before a run from here: of the model, and of a step that is too long for its
-        scheme (`kingpost.stable_step`).
+        """Warnings before a run from the present state: about the model, and about a step that is too long
+        for the scheme (`kingpost.stable_step`).
 
         >>> from kingpost import Simulation, load
         >>> Simulation(load("paper", {"simulation.step_s": 0.001})).model_warnings
@@ -48,13 +48,13 @@ class Observed:
         try:
             too_long = step_limit.warning(settings, lambda: self._engine.linearize()[0])
         except KingpostError:
-            # What cannot be linearised where it begins, the run itself says better.
+            # If the start cannot be linearised, the error of the run itself is clearer.
             return known
         return known if too_long is None else [*known, too_long]
 
     @property
     def warnings(self) -> list[Warning]:
-        """What one should know of the rows so far, in order of time; a data set holds it as JSON in
+        """Warnings from the rows so far, in order of time; a data set holds them as JSON in
         ``attrs["warnings"]``.
 
         >>> from kingpost import Simulation, load
@@ -78,15 +78,28 @@ class Observed:
         return [Limit(**limit) for limit in json.loads(self._engine.limits_json())]
 
     @property
+    def limit_bounds(self) -> list[LimitBounds]:
+        """What the scenario's limits allow, in SI units.
+
+        >>> from kingpost import Simulation, load
+        >>> limits = {"limits": {"roll": {"column": "ship.roll", "at_most": 180, "unit": "deg"}}}
+        >>> Simulation(load("paper").with_overrides(limits)).limit_bounds[0].at_most
+        3.141592653589793
+        """
+        return [LimitBounds(*bounds) for bounds in self._engine.limit_bounds()]
+
+    @property
     def lever_moves(self) -> list[LeverMove]:
-        """What `set_input` has set so far, in order of time."""
+        """The lever moves that `set_input` has made so far, in order of time."""
         return [LeverMove(*move) for move in self._engine.lever_moves()]
 
     def operation(self) -> dict[str, Any]:
-        """What was set by hand as the ``operation`` of a scenario: a run with it gives the same bits.
+        """The inputs set by hand, as the section ``operation`` of a scenario: a run with it gives the same
+        bits.
 
-        It has what `set_input` has set in this simulation since its start or its last `reset`; what came
-        before a `restore` of another's snapshot is not in it, and no parameter that was set under way.
+        It contains every `set_input` of this simulation since its start or its last `reset`. It does not
+        contain inputs from before a `restore` of another simulation's snapshot, nor parameters set during the
+        run.
 
         Returns
         -------
@@ -96,7 +109,7 @@ class Observed:
         Raises
         ------
         KingpostError
-            When the scenario has an operation that is enabled: the two would be one beside the other.
+            If the scenario has an enabled operation: there would be two.
 
         >>> from kingpost import Simulation, load
         >>> by_hand = Simulation("lowering_by_winch")
@@ -117,7 +130,7 @@ class Observed:
 
     @property
     def coordinate_units(self) -> list[str]:
-        """SI unit of each of `coordinates`: m, or rad of what turns.
+        """SI unit of each of `coordinates`: m or rad.
 
         >>> from kingpost import Simulation, load
         >>> Simulation("paper").coordinate_units
@@ -127,7 +140,7 @@ class Observed:
 
     @cached_property
     def channels(self) -> list[dict[str, Any]]:
-        """What is recorded: name, unit, frame, dimensions, labels and place in a row."""
+        """The recorded channels: name, unit, frame, dimensions, labels and place in a row."""
         return json.loads(self._engine.channels_json())
 
     def row(self) -> NDArray[np.float64]:
@@ -160,7 +173,7 @@ class Observed:
         return self._engine.poses()
 
     def lines(self) -> list[DrawnLine]:
-        """The lines to draw beside the bodies, where they are now.
+        """The lines to draw in addition to the bodies, at their present places.
 
         Returns
         -------

@@ -1,6 +1,7 @@
-"""What came of runs: how limits held, what the engine warned of, and both in words.
+"""Outcomes of runs: limits and warnings, as data and in words.
 
-Of several runs each warning stands once. The command line, `warnings.warn` and files have the same words.
+The same warning of several runs is given once. The command line, `warnings.warn` and files use the same
+words.
 """
 
 from __future__ import annotations
@@ -13,25 +14,25 @@ from typing import Any
 
 from .records import PARTS
 
-# Not the digits of a name, as in leg_2.
+# Not the digits in a name such as leg_2.
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 PARTED = "parted at"
 ENERGY, OFF_BALANCE = "energy", "is off its balance by"
-"""The name of a warning and how its text begins."""
+"""The name of this warning, and the first words of its text."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a run, as data sets have it.
+    """The outcome of a run, as data sets hold it.
 
     Attributes
     ----------
     seed
-        Its seed; or the number of the run of a `Batch` whose runs differ in something else.
+        Its seed; or its number in a `Batch` whose runs differ in something else.
     limits, warnings
         As dictionaries.
     counted_by
-        What `seed` is, ``seed`` or ``run``.
+        The meaning of `seed`: ``seed`` or ``run``.
     """
 
     seed: int
@@ -41,12 +42,12 @@ class Outcome:
 
     @property
     def is_off_balance(self) -> bool:
-        """Whether the energy of the run does not balance, so that its numbers are not to be trusted."""
+        """Whether the energy of the run does not balance; its numbers cannot be trusted then."""
         return any(one["name"] == ENERGY and one["text"].startswith(OFF_BALANCE) for one in self.warnings)
 
 
 def of_run(attributes: Mapping[str, Any], seed: int) -> Outcome:
-    """What came of a run, by the attributes of its data set."""
+    """The outcome of a run, from the attributes of its data set."""
     names = ("limits", "warnings", "events")
     return with_partings(seed, *(json.loads(attributes.get(name, "[]")) for name in names))
 
@@ -58,7 +59,7 @@ def with_partings(
     events: Sequence[dict[str, Any]] = (),
     counted_by: str = "seed",
 ) -> Outcome:
-    """What came of a run; among its warnings each rope that parted, with the time."""
+    """The outcome of a run; each rope that parted is among its warnings, with the time."""
     told = {warning["name"] for warning in warnings if warning["text"].startswith(PARTS)}
     untold = [{"time_s": event["time_s"], "name": event["element"], "text": PARTS}
               for event in events if event["what"] == PARTS and event["element"] not in told]  # fmt: skip
@@ -67,7 +68,7 @@ def with_partings(
 
 
 def _with_time_of_parting(warning: dict[str, Any]) -> dict[str, Any]:
-    """A warning; of a rope that parts with the time in its text.
+    """A warning; if a rope parts, its text contains the time.
 
     >>> _with_time_of_parting({"time_s": 67.2913, "name": "whip", "text": "parts: its load"})["text"]
     'parted at 67.29 s: its load'
@@ -79,8 +80,8 @@ def _with_time_of_parting(warning: dict[str, Any]) -> dict[str, Any]:
 
 
 def every_warning(attributes: Mapping[str, Any]) -> list[str]:
-    """What one should know of a run, by the attributes of its data set: what was known before, which ropes
-    parted, and what else the engine warned of.
+    """All warnings of a run, from the attributes of its data set: those before the run, ropes that parted,
+    and the other warnings of the engine.
 
     >>> every_warning({"warnings": '[{"time_s": 4.0, "name": "ship", "text": "it heeled"}]'})
     ['ship: it heeled']
@@ -90,8 +91,8 @@ def every_warning(attributes: Mapping[str, Any]) -> list[str]:
 
 
 def in_words(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
-    """What the engine warned of, of ropes that parted and of the rest; what it said of several runs, but for
-    its numbers, once."""
+    """Warnings of the engine: of ropes that parted, and the others. Warnings of several runs that differ only
+    in their numbers are given once."""
     alike: dict[tuple[str, str], dict[int, list[str]]] = {}
     for run, outcome in enumerate(outcomes):
         for warning in outcome.warnings:
@@ -109,7 +110,7 @@ def in_words(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
 
 
 def _range(outcomes: Sequence[Outcome], texts: Mapping[int, Sequence[str]]) -> str:
-    """The smallest and the largest first number of texts that differ in it, with the seeds of their runs."""
+    """The range of the first number in the texts, with the seeds of its smallest and largest value."""
     numbers = [(found.group(), outcomes[run]) for run, told in texts.items()
                for text in told if (found := NUMBER.search(text))]  # fmt: skip
     ends = [end(numbers, key=lambda one: float(one[0])) for end in (min, max)] if numbers else []

@@ -1,4 +1,4 @@
-"""What a simulation hands out: its state, inputs and lines, what happened, how limits held.
+"""Records that a simulation returns: state, inputs, lines, events, warnings, limits, lever moves.
 
 Units are SI, angles in radians; the world's z points up.
 """
@@ -28,7 +28,7 @@ class State:
         Velocities: of a floating body the world velocity of its centre of mass (m/s) and the
         angular velocity in body axes (rad/s); then joint rates (rad/s or m/s).
     s
-        Further states of forces, drives and the energy ledger.
+        Further states: of forces, of drives and of the energy ledger.
     """
 
     time_s: float
@@ -49,19 +49,29 @@ class Input:
 
 
 @dataclass(frozen=True)
+class LimitBounds:
+    """What a limit allows its column, in the column's SI unit; None where there is no bound."""
+
+    name: str
+    column: str
+    at_least: float | None
+    at_most: float | None
+
+
+@dataclass(frozen=True)
 class DrawnLine:
     """A line that a picture draws: the rope of a load, a mooring line, a tube.
 
     Attributes
     ----------
     name
-        Whose it is.
+        Name of the element that it belongs to.
     style
         ``rope``, ``barrel``, ``rod`` or ``pin``.
     radius_m
-        0 where it is too thin to be drawn to scale.
+        0 if it is too thin to be drawn to scale.
     points_m
-        In the world, m, shape (points, 3); of a pin one.
+        World coordinates, m, shape (points, 3); one point for a pin.
     """
 
     name: str
@@ -72,12 +82,12 @@ class DrawnLine:
 
 @dataclass(frozen=True)
 class Event:
-    """Something that an element watched for and that happened inside a step.
+    """An event that an element watches for; it happened inside a step.
 
     Attributes
     ----------
     time_s
-        When, located to 1e-12 s.
+        Time of the event, located to 1e-12 s.
     element
         The element that watched for it.
     what
@@ -90,25 +100,25 @@ class Event:
 
 
 REPEATING = frozenset({"goes slack", "comes taut", "touches", "leaves", "slides", "holds"})
-"""Events of ropes and contacts that come again and again; all others say what began, ended or broke."""
+"""Events of ropes and contacts that repeat; every other event says that something began, ended or broke."""
 
 
 PARTS = "parts"
-"""The event of a rope at its breaking load; a warning of it begins so too."""
+"""The event of a rope at its breaking load; the text of its warning begins with the same word."""
 
 
 @dataclass(frozen=True)
 class Warning:
-    """What one should know of a run: a rod that stands for a rope pushes, a hull heels too far.
+    """A warning of a run, for example: a rod that stands for a rope pushes, or a hull heels too far.
 
     Attributes
     ----------
     time_s
-        When it was so, s.
+        Time of the warning, s.
     name
         A joint, a closed loop, a body, a force or a drive.
     text
-        What was so.
+        The text of the warning.
     """
 
     time_s: float
@@ -129,11 +139,11 @@ class Limit:
     unit
         Unit of all numbers here.
     at_least, at_most
-        The smallest and the largest value that are allowed; None where that side is free.
+        The smallest and the largest allowed value; None if that side has no bound.
     held
-        Whether it held; None where no row counted.
+        Whether it held; None if no row counted.
     worst, worst_time_s
-        The value nearest to a bound, or farthest beyond one, and when that was, s.
+        The value nearest to a bound, or farthest beyond it, and its time, s.
     """
 
     name: str
@@ -153,11 +163,11 @@ class LeverMove:
     Attributes
     ----------
     time_s
-        The end of the last step before, s.
+        Time of the end of the step before it, s.
     input
         Its name.
     value
-        In its unit.
+        The value, in the unit of the input.
     """
 
     time_s: float

@@ -6,14 +6,13 @@ import hashlib
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import results
-from ..engine import engine
+from ..engine import source_digest
 from ..errors import KingpostError
 from .batch import FINISHED, MOST_MEMORY_GB, SEED, Batch
 from .simulate import Progress, Simulation
@@ -25,11 +24,11 @@ if TYPE_CHECKING:
 
 MOST_SEEDS = 100_000
 TOGETHER = 16
-"""Runs that are in memory at a time, where their rows fit."""
+"""Runs that are in memory at a time, if their rows fit."""
 
 
 def files(pattern: str | Path, count: int) -> list[Path]:
-    """A file for each seed from 1 on: its number replaces the one ``*`` of the pattern's name.
+    """A file for each seed from 1 on: the seed replaces the ``*`` in the pattern.
 
     >>> [path.name for path in files("run_*.nc", 10)][::9]
     ['run_01.nc', 'run_10.nc']
@@ -37,7 +36,7 @@ def files(pattern: str | Path, count: int) -> list[Path]:
     Raises
     ------
     KingpostError
-        When there is no such place, or a file cannot be written.
+        If the folder does not exist, or a file cannot be written.
     """
     if not 1 <= count <= MOST_SEEDS:
         raise KingpostError(f"--seeds: found {count}, allowed: a whole number from 1 to {MOST_SEEDS}")
@@ -51,7 +50,7 @@ def files(pattern: str | Path, count: int) -> list[Path]:
 
 @dataclass(frozen=True)
 class OfSeed:
-    """A run in a file: its attributes, and whether the file was there already, of the same run."""
+    """A run in a file: its attributes, and whether the file of the same run existed already."""
 
     path: Path
     attributes: dict[str, Any]
@@ -68,9 +67,9 @@ def run(
 ) -> Iterator[OfSeed]:
     """Run a scenario with a seed from 1 on for each of the `files`, in order.
 
-    Each has the bits that it has alone. A NetCDF file that is there already, finished, of the same
-    scenario, files and engine, as its attribute ``fingerprint`` says, is kept, unless `anew`. `patterns` and
-    `units` are those of `results.write`. `progress` is called with the number of runs that are done.
+    Each run gives the same bits as it does alone. An existing NetCDF file is kept if its run finished and its
+    attribute ``fingerprint`` shows the same scenario, files and engine; `anew` repeats it. `patterns` and
+    `units` are those of `results.write`. `progress` is called with the number of finished runs.
     """
     seeds = {path: seed for seed, path in enumerate(paths, 1)}
     prints = {path: fingerprint(scenario, seed, patterns) for path, seed in seeds.items()}
@@ -83,7 +82,7 @@ def run(
         some = new[first : first + count]
         together = Batch(scenario, {SEED: [seeds[path] for path in some]}).run(
             progress=_from(len(there) + first, progress),
-            # A run that is too long for that goes alone, as without seeds.
+            # A run whose rows do not fit runs alone, as without seeds.
             memory_gb=max(MOST_MEMORY_GB, 1.01 * of_one_gb),
         )
         for k, path in enumerate(some):
@@ -96,28 +95,22 @@ def run(
 
 
 def _memory_gb(scenario: Scenario) -> float:
-    """What the rows of one run take."""
+    """Memory of the rows of one run, bytes."""
     settings = scenario.resolved["simulation"]
     rows = settings["duration_s"] / max(settings["record_every_s"], settings["step_s"]) + 2
     return 8e-9 * rows * len(Simulation(scenario).row())
 
 
 def fingerprint(scenario: Scenario, seed: int, patterns: Sequence[str] = ()) -> str:
-    """SHA-256 of all that decides what is in the file of a run: the resolved scenario with its seed, the
-    files that it names, the engine, and which columns are written."""
+    """SHA-256 of everything that decides the content of a run's file: the resolved scenario with its seed,
+    the files that it names, the engine, and the written columns."""
     of_seed = scenario.with_overrides({SEED: seed})
-    parts = [of_seed.json, of_seed.digests, _engine_digest(), list(patterns)]
+    parts = [of_seed.json, of_seed.digests, source_digest(), list(patterns)]
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
 
-@cache
-def _engine_digest() -> str:
-    with open(engine.__file__, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
-
-
 def _finished(path: Path, expected: str) -> dict[str, Any] | None:
-    """The attributes of a run that is in a file already; None of another run, and of what cannot be read."""
+    """The attributes of a file that already holds this finished run; None for any other file."""
     import xarray
 
     if path.suffix.lower() != ".nc" or not path.is_file():
@@ -126,7 +119,7 @@ def _finished(path: Path, expected: str) -> dict[str, Any] | None:
         with xarray.open_dataset(path, engine="h5netcdf") as found:
             attributes = dict(found.attrs)
     except Exception:
-        # Whatever it is, a run takes its place.
+        # A file that cannot be read is replaced.
         return None
     matches = attributes.get("fingerprint") == expected and attributes.get("status") == FINISHED
     return attributes if matches else None
@@ -137,7 +130,7 @@ def _from(done: int, progress: Progress | None) -> Progress | None:
 
 
 def _alone(scenario: Scenario, batch: xarray.Dataset, run: int) -> xarray.Dataset:
-    """A run of a batch as `kingpost.run` has it."""
+    """One run of a batch as a data set like that of `kingpost.run`."""
     of_batch = batch.isel(run=run)
     status = of_batch["status"].item()
     if status != FINISHED:

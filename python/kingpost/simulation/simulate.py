@@ -45,23 +45,23 @@ class Simulation(Observed, Equations):
     """
 
     def __init__(self, scenario: Scenario | str | Path) -> None:
-        # A copy: a scenario that is edited later leaves this simulation alone.
+        # A copy: later edits of the scenario do not change this simulation.
         self.scenario = copy(scenario) if isinstance(scenario, Scenario) else load(scenario)
         self.results: xarray.Dataset | None = None
         self._engine = self.scenario._engine()
 
     def reset(self, seed: int | None = None) -> None:
-        """Go back to the scenario's start, with another seed if one is given.
+        """Go back to the start of the scenario, with another seed if one is given.
 
         Parameters
         ----------
         seed
-            Of the random seas, gusts and noise; the scenario's unless given.
+            Seed of the random seas, gusts and noise; default: the scenario's seed.
 
         Raises
         ------
         ScenarioError
-            When the seed is no whole number from 0 on.
+            If the seed is not a whole number from 0 on.
 
         >>> simulation = Simulation(load("paper"))
         >>> simulation.step(5)
@@ -86,9 +86,9 @@ class Simulation(Observed, Equations):
         Raises
         ------
         RunError
-            When the motion diverges; the state stays at the last good step.
+            If the motion diverges; the state is then that of the last good step.
         KingpostError
-            When `n` is no whole number from 0 on.
+            If `n` is not a whole number from 0 on.
 
         >>> simulation = Simulation(load("paper"))
         >>> simulation.step(500)
@@ -102,9 +102,9 @@ class Simulation(Observed, Equations):
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
         """Run from here to the scenario's duration and return what was recorded.
 
-        The attributes ``events``, ``warnings`` and ``limits`` say what happened, what one should know of it,
-        and how the scenario's limits held, as JSON; ``model_warnings`` has what was known before. Each
-        warning is a `KingpostWarning` too.
+        The attributes ``events``, ``warnings`` and ``limits`` hold the events, the warnings and the results
+        of the scenario's limits, as JSON; ``model_warnings`` holds the warnings from before the run. Each
+        warning is also a `KingpostWarning`.
 
         `progress` is called now and then with the time in seconds.
 
@@ -123,7 +123,7 @@ class Simulation(Observed, Equations):
         RunError
             When the motion diverges; `.results` holds what was computed.
         KeyboardInterrupt
-            On Ctrl-C; `.results` holds what was computed. So it is with whatever `progress` raises.
+            On Ctrl-C; `.results` holds what was computed. The same holds for any exception from `progress`.
 
         >>> results = Simulation(load("paper", {"simulation.duration_s": 0.1})).run()
         >>> results.sizes["time"]
@@ -148,14 +148,14 @@ class Simulation(Observed, Equations):
         return results
 
     def time_history(self, name: str, period_s: tuple[float, float] | None = None) -> xarray.DataArray:
-        """A column of what `run` recorded last, over a period.
+        """A column of the last `run`, over a period.
 
         Parameters
         ----------
         name
-            Of the column, as ``arm.tip.point_position.z``.
+            Name of the column, such as ``arm.tip.point_position.z``.
         period_s
-            From and to, s, both included; the whole run without.
+            First and last time, s, both included; default: the whole run.
 
         Returns
         -------
@@ -165,7 +165,7 @@ class Simulation(Observed, Equations):
         Raises
         ------
         KingpostError
-            When nothing was run, there is no such column, or no record in the period.
+            If nothing was run, there is no such column, or no record in the period.
 
         >>> simulation = Simulation(load("paper", {"simulation.duration_s": 0.5}))
         >>> _ = simulation.run()
@@ -201,7 +201,7 @@ class Simulation(Observed, Equations):
 
     @property
     def evaluations(self) -> int:
-        """Evaluations of the right-hand side by the integrator so far: what its steps cost."""
+        """Evaluations of the right-hand side by the integrator so far: the cost of its steps."""
         return self._engine.evaluations()
 
     @property
@@ -212,7 +212,7 @@ class Simulation(Observed, Equations):
     def set_state(self, q: ArrayLike, v: ArrayLike, s: ArrayLike | None = None) -> None:
         """Replace the motion; arrays as in `State`, with unit quaternions.
 
-        Without `s` the energy and momentum ledger begins anew here.
+        Without `s` the ledger of energy and momentum restarts here.
 
         Parameters
         ----------
@@ -221,12 +221,12 @@ class Simulation(Observed, Equations):
         v
             Velocities, as `State.v`.
         s
-            Further states, as `State.s`; they stay unless given.
+            Further states, as `State.s`; unchanged if not given.
 
         Raises
         ------
         KingpostError
-            When a length is wrong or a value is not finite.
+            If a length is wrong or a value is not finite.
 
         >>> simulation = Simulation(load("paper"))
         >>> state = simulation.state
@@ -243,7 +243,7 @@ class Simulation(Observed, Equations):
         Returns
         -------
         bytes
-            Of this scenario alone.
+            Valid for this scenario only.
 
         >>> simulation = Simulation(load("paper"))
         >>> start = simulation.snapshot()
@@ -260,12 +260,12 @@ class Simulation(Observed, Equations):
         Parameters
         ----------
         snapshot
-            What `snapshot` gave.
+            The return value of `snapshot`.
 
         Raises
         ------
         KingpostError
-            When it is of another scenario, or no snapshot.
+            If it belongs to another scenario, or is not a snapshot.
 
         >>> simulation = Simulation(load("paper"))
         >>> simulation.restore(simulation.snapshot())
@@ -274,23 +274,23 @@ class Simulation(Observed, Equations):
 
     @property
     def inputs(self) -> dict[str, Input]:
-        """The inputs by name, with unit, limits and present value."""
+        """The inputs by name, with unit, bounds and present value."""
         return {row[0]: Input(*row) for row in self._engine.inputs()}
 
     def set_input(self, name: str, value: float) -> None:
-        """Set an input; it holds until it is set again.
+        """Set an input; it keeps the value until it is set again.
 
         Parameters
         ----------
         name
-            Of the input, one of `inputs`.
+            Name of the input, one of `inputs`.
         value
             In the input's unit, between its bounds.
 
         Raises
         ------
         KingpostError
-            When there is no such input, or the value is beyond its bounds.
+            If there is no such input, or the value is outside its bounds.
 
         >>> simulation = Simulation(load("lowering_by_winch"))
         >>> simulation.set_input("hoist", 0.1)
@@ -302,21 +302,21 @@ class Simulation(Observed, Equations):
     def set_parameter(self, name: str, value: bool | float | str) -> None:
         """Set a parameter that is `live` in the scenario while the run goes on, from the next step on.
 
-        Time, motion and inputs stay; what the change does to energy is booked in the ledger. `reset` leads to
-        the start of the scenario with the new value.
+        Time, motion and inputs stay; the ledger books the change of energy. `reset` goes to the start of the
+        scenario with the new value.
 
         Parameters
         ----------
         name
-            Of a parameter that can change during a run.
+            Name of a parameter that can change during a run.
         value
             In the parameter's unit.
 
         Raises
         ------
         KingpostError
-            When there is no such live parameter, when it may not have the value, and when the value changes
-            what the run is made of; the error names the parameter.
+            If there is no such live parameter, the value is not allowed, or the value changes the structure
+            of the run; the error names the parameter.
 
         >>> simulation = Simulation(load("barge"))
         >>> simulation.set_parameter("significant_height_m", 2.0)

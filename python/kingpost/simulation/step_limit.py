@@ -15,25 +15,28 @@ GROWTH: dict[str, Callable[[NDArray[np.complex128]], NDArray[np.complex128]]] = 
     "midpoint_euler": lambda z: 1 + z,
     "rk4": lambda z: 1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4))),
 }
-"""What a step h makes of a motion exp(lambda t), z = h lambda (Hairer & Wanner, *Solving Ordinary
+"""Growth factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving
+Ordinary
 Differential Equations II*, 1996, sec. IV.2)."""
 DAMPED = 0.02
-"""Motions with a smaller ratio of damping are not judged: Euler's method makes them grow at any step."""
+"""Motions with a smaller damping ratio are not judged: Euler's method makes them grow at any step."""
 LONGEST_S, HALVINGS = 1e3, 60
 
 
 def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None:
-    """The longest stable step, s, of a scheme on x' = A x; None where it has no such limit.
+    """The longest stable step, s, of a scheme on x' = A x; None if there is no such limit.
 
     >>> print(f"{longest_step_s('rk4', np.diag([-1.0])):.5f}")
     2.78529
     """
     growth = GROWTH.get(integrator)
-    if growth is None:
+    # Where the rates overflow, the run itself says so.
+    if growth is None or not np.isfinite(matrix).all():
         return None
     values = np.linalg.eigvals(matrix)
     values = values[-values.real > DAMPED * np.abs(values)]
-    # Motions that take an hour have no part in it, nor has what rounding leaves of none.
+    # Leave out motions slower than an hour: they set no limit, and zero eigenvalues are rounded to such
+    # values.
     values = values[np.abs(values) > 1 / LONGEST_S]
     if not values.size:
         return None
@@ -41,9 +44,9 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
 
 
 def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]]) -> str | None:
-    """What to say of a step that is too long, by the settings of a simulation; None where it is not.
+    """A warning if the step in the settings of a simulation is too long, otherwise None.
 
-    `matrix` computes A, which is done for schemes with a limit alone.
+    `matrix` computes A; it is called only for schemes with a limit.
     """
     if settings["integrator"] not in GROWTH:
         return None
@@ -51,9 +54,9 @@ def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]])
     if limit is None or settings["step_s"] <= limit:
         return None
     return (
-        f"the step of {settings['step_s']:g} s is too long for {settings['integrator']}: its quickest motion "
-        f"grows by steps beyond {limit:.2g} s, where the run begins; take shorter ones, dormand_prince, "
-        "which chooses them, or an implicit scheme (docs/schemes.md)"
+        f"the step of {settings['step_s']:g} s is too long for {settings['integrator']}: at the start its "
+        f"fastest motion grows with steps longer than {limit:.2g} s; take shorter steps, dormand_prince, "
+        "which chooses its own steps, or an implicit scheme (docs/schemes.md)"
     )
 
 

@@ -1,4 +1,4 @@
-"""Warnings of a run, as Python has them."""
+"""Warnings of a run as Python warnings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PACKAGE = str(Path(__file__).parents[1])
 
 
 def tell(words: Iterable[str]) -> None:
-    """Warn of each, in the name of the line that called into the package.
+    """Raise each as a warning that points to the line that called the package.
 
     >>> with warnings.catch_warnings(record=True) as told:
     ...     warnings.simplefilter("always")

@@ -1,4 +1,4 @@
-"""The moving frame method, checked in numbers: what the lessons use.
+"""Numerical checks of the moving frame method, for the lessons.
 
 Each function returns an `xarray.Dataset` with labelled dimensions and units.
 """

@@ -1,4 +1,4 @@
-"""Rotations: skew matrices, and the exponential that the Cayley-Hamilton theorem folds."""
+"""Rotations: skew matrices, and their exponential by the Cayley-Hamilton theorem."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def skew(vector: ArrayLike) -> NDArray[np.float64]:
 
 
 def unskew(matrix: ArrayLike) -> NDArray[np.float64]:
-    """The vector of a skew matrix (paper eq. 10); of any other, that of its skew part.
+    """The vector of a skew matrix (paper eq. 10); for any other matrix, the vector of its skew part.
 
     >>> unskew(skew([1, 2, 3]))
     array([1., 2., 3.])
@@ -53,7 +53,7 @@ def rodrigues(rotation_vector: ArrayLike) -> NDArray[np.float64]:
 
 
 def exponential_sums(axis: ArrayLike, angle_rad: float, terms: int = 20) -> xarray.Dataset:
-    """Partial sums of exp(t S(e)) = I + t S(e) + t^2/2! S(e)^2 + ..., and what they collapse to.
+    """Partial sums of exp(t S(e)) = I + t S(e) + t^2/2! S(e)^2 + ..., and their closed forms.
 
     The unit axis e gives S(e) the characteristic polynomial x^3 + x, and by the Cayley-Hamilton
     theorem S(e)^3 = -S(e). So every power is S(e) or S(e)^2 with a sign, and a partial sum is
@@ -66,7 +66,7 @@ def exponential_sums(axis: ArrayLike, angle_rad: float, terms: int = 20) -> xarr
     angle_rad
         t, rad.
     terms
-        The highest power that is summed, 170 at most (its factorial has to be a number).
+        The highest power in the sum, 170 at most (larger factorials overflow).
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The D switch: what leaving the restricted variation out does to the energy and the momentum."""
+"""The D switch: the effect of leaving out the restricted variation on energy and momentum."""
 
 from __future__ import annotations
 

@@ -1,9 +1,8 @@
 """The restricted variation of the angular velocity (paper eqs. 53-55), checked by differences.
 
-A rotation R(t) is varied to R(t) exp(eps S(dpi(t))). The angular velocity of the varied rotation is
-taken from differences in time alone, and its variation from differences in eps: no formula for
-either goes in. Beside them stand the naive variation, d/dt dpi, and the restricted one,
-d/dt dpi + omega x dpi.
+A rotation R(t) is varied to R(t) exp(eps S(dpi(t))). The angular velocity of the varied rotation comes only
+from differences in time, and its variation from differences in eps, without any formula. They are compared
+with the naive variation, d/dt dpi, and the restricted one, d/dt dpi + omega x dpi.
 """
 
 from __future__ import annotations
@@ -44,7 +43,7 @@ def restricted_variation(
     displacement
         The virtual rotation dpi(t), body axes, rad.
     time_s
-        When, s.
+        The instant, s.
     epsilons
         Sizes of the variation, descending.
     step_s

@@ -1,4 +1,4 @@
-"""Virtual work (paper eqs. 56-61): of the loads in both sets of coordinates, and of the reactions."""
+"""Virtual work (paper eqs. 56-61) of the loads, in both sets of coordinates, and of the reactions."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> xarray.Dataset:
-    """The virtual work that a virtual displacement of the free coordinates makes the loads do now.
+    """The virtual work of the present loads in a virtual displacement of the free coordinates.
 
     Parameters
     ----------
     simulation
-        At any instant.
+        A simulation at any instant.
     displacement
         dq by coordinate (m or rad; virtual rotation of a floating body in its own axes), zero where
         none is given.
@@ -33,14 +33,15 @@ def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> x
     xarray.Dataset
         By ``body`` and ``axis``, all in world axes, to be drawn as arrows at ``point`` (the centre of
         mass, m): ``displacement`` (m) and ``rotation`` (rad) from dX = B dq, ``force`` (N) and
-        ``moment`` (N m) of the loads {F}, and ``reaction_force`` and ``reaction_moment``, what the
-        joints hold each body with. By ``body``: ``work`` of the loads and ``work_of_reactions`` (J).
-        In all: ``work_in_x`` = {F}^T B dq, ``work_in_q`` = {F*}^T dq, and ``reactions``, the sum of
+        ``moment`` (N m) of the loads {F}, and ``reaction_force`` and ``reaction_moment`` of the joints on
+        each body. By ``body``: ``work`` of the loads and ``work_of_reactions`` (J).
+        Totals: ``work_in_x`` = {F}^T B dq, ``work_in_q`` = {F*}^T dq, and ``reactions``, the sum of
         their work, which is zero, though on one body it is not (J).
 
-    Where a joint follows a prescribed motion, F* also holds what that motion takes from the others, and
-    the two differ by it. Where loops are closed, a displacement that opens one makes its reaction work:
-    only one with J dq = 0 does not. The torque that turns a rotor is counted with its drive.
+    If a joint follows a prescribed motion, F* also contains the effect of that motion on the other
+    coordinates, and the two totals differ by it. With closed loops, a displacement that opens a loop makes
+    its reaction do work; a displacement with J dq = 0 does not. The torque that turns a rotor belongs to its
+    drive.
 
     >>> from kingpost import Simulation, load
     >>> ship = Simulation(load("paper"))
@@ -62,7 +63,7 @@ def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> x
     b = matrices["B"][:, at]
     dx, loads, f_star = b @ dq, matrices["F"].ravel(), matrices["F_star"].ravel()
     reactions = _reactions(simulation, matrices, accelerations)
-    # M* has the inertia of rotors besides B^T M B; what turns them acts within the joint.
+    # M* contains the inertia of rotors in addition to B^T M B; their torque acts inside the joint.
     rotors = (matrices["M_star"] - b.T @ matrices["M"] @ b) @ accelerations[at]
     by_body = [(values * dx).reshape(-1, 6).sum(axis=1) for values in (loads, reactions)]
     bodies = [str(row).rpartition(".")[0] for row in frame["B"]["row"].values[::6]]
@@ -123,7 +124,7 @@ def _arrows(
 def _reactions(
     simulation: Simulation, matrices: Mapping[str, NDArray[np.float64]], accelerations: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """What the joints hold the bodies with, by d'Alembert: M X'' + D M X' less the loads.
+    """The reactions of the joints on the bodies, by d'Alembert: M X'' + D M X' less the loads.
 
     X'' = B q'' + B' q' takes q'' from the recursive form, so that the sum over the bodies is zero only
     where the two forms of the equations of motion agree.

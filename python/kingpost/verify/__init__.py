@@ -1,6 +1,6 @@
 """Verification that anyone can repeat: rows measured now, from the package as it is installed.
 
-`kingpost verify` prints them. Each compares a number of the engine with one that it does not come from: a
+`kingpost verify` prints them. Each compares a number of the engine with an independent one: a
 closed form, a published value, another engine, a measurement. To add a row, write one function beside
 `rows.check` in the file of its area.
 

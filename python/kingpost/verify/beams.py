@@ -13,7 +13,7 @@ AREA = "beams"
 LENGTH_M, MASS_KG, E_PA, SECOND_M4, TORSION_M4 = 20.0, 500.0, 2.0e11, 1e-5, 1.5e-5
 SECTION = {"area_m2": 0.01, "second_moments_m4": [SECOND_M4, 2e-5], "torsion_constant_m4": TORSION_M4}
 ROOTS = (1.8751040687, 4.6940911330, 7.8547574382)
-"""Of cos x cosh x = -1: Blevins, *Formulas for Natural Frequency and Mode Shape*, 1979, table 8-1."""
+"""Roots of cos x cosh x = -1: Blevins, *Formulas for Natural Frequency and Mode Shape*, 1979, table 8-1."""
 
 
 def _cantilever(segments: int, tip_kg: float = 0.0, gravity: float = 0.0):

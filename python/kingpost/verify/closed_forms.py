@@ -1,4 +1,4 @@
-"""Elliptic integrals and functions, which several closed forms need; nothing here is the engine's."""
+"""Elliptic integrals and functions for several closed forms; nothing here comes from the engine."""
 
 from __future__ import annotations
 

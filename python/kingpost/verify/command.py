@@ -1,4 +1,4 @@
-"""`kingpost verify`: measures every row and says whether all hold."""
+"""`kingpost verify`: measures every row and says whether all are within their tolerances."""
 
 from __future__ import annotations
 
@@ -23,21 +23,19 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
     command.add_argument("--only", metavar="AREA", choices=list(AREAS), help=f"one of {', '.join(AREAS)}")
     for name in FORMATS:
-        command.add_argument(f"--{name}", metavar="FILE", help=f"write the rows as {name} too")
-    command.add_argument(
-        "--plots", metavar="DIR", help="draw the pictures of docs/validation.md, and no more"
-    )
+        command.add_argument(f"--{name}", metavar="FILE", help=f"also write the rows as {name}")
+    command.add_argument("--plots", metavar="DIR", help="only draw the pictures of docs/validation.md")
 
 
 def command(options: argparse.Namespace) -> int:
-    """Measure, print, write; 1 where a row fails."""
+    """Measure, print, write; return 1 if a row fails."""
     if options.plots is not None:
         return _draw(Path(options.plots))
     wanted = {name: Path(path) for name in FORMATS if (path := getattr(options, name)) is not None}
     for path in wanted.values():
-        # Refused before the work, not after it.
+        # Refused before the measurements, not after them.
         if not path.parent.is_dir():
-            raise KingpostError(f"{path}: found no folder {path.parent}, allowed: a folder that is there")
+            raise KingpostError(f"{path}: found no folder {path.parent}, allowed: an existing folder")
     with progress.bar(len(checks(options.only)), "rows") as update:
         rows = run(options.only, update)
     print(report.text(rows))
@@ -51,7 +49,7 @@ def _draw(folder: Path) -> int:
     from . import plots
 
     if not folder.is_dir():
-        raise KingpostError(f"{folder}: found no folder, allowed: a folder that is there")
+        raise KingpostError(f"{folder}: found no folder, allowed: an existing folder")
     for path in plots.draw(folder):
         print(f"written  {path}")
     return 0

@@ -39,29 +39,29 @@ validation of SEAWAY, Delft report 1213a, 2001, of whose vector figures the repo
 risingtideresearch/michell read these points."""
 SOURCE = "Vugts, Delft 1970, by Journee, Delft report 1213a, 2001; read by risingtideresearch/michell"
 SHARES = np.array([0.35, 0.40, 0.45, 0.55, 0.65, 0.80, 1.00, 1.25])
-"""w' at which ours are; between them a parabola."""
+"""w' at which Kingpost computes; a parabola interpolates between them."""
 BEAM, WATER = 10.0, Water(1000.0, 9.81)
 LENGTHS, PANEL = (20, 30), 0.1
-"""Of the two hulls whose difference is the section, in beams, and their panels."""
+"""Lengths, in beams, of the two hulls whose difference is the section, and their panels."""
 BILGES = {"circle": 0.499 * BEAM, "rectangle": 0.01}
-"""Those of the nearest box with round bilges, m."""
+"""Bilge radii of the nearest box, m."""
 
 
 @dataclass(frozen=True)
 class Section:
-    """Ours at `SHARES`, by the names of `VUGTS`."""
+    """Computed values at `SHARES`, by the names of `VUGTS`."""
 
     values: dict[str, np.ndarray]
 
     def at(self, quantity: str, share: float) -> float:
-        """By a parabola through the three nearest."""
+        """A value interpolated by a parabola through the three nearest ones."""
         nearest = np.abs(SHARES - share).argsort()[:3]
         return float(np.polyval(np.polyfit(SHARES[nearest], self.values[quantity][nearest], 2), share))
 
 
 @cache
 def section(shape: str) -> Section:
-    """What a metre of a shape has."""
+    """Coefficients of a metre of a shape."""
     needs_capytaine()
     unit = np.sqrt(BEAM / (2 * WATER.gravity_m_s2))
     hull = RoundBilge(BEAM, BEAM, BEAM / 2, BILGES[shape], slender=6.0)
@@ -90,12 +90,12 @@ MISSED = {
     ("rectangle", "b22"): (1.219,),
     ("rectangle", "b33"): (0.431, 1.010),
 }
-"""Points that differ by more than `TOLERANCE`, for what is in the tests and not in potential theory of deep
-water: docs/validation.md names each with its miss, and they are no rows."""
+"""Points that differ by more than `TOLERANCE`, because the tests contain effects that potential theory of
+deep water does not. They are not rows; docs/validation.md lists each with its difference."""
 
 
 def miss(shape: str, quantity: str, number: int) -> float:
-    """Of a point: ours less theirs over the largest of its three."""
+    """The computed value of a point less the measured one, over the largest of its three points."""
     points = VUGTS[shape][quantity]
     share, theirs = points[number]
     return (section(shape).at(quantity, share) - theirs) / max(value for _, value in points)

@@ -103,7 +103,7 @@ def _wind(height: float) -> Simulation:
 
 @check(
     "wind-sway",
-    "sway force of a wind from 45 degrees on the bow",
+    "sway force of a wind from 45 degrees off the bow",
     area=AREA,
     unit="N",
     source=OCIMF,
@@ -117,7 +117,7 @@ def wind_sway() -> Compared:
 
 @check(
     "wind-yaw",
-    "yaw moment of that wind",
+    "yaw moment of a wind from 45 degrees off the bow",
     area=AREA,
     unit="N m",
     source=OCIMF,
@@ -131,7 +131,7 @@ def wind_yaw() -> Compared:
 
 @check(
     "wind-profile",
-    "sway force of that wind on a load 30 m up",
+    "sway force of a wind from 45 degrees off the bow on a load 30 m up",
     area=AREA,
     unit="N",
     source="the seventh root of height, squared: DNV-RP-C205, sec. 2.3.2",
@@ -145,7 +145,7 @@ def wind_profile() -> Compared:
 
 @check(
     "current-drift",
-    "speed of a ship that a current from astern takes along, over 20 s",
+    "speed of a ship that drifts with a current from astern, over 20 s",
     area=AREA,
     unit="m/s",
     source="u - u / (1 + c u t / m); Newton, Principia, book II",

@@ -1,4 +1,4 @@
-"""Measured forces of waves on a ship's section that is held in a flume, and the mean drift of it."""
+"""Measured wave forces on a ship's section that is held in a flume, and its mean drift force."""
 
 from __future__ import annotations
 
@@ -36,16 +36,16 @@ the model to where the first reflected wave is back."""
 FREE = {5.075: 0.510, 5.194: 0.628, 5.425: 0.795, 7.004: 0.737, 7.830: 0.747}
 """The same of the free section, series 3PPH: mean of minus the force on the vertical rail."""
 SPREAD = {6.065: (0.974, 1.040), 7.004: (1.036, 1.083), 7.830: (0.947, 1.035), 8.578: (0.894, 1.054)}
-"""Least and most of the held section's mean force among equal runs."""
+"""Smallest and largest mean force on the held section among equal runs."""
 FREQUENCIES = np.array(sorted({*HELD, *FREE}))
 SOURCE = "Sundsdal et al., NTNU 2025 (CC0), records 2PPH over 1PPH"
 LENGTHS, PANEL_M, TO_PORT = (12, 20), 0.05, 1
-"""Of two long hulls, in beams, and their panels; beam waves run to port."""
+"""Lengths of two long hulls, in beams, and their panels; beam waves run to port."""
 
 
 @dataclass(frozen=True)
 class Long:
-    """Beam waves on a long hull: their forces, and the ring waves that it sends out, to the angle of each."""
+    """Beam waves on a long hull: their forces, and the ring waves that it radiates, by angle."""
 
     length_m: float
     excitation: np.ndarray
@@ -53,7 +53,7 @@ class Long:
     radiated: np.ndarray
 
     def drift(self, at: int, motions: np.ndarray) -> float:
-        """Mean sway force per amplitude squared of the hull that moves so, N/m2."""
+        """Mean sway force per amplitude squared of the hull with this motion, N/m2."""
         frequency = float(FREQUENCIES[at])
         sent = self.scattered[at] + motions @ self.radiated[at]
         k, ratio = wave_number(frequency, FLUME_WATER), group_ratio(frequency, FLUME_WATER)
@@ -102,7 +102,7 @@ def free(omega: float) -> float:
 
 
 def _curve(which: int, frequencies: Sequence[float]) -> Compared:
-    """Where ours and theirs differ most, beside the largest of theirs."""
+    """The point with the largest difference from the measurement, relative to the largest measured value."""
     return worst([held(one)[which] for one in frequencies], [HELD[one][which] for one in frequencies])
 
 
@@ -111,7 +111,7 @@ WAVE = "the wave's height along the flume 3 %, the force's length, with or witho
 
 @check(
     "flume-sway-force",
-    "largest miss of the sway force of beam waves on a held section, over rho g L B a, ten periods",
+    "largest error of the sway force of beam waves on a held section, over rho g L B a, ten periods",
     area=AREA,
     source=SOURCE,
     tolerance=0.055,
@@ -123,7 +123,7 @@ def sway_force() -> Compared:
 
 @check(
     "flume-heave-force",
-    "largest miss of the heave force on it, ten periods",
+    "largest error of the heave force of beam waves on a held section, ten periods",
     area=AREA,
     source=SOURCE,
     tolerance=0.08,
@@ -135,7 +135,7 @@ def heave_force() -> Compared:
 
 @check(
     "flume-drift-held",
-    "largest miss of the mean sway force on it, over rho g L a^2 / 2, where runs were repeated",
+    "largest error of the mean sway force on a held section, over rho g L a^2 / 2, repeated runs",
     area=AREA,
     source=SOURCE,
     tolerance=0.11,

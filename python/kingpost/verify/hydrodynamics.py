@@ -33,10 +33,10 @@ HULME = {
     6.0: (0.4574, 0.0066),
     10.0: (0.4771, 0.0012),
 }
-"""A. Hulme, J. Fluid Mech. 121, 1982, 443, heave of a hemisphere: by k a, A / M and B / M w, M what it
-displaces; four printed digits."""
+"""A. Hulme, J. Fluid Mech. 121, 1982, 443, heave of a hemisphere: by k a, A / M and B / M w, with M the
+displaced mass; four printed digits."""
 SOLVED = (0.1, 0.2, 0.5, 1.0, 2.0, 3.0)
-"""The k a at which rows are."""
+"""The values of k a of the rows."""
 TABLE = "Hulme, J. Fluid Mech. 121, 1982, table 1 (doi 10.1017/S0022112082001980)"
 FLAT = "900 flat panels: first order in their area, 1 / 50 of the radius squared"
 LONG, FIRST = 1e-4, 0
@@ -57,7 +57,7 @@ def solved():
 
 
 def heave(ka: float) -> tuple[float, float]:
-    """Added mass over what is displaced, and damping over that and the frequency."""
+    """Added mass over the displaced mass, and damping over the displaced mass and the frequency."""
     found, frequencies = solved()
     at = 1 + SOLVED.index(ka)
     damping = found.radiation_damping[at, 2, 2] / (DISPLACED * frequencies[at])
@@ -65,10 +65,11 @@ def heave(ka: float) -> tuple[float, float]:
 
 
 def _add(ka: float) -> None:
-    """Both rows of a k a of the table. Damping counts beside the largest of the table, 0.341."""
+    """Both rows of a k a of the table. The error of damping is relative to the largest of the table,
+    0.341."""
     check(
         f"hulme-added-mass-{ka:g}",
-        f"heave added mass of a hemisphere at k a = {ka:g}, over what it displaces",
+        f"heave added mass of a hemisphere at k a = {ka:g}, over the displaced mass",
         area=AREA,
         source=TABLE,
         tolerance=0.01,
@@ -76,7 +77,7 @@ def _add(ka: float) -> None:
     )(lambda: Compared(heave(ka)[0], HULME[ka][0]))
     check(
         f"hulme-damping-{ka:g}",
-        f"heave damping of a hemisphere at k a = {ka:g}, over that and the frequency",
+        f"heave damping of a hemisphere at k a = {ka:g}, over displaced mass and frequency",
         area=AREA,
         source=TABLE,
         tolerance=0.01,
@@ -114,7 +115,7 @@ def surge_infinite() -> Compared:
 
 @check(
     "surge-long",
-    "surge added mass of a hemisphere in waves without end",
+    "surge added mass of a hemisphere in infinitely long waves",
     area=AREA,
     source="1/2: with its image a sphere in unbounded water; Hulme 1982",
     tolerance=0.01,
@@ -126,7 +127,7 @@ def surge_long() -> Compared:
 
 @check(
     "heave-long",
-    "heave added mass of a hemisphere in waves without end",
+    "heave added mass of a hemisphere in infinitely long waves",
     area=AREA,
     source="0.8310; Hulme 1982, sec. 4",
     tolerance=0.01,
@@ -152,7 +153,7 @@ HASKIND = "Haskind's relation; Newman, J. Ship Research 6(3), 1962"
 
 @check(
     "haskind-heave",
-    "heave damping at k a = 1 from the waves' forces",
+    "heave damping at k a = 1 from the wave forces",
     area=AREA,
     unit="kg/s",
     source=HASKIND,
@@ -165,7 +166,7 @@ def haskind_heave() -> Compared:
 
 @check(
     "haskind-surge",
-    "surge damping at k a = 1 from the waves' forces",
+    "surge damping at k a = 1 from the wave forces",
     area=AREA,
     unit="kg/s",
     source=HASKIND,
@@ -178,7 +179,7 @@ def haskind_surge() -> Compared:
 
 @cache
 def _box():
-    """Froude-Krylov forces on a box of 20 x 10 x 2 m in head waves of 30 m length, and that frequency."""
+    """Froude-Krylov forces on a box of 20 x 10 x 2 m in head waves of 30 m length, and the frequency."""
     from ..hydro.meshes import parametric
     from ..hydro.shapes import Box
     from ..hydro.solve import froude_krylov

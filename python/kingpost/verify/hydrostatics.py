@@ -1,4 +1,4 @@
-"""How hulls float, against what every naval architect works out by hand."""
+"""How hulls float, compared with hand calculations of naval architecture."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def box_kb() -> Compared:
 
 @check(
     "box-bm",
-    "metacentric radius of a box across",
+    "transverse metacentric radius of a box",
     area=AREA,
     unit="m",
     source=f"B^2 / 12 T; {BOOK}",
@@ -86,7 +86,7 @@ def box_bm() -> Compared:
 
 @check(
     "box-bm-along",
-    "metacentric radius of a box along",
+    "longitudinal metacentric radius of a box",
     area=AREA,
     unit="m",
     source=f"L^2 / 12 T; {BOOK}",
@@ -112,7 +112,7 @@ def box_gm() -> Compared:
 
 @check(
     "box-gz",
-    "righting arms of a box to where its deck dips",
+    "righting arms of a box up to deck immersion",
     area=AREA,
     unit="m",
     source=f"wall-sided formula (GM + BM/2 tan^2 a) sin a; {BOOK}",
@@ -121,7 +121,7 @@ def box_gm() -> Compared:
 )
 def box_gz() -> Compared:
     points = _afloat(2.5)["righting_arm"]["points"]
-    # The bilge comes out at tan a = 2 T / B, before the deck is under.
+    # The bilge emerges at tan a = 2 T / B, before the deck is immersed.
     inside = [point for point in points if math.tan(point["heel_rad"]) <= 2 * DRAUGHT / BEAM]
     heel = np.array([point["heel_rad"] for point in inside])
     gm = DRAUGHT / 2 + BM - 2.5
@@ -209,7 +209,7 @@ def slack_tank() -> Compared:
 
 @check(
     "sphere-metacentre",
-    "metacentre of a floating sphere above its keel",
+    "height of the metacentre of a floating sphere above its keel",
     area=AREA,
     unit="m",
     source="its centre: every section is a circle",
@@ -232,7 +232,7 @@ def sphere_metacentre() -> Compared:
 
 
 def _mode(name: str) -> float:
-    """Period of a motion of a box that takes no water with it, s."""
+    """Period of a motion of a box without added mass, s."""
     found = modes(barge(2.5, added_mass=False, radiation=False))
     named = [str(one) for one in found.named_after.values]
     return float(2 * np.pi / found.angular_frequency.values[named.index(name)])

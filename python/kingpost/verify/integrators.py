@@ -1,4 +1,4 @@
-"""Every scheme on problems with a known end: its order, and what it does to an oscillation."""
+"""Every scheme on problems with a known solution: its order, and its effect on an oscillation."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _error(integrator: str, steps: int) -> float:
 
 
 def _order(integrator: str, steps: int) -> float:
-    """log2 of how the error falls as the step is halved."""
+    """log2 of the ratio of the errors when the step is halved."""
     return float(np.log2(_error(integrator, steps) / _error(integrator, 2 * steps)))
 
 
@@ -59,11 +59,12 @@ _add_order("implicit_midpoint", 2, 1000, 0.02, SECOND, "2; Hairer, Lubich & Wann
 
 
 SMALL_M = 1e-6
-"""How far a mass is drawn out: small, since a step far beyond what is stable makes large rates."""
+"""Initial elongation of a mass: small, because a step far beyond the stable one makes large rates."""
 
 
 def _oscillator(integrator: str, h_omega: float, steps: int, **more: object) -> np.ndarray:
-    """Place and rate over the start's place, of a mass on a spring of 1 rad/s, step by step from (1, 0)."""
+    """Position and rate over the initial position, for a mass on a spring of 1 rad/s, step by step from (1,
+    0)."""
     mass = slider(1.0, initial_extension_m=SMALL_M, spring={"stiffness_N_per_m": 1.0})
     settings = {"integrator": integrator, "step_s": h_omega, "duration_s": steps * h_omega, **more}
     simulation = Simulation(scenario({"mass": mass}, simulation=settings))
@@ -76,7 +77,7 @@ def _oscillator(integrator: str, h_omega: float, steps: int, **more: object) -> 
 
 @check(
     "midpoint-phase",
-    "turn a step of an oscillation under the midpoint rule, step of 1 radian",
+    "phase angle per step of an oscillation under the midpoint rule, step of 1 radian",
     area=AREA,
     unit="rad",
     source="2 atan(omega h / 2); Hairer, Lubich & Wanner 2006, II",
@@ -90,7 +91,7 @@ def midpoint_phase() -> Compared:
 
 @check(
     "newmark-phase",
-    "turn a step under Newmark's average acceleration, step of 1 radian",
+    "phase angle per step under Newmark's average acceleration, step of 1 radian",
     area=AREA,
     unit="rad",
     source="arccos((1 - w^2 h^2 / 4) / (1 + w^2 h^2 / 4)); Newmark 1959",
@@ -104,7 +105,7 @@ def newmark_phase() -> Compared:
 
 @check(
     "alpha-radius",
-    "what generalized-alpha leaves a step of an oscillation of 10 radians a step",
+    "amplitude ratio per step under generalized-alpha, step of 10 radians",
     area=AREA,
     source="spectral radius of the amplification matrix; Chung & Hulbert, J. Appl. Mech. 60(2), 1993",
     tolerance=1e-6,

@@ -11,7 +11,7 @@ from .rows import Compared, check, worst
 
 AREA = "loops"
 GROUND, CRANK, COUPLER, ROCKER = 3.5, 1.0, 3.0, 2.5
-"""Of a crank-rocker, m."""
+"""Lengths of a crank-rocker, m."""
 
 
 def _bar(length: float, mass: float, **joint: object) -> dict[str, object]:
@@ -84,7 +84,7 @@ def four_bar_rate() -> Compared:
 
 @check(
     "slider-crank",
-    "piston's place over a turn of a slider crank",
+    "position of the piston over a turn of a slider crank",
     area=AREA,
     unit="m",
     source="r cos a + sqrt(l^2 - r^2 sin^2 a); Hartenberg & Denavit 1964",

@@ -30,7 +30,7 @@ HydroChrono (Apache-2.0): first minimum over the drop."""
 
 @cache
 def decay() -> tuple[np.ndarray, np.ndarray]:
-    """Times of the extrema and heights over the drop of the gallery's sphere, from 1 m, a tenth of it."""
+    """Times of the extrema of the gallery's sphere, dropped from 1 m, and their heights over the drop."""
     found = run("sphere_decay", {"simulation.duration_s": 20.0, "simulation.record_every_s": 0.01})
     t = found.time.values
     height = found.position.sel(body="sphere", axis="z").values + 2.0
@@ -91,14 +91,14 @@ IN_WAVES = (4.143, 5.425, 7.004)
 
 
 def needs_capytaine() -> None:
-    """Say where the panel method is not there: such a row does not count."""
+    """Report that the panel method is not installed: such a row does not count."""
     if importlib.util.find_spec("capytaine") is None:
         raise NotInstalledError("capytaine")
 
 
 @cache
 def section() -> OfAMetre:
-    """A metre of the model in the flume, at `FLUME_FREQUENCIES`."""
+    """Coefficients of a metre of the model in the flume, at `FLUME_FREQUENCIES`."""
     needs_capytaine()
     beam = FLUME["beam"]
     shape = RoundBilge(beam, beam, FLUME["draught"], FLUME["bilge"])
@@ -172,7 +172,7 @@ def flume_response(omega: float) -> np.ndarray:
 
 
 def flume_motions(omega: float) -> np.ndarray:
-    """The same as complex numbers, of the point on the water plane."""
+    """The same as complex numbers, for the point on the water plane."""
     return _shift() @ _about_the_axle(omega)
 
 
@@ -210,7 +210,7 @@ def flume_roll() -> Compared:
 
 @check(
     "flume-roll-held",
-    "roll period of that section, its sway restrained",
+    "roll period of a ship's section in a flume, sway restrained",
     area=AREA,
     unit="s",
     source=NTNU,
@@ -226,12 +226,12 @@ def _add_heave(omega: float) -> None:
     mean = (camera + accelerometers) / 2
     check(
         f"flume-wave-{2 * np.pi / omega:.2f}",
-        f"heave of that section in beam waves of {2 * np.pi / omega:.2f} s, over their amplitude",
+        f"heave of a ship's section in beam waves of {2 * np.pi / omega:.2f} s, over their amplitude",
         area=AREA,
         unit="m/m",
         source="Sundsdal et al., NTNU 2025 (CC0), records 3PPH: mean of camera and accelerometers",
         tolerance=round(abs(accelerometers - camera) / 2 / mean + 0.03, 3),
-        why="half of what the two say apart, and 3 % for the wave's height and for the depth",
+        why="half of the difference between the two, and 3 % for the wave's height and for the depth",
     )(lambda: Compared(flume_response(omega)[1], mean))
 
 
@@ -241,7 +241,7 @@ for _omega in IN_WAVES:
 
 @check(
     "flume-gm",
-    "metacentric height of that section by a static heel test",
+    "metacentric height of a ship's section by a static heel test",
     area=AREA,
     unit="m",
     source=NTNU.replace("decay tests", "static tests"),

@@ -1,4 +1,4 @@
-"""Small scenarios built in code, and what is read off their runs."""
+"""Small scenarios built in code, and helpers to read their runs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..scenario import Scenario
 from ..simulation.simulate import Simulation
 
 G = 9.80665
-"""Acceleration of gravity unless a scenario says another, m/s2."""
+"""Default acceleration of gravity, m/s2."""
 GRAVITY = {"gravity": {"gravity": {}}}
 
 
@@ -27,7 +27,7 @@ def scenario(
 ) -> Scenario:
     """A scenario of bodies and forces; `more` are the file's other keys, such as ``simulation``.
 
-    Files that it names are those given, by name, else they are looked for where the gallery is.
+    Its files are the given ones, by name, or those of the gallery.
 
     >>> ball = {"mass_kg": 1, "shape": {"point": {}}, "joint": {"prismatic": {"axis": [0, 0, 1]}}}
     >>> scenario({"ball": ball}).model["bodies"][0]["name"]
@@ -39,7 +39,7 @@ def scenario(
     with tempfile.TemporaryDirectory() as folder:
         for name, content in files.items():
             (Path(folder) / name).write_text(content, encoding="utf-8")
-        # What the scenario names is read as it is made.
+        # The files of a scenario are read when it is made.
         return Scenario(json.dumps(text), str(Path(folder) / "verification.yaml"))
 
 
@@ -98,7 +98,7 @@ def value(simulation: Simulation, variable: str, *labels: str) -> float:
 def crossings(t: np.ndarray, x: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Times at which x goes through zero, on the cubic through x and its rate v at both ends of a step.
 
-    The cubic's error is (h^4 / 384) x'''', so that a step of a thousandth of a period is rounding.
+    The cubic's error is (h^4 / 384) x'''', so that with a step of a thousandth of a period it is rounding.
 
     >>> t = np.linspace(0, 10, 1001)
     >>> abs(crossings(t, np.cos(t), -np.sin(t)) - np.pi * np.array([0.5, 1.5, 2.5])).max() < 1e-11
@@ -116,9 +116,9 @@ def crossings(t: np.ndarray, x: np.ndarray, v: np.ndarray) -> np.ndarray:
 
 
 def stiffness(simulation: Simulation, mass: np.ndarray) -> np.ndarray:
-    """-M dA/dq of the linearised system: stiffness by the coordinates, N/m and N m/rad.
+    """-M dA/dq of the linearised system: stiffness in the coordinates, N/m and N m/rad.
 
-    `mass` is M* as the caller knows it, so that no number of the engine's mass matrix comes in.
+    `mass` is the caller's M*, so that the engine's mass matrix is not used.
     """
     linear = simulation.linearize()
     n = len(linear.coordinates)

@@ -25,7 +25,7 @@ HELD = {
 def _line(
     across: float, up: float, length: float, weight: float, stiffness: float, seabed: bool
 ) -> Simulation:
-    """A line from a buoy at the origin to an anchor that is so far away and below."""
+    """A line from a buoy at the origin to an anchor at a given distance and depth."""
     line = {
         "fairlead": {"body": "buoy"},
         "anchor_m": [across, 0, -up],
@@ -38,7 +38,7 @@ def _line(
 
 
 def _touching(stiffness: float) -> Simulation:
-    """A chain of 1 kN/m with 300 kN level pull that leaves the bottom 100 m below."""
+    """A chain of 1 kN/m with 300 kN horizontal tension; the bottom is 100 m below."""
     pull, weight, height = 3e5, 1e3, 100.0
     hanging = math.sqrt(height**2 + 2 * height * pull / weight)
     across = 500.0 - hanging + pull / weight * math.asinh(weight * hanging / pull)
@@ -63,7 +63,7 @@ def catenary_tension() -> Compared:
 
 @check(
     "catenary-anchor",
-    "its pull on the anchor",
+    "tension at the anchor of a chain that lies on the bottom",
     area=AREA,
     unit="N",
     source=f"H; {IRVINE}",
@@ -76,7 +76,7 @@ def catenary_anchor() -> Compared:
 
 @check(
     "catenary-grounded",
-    "its length on the bottom",
+    "length on the bottom of a chain that lies on the bottom",
     area=AREA,
     unit="m",
     source=f"L - sqrt(h^2 + 2 h H / w); {IRVINE}",
@@ -216,7 +216,7 @@ def hawser_mode() -> Compared:
         "unstretched_length_m": 40.0,
         "axial_stiffness_N": 4e6,
     }
-    # A servo of no damping holds it where the hawser is taut: its spring adds.
+    # An undamped servo holds it where the hawser is taut: its spring adds.
     mass = slider(1e5, spring={"stiffness_N_per_m": 1e5, "rest_m": 0.0})
     found = modes(scenario({"mass": mass}, {"hawser": {"spring_line": hawser}}))
     return Compared(float(found.angular_frequency.values[0]), math.sqrt((4e6 / 40.0 + 1e5) / 1e5))
@@ -229,7 +229,7 @@ def hawser_mode() -> Compared:
     unit="N",
     source="MoorPy's catenary (Hall et al., NREL)",
     tolerance=1e-5,
-    why="its solver's tolerance on the place of the line's end",
+    why="its solver's tolerance on the position of the line's end",
 )
 def moorpy_line() -> Compared:
     if importlib.util.find_spec("moorpy") is None:

@@ -24,7 +24,7 @@ def _swing(angle: float, seconds: float, step: float = 0.002):
 
 
 ROD_OMEGA = np.sqrt(3 * G / (2 * 2.0))
-"""Of small swings of a uniform rod of 2 m on its end: sqrt(3 g / 2 l), rad/s."""
+"""Frequency of small swings of a uniform rod of 2 m on its end: sqrt(3 g / 2 l), rad/s."""
 
 
 @check(
@@ -145,7 +145,7 @@ def falling_rod_reaction() -> Compared:
 
 @check(
     "spring-damped",
-    "place of a damped mass on a spring after 10 s",
+    "position of a damped mass on a spring after 10 s",
     area=AREA,
     unit="m",
     tolerance=1e-10,
@@ -166,7 +166,7 @@ def spring_damped() -> Compared:
 
 @check(
     "bead-on-rod",
-    "way of a bead on a rod that turns evenly, after 3 s",
+    "distance of a bead on a rod that turns evenly, after 3 s",
     area=AREA,
     unit="m",
     tolerance=1e-10,
@@ -186,7 +186,7 @@ def bead_on_rod() -> Compared:
 
 @check(
     "turntable",
-    "how far a platform turns while the man on it turns a quarter",
+    "angle of a platform while the man on it makes a quarter turn",
     area=AREA,
     unit="rad",
     tolerance=1e-12,
@@ -210,7 +210,7 @@ def turntable() -> Compared:
 
 @check(
     "geared-motor",
-    "acceleration of a slide with a rotor behind a gear",
+    "acceleration of a slide with a geared rotor",
     area=AREA,
     unit="m/s^2",
     tolerance=1e-14,
@@ -241,7 +241,7 @@ def parabola() -> Compared:
 
 @check(
     "conical-pendulum",
-    "height of a load that circles as a cone, after 10 s",
+    "height of a conical pendulum after 10 s",
     area=AREA,
     unit="m",
     tolerance=1e-10,

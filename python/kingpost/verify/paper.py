@@ -1,4 +1,4 @@
-"""The paper's crane ship: digits that other codes found, and what follows from its Table 2 by hand."""
+"""The paper's crane ship: digits of other codes, and hand calculations from its Table 2."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .models import value
 from .rows import Compared, check
 
 AREA = "paper"
-CODES = "three multibody codes written apart from this one agree on the digits (docs/verification.md)"
+CODES = "three independent multibody codes agree on the digits (docs/verification.md)"
 DIGITS = "the printed digits"
 
 
@@ -125,7 +125,7 @@ def slew_inertia() -> Compared:
 
 @check(
     "paper-slew-inertia-loaded",
-    "the same with the load at the arm's tip",
+    "M* of the tower with the level arm and the load at its tip",
     area=AREA,
     unit="kg m^2",
     source=TABLE_2,
@@ -138,7 +138,7 @@ def slew_inertia_loaded() -> Compared:
 
 @check(
     "paper-first-acceleration",
-    "tower's acceleration as its motor starts",
+    "tower's acceleration when its motor starts",
     area=AREA,
     unit="rad/s^2",
     source="3x3 mass matrix of roll, yaw and slew from Table 2 by hand, under 100 kN m",
@@ -152,7 +152,7 @@ def first_acceleration() -> Compared:
 
 
 def _first_acceleration() -> float:
-    """Of roll, yaw and slew, crane in the middle: the arm, level at 7 m, moves by its centre at 3.5 m."""
+    """M* of roll, yaw and slew, crane in the middle: the arm, level at 7 m, moves by its centre at 3.5 m."""
     ship_roll, ship_yaw = SHIP_M * (10**2 + 5**2) / 12, SHIP_M * (20**2 + 10**2) / 12
     thin, along = ARM_M * (3 * RADIUS_M**2 + LENGTH_M**2) / 12, ARM_M * RADIUS_M**2 / 2
     # Speeds across the ship of the tower's centre (z 3.5) and of the arm's (x 3.5, z 7), per unit rate.

@@ -1,4 +1,4 @@
-"""How the pictures of docs/validation.md look, and those of forces, coefficients and motions in waves."""
+"""The pictures of docs/validation.md: their style, and those of forces, coefficients and motions in waves."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def tanker(pyplot: Any) -> Any:
 
 
 def eddies(pyplot: Any) -> Any:
-    """The eddies of ten cylinders, ours over theirs, on two scales of ten."""
+    """The eddies of ten cylinders, computed over measured, on logarithmic scales."""
     figure, axes = pyplot.subplots(figsize=(5.6, 5.2))
     ends = np.array([0.01, 12.0])
     axes.loglog(ends, ends, color="#444444", linewidth=1)
@@ -129,7 +129,7 @@ def oes(pyplot: Any) -> Any:
 
 
 def sphere_drift(pyplot: Any) -> Any:
-    """The mean drift force of a free hemisphere beside WAMIT's two."""
+    """The mean drift force of a free hemisphere, with two results of WAMIT."""
     figure, axes = pyplot.subplots(figsize=(7.5, 4.4))
     k = np.array(list(spheres.WAMIT)) ** 2 / spheres.GRAVITY_M_S2
     theirs = np.array(list(spheres.WAMIT.values()))

@@ -1,4 +1,4 @@
-"""The pictures of docs/validation.md: curves of the engine with what others measured and computed."""
+"""The pictures of docs/validation.md: curves of the engine with others' measurements and computations."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .response import RADIUS, convolved, hulme_heave
 
 
 def draw(folder: Path) -> list[Path]:
-    """Draw every picture into a folder that is there, as PNG, and say which."""
+    """Draw every picture as PNG into an existing folder, and return their names."""
     written = []
     with plotting() as pyplot:
         for name, picture in PICTURES.items():
@@ -76,7 +76,7 @@ def _hemisphere(pyplot: Any) -> Any:
         left.semilogx(table[:, 0], table[:, 1 + i], **theirs)
         ours = OURS | {"color": colour, "linestyle": "none", "fillstyle": "none", "markersize": 7}
         left.semilogx(SOLVED, found[:, i], label=f"{name}, Kingpost", **ours)
-    left.set(xlabel="k a", ylabel="over what it displaces")
+    left.set(xlabel="k a", ylabel="over the displaced mass")
     ka, fine = [one for one in HULME if one <= 3.0], np.linspace(0.1, 3.0, 120)
     answer = response.rao("floating_hemisphere", [0.0], np.sqrt(G * fine / RADIUS), ["hemisphere"])
     heaves = answer.displacement.sel(point="hemisphere", axis="z").values[0]
@@ -101,4 +101,4 @@ PICTURES = {
     "sphere_drift": pictures.sphere_drift,
     "hemisphere": _hemisphere,
 }
-"""What draws each picture, by its name."""
+"""The function that draws each picture, by name."""

@@ -41,7 +41,7 @@ def _ship(time_s: float, gains: dict[str, Any], more: dict[str, Any] | None = No
 
 
 def _stated(integral: float = 0.0) -> dict[str, Any]:
-    """Of 100 s and 0.7 in surge and sway, 80 s and 0.9 in yaw."""
+    """A controller of 100 s and 0.7 in surge and sway, 80 s and 0.9 in yaw."""
     stiffness, damping = _gains(MASS, 100.0, 0.7)
     yaw = _gains(INERTIA, 80.0, 0.9)
     return {
@@ -88,7 +88,7 @@ def dp_period() -> Compared:
 
 @check(
     "dp-damping",
-    "damping ratio of that motion",
+    "damping ratio of a ship on positioning of 100 s with fast thrusters",
     area=AREA,
     source=f"0.7; {FOSSEN}",
     tolerance=1e-3,
@@ -101,7 +101,7 @@ def dp_damping() -> Compared:
 
 @check(
     "dp-thrusters",
-    "frequency of that motion with thrusters of 4 s",
+    "frequency of a ship on positioning of 100 s with thrusters of 4 s",
     area=AREA,
     unit="rad/s",
     source="m tau s^3 + m s^2 + K_d s + K_p = 0 by numpy.roots",
@@ -131,7 +131,7 @@ def dp_yaw() -> Compared:
 
 @check(
     "dp-return",
-    "way back of a ship let go 5 m off, over 200 s",
+    "return of a ship released 5 m off, over 200 s",
     area=AREA,
     unit="m",
     source="sum of exponentials of the roots of m tau s^3 + m s^2 + K_d s + K_p",
@@ -142,7 +142,7 @@ def dp_return() -> Compared:
     stiffness, damping = _gains(MASS, 100.0, 0.7)
     one = _ship(4.0, _stated(), initial={"position_m": [5.0, 0, 0]}, simulation=settings(0.05, 200.0))
     found = run(one)
-    # From rest, the thrust being what is asked for there: place 5, rate 0, acceleration -K_p 5 / m.
+    # From rest with the commanded thrust: position 5, rate 0, acceleration -K_p 5 / m.
     roots = np.roots([MASS * 4.0, MASS, damping, stiffness])
     shares = np.linalg.solve(np.vander(roots, 3, increasing=True).T, [5.0, 0.0, -5.0 * stiffness / MASS])
     exact = (shares * np.exp(np.outer(found.time.values, roots))).sum(axis=1).real
@@ -150,7 +150,7 @@ def dp_return() -> Compared:
 
 
 def _in_current(integral: float) -> float:
-    """Station error in surge where a ship with a linear drag rests in a current of 1 m/s, m."""
+    """Station error in surge of a ship with linear drag at rest in a current of 1 m/s, m."""
     drag = {"viscous_damping": {"body": "ship", "linear_N_s_m": [2e4, 2e4, 0]}}
     found = equilibrium(_ship(4.0, _stated(integral), {"drag": drag}, sea={"current_m_s": [1.0, 0.0]}))
     return float(found.position.sel(body="ship", axis="x"))
@@ -158,7 +158,7 @@ def _in_current(integral: float) -> float:
 
 @check(
     "dp-offset",
-    "where a ship without integral action rests in a current",
+    "station error in a current without integral action",
     area=AREA,
     unit="m",
     source=f"F / K_p; {FOSSEN}",
@@ -171,7 +171,7 @@ def dp_offset() -> Compared:
 
 @check(
     "dp-integral",
-    "where it rests with integral action, beside that",
+    "station error in a current with integral action, relative to the error without",
     area=AREA,
     unit="m",
     source=f"0; {FOSSEN}",

@@ -13,7 +13,7 @@ from .rows import ABSENT, AREAS, FAILED, PASSED, Row
 
 
 def counts(rows: Sequence[Row]) -> dict[str, int]:
-    """How many rows have each verdict.
+    """The number of rows with each verdict.
 
     >>> counts([])
     {'pass': 0, 'FAIL': 0, 'not installed': 0}
@@ -22,7 +22,7 @@ def counts(rows: Sequence[Row]) -> dict[str, int]:
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """One line: how many rows, how many failed, how long it took."""
+    """One line: the number of rows, of failures, and the time."""
     found = counts(rows)
     seconds = sum(row.seconds for row in rows)
     counted = found[PASSED] + found[FAILED]
@@ -31,7 +31,7 @@ def summary(rows: Sequence[Row]) -> str:
 
 
 def number(value: float | None, digits: int = 6) -> str:
-    """A number in a cell, a dash where there is none.
+    """A number in a cell, or a dash if there is none.
 
     >>> number(0.428412345), number(None), number(1.2e-13, 2)
     ('0.428412', '-', '1.2e-13')
@@ -50,9 +50,9 @@ HEAD = ("row", "what", "ours", "theirs", "error", "allowed", "verdict")
 
 
 def text(rows: Sequence[Row]) -> str:
-    """The table for a terminal, by area, what went wrong, and the summary.
+    """The table for a terminal, by area, then failures and the summary.
 
-    Errors are shares of theirs, or of the scale that the row's source says.
+    Errors are relative to the other value, or to the scale that the row's source names.
     """
     lines = []
     shown = iter(table([HEAD, *(_cells(row) for row in rows)], "<<>>>><"))
@@ -71,19 +71,19 @@ def _trouble(row: Row) -> str:
 
 
 def as_json(rows: Sequence[Row]) -> str:
-    """The rows with all that they are, and their counts."""
+    """The rows with all their fields, and the counts."""
     found = {"kingpost": __version__, "counts": counts(rows), "rows": [row.as_dict() for row in rows]}
     return json.dumps(found, indent=1, ensure_ascii=False) + "\n"
 
 
 def markdown(rows: Sequence[Row]) -> str:
-    """A page with a table an area; each row with its source and what its tolerance follows from."""
+    """A page with a table for each area; each row with its source and the reason of its tolerance."""
     lines = [
         "# Verification, measured",
         "",
         f"Kingpost {__version__}: {summary(rows)}.",
         "",
-        "Errors are shares of theirs, or of the scale that the row says. `kingpost verify` repeats them.",
+        "Errors are relative to theirs, or to the scale that the row names. `kingpost verify` repeats them.",
     ]
     for area, group in groupby(rows, key=lambda row: row.area):
         lines += ["", f"## {AREAS[area]}", "", "| " + " | ".join([*HEAD, "source", "allowed because"]) + " |"]
@@ -106,14 +106,14 @@ CLASSES = {PASSED: "pass", FAILED: "fail", ABSENT: "absent"}
 
 
 def page(rows: Sequence[Row]) -> str:
-    """One page of HTML that needs nothing beside it."""
+    """One self-contained page of HTML."""
     parts = [
         "<!doctype html>",
         '<html lang="en"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>Kingpost {__version__}: verification</title><style>{STYLE}</style></head><body>",
         f"<h1>Verification, measured</h1><p>Kingpost {__version__}: {html.escape(summary(rows))}.</p>",
-        "<p>Errors are shares of theirs, or of the scale that the row says.</p>",
+        "<p>Errors are relative to theirs, or to the scale that the row names.</p>",
     ]
     for area, group in groupby(rows, key=lambda row: row.area):
         parts.append(f"<h2>{html.escape(AREAS[area])}</h2><table><thead><tr>")

@@ -31,7 +31,7 @@ def hulme_heave(ka: float) -> complex:
 
 
 def _heave(ka: float) -> float:
-    """The same by the gallery's hemisphere and its database."""
+    """The same from the gallery's hemisphere and its database."""
     omega = math.sqrt(G * ka / RADIUS)
     found = response.rao("floating_hemisphere", [0.0], [omega], ["hemisphere"])
     return float(found.displacement.sel(point="hemisphere", axis="z").values[0, 0])
@@ -40,7 +40,7 @@ def _heave(ka: float) -> float:
 def _add(ka: float) -> None:
     check(
         f"hemisphere-rao-{ka:g}",
-        f"heave of a hemisphere in waves of k a = {ka:g}, for each metre",
+        f"heave of a hemisphere in waves of k a = {ka:g}, per metre of amplitude",
         area=AREA,
         unit="m/m",
         source="A and B of Hulme 1982, force by Haskind: -w^2 (M + A) - i w B + C",
@@ -120,10 +120,10 @@ def long_phase() -> Compared:
 
 
 def convolved(drop: int) -> float:
-    """An extremum of a sphere let go, over its drop, by Hulme's table and Cummins' integral alone.
+    """An extremum of a released sphere, over its drop, from Hulme's table and Cummins' integral alone.
 
     (M + A_inf) z'' + Int k(t - s) z'(s) ds + C z = 0 from rest at 1, by trapezoids, with
-    k(t) = 2/pi Int B(w) cos(w t) dw: in units of the radius, gravity and what is displaced.
+    k(t) = 2/pi Int B(w) cos(w t) dw: in units of the radius, gravity and the displaced mass.
     """
     k = np.linspace(0.0, 12.0, 6001)
     table = np.array([(0.0, 0.0), *((ka, damping) for ka, (_, damping) in HULME.items()), (12.0, 0.0005)])

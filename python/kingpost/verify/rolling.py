@@ -1,4 +1,5 @@
-"""Measured roll: the decay of a tanker's model, the eddies of ten cylinders, and what Ikeda's method says."""
+"""Measured roll, compared with Ikeda's method: the decay of a tanker's model, and the eddies of ten
+cylinders."""
 
 from __future__ import annotations
 
@@ -49,7 +50,7 @@ SWINGS = (10.439, 10.030, 9.780, 9.462, 9.243, 8.977, 8.789, 8.550, 8.380, 8.156
 """Extrema of the roll, degrees, one after another, of run 21338 at 0 knots, model 1:68 without bilge keels:
 Alexandersson & Kjellberg, doi:10.17632/2stvkyngj9.1, CC BY 4.0; parabolas through five samples of 0.1 s."""
 PERIOD_S = 2.5533
-"""Of that run, the fit of `kingpost roll-damping decay --model cubic`; the authors have 2.5530."""
+"""Natural frequency from `kingpost roll-damping decay --model cubic` on that run; the authors give 2.5530."""
 FITTED = {
     21337: (2.461405663797153, 2.960431148229692, -6.520487128705247, 43.7753590783464),
     21338: (2.461149414341689, 2.879736279200558, -5.874151219904037, 41.50366418695269),
@@ -62,19 +63,19 @@ TESTS = "Alexandersson & Kjellberg, doi:10.17632/2stvkyngj9.1 (CC BY 4.0): KVLCC
 
 
 def _inertia() -> tuple[float, float]:
-    """Mass and roll inertia of the model with the water's, kg and kg m2."""
+    """Mass and roll inertia of the model with added inertia, kg and kg m2."""
     mass = 1000.0 * KVLCC2["volume"] / SCALE**3
     return mass, mass * (KVLCC2["gyration"] / SCALE) ** 2 + RADIATED[0]
 
 
 def natural_period() -> float:
-    """Of the model by its loading and the panel method, s."""
+    """Roll period of the model from its loading and the panel method, s."""
     mass, inertia = _inertia()
     return 2 * math.pi * math.sqrt(inertia / (mass * 9.81 * KVLCC2["gm"] / SCALE))
 
 
 def tanker(amplitudes_rad: np.ndarray):
-    """Ikeda's components of the model, waves not among them."""
+    """Ikeda's components of the model, without radiation damping."""
     x, beam, draught, area = np.array(SECTIONS).T
     sections = Sections.of_table({"x_m": x, "beam_m": beam, "draught_m": draught, "area_m2": area})
     return from_sections(
@@ -89,9 +90,9 @@ def tanker(amplitudes_rad: np.ndarray):
 
 @cache
 def decay() -> tuple[np.ndarray, np.ndarray]:
-    """Times, s, and sizes, degrees, of the extrema of the model let go from the first of `SWINGS`.
+    """Times, s, and magnitudes, degrees, of the extrema of the model released from the first of `SWINGS`.
 
-    The engine's: a pendulum with the model's inertia, GM and damping, radiated waves among it.
+    The engine computes a pendulum with the model's inertia, GM and damping, radiation damping included.
     """
     mass, inertia = _inertia()
     height = KVLCC2["gm"] / SCALE
@@ -135,12 +136,12 @@ QUARTER = 0.25 / math.e
 
 @check(
     "kvlcc2-decay",
-    "largest miss of 29 amplitudes of its decay, with damping from its sections, over the first",
+    "largest error of 29 amplitudes of a tanker model's decay, damping from its sections, over the first",
     area=AREA,
     unit="deg",
     source=TESTS,
     tolerance=round(QUARTER, 3),
-    why="a quarter of the damping, which Ikeda's method is good for: of a = a0 exp(-s) that is s exp(-s) / 4,"
+    why="the accuracy of Ikeda's method, a quarter of the damping: for a = a0 exp(-s) that is s exp(-s) / 4,"
     " 1 / 4e at most",
 )
 def kvlcc2_decay() -> Compared:
@@ -183,11 +184,11 @@ def tanker_measured(amplitudes_rad: np.ndarray) -> np.ndarray:
 MET = {
     "A": (0.036, "half of the 7.2 % that its two measured curves differ by"),
     "B": (0.051, "half of the 10.3 % that its two measured curves differ by"),
-    "J": (0.103, "one measured curve: as far as the two of B are apart"),
-    "K": (0.103, "one measured curve: as far as the two of B are apart"),
+    "J": (0.103, "one measured curve: the distance of the two curves of B"),
+    "K": (0.103, "one measured curve: the distance of the two curves of B"),
 }
-"""Of the cylinders that the formulas meet as well as they were measured: tolerance, of their C_R, and why.
-They miss C, D, G, H, I and L by more, of which docs/validation.md says how much."""
+"""For the cylinders on which the formulas are as accurate as the measurement: tolerance, of their C_R, and
+why. The errors on C, D, G, H, I and L are larger; docs/validation.md gives them."""
 
 
 def _add(number: int) -> None:

@@ -1,4 +1,5 @@
-"""Ropes over sheaves beside Exudyn and MuJoCo, whose runs `rope_lifts.json` keeps and says what made them."""
+"""Ropes over sheaves, compared with runs of Exudyn and MuJoCo, which `rope_lifts.json` holds with their
+origin."""
 
 from __future__ import annotations
 
@@ -17,12 +18,12 @@ from .rows import Compared, check, worst
 
 STEP_S = 1e-3
 SIDEWAYS = 1.0
-"""Velocity across the sheave with which the others were also run, m/s."""
+"""Velocity across the sheave in the second run of the other engines, m/s."""
 
 
 @cache
 def kept() -> dict[str, Any]:
-    """The cases, and what the other engines found.
+    """The cases, and the results of the other engines.
 
     >>> kept()["reeving"]["radius_m"]
     2.0
@@ -35,7 +36,7 @@ def _gravity(case: dict[str, Any]) -> dict[str, Any]:
 
 
 def _upright(place: list[float], *, plane: bool) -> list[float]:
-    """A point of the reeving, whose y is up, in our axes."""
+    """A point of the reeving, whose y axis points up, in our axes."""
     x, y, z = place
     return [x, 0.0 if plane else -z, y]
 
@@ -93,7 +94,7 @@ def published_norm() -> Compared:
 
 
 def lift(sideways: float = 0.0, *, drum: bool = False) -> Scenario:
-    """A load on a rope over a fixed sheave, which a carriage on a level slide hauls in, or a drum."""
+    """A load on a rope over a fixed sheave; a carriage on a level slide, or a drum, hauls the rope in."""
     case = kept()["lift"]
     velocity = [case["load_velocity_m_s"][0], sideways, 0]
     start = {"position_m": case["load_m"], "velocity_m_s": velocity}
@@ -123,7 +124,7 @@ def lift(sideways: float = 0.0, *, drum: bool = False) -> Scenario:
 
 
 def _drum(case: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
-    """A drum in the carriage's place: as much to accelerate, the same pull on the rope."""
+    """A drum instead of the carriage: the same inertia and the same pull on the rope."""
     radius = case["drum_radius_m"]
     moment = case["carriage_kg"] * radius**2
     x, y, z = case["carriage_m"]
@@ -142,8 +143,8 @@ def _scenario(bodies: Any, forces: Any, case: dict[str, Any], **more: Any) -> Sc
 
 
 def track(one: Scenario, case: dict[str, Any], moving: str) -> dict[str, np.ndarray]:
-    """Tension of the rope, place of a body's centre of mass (3), turn or travel of the winch, at the times of
-    what is kept."""
+    """Tension of the rope, position of a body's centre of mass (3), and turn or travel of the winch, at the
+    times of the stored runs."""
     simulation, every, rows = Simulation(one), round(case["every_s"] / STEP_S), []
     winch = "winch" in simulation.coordinates
     for sample in range(round(case["duration_s"] / case["every_s"]) + 1):
@@ -158,7 +159,7 @@ def track(one: Scenario, case: dict[str, Any], moving: str) -> dict[str, np.ndar
 
 @cache
 def _ours(name: str) -> dict[str, np.ndarray]:
-    """Our run of a reeving or a lift, by the name that the others' is kept under."""
+    """Our run of a reeving or a lift, by the name of the stored run."""
     if name in kept()["reeving"]:
         return track(reeving(name), kept()["reeving"], "disc")
     sideways = SIDEWAYS if name.endswith("sideways") else 0.0
@@ -178,7 +179,7 @@ def _theirs(name: str) -> dict[str, np.ndarray]:
 
 
 def compared(name: str, quantity: str) -> Compared:
-    """Where our run and the other engine's differ most, over the largest of theirs."""
+    """The largest difference between our run and the other engine's, over the largest of theirs."""
     return worst(_ours(name)[quantity], _theirs(name)[quantity])
 
 
@@ -204,12 +205,14 @@ FLEET = "our arcs are those of legs in the sheave's plane, up to R phi^2 a leg o
 LIFT = "of a load of 2 t on a rope over a sheave to a carriage that hauls"
 
 _add("exudyn-reeving", "plane", "tension", "tension of the rope in whose bight a disc falls", 1e-8, SAME)
-_add("exudyn-reeving-place", "plane", "place", "place of that disc", 1e-8, SAME)
+_add(
+    "exudyn-reeving-place", "plane", "place", "position of a disc falling in the bight of a rope", 1e-8, SAME
+)
 _add(
     "exudyn-reeving-skew",
     "skew",
     "tension",
-    "the same tension with sheaves 1 m apart out of plane, as in Exudyn's test",
+    "tension of the rope of a falling disc, sheaves 1 m apart out of plane, as in Exudyn's test",
     2.8e-3,
     FLEET.format("10 mm at phi = 0.05, 21 N of 7.6 kN"),
 )
@@ -217,7 +220,7 @@ _add(
     "exudyn-reeving-slack",
     "slack",
     "tension",
-    "the same tension where 0.98 m of slack run out first",
+    "tension of the rope of a falling disc, with 0.98 m of slack at first",
     4e-5,
     "theirs comes taut up to two steps late: 20 us of 0.6 s",
 )
@@ -227,7 +230,7 @@ check(
     area=AREA,
     source="runTestSuiteRefSol.py of Exudyn (J. Gerstmayr), 2023-07-17",
     tolerance=1.3e-2,
-    why="dampers across and about the legs, which our rope has not, change theirs by 1.25 %",
+    why="dampers across and about the legs, which our rope does not have, change theirs by 1.25 %",
 )(published_norm)
 _add("exudyn-lift", "exudyn", "tension", f"tension {LIFT}", 1e-8, SAME)
 _add("exudyn-lift-place", "exudyn", "place", f"place {LIFT}", 1e-8, SAME)
@@ -237,7 +240,7 @@ _add(
     "exudyn-lift-sideways",
     "exudyn_sideways",
     "place",
-    f"place {LIFT}, and swings across the sheave as well",
+    f"position {LIFT}, and that also swings across the sheave",
     1.8e-4,
     FLEET.format("2.7 mm of 15 m at phi = 0.073"),
 )
@@ -245,7 +248,7 @@ _add(
     "exudyn-lift-drum",
     "drum",
     "winch",
-    "turn of a drum that hauls that load",
+    "turn of a drum that hauls a load of 2 t on a rope over a sheave",
     2.1e-2,
-    "theirs winds strain energy on for nothing: R T^2 / 2 EA = 10 N m turn 2000 kg m^2 by 0.063 rad of 3.1",
+    "theirs winds up strain energy without work: R T^2 / 2 EA = 10 N m turn 2000 kg m^2 by 0.063 rad of 3.1",
 )

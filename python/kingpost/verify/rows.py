@@ -1,4 +1,4 @@
-"""What a row of the verification is, the list of all, and how each is measured."""
+"""Rows of the verification: their definition, the list of all, and the measurement."""
 
 from __future__ import annotations
 
@@ -33,19 +33,19 @@ PASSED, FAILED, ABSENT = "pass", "FAIL", "not installed"
 
 
 class NotInstalledError(KingpostError):
-    """Another program that a row compares with is not there: the row does not count."""
+    """The other program of a row is not installed: the row does not count."""
 
 
 @dataclass(frozen=True)
 class Compared:
-    """What a measurement gives.
+    """Result of a measurement.
 
     Attributes
     ----------
     ours, theirs
-        The two numbers, in the row's unit. Of a curve, where they differ most.
+        The two numbers, in the row's unit. For a curve, at the point of the largest difference.
     scale
-        What the difference is divided by: the size of `theirs` unless given.
+        Divisor of the difference; default: the magnitude of `theirs`.
     """
 
     ours: float
@@ -54,7 +54,7 @@ class Compared:
 
     @property
     def error(self) -> float:
-        """Size of the difference as a share of the scale.
+        """Magnitude of the difference over the scale.
 
         >>> round(Compared(1.01, 1.0).error, 9)
         0.01
@@ -93,7 +93,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Row:
-    """A row as it was measured; numbers are `None` where there are none, `message` says why."""
+    """A measured row; missing numbers are `None`, and `message` says why."""
 
     id: str
     area: str
@@ -110,12 +110,12 @@ class Row:
     message: str = ""
 
     def as_dict(self) -> dict[str, Any]:
-        """The row by names, for JSON."""
+        """The row as a dictionary, for JSON."""
         return asdict(self)
 
 
 CHECKS: list[Check] = []
-"""Every row, in the order of `AREAS`: each file of an area adds its own."""
+"""Every row, in the order of `AREAS`: the file of each area adds its rows."""
 
 
 def check(
@@ -126,29 +126,29 @@ def check(
     Parameters
     ----------
     name
-        Of the row, one of its own.
+        Name of the row; it must be unique.
     what
         What is measured.
     area
         One of `AREAS`.
     unit
-        Of both numbers.
+        Unit of both numbers.
     source
-        Where the number beside ours is from.
+        Source of the other number.
     tolerance
-        Of the difference, as a share of the number beside ours.
+        Largest difference, relative to the other number.
     why
-        What the tolerance follows from.
+        Reason of the tolerance.
 
     Returns
     -------
     Callable
-        A decorator, which gives back the function.
+        A decorator, which returns the function.
 
     Raises
     ------
     KingpostError
-        When there is no such area, or the name is taken.
+        If there is no such area, or the name is taken.
 
     >>> @check("two", "one and one", area="multibody", source="Peano", tolerance=1e-15, why="exact")
     ... def one_and_one():
@@ -169,7 +169,7 @@ def check(
 
 
 def measured(one: Check) -> Row:
-    """Measure a row. One that raises has failed and says with what.
+    """Measure a row. A row that raises an exception has failed; its message names the exception.
 
     >>> def broken():
     ...     raise ValueError("no water")
@@ -181,7 +181,7 @@ def measured(one: Check) -> Row:
     try:
         found = one.measure()
         ours, theirs, error = float(found.ours), float(found.theirs), float(found.error)
-        # Not a number is no pass.
+        # NaN does not pass.
         verdict, message = PASSED if error <= one.tolerance else FAILED, ""
     except NotInstalledError as absent:
         ours = theirs = error = None
@@ -208,7 +208,7 @@ def measured(one: Check) -> Row:
 
 
 def worst(ours: Sequence[float] | np.ndarray, theirs: Sequence[float] | np.ndarray) -> Compared:
-    """Of two curves the point where they differ most, beside the largest of theirs.
+    """The point of the largest difference of two curves, relative to the largest of theirs.
 
     >>> worst([1.0, 2.0, 4.5], [1.0, 2.0, 4.0])
     Compared(ours=4.5, theirs=4.0, scale=4.0)

@@ -1,4 +1,4 @@
-"""Runs the rows: all, or those of one area."""
+"""Runs all rows, or those of one area."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..errors import KingpostError
 from .rows import AREAS, CHECKS, Check, Row, measured
 
 FILES = (*AREAS, "tops", "flume_forces", "cylinders", "rolling", "spheres", "ropes")
-"""The modules of the rows: one an area, and what did not fit into one."""
+"""The modules of the rows: one for each area, and some for further rows."""
 
 
 def checks(only: str | None = None) -> list[Check]:
@@ -33,17 +33,17 @@ def run(only: str | None = None, progress: Callable[[int], None] = lambda _done:
     only
         One of `AREAS`.
     progress
-        Called with the number of rows that are done.
+        Called with the number of measured rows.
 
     Returns
     -------
     list of Row
-        With what was measured and the verdict.
+        The rows with their measured numbers and verdicts.
 
     Raises
     ------
     KingpostError
-        When there is no such area. A row that fails is a row, no error.
+        If there is no such area. A failing row is returned like any other; it raises no error.
 
     >>> {row.verdict for row in run("integrators")}
     {'pass'}

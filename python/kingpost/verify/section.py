@@ -1,4 +1,4 @@
-"""A long hull of a ship's midship section: what a two-dimensional flume test stands beside."""
+"""A long hull of a ship's midship section, to compare with a two-dimensional flume test."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class RoundBilge(Shape):
     draught_m: float
     bilge_m: float
     slender: float = 1.0
-    """How many times as long as they are wide the panels of the sides are: the flow hardly changes along."""
+    """Length over width of the panels of the sides: the flow hardly changes along the hull."""
 
     @property
     def wetted_area_m2(self) -> float:
@@ -42,7 +42,7 @@ class RoundBilge(Shape):
         ]
 
     def _share(self, size: float) -> Array:
-        """Stations across an end, those of the flat bottom, so that their points meet."""
+        """Stations across an end, equal to those of the flat bottom, so that their points meet."""
         bottom = self._curves(size)[0]
         return bottom[:, 0] / bottom[-1, 0]
 
@@ -97,9 +97,9 @@ class OfAMetre:
 
 
 def of_a_metre(shape: RoundBilge, lengths_m: tuple[float, float], water: Water, omega: Array, panel_m: float):
-    """What a metre of a section has: the difference of two hulls that differ in their length alone.
+    """Coefficients of a metre of a section: the difference of two hulls that differ only in length.
 
-    So what their ends do falls out.
+    This cancels the effect of their ends.
     """
     short, long = (_solved(replace(shape, length_m=length), water, omega, panel_m) for length in lengths_m)
     way = lengths_m[1] - lengths_m[0]

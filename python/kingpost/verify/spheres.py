@@ -1,4 +1,4 @@
-"""Spheres that others computed: the decay of IEA OES Task 10 by six codes, the mean drift by WAMIT."""
+"""Spheres computed by others: the decay of IEA OES Task 10 by six codes, the mean drift by WAMIT."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SPREAD = 0.0088
 def _add(number: int) -> None:
     check(
         f"oes-extremum-{number + 1}",
-        f"extremum {number + 1} of a sphere of 5 m let go from 1 m, over the drop",
+        f"extremum {number + 1} of a sphere of 5 m released from 1 m, over the drop",
         area=AREA,
         source=SOURCE,
         tolerance=SPREAD,
@@ -63,7 +63,7 @@ GRAVITY_M_S2 = 9.80665
 
 @cache
 def drift() -> np.ndarray:
-    """The same mean force at the frequencies of `WAMIT` by the far field, 900 panels."""
+    """The same mean force from the far field at the frequencies of `WAMIT`, 900 panels."""
     needs_capytaine()
     k = np.array(list(WAMIT)) ** 2 / GRAVITY_M_S2
     frequencies = np.sqrt(k * WATER.gravity_m_s2 / RADIUS)
@@ -71,7 +71,7 @@ def drift() -> np.ndarray:
     weight = WATER.density_kg_m3 * WATER.gravity_m_s2
     force = (one.froude_krylov + one.diffraction)[:, 0]
     ahead, found = one.far_field.directions.index(0), []
-    # A sphere that turns about its centre moves no water: surge and heave are all.
+    # A sphere that turns about its centre moves no water: only surge and heave count.
     stiffness = {0: 0.0, 2: weight * np.pi * RADIUS**2}
     for at, omega in enumerate(frequencies):
         sent = one.far_field.scattered[at, ahead].copy()

@@ -31,7 +31,7 @@ def free_precession() -> Compared:
 
 @check(
     "wobbling-plate",
-    "wobbles a turn of a plate thrown spinning",
+    "wobbles per turn of a spinning thrown plate",
     area=AREA,
     tolerance=2e-4,
     why="wobble of 0.01 rad: its square, 1e-4; and the count's interpolation",
@@ -46,7 +46,7 @@ def wobbling_plate() -> Compared:
     momentum = np.array([1.0 * 0.05, 0.0, 2.0 * 5.0])
     across = across - momentum[:2] / np.linalg.norm(momentum)
     wobble = np.unwrap(np.arctan2(across[:, 1], across[:, 0]))
-    # The plate turns by spin over time as it is seen in the world: precession less the body's own drift.
+    # The spin seen in the world is the precession less the body's own drift.
     spin = np.unwrap(2 * np.arctan2(z, w))
     return Compared((wobble[-1] - wobble[0]) / (spin[-1] - spin[0]), 2.0)
 
@@ -56,10 +56,11 @@ DZHANIBEKOV = ([1.0, 2.0, 3.0], [0.01, 4.0, 0.01])
 
 
 def _intermediate() -> tuple[float, float, float, float]:
-    """Modulus m, rate p, largest rate about y, and phase at the throw, of the turn about the middle axis.
+    """Modulus m, rate p, largest rate about y, and phase at the throw, for the rotation about the middle
+    axis.
 
-    Landau & Lifshitz, *Mechanics*, sec. 37, for H^2 > 2 E I2: w1 = a dn, w2 = b sn, w3 = c cn with the
-    roles of 1 and 3 turned over where H^2 < 2 E I2.
+    Landau & Lifshitz, *Mechanics*, sec. 37, for H^2 > 2 E I2: w1 = a dn, w2 = b sn, w3 = c cn with the roles
+    of 1 and 3 exchanged if H^2 < 2 E I2.
     """
     (i1, i2, i3), rates = DZHANIBEKOV
     energy = 0.5 * sum(i * w * w for i, w in zip((i1, i2, i3), rates, strict=True))

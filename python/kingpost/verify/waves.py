@@ -42,7 +42,7 @@ def dispersion() -> Compared:
 
 @check(
     "group-velocity",
-    "group over phase velocity where depth is a tenth of the deep wave's length",
+    "ratio of group to phase velocity, depth a tenth of the deep-water wavelength",
     area=AREA,
     source="0.8103: Shore Protection Manual, 1984, vol. 2, table C-1",
     tolerance=6.2e-5,
@@ -94,7 +94,7 @@ def wave_in_depth() -> Compared:
 
 @check(
     "vertical-speed",
-    "vertical speed of the surface in that wave",
+    "vertical speed of the surface in a wave over 12 m of water",
     area=AREA,
     unit="m/s",
     source="a w sin(k x - w t): kinematic condition; Newman, Marine Hydrodynamics, sec. 6.2",
@@ -110,7 +110,7 @@ def vertical_speed() -> Compared:
 
 @cache
 def _sea(kind: str, hours: float, **spectrum: float) -> np.ndarray:
-    """Elevation at a hull that is held, every quarter of a second, after a ramp of none."""
+    """Elevation at a held hull, every quarter of a second, without a ramp."""
     held = {"hold_translation": True, "hold_rotation": True}
     body = {"mass_t": 261.8, "shape": {"sphere": {"radius_m": 5.0}}, "joint": {"floating": held}}
     realisation = {

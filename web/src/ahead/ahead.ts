@@ -9,17 +9,17 @@ import { pastOf } from "./past";
 import type { Foreseers } from "./pool";
 import { judgedColumns, scoreOf, TrackRecord } from "./score";
 
-/** Futures of the moment that is shown, and of each earlier one by which they are judged. */
+/** Number of futures of the moment that is shown, and of each earlier moment by which they are judged. */
 export const FUTURES = 64;
 const FUTURES_JUDGED = 32;
 export const HORIZON_S = 60;
-/** Times of a future lie about so far apart, s. */
+/** Approximate time between two rows of a future, s. */
 const EVERY_S = 0.5;
-/** The wall time between two looks while a run goes, and how long a moment must be left alone, ms. */
+/** Wall time between two computations of futures during a run, and pause after the last change before one, ms. */
 const AGAIN_MS = 5000;
 const CALM_MS = 200;
 
-/** Looks ahead from the moment that is shown, while it is switched on: at a pause, and every few seconds of a run. */
+/** Computes futures of the moment that is shown, while it is switched on: at a pause, and every few seconds of a run. */
 export class Ahead {
   isOn = false;
   outlook: Outlook | null = null;
@@ -46,7 +46,7 @@ export class Ahead {
     });
   }
 
-  /** Called after every change of what is known. */
+  /** Called after every change of the futures. */
   onChange(act: () => void): void {
     this.heard.push(act);
   }
@@ -56,7 +56,7 @@ export class Ahead {
     this.begin();
   }
 
-  /** What was foreseen is of another run, or of other levers; a part of the recording may be no more. */
+  /** Drops futures that belong to another run or to other levers; a part of the recording may be gone. */
   private begin(kept_s = Infinity): void {
     this.foreseers.cancel();
     [this.outlook, this.fault] = [null, null];
@@ -82,7 +82,7 @@ export class Ahead {
     this.looked_ms = performance.now();
     try {
       const isWhole = await this.foresee(run, shown.recording).finally(() => (this.isLooking = false));
-      // The next look may come between: minutes that are not judged then are judged after it.
+      // New futures may be asked for meanwhile: the remaining minutes are judged after them.
       if (isWhole) await this.judge(run, shown.recording);
     } catch (thrown) {
       this.fault = asFault(thrown);
@@ -90,7 +90,7 @@ export class Ahead {
     }
   }
 
-  /** The futures of the moment that is shown; they take the place of those before as the first comes. */
+  /** Computes the futures of the moment that is shown; the first one replaces the previous futures. */
   private async foresee(run: Run, recording: Recording): Promise<boolean> {
     const { session } = this;
     const [now_s, values] = [session.shown.time_s, session.values.inForce];
@@ -105,7 +105,7 @@ export class Ahead {
     });
   }
 
-  /** How the futures of earlier minutes did: they are made as they would have been then, and held against the recording. */
+  /** Judges the method on earlier minutes: futures are computed from the data of that time and compared with the recording. */
   private async judge(run: Run, recording: Recording): Promise<void> {
     if (!run.model.sea?.wave_components) return;
     const places = judgedColumns(run.model, run.columns);
@@ -140,7 +140,7 @@ export class Ahead {
   }
 }
 
-/** The same at every moment: from one look to the next only what was measured is another. */
+/** The part of a job that stays the same: only the measurements change from moment to moment. */
 function seedsOf(count: number, first = 1): number[] {
   return Array.from({ length: count }, (_, i) => first + i);
 }

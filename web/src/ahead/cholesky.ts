@@ -1,4 +1,4 @@
-/** The triangle L with L L^T = A of a symmetric positive definite matrix, in its place; n rows, one after another. */
+/** The triangle L with L L^T = A of a symmetric positive definite matrix, in place; n rows, one after another. */
 export function factorize(a: Float64Array, n: number): void {
   for (let i = 0; i < n; i++) {
     for (let j = 0; j <= i; j++) {

@@ -1,9 +1,9 @@
 import { factorize, solve } from "./cholesky";
 import type { Random } from "./random";
 
-/** What was measured, as a linear map of unknowns that are normal, of mean 0 and variance 1, and independent. */
+/** Measurements as a linear map of independent normal unknowns of mean 0 and variance 1. */
 export interface Measured {
-  /** One row a measured value, one after another, each with a number for each unknown. */
+  /** One row for each measured value, one after another, with a number for each unknown. */
   rows: Float64Array;
   values: Float64Array;
   /** Standard deviation of the noise in each value. */
@@ -11,7 +11,7 @@ export interface Measured {
 }
 
 /**
- * Unknowns x ~ N(0, 1) of which y = H x + noise was measured. A draw is one of N(0, 1), moved by Matheron's rule to agree
+ * Unknowns x ~ N(0, 1), of which y = H x + noise was measured. A draw from N(0, 1) is moved by Matheron's rule to agree
  * with y: x + H^T (H H^T + R)^-1 (y - H x - noise) has the mean and the covariance of the unknowns given y (Chilès &
  * Delfiner, *Geostatistics*, 2nd ed., 2012, sec. 7.3).
  */

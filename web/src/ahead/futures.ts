@@ -6,10 +6,10 @@ import { Random } from "./random";
 import { expectedAmplitudes, SeasAhead } from "./sea";
 import type { EngineInSeas } from "./sea";
 
-/** Most steps at once, so that there is room to hear of something newer. */
+/** Most steps at once, so that the worker can receive newer messages in between. */
 const STEPS_AT_ONCE = 64;
 
-/** Runs on from a state of a run with its levers as they are, in seas that agree with what was measured. */
+/** Continues a run from a state, with its levers unchanged, in seas that agree with the measurements. */
 export class Futures {
   private readonly seas: SeasAhead;
   private readonly isGusty: boolean;
@@ -35,7 +35,7 @@ export class Futures {
     this.engine.free();
   }
 
-  /** Throws where the state is not of this scenario, or where its sea cannot be another. */
+  /** Throws if the state belongs to another scenario, or if its sea cannot be replaced. */
   begin(start: Start): void {
     this.engine.restore(start.snapshot);
     this.start_s = this.engine.time_s();
@@ -45,7 +45,7 @@ export class Futures {
     this.known = this.waves > 0 ? this.seas.after(past) : null;
   }
 
-  /** One future, in parts; the same seed gives the same one. */
+  /** One future, in parts; the same seed gives the same future. */
   *run(seed: number): Generator<void, Future> {
     const { engine, start, start_s, waves, isGusty, past_s } = this;
     if (!start) throw { kind: "internal", message: "no start is known" };
@@ -78,7 +78,7 @@ export class Futures {
   }
 }
 
-/** What had been measured by a time; of what came after it nothing is known there. */
+/** The measurements up to a time, without anything later. */
 function until({ time_s, x_m, y_m }: Past, end_s: number): Past {
   const count = time_s.filter((time) => time <= end_s + 1e-9).length;
   return { time_s: time_s.subarray(0, count), x_m: x_m.subarray(0, count), y_m: y_m.subarray(0, count) };

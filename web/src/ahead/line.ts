@@ -5,10 +5,10 @@ import { HORIZON_S } from "./ahead";
 import type { Ahead } from "./ahead";
 import type { Outlook } from "./outlook";
 
-/** Where the picture is wide enough for more than one line beside the ship. */
+/** The picture is wide enough for more than one line beside the ship. */
 const WIDE = "(min-width: 600px)";
 
-/** The button that switches the look ahead on, and what the futures are and how far they are to be trusted. */
+/** The button that switches the futures on, and a line on what they are and how reliable they are. */
 export class AheadLine {
   private readonly button = byId<HTMLButtonElement>("look-ahead");
   private readonly box = byId<HTMLDetailsElement>("ahead");
@@ -27,7 +27,7 @@ export class AheadLine {
     this.button.setAttribute("aria-pressed", String(isOn));
     this.box.hidden = !isOn;
     if (!isOn) return;
-    // One who listens hears it when it is whole.
+    // A screen reader reads it when it is complete.
     this.inShort.ariaBusy = String(!fault && (outlook?.futures.length ?? 0) < (outlook?.wanted ?? 1));
     const [inShort, inFull] = fault ? [texts.ahead.none, fault.message] : outlook ? this.words(outlook) : [texts.ahead.looking, ""];
     setText(this.inShort, inShort);

@@ -8,7 +8,7 @@ export interface Past {
   y_m: Float64Array;
 }
 
-/** Where futures begin, and how far they go. */
+/** Start of the futures, and their length. */
 export interface Start {
   snapshot: Uint8Array;
   past: Past;
@@ -16,24 +16,24 @@ export interface Start {
   every_s: number;
 }
 
-/** What may come to pass. */
+/** A future. */
 export interface Future {
   seed: number;
-  /** Of its first row, s. */
+  /** Time of its first row, s. */
   start_s: number;
   every_s: number;
-  /** Rows from the start on, one after another; not a number after the run failed. */
+  /** Rows from the start on, one after another; NaN after the run failed. */
   rows: Float32Array;
-  /** How many waves the sea has; where there are none, all futures are this one. */
+  /** Number of waves of the sea; with 0, all futures are equal. */
   waves: number;
-  /** Whether the wind has gusts: they are the run's own. */
+  /** Whether the wind has gusts; all futures have the gusts of the run. */
   isGusty: boolean;
-  /** How long the measured past is that it agrees with, s. */
+  /** Length of the measured past that it agrees with, s. */
   past_s: number;
   fault: Fault | null;
 }
 
-/** A scenario with the values that the run has. */
+/** A scenario with the parameter values of the run. */
 export type ScenarioOf = Omit<OpenRequest, "kind" | "changes">;
 
 export type ToForeseer =

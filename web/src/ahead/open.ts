@@ -6,7 +6,7 @@ import { language } from "../texts";
 import { Ahead } from "./ahead";
 import { Foreseers } from "./pool";
 
-/** Engines beside that of the run: one core is the run's and the page's, where there are more than two. */
+/** Number of engines in addition to that of the run: with more than two cores, one core is left for the run and the page. */
 const MOST_WORKERS = 6;
 
 export function openAhead(session: Session, aside: Aside, folder: string): Ahead {
@@ -16,7 +16,7 @@ export function openAhead(session: Session, aside: Aside, folder: string): Ahead
   return new Ahead(session, aside, new Foreseers(startWorker, loadModule, count), folder);
 }
 
-/** Compiled once: workers share it. */
+/** Compiled once and shared by the workers. */
 async function loadModule(): Promise<WebAssembly.Module> {
   const response = await fetched(moduleUrl);
   if (!response.ok) throw new Error(said(response));

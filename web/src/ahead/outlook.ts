@@ -3,13 +3,13 @@ import type { Places } from "../plots/stretch";
 import type { Future } from "./messages";
 import { fanOf } from "./quantiles";
 
-/** Futures from one moment, as far as they are known. */
+/** The futures of one moment that have been computed so far. */
 export class Outlook {
   readonly futures: Future[] = [];
   private readonly fans = new Map<string, { of: number; lines: Float64Array[] }>();
 
   constructor(
-    /** How many there will be. */
+    /** Number of futures in the end. */
     readonly wanted: number,
     /** Numbers in a row. */
     private readonly width: number,
@@ -36,7 +36,7 @@ export class Outlook {
     return this.start_s + k * this.futures[0].every_s;
   }
 
-  /** Without waves there is one future, whatever the seed. */
+  /** Without waves there is one future for all seeds. */
   get isOneLine(): boolean {
     return this.futures.length > 0 && this.futures[0].waves === 0;
   }
@@ -45,7 +45,7 @@ export class Outlook {
     return this.futures[future].rows.subarray(k * this.width, (k + 1) * this.width);
   }
 
-  /** The lines of the fan of what a row has at these places, one a level, each with a value at each time. */
+  /** The lines of the fan for these columns, one for each level, with a value at each time. */
   fan(places: Places): Float64Array[] {
     const key = places.join();
     const known = this.fans.get(key);

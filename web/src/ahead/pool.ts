@@ -11,10 +11,10 @@ interface Job {
   fail(fault: Fault): void;
 }
 
-/** What of a worker is used here. */
+/** The part of a worker that is used here. */
 export type ForeseerWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
 
-/** Engines in workers of their own, beside that of the run: they share one compiled module, and take turns with futures. */
+/** Engines in their own workers, in addition to that of the run: they share one compiled module and compute futures in turn. */
 export class Foreseers {
   private workers: ForeseerWorker[] = [];
   private job: Job | null = null;
@@ -26,7 +26,7 @@ export class Foreseers {
     private readonly count: number,
   ) {}
 
-  /** Futures from a start, one for each seed, told as they come: true at the last, false where something newer came between. */
+  /** Computes futures from a start, one for each seed, and hands each on; true after the last, false if a newer job came in between. */
   async look(scenario: ScenarioOf, start: Start, seeds: readonly number[], hear: (future: Future) => void): Promise<boolean> {
     this.job?.end(false);
     const id = ++this.lastId;

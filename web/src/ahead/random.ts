@@ -1,4 +1,4 @@
-/** Random numbers of a seed: the same seed gives the same numbers. */
+/** Random numbers from a seed: the same seed gives the same numbers. */
 export class Random {
   private state: number;
 
@@ -6,7 +6,7 @@ export class Random {
     this.state = (seed + 1) >>> 0;
   }
 
-  /** Even over (0, 1): mulberry32, by T. Ettinger. */
+  /** Uniform over (0, 1): mulberry32, by T. Ettinger. */
   uniform(): number {
     this.state = (this.state + 0x6d2b79f5) >>> 0;
     let word = this.state;

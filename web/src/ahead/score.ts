@@ -3,17 +3,17 @@ import type { Columns } from "../engine/columns";
 import { LEVELS } from "./quantiles";
 import type { Outlook } from "./outlook";
 
-/** How much of what came to pass an outlook's widest band held. */
+/** Share of the recorded values inside the widest band of an outlook. */
 export interface Score {
   held: number;
   of: number;
 }
 
-/** Minutes of the recording by which futures are judged, at most. */
+/** Most minutes of the recording by which futures are judged. */
 const MOST_MINUTES = 6;
 const MINUTE_S = 60;
 
-/** How outlooks of each whole minute of the recording did: each is made once. */
+/** Scores of the outlooks of each whole minute of the recording; each is computed once. */
 export class TrackRecord {
   private readonly minutes = new Map<number, Score | null>();
 
@@ -24,17 +24,17 @@ export class TrackRecord {
     return newest.filter((start_s) => !this.minutes.has(start_s));
   }
 
-  /** Null where a minute cannot be judged. */
+  /** Null if a minute cannot be judged. */
   add(start_s: number, score: Score | null): void {
     this.minutes.set(start_s, score);
   }
 
-  /** What came after is no more. */
+  /** Drops the scores after a time. */
   dropAfter(time_s: number): void {
     for (const start_s of this.minutes.keys()) if (start_s + MINUTE_S > time_s + 1e-9) this.minutes.delete(start_s);
   }
 
-  /** Of the newest minutes together. */
+  /** Score of the newest minutes together. */
   get newest(): Score & { minutes: number } {
     const judged = [...this.minutes].sort(([a], [b]) => b - a).flatMap(([, score]) => (score ? [score] : []));
     const counted = judged.slice(0, MOST_MINUTES);
@@ -45,19 +45,19 @@ export class TrackRecord {
 
 type Model = Pick<ModelInfo, "bodies" | "joints">;
 
-/** Bodies that carry no other and are free in their joints: what hangs at the end of a crane. */
+/** Bodies that carry no other body and are free in their joints, such as a load on a crane. */
 export function loads({ bodies, joints }: Model): number[] {
   const carriers = new Set(bodies.map(({ parent }) => parent));
   const isFree = (name: string) => joints.some(({ body, free_coordinates }) => body === name && free_coordinates.length > 0);
   return bodies.flatMap(({ name, floats }, i) => (floats || carriers.has(name) || !isFree(name) ? [] : [i]));
 }
 
-/** The columns of the place of a body. */
+/** The columns of a body's position. */
 export function placeOf({ bodies }: Model, body: number, columns: Columns): number[] {
   return ["x", "y", "z"].map((axis) => columns.at(`${bodies[body].name}.position.${axis}`));
 }
 
-/** Columns by which outlooks are judged: heave, roll and pitch of what floats, and the places of its loads. */
+/** Columns by which outlooks are judged: heave, roll and pitch of floating bodies, and the positions of loads. */
 export function judgedColumns(model: Model, columns: Columns): number[] {
   const afloat = model.bodies.filter(({ floats }) => floats).flatMap(({ name }) => [`${name}.position.z`, `${name}.roll`, `${name}.pitch`]);
   const hanging = loads(model).flatMap((body) => placeOf(model, body, columns));
@@ -65,8 +65,7 @@ export function judgedColumns(model: Model, columns: Columns): number[] {
 }
 
 /**
- * Of the values that came to pass after its start those within the band from 5 to 95 %. `rowAt` gives the row of a time,
- * where one was recorded.
+ * Number of recorded values after its start within the band from 5 to 95 %. `rowAt` gives the recorded row of a time, if there is one.
  */
 export function scoreOf(outlook: Outlook, places: readonly number[], rowAt: (time_s: number) => ArrayLike<number> | null): Score {
   const score = { held: 0, of: 0 };
@@ -77,7 +76,7 @@ export function scoreOf(outlook: Outlook, places: readonly number[], rowAt: (tim
     rows.forEach((row, k) => {
       if (!row) return;
       score.of += 1;
-      // The fan has half the digits.
+      // The fan is in single precision.
       const value = Math.fround(row[place]);
       if (value >= low[k] && value <= high[k]) score.held += 1;
     });

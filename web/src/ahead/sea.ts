@@ -3,25 +3,25 @@ import { Conditioned } from "./conditioned";
 import type { Past } from "./messages";
 import { Random } from "./random";
 
-/** An engine that can be put into another sea. */
+/** An engine whose sea can be replaced. */
 export interface EngineInSeas extends Engine {
-  /** Of the regular waves that the sea is the sum of, m and rad. */
+  /** Amplitudes and phases of the regular waves that make up the sea, m and rad. */
   wave_amplitudes_m(): Float64Array;
   wave_phases_rad(): Float64Array;
-  /** Complex elevation of each of them at a place and a time: real parts, then imaginary ones. */
+  /** Complex elevation of each wave at a place and a time: real parts, then imaginary parts. */
   wave_phasors(x_m: number, y_m: number, time_s: number): Float64Array;
   set_waves(amplitudes_m: Float64Array, phases_rad: Float64Array): void;
 }
 
 /** Standard deviation of the noise of a measured wave, over the significant height of the sea. */
 export const NOISE = 0.02;
-/** Apart from the seeds of futures. */
+/** Different from the seeds of futures. */
 const NOISE_SEED = 0x5ea;
 
 /**
- * Seas that may be, where of the sea in hand the spectrum is known and what a sensor at the ship has measured of it. Its
- * waves are a_i Re{z_i e^(i q_i)} with z_i complex normal, E|z_i|^2 = 1: amplitudes and phases that no one knows. The
- * amplitudes a_i are those of the spectrum; the run's own phases are read by the sensor alone.
+ * Possible seas, given the spectrum of the present sea and the measurements of a sensor at the ship. The waves are a_i Re{z_i e^(i q_i)}
+ * with z_i complex normal, E|z_i|^2 = 1: unknown amplitudes and phases. The amplitudes a_i are those of the spectrum; only the sensor reads
+ * the run's own phases.
  */
 export class SeasAhead {
   readonly waves: number;
@@ -41,7 +41,7 @@ export class SeasAhead {
     return 4 * Math.sqrt(this.expected_m.reduce((sum, a) => sum + (a * a) / 2, 0));
   }
 
-  /** What is known of the waves after this past. */
+  /** The knowledge of the waves after this past. */
   after(past: Past): Conditioned {
     const noise = this.relativeNoise * this.height_m;
     const values = this.measure(past, noise);
@@ -51,7 +51,7 @@ export class SeasAhead {
     return new Conditioned(2 * this.waves, { rows, values, noise });
   }
 
-  /** Puts the engine into one of the seas that may be. */
+  /** Puts the engine into one of the possible seas. */
   enter(known: Conditioned, random: Random): void {
     const z = known.draw(random);
     const [amplitudes_m, phases_rad] = [new Float64Array(this.waves), new Float64Array(this.waves)];
@@ -62,7 +62,7 @@ export class SeasAhead {
     this.engine.set_waves(amplitudes_m, phases_rad);
   }
 
-  /** What the sensor read: the elevation in the sea of the run, with noise; of one time always the same. */
+  /** Readings of the sensor: the elevation in the sea of the run, with noise; the same for the same time. */
   private measure({ time_s, x_m, y_m }: Past, noise: number): Float64Array {
     this.engine.set_waves(this.own.amplitudes_m, this.own.phases_rad);
     return time_s.map((time, i) => {
@@ -71,7 +71,7 @@ export class SeasAhead {
     });
   }
 
-  /** The elevation by the two parts of each z. */
+  /** The elevation as a function of the two parts of each z. */
   private row({ time_s, x_m, y_m }: Past, i: number): Float64Array {
     const phasors = this.engine.wave_phasors(x_m[i], y_m[i], time_s[i]);
     const row = new Float64Array(2 * this.waves);
@@ -84,8 +84,8 @@ export class SeasAhead {
 }
 
 /**
- * Amplitudes that the spectra give the waves of the engine's sea, m. Where the run has drawn its own at random, another engine is
- * opened for those that it was drawn from.
+ * Amplitudes of the waves of the engine's sea by the spectra, m. If the run drew its amplitudes at random, another engine is opened for the
+ * amplitudes of the spectra.
  */
 export function expectedAmplitudes(engine: EngineInSeas, open: (resolved: string) => EngineInSeas): Float64Array {
   const resolved = JSON.parse(engine.resolved_json()) as { sea?: { waves?: Record<string, Record<string, unknown>> } };

@@ -3,10 +3,10 @@ import type { Swarm } from "../view/cloud";
 import type { Outlook } from "./outlook";
 import { loads, placeOf } from "./score";
 
-/** From one place of a load to the next, s: the cloud is to be looked through. */
+/** Time between two places of a load, s: the cloud has to stay transparent. */
 const EVERY_S = 2;
 
-/** Where the loads of a run may come to be, at times from soon to late. */
+/** Possible positions of the loads of a run, from soon to late. */
 export function swarmOf(outlook: Outlook, { model, columns }: Pick<Run, "model" | "columns">): Swarm {
   const [points, lateness]: [number[], number[]] = [[], []];
   const { length } = outlook;

@@ -5,7 +5,7 @@ import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
 import { Futures } from "./futures";
 import type { FromForeseer, ScenarioOf, ToForeseer } from "./messages";
 
-/** How long it computes before it hears whether something newer is asked, ms. */
+/** Time of computation between two checks for newer messages, ms. */
 const TURN_MS = 20;
 
 interface WorkerScope {
@@ -18,7 +18,7 @@ type Look = ToForeseer & { kind: "look" };
 const scope = self as unknown as WorkerScope;
 const files = new FilesOfScenarios();
 let ready: Promise<unknown> = Promise.resolve();
-/** What is asked now; a message may put another in its place while a future is on its way. */
+/** The present job; a message may replace it while a future is computed. */
 let asked: Look | null = null;
 let isBusy = false;
 let open: { scenario: string; futures: Futures } | null = null;
@@ -68,7 +68,7 @@ async function answer(look: Look): Promise<void> {
   }
 }
 
-/** The scenario stays open from one look to the next. */
+/** The scenario stays open from one job to the next. */
 async function opened(scenario: ScenarioOf): Promise<Futures> {
   await ready;
   const key = JSON.stringify([scenario.text, scenario.file, scenario.overrides, scenario.opened]);
@@ -84,7 +84,7 @@ async function opened(scenario: ScenarioOf): Promise<Futures> {
 
 const turns = new MessageChannel();
 
-/** A timer would wait for some ms each time. */
+/** A timer would wait some ms each time. */
 function messagesHeard(): Promise<void> {
   return new Promise((resolve) => {
     turns.port1.onmessage = () => resolve();

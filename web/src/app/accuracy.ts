@@ -1,7 +1,7 @@
 import type { Columns } from "../engine/columns";
 
 export interface Errors {
-  /** Energy error over the largest energy in play so far; NaN while that is lost in the rounding of what is stored. */
+  /** Energy error over the largest energy exchanged so far; NaN while that is below the rounding of the stored energy. */
   energy: number;
   /** Momentum error over the largest angular momentum in play so far; NaN before anything turns. */
   momentum: number;
@@ -11,10 +11,10 @@ export interface Errors {
   momentum_N_m_s: number;
 }
 
-/** Energy in play counts from so many roundings of the stored energy on: a rounding is then a thousandth of it. */
+/** The exchanged energy counts from this many roundings of the stored energy on: a rounding is then a thousandth of it. */
 const ROUNDINGS = 1000;
 
-/** Puts the engine's energy and momentum errors in proportion to its scales of them, the largest so far. */
+/** Divides the engine's energy and momentum errors by their scales, the largest so far. */
 export class Accuracy {
   private energy_J = 0;
   private stored_J = 0;
@@ -22,7 +22,7 @@ export class Accuracy {
 
   constructor(private readonly columns: Columns) {}
 
-  /** Nothing was in play yet. */
+  /** Nothing was exchanged yet. */
   begin(): void {
     this.energy_J = this.stored_J = this.momentum_N_m_s = 0;
   }
@@ -38,7 +38,7 @@ export class Accuracy {
   errors(row: ArrayLike<number>): Errors {
     const energy_J = Math.abs(this.columns.read(row, "energy_error"));
     const momentum_N_m_s = Math.abs(this.columns.read(row, "momentum_error"));
-    // A ship at rest stores 1e8 J, which a double has to 1e-8 J, and moves by less.
+    // A ship at rest stores 1e8 J, which a double resolves to 1e-8 J; her motion is smaller than that.
     const isInPlay = this.energy_J > ROUNDINGS * Number.EPSILON * this.stored_J;
     return {
       energy: isInPlay ? energy_J / this.energy_J : NaN,
@@ -49,7 +49,7 @@ export class Accuracy {
   }
 }
 
-/** The first where the second is NaN. */
+/** The first if the second is NaN. */
 function larger(known: number, found: number): number {
   return found > known ? found : known;
 }

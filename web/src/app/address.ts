@@ -1,15 +1,15 @@
 import type { Value, Values } from "../engine/engine";
 
-/** What an address asks for: a scenario of the gallery, and values over those of its file. */
+/** The request in an address: a scenario of the gallery, and values that override its file. */
 export interface Asked {
   scenario: string | null;
   values: Values;
 }
 
-/** What an address that holds a whole run has after the `#`, beside other things or alone. */
+/** The part after the `#` of an address that holds a whole run, possibly with other parts. */
 const RUN = /[#&]k\d+=/;
 
-/** Whether it holds a run, of this version of the app or of another. */
+/** Whether it holds a run, from this version of the app or another. */
 export function holdsRun(hash: string): boolean {
   return RUN.test(hash);
 }
@@ -26,7 +26,7 @@ export function queryOf({ scenario, values }: Asked): string {
   return `?${new URLSearchParams([["scenario", scenario], ...set])}`;
 }
 
-/** The start page's address where the bare one opens a scenario. */
+/** The start page's address if the bare address opens a scenario. */
 export const START = "?gallery";
 
 /** Whether an address asks for the start page: the bare one does, unless the server was started with a scenario to open. */

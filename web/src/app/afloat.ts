@@ -7,13 +7,13 @@ export interface Afloat {
   heel_rad: number;
   /** Pitch: positive by the bow, rad. */
   trim_rad: number;
-  /** Depth of the keel below still water, under the origin of the hull's data, along the vertical, m: as the engine's hydrostatics. */
+  /** Depth of the keel below still water, under the origin of the hull's data, along the vertical, m, as in the engine's hydrostatics. */
   draught_m: number;
-  /** Elevation of the incident waves where the hull is on average, m. */
+  /** Elevation of the incident waves at the hull's mean position, m. */
   wave_m: number;
 }
 
-/** How the first hull floats; null where none does. Poses are x y z qw qx qy qz a body. */
+/** How the first hull floats; null if there is none. Poses are x y z qw qx qy qz for each body. */
 export function afloat(model: ModelInfo, columns: Columns, row: ArrayLike<number>, poses: ArrayLike<number>): Afloat | null {
   if (model.hulls.length === 0) return null;
   const { name, body, origin_m, draught_m } = model.hulls[0];

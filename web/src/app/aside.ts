@@ -3,17 +3,17 @@ import type { Equations, Hydrostatics } from "../engine/engine";
 import { rewind } from "./recording/rewind";
 import type { Session } from "./session";
 
-/** A second engine beside the one that runs, for what takes longer than a picture may wait. */
+/** A second engine for computations that take longer than a frame. */
 export class Aside {
   private client: EngineClient | null = null;
-  /** What is open there: a source and its values, as they were handed to the run. */
+  /** What is open there: a source and its values, as handed to the run. */
   private held: { source: unknown; overrides: unknown } | null = null;
   private turn: Promise<unknown> = Promise.resolve();
   private readonly newest: Record<string, number> = {};
 
   constructor(private readonly startClient: () => EngineClient) {}
 
-  /** How the hulls of the run in hand float at rest with the crane as it stands; null where the same asked for something newer. */
+  /** How the hulls of the present run float at rest with the crane as it stands; null if a newer request came. */
   hydrostatics(session: Session, asker = "panel"): Promise<Hydrostatics | null> {
     return this.inTurn(`hydrostatics for ${asker}`, async () => {
       const snapshot = await session.snapshot();
@@ -23,12 +23,12 @@ export class Aside {
     });
   }
 
-  /** How they float at rest with the crane as the run began, without some bodies; null where the same asked for something newer. */
+  /** How they float at rest with the crane at the start of the run, without some bodies; null if a newer request came. */
   hydrostaticsAtStart(session: Session, without: readonly string[], asker: string): Promise<Hydrostatics | null> {
     return this.inTurn(`hydrostatics for ${asker}`, async () => (await this.opened(session))?.hydrostatics(without) ?? null);
   }
 
-  /** The matrices of the method at the moment that is shown; null where the same asked for something newer. */
+  /** The matrices of the method at the moment that is shown; null if a newer request came. */
   equations(session: Session, asker = "panel"): Promise<Equations | null> {
     return this.inTurn(`equations for ${asker}`, async () => {
       const { shown } = session;
@@ -41,7 +41,7 @@ export class Aside {
     });
   }
 
-  /** The state at the moment that is shown; null where something newer was asked. */
+  /** The state at the moment that is shown; null if a newer request came. */
   snapshot(session: Session): Promise<Uint8Array | null> {
     return this.inTurn("snapshot", async () => {
       if (!session.shown.isBack) return session.snapshot();
@@ -52,13 +52,13 @@ export class Aside {
     });
   }
 
-  /** To an earlier moment; with the parameters of then the engine is no more the one that was opened. */
+  /** Goes to an earlier moment; the parameters of that moment may differ from those that were opened. */
   private async goTo(client: EngineClient, { shown, values }: Session): Promise<void> {
     const { recording, time_s } = shown;
     if (recording) await rewind(client, recording, time_s, values.inForce, () => (this.held = null));
   }
 
-  /** Questions of one kind that a newer one overtakes are not answered; one that fails leaves an engine to be opened anew. */
+  /** Answers only the newest question of each kind; after a failure the engine is opened again. */
   private inTurn<T>(kind: string, reckon: () => Promise<T | null>): Promise<T | null> {
     const asked = (this.newest[kind] ?? 0) + 1;
     this.newest[kind] = asked;

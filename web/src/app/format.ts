@@ -18,7 +18,7 @@ export function fixed(value: number, decimals: number): string {
   return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }
 
-/** Two digits and a power of ten, as 1.9×10⁻⁷; "0" for zero and a dash for NaN. */
+/** Two digits and a power of ten, such as 1.9×10⁻⁷; "0" for zero and a dash for NaN. */
 export function scientific(value: number): string {
   if (Number.isNaN(value)) return "–";
   if (value === 0) return "0";

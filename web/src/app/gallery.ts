@@ -9,13 +9,13 @@ export interface GalleryEntry {
   title: string;
   file: string;
   description: string;
-  /** Of the gallery, where it is in it. */
+  /** Its group of the gallery, if it is in the gallery. */
   group?: string;
   /** Whether the bare address opens it. */
   opens?: boolean;
 }
 
-/** Scenarios that are shown together; without a title those that are in no group. */
+/** Scenarios that are shown together; those without a group have no title. */
 export interface Group {
   title: string | null;
   entries: GalleryEntry[];
@@ -82,7 +82,7 @@ export class Gallery {
   }
 }
 
-/** What a scenario is, in one sentence: the first of its description. A full stop after a single letter, or before a number, ends none. */
+/** The first sentence of a scenario's description. A full stop after a single letter, or before a number, does not end it. */
 export function firstSentence(description: string): string {
   const text = description.trim();
   return /^.*?[^\s(.]{2}[.!?](?=\s+[A-Z]|$)/s.exec(text)?.[0] ?? text;

@@ -1,19 +1,19 @@
 import type { Surface } from "../engine/surface";
 import type { Session } from "./session";
 
-/** A look at the run for tests and for the browser's console; it changes nothing. */
+/** Read-only access to the run, for tests and the browser's console. */
 export interface Sample {
   status: string;
   time_s: number;
   /** Names of values that wait for a reset. */
   pending: string[];
-  /** How far the recording reaches. */
+  /** Last time of the recording. */
   newest_s: number;
   /** The row that is shown by column name, as in the CSV files. */
   row: Record<string, number>;
   /** Per body x y z qw qx qy qz, world frame. */
   poses: number[];
-  /** The sea around, where a hull is in it. */
+  /** The sea around the hull, if there is one. */
   surface: Surface | null;
 }
 

@@ -2,7 +2,7 @@ import type { Fault } from "../engine/engine";
 import { faultOfPage } from "./faults";
 import type { Listener } from "./run";
 
-/** Those who are told of the run. What one of them throws is its own failure, not the run's: the others are told all the same. */
+/** The listeners of the run. If one throws, that is not a failure of the run: the others are still called. */
 export class Listeners {
   private readonly all: Listener[] = [];
   private isFailing = false;
@@ -24,7 +24,7 @@ export class Listeners {
     }
   }
 
-  /** Whoever shows faults may be the one that fails. */
+  /** The part that shows faults may itself fail. */
   private fail(fault: Fault): void {
     if (this.isFailing) return;
     this.isFailing = true;

@@ -1,14 +1,14 @@
-/** How long the mean is taken over, s of wall time. */
+/** Length of the mean, s of wall time. */
 const WINDOW_S = 2;
-/** Below this share of the speed that was asked for a run counts as slow. */
+/** Below this share of the chosen speed a run counts as slow. */
 const SLOW = 0.9;
 
-/** How fast a run goes: simulated over wall time, of all that passed on the wall, whatever came of it. */
+/** Speed of a run: simulated time over wall time, idle time included. */
 export class Pace {
   /** Wall and simulated times, s, oldest first. */
   private readonly seen: [number, number][] = [];
 
-  /** A run begins, goes on or has another speed: nothing before it counts. */
+  /** Forgets the past when a run starts, continues or changes its speed. */
   begin(): void {
     this.seen.length = 0;
   }
@@ -18,14 +18,14 @@ export class Pace {
     while (this.seen.length > 2 && wall_s - this.seen[1][0] >= WINDOW_S) this.seen.shift();
   }
 
-  /** NaN until there is enough to say. */
+  /** NaN until there is enough data. */
   get factor(): number {
     if (this.seen.length < 2) return NaN;
     const [[fromWall, from], [wall, time]] = [this.seen[0], this.seen[this.seen.length - 1]];
     return wall - fromWall >= WINDOW_S / 2 ? (time - from) / (wall - fromWall) : NaN;
   }
 
-  /** Where no speed is asked for, none is slow. */
+  /** Without a chosen speed no run is slow. */
   isSlow(asked: number): boolean {
     return Number.isFinite(asked) && this.factor < SLOW * asked;
   }

@@ -6,52 +6,51 @@ import { Accuracy } from "./accuracy";
 import type { Moment } from "./recording/recording";
 
 /**
- * empty: nothing could be opened; idle: at the start; stepping: on the way of one long Step; stopped: the run
- * cannot go on.
+ * empty: nothing could be opened; idle: at the start; stepping: in the middle of a long Step; stopped: the run cannot go on.
  */
 export type Status = "loading" | "empty" | "idle" | "stepping" | "running" | "paused" | "stopped";
 
-/** A scenario opened, with all that follows from its channels. */
+/** An opened scenario, with all that follows from its channels. */
 export interface Run {
   model: ModelInfo;
   lines: DrawnLine[];
   channels: Channel[];
   columns: Columns;
-  /** With the values that they have. */
+  /** The parameters with their values. */
   inputs: InputInfo[];
   jointAxes: JointAxis[];
-  /** What is set to switch the scenario's timeline off. */
+  /** The parameter or field that switches the scenario's timeline off. */
   timelineSwitch: string;
-  /** Of the scenario's text and of all files that it stands on. */
+  /** Digest of the scenario's text and of all its files. */
   digest: string;
   accuracy: Accuracy;
 }
 
-/** A scenario as it is handed to the engine. */
+/** A scenario to hand to the engine. */
 export interface Source {
   text: string;
   file: string;
-  /** Texts of the files that were opened with it, by their names; left out for a scenario of the gallery. */
+  /** Texts of the files that were opened with it, by name; left out for a scenario of the gallery. */
   opened?: Record<string, string>;
   /** Its name in the gallery, if it is from there. */
   gallery?: string;
-  /** What a link says was set in a run of it, which a run sets again. */
+  /** Changes of a run that a link holds; a run of the link makes them again. */
   changes?: readonly Change[];
 }
 
 export interface Listener {
-  /** A scenario was opened, or the same one reset: everything starts anew. */
+  /** A scenario was opened or reset. */
   opened?(run: Run, frame: Frame, isAnother: boolean): void;
   advanced?(run: Run, frame: Frame): void;
-  /** Another moment is shown: a newer one, or one that was looked up. */
+  /** Another moment is shown: a newer one, or a chosen one. */
   moved?(run: Run, moment: Moment): void;
-  /** An input of the run has another value. */
+  /** An input of the run has changed. */
   inputsChanged?(run: Run): void;
-  /** The run goes on from an earlier moment: what came after is no more. */
+  /** The run continues from an earlier moment: everything later is gone. */
   branched?(run: Run): void;
-  /** Something was set by hand under way: from here the run goes on otherwise. */
+  /** Something was set by hand during the run: its future changes. */
   steered?(): void;
-  /** The run set levers again by itself, as a link says. */
+  /** The run has repeated lever moves of a link. */
   followed?(run: Run): void;
   statusChanged?(status: Status): void;
   valuesChanged?(): void;

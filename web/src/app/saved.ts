@@ -7,11 +7,11 @@ import { yamlOf } from "./yaml";
 
 const words = texts.saved;
 
-/** A scenario to be kept: a file, and why a run of it is not the run in hand. */
+/** A scenario to save: a file, and the reason if a run of it would differ from the present run. */
 export interface SavedFile {
   name: string;
   text: string;
-  /** Null where it is. */
+  /** Null if it would be the same. */
   differs: string | null;
 }
 
@@ -19,8 +19,8 @@ export interface SavedFile {
 const IMPLICIT = ["newmark", "generalized_alpha", "implicit_midpoint"];
 
 /**
- * The file of a scenario that was opened as `opened`, with what was set and driven by hand. `pending` are the parameters whose
- * values wait for a reset.
+ * The file of a scenario that was opened as `opened`, with values set and levers moved by hand. `pending` are the parameters whose values
+ * wait for a reset.
  */
 export function savedFile(opened: string, replay: Replay, pending: string[] = []): SavedFile {
   const differs = differenceOf(replay);
@@ -33,14 +33,14 @@ export function savedFile(opened: string, replay: Replay, pending: string[] = []
   return { name: nameOf(opened), text: `${says.map((line) => `# ${line}\n`).join("")}\n${yamlOf(replay.scenario)}`, differs };
 }
 
-/** A parameter that was set under way has no place in a file, but for its last value. */
+/** A file can hold only the last value of a parameter that was set during the run. */
 function differenceOf({ parameters }: Replay): string | null {
   if (parameters.length === 0) return null;
   const set = parameters.map(({ parameter, time_s }) => words.set_at(parameter, seconds(time_s))).join(", ");
   return words.differs(set);
 }
 
-/** Why there is nothing to keep. */
+/** The reason why there is nothing to save. */
 export function faultOfSaving(fault: Fault): Fault {
   if (isOfEngine(fault)) return fault;
   if (!fault.message.startsWith("operation:")) return { ...fault, kind: "unsaved" };
@@ -51,7 +51,7 @@ function nameOf(opened: string): string {
   return `${stemOf(opened)}-saved.yaml`;
 }
 
-/** Of files that are made of a scenario. */
+/** Name of files made from a scenario. */
 export function stemOf(opened: string): string {
   return opened.slice(opened.lastIndexOf("/") + 1).replace(/(-saved)?\.(ya?ml|json)$/i, "");
 }

@@ -7,20 +7,20 @@ import { Steering } from "./session/steering";
 
 export type { Listener, Run, Status } from "./run";
 
-/** The one state of the page: which scenario, which values, where the run stands, and which moment of it is shown. */
+/** The state of the page: scenario, values, state of the run, and the moment that is shown. */
 export class Session extends Steering {
-  /** Over wall time; infinite for as fast as it goes. */
+  /** Simulated time over wall time; infinite for as fast as possible. */
   speed = 1;
   private advancing = false;
-  /** Where a run as fast as it goes pauses. */
+  /** Time at which a run at full speed pauses. */
   private until_s = Infinity;
 
-  /** Whether it runs, or will as soon as a reset under way is through. */
+  /** Whether it runs, or will run when the present reset is done. */
   get isGoing(): boolean {
     return this.status === "running" || this.status === "stepping" || this.due === "start";
   }
 
-  /** From an earlier moment that is shown the run branches. */
+  /** Starts the run; from an earlier moment it branches. */
   start(): void {
     this.until_s = Infinity;
     if (this.shown.isBack) void this.branch();
@@ -28,7 +28,7 @@ export class Session extends Steering {
     else if (this.status === "idle" || this.status === "paused") this.become("running");
   }
 
-  /** As fast as it goes, to a time at which it pauses. */
+  /** Runs at full speed to a time, and pauses there. */
   runTo(time_s: number): void {
     this.start();
     this.until_s = time_s;
@@ -39,7 +39,7 @@ export class Session extends Steering {
     if (this.status === "running" || this.status === "stepping") this.become("paused");
   }
 
-  /** One recording interval. */
+  /** Advances by one recording interval. */
   async step(): Promise<void> {
     if (!this.run || this.status === "stepping" || (this.status === "stopped" && !this.shown.isBack)) return;
     if (this.shown.isBack) void this.branch();
@@ -47,13 +47,13 @@ export class Session extends Steering {
     this.become("paused");
     let frame = await this.take(this.client.step());
     if (frame?.isPart && this.status === "paused") this.become("stepping");
-    // A pause or a reset may come while an answer is due.
+    // A pause or a reset may come before the answer.
     const isOn = () => this.status === "stepping";
     while (frame?.isPart && isOn()) frame = await this.take(this.client.step());
     if (isOn()) this.become("paused");
   }
 
-  /** One frame of a run, `wall_s` after the one before; asks nothing while an answer is due. */
+  /** One frame of a run, `wall_s` after the previous one; sends no request while it waits for an answer. */
   async advance(wall_s: number): Promise<void> {
     if (this.status !== "running" || this.advancing) return;
     this.advancing = true;
@@ -94,12 +94,12 @@ export class Session extends Steering {
     this.report(frame.fault);
   }
 
-  /** The state of the run in hand, for another engine. */
+  /** The state of the present run, for another engine. */
   snapshot(): Promise<Uint8Array> {
     return this.asked(this.client.snapshot());
   }
 
-  /** The run in hand as a scenario file; null where it cannot be one, which is reported. */
+  /** The present run as a scenario file; null, with a report, if that is impossible. */
   async save(): Promise<SavedFile | null> {
     try {
       const { source } = this;
@@ -111,7 +111,7 @@ export class Session extends Steering {
     }
   }
 
-  /** The run in hand as a scenario in JSON, for what is written of it; null where it cannot be one. */
+  /** The present run as a scenario in JSON, for exported files; null if that is impossible. */
   async resolved(): Promise<string | null> {
     return this.asked(this.client.replay()).then(
       ({ scenario }) => scenario,
@@ -119,7 +119,7 @@ export class Session extends Steering {
     );
   }
 
-  /** There is nothing to open. */
+  /** Reports that there is nothing to open. */
   beEmpty(fault: Fault): void {
     this.become("empty");
     this.report(fault);

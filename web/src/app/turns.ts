@@ -1,16 +1,16 @@
-/** Work that is done one after another, so that none answers for another's scenario. */
+/** Tasks that run one after another, so that an answer cannot belong to another scenario. */
 export class Turns {
   private last: Promise<unknown> = Promise.resolve();
   private left = 0;
 
-  /** Is told when nothing is left to do. */
+  /** Called when no task is left. */
   constructor(private readonly through: () => void) {}
 
   get isBusy(): boolean {
     return this.left > 0;
   }
 
-  /** Resolves where nothing is left to do. */
+  /** Resolves when no task is left. */
   async over(): Promise<void> {
     while (this.isBusy) await this.last;
   }
@@ -26,7 +26,7 @@ export class Turns {
   }
 }
 
-/** Hands values on, one after another, of each name the last. */
+/** Sends values one after another; of several values of one name only the last. */
 export class Latest<T> {
   private readonly waiting = new Map<string, T>();
 
@@ -43,7 +43,7 @@ export class Latest<T> {
     }
   }
 
-  /** A value that is on its way. */
+  /** A value that is being sent. */
   due(name: string): T | undefined {
     return this.waiting.get(name);
   }

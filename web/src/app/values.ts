@@ -1,20 +1,20 @@
 import type { ModelInfo, Value, Values } from "../engine/engine";
 import type { Opened } from "../engine/messages";
 
-/** The values of a scenario: what the controls say, and what the run in hand has. */
+/** The values of a scenario: those of the controls, and those of the present run. */
 export class SetValues {
-  /** What the controls say over the scenario's own. */
+  /** Values of the controls that override the scenario's. */
   wanted: Values = {};
-  /** What of these the run in hand has; the same object until one is set under way. */
+  /** The overriding values of the present run; the same object until one is set during the run. */
   overrides: Values = {};
-  /** What it began with. */
+  /** Its values at the start. */
   begun: Values = {};
-  /** Of values that the run set again by itself, what the controls said before. */
+  /** The previous control values of parameters that the run has set again from a link. */
   private readonly before = new Map<string, Value | undefined>();
-  /** All that the run in hand has. */
+  /** All values of the present run. */
   private applied: Values = {};
 
-  /** A run was opened with these. */
+  /** A run was opened with these values. */
   begin(opened: Opened, overrides: Values): void {
     this.overrides = overrides;
     this.begun = overrides;
@@ -27,13 +27,13 @@ export class SetValues {
     this.wanted = { ...this.wanted, [name]: value };
   }
 
-  /** The run in hand took it under way. */
+  /** The present run has accepted a value. */
   apply(name: string, value: Value): void {
     this.applied = { ...this.applied, [name]: value };
     this.overrides = { ...this.overrides, [name]: value };
   }
 
-  /** The run in hand set it again by itself: the control shows it, until a reset. */
+  /** The present run has set a value again from a link: the control shows it until a reset. */
   follow(name: string, value: Value): void {
     const before = this.before.has(name) ? this.before.get(name) : this.wanted[name];
     this.want(name, value);
@@ -41,25 +41,25 @@ export class SetValues {
     this.apply(name, value);
   }
 
-  /** What the controls say for another start: what the run set by itself is as before. */
+  /** The control values for a new start: without those that the run set again from a link. */
   forStart(): Values {
     const kept = Object.entries({ ...this.wanted, ...Object.fromEntries(this.before) }).filter(([, value]) => value !== undefined);
     this.before.clear();
     return (this.wanted = Object.fromEntries(kept) as Values);
   }
 
-  /** All that the run in hand has; another object after a change. */
+  /** All values of the present run; a new object after a change. */
   get inForce(): Values {
     return this.applied;
   }
 
-  /** The run in hand went back to before it was set under way; a control keeps a value that was asked for and not yet applied. */
+  /** The present run went back to before a value was set; a control keeps a value that is not yet applied. */
   goBack(name: string, value: Value): void {
     if (this.wanted[name] === this.applied[name]) this.want(name, value);
     this.apply(name, value);
   }
 
-  /** These were refused: back to what the run in hand has, unless something newer is wanted by now. */
+  /** These values were refused: go back to those of the present run, unless there are newer ones. */
   giveUp(tried: Values): void {
     if (Object.keys(this.wanted).some((name) => this.wanted[name] !== tried[name])) return;
     const kept = Object.keys(this.wanted).map((name) => [name, this.applied[name]]);
@@ -71,7 +71,7 @@ export class SetValues {
     return Object.keys(this.wanted).filter((name) => this.wanted[name] !== this.applied[name]);
   }
 
-  /** What a control shows. */
+  /** The value that a control shows. */
   shown(name: string): Value | undefined {
     return this.wanted[name] ?? this.applied[name];
   }

@@ -4,10 +4,10 @@ type Written = string | Written[] | Map<string, Written>;
 const TOKEN = /"(?:[^"\\]|\\.)*"|[{}[\],:]|[^\s{}[\],:"]+/g;
 /** Longest line, in characters, where a line can be broken. */
 const LONGEST = 120;
-/** Words that YAML, of one version or another, reads as something else. */
+/** Words that some version of YAML does not read as text. */
 const TAKEN = /^(y|n|yes|no|on|off|true|false|null|nan|inf|infinity)$/i;
 const BARE = /^[a-z_][a-z0-9_.]*$/i;
-/** Words with one space between them, nothing that a folded block would change. */
+/** Words separated by single spaces: a folded block does not change them. */
 const FOLDS = /^[\x21-\x7e\u00a1-\ud7ff]+( [\x21-\x7e\u00a1-\ud7ff]+)+$/;
 
 /** A JSON object as YAML in the layout of the gallery's files; it reads back to the same values. */
@@ -46,7 +46,7 @@ function fieldsFrom(tokens: Iterator<string, undefined>): Map<string, Written> {
   return fields;
 }
 
-/** A quoted text without its quotes where it is a plain word. */
+/** A quoted text, without quotes if it is a plain word. */
 function bare(quoted: string): string {
   const inside = quoted.slice(1, -1);
   return quoted.startsWith('"') && BARE.test(inside) && !TAKEN.test(inside) ? inside : quoted;
@@ -58,7 +58,7 @@ function flow(value: Written): string {
   return bare(value);
 }
 
-/** `name: value` on one line, or on as many as it takes, each behind `indent`. */
+/** `name: value` on one line, or on as many as needed, each after `indent`. */
 function fieldOf(name: string, value: Written, indent: string): string {
   const onOne = `${indent}${name}: ${flow(value)}`;
   if (onOne.length <= LONGEST) return onOne;
@@ -82,13 +82,13 @@ function entryOf(value: Written, indent: string): string {
   return `${indent}- ${block(value, `${indent}  `).slice(indent.length + 2)}`;
 }
 
-/** A long text as a folded block, where folding gives it back. */
+/** A long text as a folded block, if folding preserves it. */
 function folded(quoted: string, indent: string): string {
   const text = quoted.includes("\\") ? "" : quoted.slice(1, -1);
   return quoted.startsWith('"') && FOLDS.test(text) ? `>-\n${filled(text.split(" "), indent)}` : quoted;
 }
 
-/** Words in lines as full as they may be. */
+/** Words in lines, each as full as possible. */
 function filled(words: string[], indent: string): string {
   const lines: string[] = [];
   let line = indent;

@@ -16,7 +16,8 @@ export class Changes {
     return this.all;
   }
 
-  /** Of several moves of one lever between two steps the last counts, and one that is made again is one. A parameter books energy each time. */
+  /** Of several moves of one lever between two steps only the last counts, and a repeated move counts once. A parameter books energy each
+   * time. */
   make(change: Change): void {
     if ("input" in change && this.all.some((one) => "input" in one && one.time_s === change.time_s && one.input === change.input && one.value === change.value)) return;
     const last = this.all.at(-1);
@@ -25,20 +26,20 @@ export class Changes {
     this.all.push(change);
   }
 
-  /** Those that are due after so many steps; they are due no more. */
+  /** Removes and returns the changes that are due after a number of steps. */
   takeDue(steps: number): Change[] {
     const now = this.due.filter((change) => this.stepOf(change) <= steps);
     if (now.length > 0) this.due = this.due.slice(now.length);
     return now;
   }
 
-  /** Steps to the next that is due later; infinitely many where there is none. */
+  /** Steps until the next later change; infinite if there is none. */
   toNext(steps: number): number {
     const next = this.due.find((change) => this.stepOf(change) > steps);
     return next ? this.stepOf(next) - steps : Infinity;
   }
 
-  /** A hand takes over: nothing is set again any more. */
+  /** Manual control: no change is repeated any more. */
   dropDue(): void {
     this.due = [];
   }

@@ -3,9 +3,9 @@ import type { Fault, Value, Values } from "./engine";
 import { faultOfBreakdown, faultOfSilence, isOfEngine, UNLOADED } from "./faults";
 import type { FromWorker, LeverMove, Replies, Reply, Request } from "./messages";
 
-/** How often the worker is asked for a sign of life while an answer is due, ms. */
+/** Interval of the checks whether the worker is alive, while an answer is expected, ms. */
 const LOOK_EVERY_MS = 1000;
-/** Looks without one after which the worker counts as dead; the engine gives none within one step or one opening. */
+/** Checks without a sign of life after which the worker counts as dead; the engine gives none during one step or one opening. */
 const MOST_SILENT_LOOKS = 20;
 
 interface Waiting {
@@ -14,8 +14,8 @@ interface Waiting {
 }
 
 /**
- * The engine in its worker, seen from the page: each request answers with a promise, in order. A worker that fails or falls
- * silent is ended, what waited is rejected with a fault of the kind `engine`, and the next request starts another.
+ * The engine in its worker, seen from the page: each request returns a promise, and answers come in order. A worker that fails or falls
+ * silent is ended, waiting requests are rejected with a fault of the kind `engine`, and the next request starts another worker.
  */
 export class EngineClient {
   private readonly waiting = new Map<number, Waiting>();
@@ -24,7 +24,7 @@ export class EngineClient {
   private silentLooks = 0;
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  /** The files that scenarios name are looked for in a folder, by its address. */
+  /** `folder` is the address of the folder with the files that scenarios name. */
   constructor(
     private readonly startWorker: () => Worker,
     private readonly folder: string,
@@ -33,8 +33,8 @@ export class EngineClient {
   }
 
   /**
-   * `opened` are the texts of the files that came with it, by their names; null for a scenario of the gallery. `changes` are
-   * made at their times.
+   * `opened` holds the texts of the files that came with it, by name; null for a scenario of the gallery. `changes` are made at their
+   * times.
    */
   open(
     text: string,
@@ -54,7 +54,7 @@ export class EngineClient {
     return this.ask({ kind: "step" });
   }
 
-  /** As it stands, or as it stood at the start and without some bodies. */
+  /** At present, or at the start and without some bodies. */
   hydrostatics(without: readonly string[] | null = null): Promise<Replies["hydrostatics"]> {
     return this.ask({ kind: "hydrostatics", without });
   }
@@ -63,7 +63,7 @@ export class EngineClient {
     return this.ask({ kind: "equations" });
   }
 
-  /** When it acts, s. */
+  /** Time at which it acts, s. */
   input(name: string, value: number): Promise<number> {
     return this.ask({ kind: "input", name, value });
   }
@@ -72,7 +72,7 @@ export class EngineClient {
     return this.ask({ kind: "parameter", name, value });
   }
 
-  /** The run in hand as a scenario. */
+  /** The present run as a scenario. */
   replay(): Promise<Replies["replay"]> {
     return this.ask({ kind: "replay" });
   }
@@ -86,7 +86,7 @@ export class EngineClient {
     return this.ask({ kind: "snapshot" });
   }
 
-  /** `moves` are those of the way on from there, to be made again. */
+  /** `moves` are the later lever moves, to be repeated. */
   restore(snapshot: Uint8Array, moves: LeverMove[] = []): Promise<Replies["restore"]> {
     return this.ask({ kind: "restore", snapshot, moves });
   }
@@ -123,7 +123,7 @@ export class EngineClient {
     else waiting?.resolve(reply.value as never);
   }
 
-  /** A worker that was ended says nothing, and one that computes cannot: looks are counted, for a page that slept makes none. */
+  /** A dead worker does not answer, and a busy one cannot. Checks are counted instead of time, because a suspended page makes no checks. */
   private watch(): void {
     this.timer ??= setInterval(() => {
       this.silentLooks += 1;

@@ -1,6 +1,6 @@
 import type { Channel } from "./engine";
 
-/** Where named columns stand in a row. */
+/** Positions of named columns in a row. */
 export class Columns {
   /** Flat names in the order of a row: the names of the CSV files. */
   readonly names: string[];
@@ -15,12 +15,12 @@ export class Columns {
     return this.names.length;
   }
 
-  /** -1 where there is no such column. */
+  /** -1 if there is no such column. */
   at(name: string): number {
     return this.index.get(name) ?? -1;
   }
 
-  /** NaN where there is no such column. */
+  /** NaN if there is no such column. */
   read(row: ArrayLike<number>, name: string): number {
     const at = this.at(name);
     return at < 0 ? NaN : row[at];

@@ -1,4 +1,4 @@
-/** A short mark of texts and numbers by which others are told from them: FNV-1a over their bytes, 32 bits, in hexadecimal. */
+/** A short digest of texts and numbers: FNV-1a over their bytes, 32 bits, in hexadecimal. */
 export function digestOf(...parts: readonly (string | ArrayBufferView)[]): string {
   let hash = 0x811c9dc5;
   for (const part of parts) {

@@ -1,4 +1,4 @@
-/** What the app knows of the engine: the class that the WASM package exports, and its JSON. */
+/** Types of the engine: the class that the WASM package exports, and its JSON. */
 
 import type {
   BodyDescription,
@@ -47,7 +47,7 @@ export type ParameterInfo = ParameterDescription;
 
 export type ModelInfo = Omit<Description, "bodies"> & { bodies: BodyInfo[] };
 
-/** As `model_json` has it: a shape stands under its kind, as in a scenario file. */
+/** As in `model_json`: a shape is under its kind, as in a scenario file. */
 export function readModel(json: string): ModelInfo {
   const described = JSON.parse(json) as Description;
   return { ...described, bodies: described.bodies.map((body) => ({ ...body, shape: readShape(body.shape) })) };
@@ -69,19 +69,19 @@ export function readSettings(resolvedJson: string): Settings {
   return (JSON.parse(resolvedJson) as { simulation: Settings }).simulation;
 }
 
-/** The axis that a joint turns about or slides along, where it has one. */
+/** The axis that a joint turns about or slides along, if it has one. */
 export interface JointAxis {
   /** The child. */
   body: string;
   /** In the parent's drawing frame. */
   axis: [number, number, number];
-  /** The joint from the child's centre of mass, m; zero where the child turns about its own centre. */
+  /** Position of the joint from the child's centre of mass, m; zero if the child turns about its own centre. */
   arm_m: [number, number, number];
 }
 
 type ResolvedBody = { joint?: Record<string, { axis?: unknown; child_position_m?: unknown }>; centre_of_mass_m?: unknown };
 
-/** Of the joints of a resolved scenario those with one axis. */
+/** The joints of a resolved scenario that have one axis. */
 export function readJointAxes(resolvedJson: string): JointAxis[] {
   const { bodies = {} } = JSON.parse(resolvedJson) as { bodies?: Record<string, ResolvedBody> };
   return Object.entries(bodies).flatMap(([body, { joint, centre_of_mass_m }]) => {
@@ -96,7 +96,7 @@ export function readJointAxes(resolvedJson: string): JointAxis[] {
 /** Whether the scenario's timeline steers. */
 const TIMELINE = "operation.enabled";
 
-/** What is set to switch the timeline of a resolved scenario off: the parameter for it, else the field itself. */
+/** The name that switches the timeline of a resolved scenario off: the parameter for it, otherwise the field itself. */
 export function readTimelineSwitch(resolvedJson: string): string {
   const { parameters = [] } = JSON.parse(resolvedJson) as { parameters?: { name: string; writes?: string[] }[] };
   return parameters.find(({ writes }) => writes?.includes(TIMELINE))?.name ?? TIMELINE;
@@ -106,11 +106,11 @@ function isVector(given: unknown): given is [number, number, number] {
   return Array.isArray(given) && given.length === 3;
 }
 
-/** What the engine throws, or anything else that went wrong, in one shape. */
+/** An error of the engine, or any other error, in one form. */
 export interface Fault {
   kind: string;
   message: string;
-  /** What the page adds to it, in its own language. */
+  /** An addition of the page, in its own language. */
   note?: string;
   file?: string;
   line?: number;
@@ -130,18 +130,18 @@ export interface Engine {
   row(): Float64Array;
   /** Per body x y z qw qx qy qz, metres, world frame. */
   poses(): Float64Array;
-  /** Elevation of the sea at every crossing of the lines x and y, world, m, along the first x first. */
+  /** Elevation of the sea at every crossing of the lines x and y, world, m, row by row along the first x. */
   surface(x: Float64Array, y: Float64Array): Float64Array;
-  /** What there is to draw beside the bodies. */
+  /** Lines to draw in addition to the bodies. */
   lines_json(): string;
-  /** The points of those lines, one line's after another's: x y z, metres, world frame. */
+  /** The points of these lines, line by line: x y z, metres, world frame. */
   line_points(): Float64Array;
   model_json(): string;
-  /** What a person should know of the rows so far. */
+  /** Warnings from the rows so far. */
   warnings_json(): string;
-  /** What happened, in order of time, but for the first so many: time, element and what it was. */
+  /** Events in order of time, without the given number of first ones: time, element and event. */
   events_json(first: number): string;
-  /** Throws where a hull cannot float. */
+  /** Throws if a hull cannot float. */
   hydrostatics_json(): string;
   /** The matrices of the method now, and the formulas of their blocks. */
   equations_json(): string;
@@ -149,13 +149,13 @@ export interface Engine {
   resolved_json(): string;
   inputs_json(): string;
   set_input(name: string, value: number): void;
-  /** What a hand has set so far. */
+  /** The inputs set by hand so far. */
   lever_moves_json(): string;
-  /** Parameters set since the run began, which no replay has. */
+  /** Parameters set since the start of the run, which a replay does not contain. */
   parameters_set_json(): string;
-  /** The scenario with what a hand has set as its operation; throws where one of its own is on. */
+  /** The scenario with the inputs set by hand as its operation; throws if it has an enabled operation. */
   replay_json(): string;
-  /** Sets a live parameter from the next step on; throws where the run would have to begin anew. */
+  /** Sets a live parameter from the next step on; throws if the run would have to start again. */
   set_parameter(name: string, valueJson: string): void;
   snapshot(): Uint8Array;
   /** Continues from a snapshot of a run of the same scenario. */

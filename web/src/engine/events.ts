@@ -8,19 +8,19 @@ interface Happened {
   what: string;
 }
 
-/** Moves of a lever that follow one another within this are one, s: a hand draws it. */
+/** Lever moves within this time of each other count as one, s: a hand drags the lever. */
 const ONE_MOVE_S = 1;
 
-/** Of events that are alike, so many are told: a load that slides on deck has thousands. */
+/** Most events of one kind that are listed: a load that slides on deck has thousands. */
 const MOST_ALIKE = 50;
 
-/** What happened in a run so far and what a hand set in it. */
+/** Events of a run so far, and inputs set by hand. */
 export class Events {
   private seen = 0;
   private readonly kept: Warning[] = [];
   private readonly alike = new Map<string, number>();
 
-  /** The engine is asked for what is new alone. */
+  /** Only new events are requested from the engine. */
   of(engine: Engine): Warning[] {
     const fresh = JSON.parse(engine.events_json(this.seen)) as Happened[];
     this.seen += fresh.length;

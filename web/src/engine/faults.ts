@@ -4,7 +4,7 @@ import type { Fault } from "./engine";
 /** Kinds of faults whose message is the page's own, in its language; those of the engine are in English. */
 export const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "saved", "setting", "two_operations"];
 
-/** What went wrong between the page and the engine, in words. The kind `engine`: there is no engine any more. */
+/** A fault between the page and the engine, in words. The kind `engine` means that the engine is dead. */
 export function isOfEngine(fault: unknown): boolean {
   return typeof fault === "object" && fault !== null && "kind" in fault && fault.kind === "engine";
 }
@@ -28,7 +28,7 @@ export function faultOfBreakdown(why: string): Fault {
   return { kind: "engine", message: texts.engine.broke_down(why) };
 }
 
-/** A file that may well be there, but did not come. */
+/** A file that may exist, but could not be loaded. */
 export function faultOfNetwork(url: string, why: string): Fault {
   return { kind: "network", message: texts.engine.not_fetched(url.slice(url.lastIndexOf("/") + 1), why) };
 }

@@ -1,28 +1,28 @@
-/** Fetches a file's text; null where there is none, and a fault where that cannot be known. */
+/** Fetches a file's text; null if it does not exist, and a fault if that is unknown. */
 export type FetchText = (url: string) => Promise<string | null>;
 
 /** Texts of files by their names. */
 export type Texts = Record<string, string>;
 
-/** How names of hydrodynamic databases and of tables end, which are no scenarios. */
+/** Endings of hydrodynamic databases and tables, which are not scenarios. */
 const NO_SCENARIOS = [".hydro.json", ".csv"];
-/** What every scenario has one of, in YAML or JSON: what names other files before what may be one of them. */
+/** Fields of which every scenario has one, in YAML or JSON: first those that name other files. */
 const OF_SCENARIOS = [/(^|[{,\s])"?parts"?\s*:/m, /(^|[{,\s])"?bodies"?\s*:/m];
-/** What the names of the gallery's files begin with. */
+/** Prefix of the names of files in the gallery. */
 const GALLERY = "gallery:";
 
 export function isOfGallery(name: string): boolean {
   return name.startsWith(GALLERY);
 }
 
-/** Which of some files is the scenario that names the others; undefined where none can be. */
+/** The scenario among some files, which names the others; undefined if there is none. */
 export function scenarioAmong(texts: Texts): string | undefined {
   const names = Object.keys(texts).filter((name) => !NO_SCENARIOS.some((ending) => name.endsWith(ending)));
   const found = OF_SCENARIOS.map((field) => names.find((name) => field.test(texts[name])));
   return found.find((name) => name !== undefined) ?? names[0];
 }
 
-/** The texts of all files behind a scenario: a part names files of its own once it is there. */
+/** The texts of all files of a scenario: parts may name further files. */
 export async function gathered(
   namesBy: (texts: Texts) => readonly string[],
   take: (names: readonly string[]) => Promise<Texts>,
@@ -38,8 +38,8 @@ export async function gathered(
 }
 
 /**
- * The files of these names: those of the gallery from its folder; others from those that a person opened with the
- * scenario, for a file of the same name in the gallery would be another, else from the gallery's folder too.
+ * The files of these names. Names with the gallery's prefix come from its folder. Others come from the files that were opened with the
+ * scenario; if the scenario is one of the gallery, they also come from the gallery's folder.
  */
 export async function textsOf(names: readonly string[], opened: Texts | null, gallery: ScenarioFiles): Promise<Texts> {
   const own = names.filter((name) => !isOfGallery(name));
@@ -48,15 +48,14 @@ export async function textsOf(names: readonly string[], opened: Texts | null, ga
   return { ...Object.fromEntries(found), ...(opened ? openedWith(own, opened) : await gallery.take(own)) };
 }
 
-/** Of the files that a scenario names those that a person opened with it, whatever folder it names them in. */
+/** The files of a scenario that were opened with it; the folders in their names are ignored. */
 export function openedWith(names: readonly string[], opened: Texts): Texts {
   const found = names.map((name) => [name, opened[name.slice(name.lastIndexOf("/") + 1)]] as const);
   return Object.fromEntries(found.filter(([, text]) => text !== undefined));
 }
 
 /**
- * The files that scenarios name, by the names that they give them: fetched from the gallery's
- * folder, each once. One that is not there is left out, for the engine says so best.
+ * The files that scenarios name, by name: fetched once from the gallery's folder. A missing file is left out; the engine then reports it.
  */
 export class ScenarioFiles {
   private readonly texts = new Map<string, Promise<string | null>>();
@@ -84,14 +83,14 @@ export class ScenarioFiles {
     return text;
   }
 
-  /** A name leads nowhere but into the folder. */
+  /** A name cannot lead outside the folder. */
   private async fetch(name: string): Promise<string | null> {
     const href = addressOf(name, this.folder);
     return href.startsWith(this.folder) ? this.fetchText(href) : null;
   }
 }
 
-/** Empty where the name is none that an address can have. */
+/** Empty if the name is not possible in an address. */
 function addressOf(name: string, folder: string): string {
   try {
     return new URL(name, folder).href;

@@ -7,11 +7,11 @@ export interface OpenRequest {
   text: string;
   file: string;
   overrides: Values;
-  /** Texts of the files that were opened with it, by their names; null for a scenario of the gallery. */
+  /** Texts of the files that were opened with it, by name; null for a scenario of the gallery. */
   opened: Record<string, string> | null;
   /** To be made at their times. */
   changes: readonly Change[];
-  /** Address of the folder that has the files that the gallery's scenarios name. */
+  /** Address of the folder with the files that the gallery's scenarios name. */
   folder: string;
 }
 
@@ -28,31 +28,31 @@ export type Request =
   | { kind: "restore"; snapshot: Uint8Array; moves: LeverMove[] }
   | { kind: "parameter"; name: string; value: Value };
 
-/** A lever that a hand set. */
+/** A lever that was set by hand. */
 export interface LeverMove {
   time_s: number;
   input: string;
   value: number;
 }
 
-/** A state of the engine to go on from. */
+/** A state of the engine to continue from. */
 export interface Snapshot {
   time_s: number;
   bytes: Uint8Array;
-  /** Whether a parameter was set just before: none is set between one of these and the next. */
+  /** Whether a parameter was set just before: none is set between two keyframes. */
   isChange: boolean;
 }
 
-/** What a stretch of simulation produced. */
+/** The results of a stretch of simulation. */
 export interface Frame {
   /** Rows at the recording times passed, one after another, each as wide as `row`. */
   rows: Float64Array;
   /** Poses and points of lines at the same times, one after another. */
   row_poses: Float64Array;
   row_line_points: Float64Array;
-  /** States passed, now and then and wherever a parameter was set. */
+  /** States on the way, from time to time and after each set parameter. */
   keyframes: Snapshot[];
-  /** What was set again before the first of them, as a link says. */
+  /** Changes from a link that were made before the first of them. */
   changes: Change[];
   /** The row now, on a recording time or not. */
   row: Float64Array;
@@ -62,13 +62,13 @@ export interface Frame {
   line_points: Float64Array;
   /** The sea around, where a hull is in it. */
   surface: Surface | null;
-  /** What a person should know of the rows so far. */
+  /** Warnings from the rows so far. */
   warnings: Warning[];
-  /** What happened in the run so far, and what a hand set. */
+  /** Events of the run so far, and inputs set by hand. */
   events: Warning[];
-  /** Whether the recording time that was asked for lies further on: there is more to compute than one frame has time for. */
+  /** Whether the requested recording time is not reached yet: one frame did not have enough time. */
   isPart: boolean;
-  /** Why the run cannot go on. */
+  /** The reason why the run cannot go on. */
   fault: Fault | null;
 }
 
@@ -79,42 +79,42 @@ export interface Opened {
   channels: Channel[];
   inputs: InputInfo[];
   joint_axes: JointAxis[];
-  /** What is set to switch the scenario's timeline off. */
+  /** The parameter or field that switches the scenario's timeline off. */
   timeline_switch: string;
-  /** Of the scenario's text and of all files that it stands on. */
+  /** Digest of the scenario's text and of all its files. */
   digest: string;
   frame: Frame;
 }
 
-/** The run as it stands where it was brought back to. */
+/** The run at the time to which it was brought back. */
 export interface Restored {
   inputs: InputInfo[];
   frame: Frame;
 }
 
-/** A run as a scenario: what was set and driven by hand in it. */
+/** A run as a scenario, with values set and levers moved by hand. */
 export interface Replay {
   /** Resolved, as JSON, for a run of its own. */
   scenario: string;
-  /** How far the run is. */
+  /** Present time of the run. */
   time_s: number;
   integrator: string;
-  /** How often a hand set a lever. */
+  /** Number of lever moves by hand. */
   moves: number;
-  /** Set under way: the scenario has their last values from the start. */
+  /** Parameters set during the run: the scenario has their last values from the start. */
   parameters: { time_s: number; parameter: string }[];
-  /** Files that it names beside those of the gallery. */
+  /** Its files that are not in the gallery. */
   files: string[];
 }
 
 export interface Replies {
   open: Opened;
-  /** Null where no step was due: nothing is other than it was. */
+  /** Null if no step was due and nothing changed. */
   advance: Frame | null;
   step: Frame;
   hydrostatics: Hydrostatics;
   equations: Equations;
-  /** When it acts, s. */
+  /** Time at which it acts, s. */
   input: number;
   parameter: null;
   replay: Replay;
@@ -126,7 +126,7 @@ export interface Replies {
 /** Everything that goes to the worker. */
 export type ToWorker = { id: number; request: Request } | { isThere: true };
 
-/** A sign of life beside the answers. */
+/** A sign of life between the answers. */
 export type FromWorker = Reply | { isAlive: true };
 
 export type Reply = { id: number; value: unknown } | { id: number; fault: Fault };

@@ -1,12 +1,12 @@
 import { texts } from "../texts";
 import { faultOfNetwork } from "./faults";
 
-/** Longest time that a file may take to come, ms. */
+/** Timeout for loading a file, ms. */
 const LONGEST_MS = 60_000;
-/** What a server answers where there is no such file. */
+/** Status codes of a server for a missing file. */
 const NOT_THERE = [404, 410];
 
-/** The text at an address; null where there is none. Throws where that cannot be known. */
+/** The text at an address; null if there is none. Throws if that is unknown. */
 export async function fetchText(url: string): Promise<string | null> {
   const response = await fetched(url);
   if (NOT_THERE.includes(response.status)) return null;

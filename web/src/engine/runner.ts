@@ -18,14 +18,14 @@ const MS_AT_ONCE = 8;
 /** Recording times from one keyframe to the next. */
 const KEYFRAME_EVERY = 10;
 
-/** What was taken at the times that a frame passed. */
+/** Data taken at the recording times within a frame. */
 interface Taken {
   steps: number;
   rows: Float64Array[];
   poses: Float64Array[];
   line_points: Float64Array[];
   keyframes: Snapshot[];
-  /** Set again before the first step. */
+  /** Changes repeated before the first step. */
   changes: Change[];
 }
 
@@ -45,7 +45,7 @@ export class Runner {
   private fault: Fault | null = null;
   /** Whether a parameter was set since the last step. */
   private isSet = false;
-  /** Moves of levers to be made again on a way that is gone again. */
+  /** Lever moves to repeat when a stretch is computed again. */
   private again: LeverMove[] = [];
   private events = new Events();
   private changes = new Changes([], 1);
@@ -56,8 +56,8 @@ export class Runner {
   ) {}
 
   /**
-   * Opens a scenario, with the files that it names, at its initial state; when that throws, the engine in hand stays. These
-   * changes are made at their times, until a hand sets something.
+   * Opens a scenario, with its files, at its initial state; if that throws, the present engine stays. `changes` are made at their times,
+   * until something is set by hand.
    */
   open(text: string, file: string, overrides: Values, files: Record<string, string> = {}, changes: readonly Change[] = []): Opened {
     const source = { file, files: JSON.stringify(files) };
@@ -92,8 +92,8 @@ export class Runner {
   }
 
   /**
-   * Advances by `wall_s` times `speed`, which may be infinite, as far as the budget of one frame goes, and no further than
-   * `until_s`; null where no step is due.
+   * Advances by `wall_s` times `speed`, which may be infinite, within the time budget of one frame, and not beyond `until_s`; null if no
+   * step is due.
    */
   advance(wall_s: number, speed: number, until_s = Infinity): Frame | null {
     const engine = this.current();
@@ -106,7 +106,7 @@ export class Runner {
     return done.steps > 0 || this.fault ? this.frame(done) : null;
   }
 
-  /** Steps towards the next recording time, as far as the budget of one frame goes. */
+  /** Steps towards the next recording time, within the time budget of one frame. */
   step(): Frame {
     this.owed_s = 0;
     const wanted = this.toNextRecord();
@@ -118,7 +118,7 @@ export class Runner {
     return this.current().snapshot();
   }
 
-  /** The run goes on from a state that it had, and makes these moves again; a fault that it came to later is no more. */
+  /** Continues the run from an earlier state and repeats these moves; a later fault is cleared. */
   restore(snapshot: Uint8Array, moves: LeverMove[] = []): Restored {
     const engine = this.current();
     engine.restore(snapshot);
@@ -135,8 +135,8 @@ export class Runner {
   }
 
   /**
-   * How the hulls float at rest with the crane as it stands, or as it stood at the start and without some bodies; a hull that
-   * cannot float is a warning.
+   * How the hulls float at rest with the crane as it stands, or as at the start and without some bodies; a hull that cannot float gives a
+   * warning.
    */
   hydrostatics(without: readonly string[] | null = null): Hydrostatics {
     try {
@@ -155,10 +155,10 @@ export class Runner {
     return JSON.parse(this.current().equations_json()) as Equations;
   }
 
-  /** When it acts, s. */
+  /** Time at which it acts, s. */
   input(name: string, value: number): number {
     const time_s = this.current().time_s();
-    // JSON has no negative zero, and a link is JSON.
+    // JSON has no negative zero, and a link contains JSON.
     this.setByHand({ time_s, input: name, value: value === 0 ? 0 : value });
     return time_s;
   }
@@ -167,7 +167,7 @@ export class Runner {
     this.setByHand({ time_s: this.current().time_s(), parameter: name, value });
   }
 
-  /** What was set so far, by hand or again. */
+  /** The changes so far, by hand or repeated. */
   made(): readonly Change[] {
     return this.changes.made;
   }
@@ -185,7 +185,7 @@ export class Runner {
     if ("parameter" in change) this.isSet = true;
   }
 
-  /** Sets again what is due now; what the engine refuses ends the run. */
+  /** Makes the changes that are due now; if the engine refuses one, the run ends. */
   private setAgain(taken: Taken): void {
     try {
       const time_s = this.current().time_s();
@@ -199,7 +199,7 @@ export class Runner {
     }
   }
 
-  /** The run as a scenario, but for the files that it names. */
+  /** The run as a scenario, without the files that it names. */
   replay(): Omit<Replay, "files"> {
     const engine = this.current();
     return {
@@ -220,7 +220,7 @@ export class Runner {
     return this.stepsPerRecord - (this.steps % this.stepsPerRecord);
   }
 
-  /** Makes the moves that are due. */
+  /** Makes the lever moves that are due. */
   private moveAgain(): void {
     while (this.again.length > 0 && this.toNextMove() <= 0) {
       this.set(this.again.shift()!);
@@ -272,7 +272,7 @@ export class Runner {
     this.isSet = false;
   }
 
-  /** As many steps at once as leave room for looks at the clock. */
+  /** Number of steps at once that leaves time to look at the clock. */
   private pace(steps: number, took_ms: number): void {
     const fits = took_ms > 0 ? Math.floor((MS_AT_ONCE * steps) / took_ms) : STEPS_AT_ONCE;
     this.stepsAtOnce = Math.max(1, Math.min(fits, 2 * this.stepsAtOnce, STEPS_AT_ONCE));

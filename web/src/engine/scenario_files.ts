@@ -3,7 +3,7 @@ import type { OpenRequest } from "./messages";
 import { fetchText } from "./network";
 import { file_names } from "./pkg/kingpost_wasm.js";
 
-/** The files that scenarios name: of a person's own those that were opened with it, of the gallery's from its folder. */
+/** The files that scenarios name: for a user's scenario the files opened with it, for one of the gallery the files of its folder. */
 export class FilesOfScenarios {
   private readonly folders = new Map<string, ScenarioFiles>();
 

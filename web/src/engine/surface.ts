@@ -1,28 +1,28 @@
 import type { Engine, ModelInfo } from "./engine";
 
-/** Lines to each side of the middle that stand evenly. */
+/** Evenly spaced lines on each side of the middle. */
 const EVEN = 22;
-/** Lines beyond those to each side: each is further from the one before than that is, by this factor. */
+/** Further lines on each side: the spacing grows by this factor. */
 const BEYOND = 10;
 const GROWTH = 1.55;
 /** Even distances in a length of the longest hull. */
 const IN_A_LENGTH = 20;
 
-/** Of each line from the middle one, in lengths of the longest hull: close around it, sparse to the horizon. */
+/** Distance of each line from the middle, in lengths of the longest hull: dense around it, sparse to the horizon. */
 export const OFFSETS: readonly number[] = offsets();
-/** Lines of the grid along each axis: of each wave the engine takes a sine a line, not a crossing. */
+/** Lines of the grid along each axis: for each wave the engine computes one sine per line, not per crossing. */
 export const LINES = OFFSETS.length;
 
 /** The sea around the ship, on a square grid along the world's axes. */
 export interface Surface {
-  /** Of the lines, m. */
+  /** Positions of the lines, m. */
   x_m: Float64Array;
   y_m: Float64Array;
-  /** At every crossing, along the first x first, m. */
+  /** Elevation at every crossing, row by row along the first x, m. */
   elevation_m: Float64Array | Float32Array;
 }
 
-/** Where the surface is asked for: around the hull, on lines that stay where they are as it drifts. */
+/** The grid of the surface: around the hull, on lines that stay fixed while it drifts. */
 export class SurfaceGrid {
   private constructor(
     private readonly body: number,
@@ -30,7 +30,7 @@ export class SurfaceGrid {
     private readonly isLevel: boolean,
   ) {}
 
-  /** Null where there is no hull in a sea. */
+  /** Null if there is no hull in a sea. */
   static around(model: ModelInfo): SurfaceGrid | null {
     if (!model.sea || model.hulls.length === 0) return null;
     const longest = model.hulls.reduce((a, b) => (b.length_m > a.length_m ? b : a));
@@ -44,7 +44,7 @@ export class SurfaceGrid {
     return { x_m, y_m, elevation_m: this.isLevel ? new Float64Array(LINES * LINES) : engine.surface(x_m, y_m) };
   }
 
-  /** The middle line is one of the even lines of the world. */
+  /** The middle line is on a fixed grid of the world. */
   private linesAround(middle_m: number): Float64Array {
     const even_m = this.length_m / IN_A_LENGTH;
     const middle = Math.round(middle_m / even_m) * even_m;

@@ -4,7 +4,7 @@ interface Resolved {
   limits?: unknown;
 }
 
-/** A resolved scenario without some of its bodies. What would steer or judge them is left out with them. */
+/** A resolved scenario without some of its bodies, and without their drives, limits and operations. */
 export function withoutBodies(resolvedJson: string, bodies: readonly string[]): string {
   const scenario = JSON.parse(resolvedJson) as Resolved;
   for (const name of bodies) if (scenario.bodies?.[name]) scenario.bodies[name].enabled = false;

@@ -16,7 +16,7 @@ interface WorkerScope {
 
 const scope = self as unknown as WorkerScope;
 const ready = load();
-// Whoever asks first is told.
+// The error goes to the first request.
 ready.catch(() => undefined);
 const runner = new Runner(
   (text, file, overrides, files) => new Simulation(text, file, overrides, files),
@@ -35,7 +35,7 @@ async function load(): Promise<void> {
 
 const files = new FilesOfScenarios();
 
-/** The run in hand as a scenario, with the names of the files that must lie beside it. */
+/** The present run as a scenario, with the names of the files that must be in its folder. */
 function replay(): Replay {
   const found = runner.replay();
   const names = JSON.parse(file_names(found.scenario, "", "{}", "{}")) as string[];
@@ -70,7 +70,7 @@ async function answer(request: Request): Promise<unknown> {
   }
 }
 
-/** The buffers of a frame, wherever it stands in an answer; they are handed over, not copied. */
+/** The buffers of a frame in an answer; they are transferred, not copied. */
 function buffersOf(value: unknown): Transferable[] {
   if (typeof value !== "object" || value === null) return [];
   if ("frame" in value) return buffersOf(value.frame);
@@ -83,7 +83,7 @@ function buffersOf(value: unknown): Transferable[] {
 
 let turn: Promise<void> = Promise.resolve();
 
-// In turn: a request that waits for a file keeps the next from another's scenario.
+// In turn: otherwise a request could meet another scenario while one waits for a file.
 scope.onmessage = ({ data }) => {
   if ("isThere" in data) scope.postMessage({ isAlive: true });
   else turn = turn.then(() => settle(data));

@@ -3,15 +3,15 @@ import type { Equations } from "../engine/engine";
 export type NamedMatrix = Equations["matrices"][number];
 export type SymbolicMatrix = Equations["formulas"][number];
 
-/** A stretch of rows or columns that belong together: a body's place or turning, or a coordinate. */
+/** A range of rows or columns that belong together: a body's translation or rotation, or a coordinate. */
 export interface Stretch {
   from: number;
   length: number;
-  /** Place of the body that it colours by; -1 for none. */
+  /** Index of the body that gives its colour; -1 for none. */
   body: number;
 }
 
-/** A block of a matrix: what stands where a stretch of rows crosses one of columns. */
+/** A block of a matrix: the entries of a range of rows and a range of columns. */
 export interface Block {
   rows: Stretch;
   columns: Stretch;
@@ -20,7 +20,7 @@ export interface Block {
   isZero: boolean;
 }
 
-/** What is smaller than this part of a matrix's largest entry is shown as 0: rounding of sums. */
+/** Entries below this fraction of a matrix's largest entry are shown as 0: rounding of sums. */
 const NOISE = 1e-12;
 
 export function entry({ data, column_labels }: NamedMatrix, row: number, column: number): number {
@@ -37,8 +37,8 @@ export function isZero(matrix: NamedMatrix, value: number): boolean {
 }
 
 /**
- * Rows or columns in stretches: those of one body and one unit stand together, three of a place and three of a turning;
- * a joint's coordinate stands alone. `bodyOf` gives the place of the body that a label is of.
+ * Rows or columns in ranges: three translations or three rotations of one body together, a joint's coordinate alone. `bodyOf` gives the
+ * index of the body of a label.
  */
 export function stretchesOf(labels: readonly string[], units: readonly string[], bodyOf: (label: string) => number): Stretch[] {
   const stretches: Stretch[] = [];

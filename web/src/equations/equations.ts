@@ -16,9 +16,9 @@ import type { Highlight } from "./highlight";
 import { Polhode } from "./polhode";
 import { PrintedForms } from "./printed";
 
-/** How often numbers are asked for while a run goes on, ms: faster than a person reads. */
+/** Interval of new numbers during a run, ms: faster than a person reads. */
 const EVERY_MS = 250;
-/** What is shown first: the matrix that all motion comes from. */
+/** The matrix that is shown first: all motion follows from it. */
 const FIRST = "B";
 
 /** The equations of the method with their numbers at the moment that is shown. */
@@ -87,7 +87,7 @@ export class EquationsPanel {
     void this.ask(run);
   }
 
-  /** One question at a time, and none sooner than a person reads; the moment that is shown when it ends is asked for last. */
+  /** One request at a time, and not faster than a person reads; the last request is for the moment that is shown at the end. */
   private async ask(run: Run): Promise<void> {
     if (this.isAsking) return;
     this.isAsking = true;
@@ -132,12 +132,12 @@ export class EquationsPanel {
     this.sheet.replaceChildren(this.table.element);
     this.formula.hidden = !formula;
     if (!formula) return;
-    // Where the blocks are many, the table has them.
+    // If there are many blocks, only the table shows them.
     const isOne = formula.blocks.length === 1 && formula.blocks[0].length === 1;
     void showFormula(this.formula, isOne ? `${formula.symbol} = ${formula.blocks[0][0]} \\quad (${formula.equation})` : `${formula.symbol} \\quad (${formula.equation})`);
   }
 
-  /** What a block is in symbols, its numbers, and on the ship what it does. */
+  /** A block in symbols and in numbers, with its effect drawn on the ship. */
   private touch(block: Block | null): void {
     this.block = block;
     this.tell();
@@ -157,7 +157,7 @@ export class EquationsPanel {
     setText(this.detail, texts.equations.block(row, column, entries));
   }
 
-  /** Room for the large ones. */
+  /** Space for large matrices. */
   private enlarge(): HTMLElement {
     const button = make("button", { type: "button", class: "button button-quiet wide-only", "aria-pressed": "false" }, texts.equations.enlarge);
     button.addEventListener("click", () => {

@@ -3,6 +3,6 @@ export async function showFormula(element: HTMLElement, latex: string): Promise<
   if (element.dataset.latex === latex) return;
   element.dataset.latex = latex;
   const { default: temml } = await import("temml");
-  // A newer formula may have come while this one was loading.
+  // A newer formula may have arrived while the library was loading.
   if (element.dataset.latex === latex) temml.render(latex, element, { displayMode: false, throwOnError: false });
 }

@@ -4,15 +4,15 @@ import type { Block, NamedMatrix } from "./blocks";
 import { motionsOf } from "./moved";
 import type { BodyMotion } from "./moved";
 
-/** What a block does, to be drawn on the ship: bodies that it is of, and how they move. */
+/** The effect of a block, to draw on the ship: its bodies, and how they move. */
 export interface Highlight {
   bodies: number[];
   motions: BodyMotion[];
 }
 
 /**
- * Of B and B' the motion that a rate of the block's coordinate gives its body; of M, D and lists of bodies the body itself; of
- * M*, N* and F* all the bodies that both coordinates move.
+ * For B and B' the motion of the body for a rate of the block's coordinate; for M, D and lists of bodies the body itself; for M*, N* and F*
+ * all bodies that both coordinates move.
  */
 export function highlightOf({ matrices }: Equations, matrix: NamedMatrix, block: Block, bodyOf: (label: string) => number): Highlight {
   const b = matrices.find(({ name }) => name === "B");
@@ -30,7 +30,7 @@ export function highlightOf({ matrices }: Equations, matrix: NamedMatrix, block:
   return { bodies: [...first].filter((body) => !second || second.has(body)), motions: down.flatMap((column) => motionsOf(b, column, bodyOf)) };
 }
 
-/** A block of B has a body's place or its turning, not both. */
+/** A block of B is for the translation of a body or for its rotation, not both. */
 function partsOf(motions: BodyMotion[], { rows }: Block, b: NamedMatrix, bodyOf: (label: string) => number): BodyMotion[] {
   const first = stretchesOf(b.row_labels, b.row_units, bodyOf).find(({ body }) => body === rows.body);
   const isPlace = first?.from === rows.from;

@@ -3,7 +3,7 @@ import type { Run } from "../app/session";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 
-/** What came in, what is stored and what is lost, by the columns of the results; all but the error in J since the start. */
+/** Energy input, storage and loss, by columns of the results; all but the error in J since the start. */
 const LINES = [
   { name: "drives", column: "work_by_drives" },
   { name: "outside", column: "work_by_outside" },

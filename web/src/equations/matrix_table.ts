@@ -4,7 +4,7 @@ import { blocksOf, inCell, isZero, stretchesOf } from "./blocks";
 import type { Block, NamedMatrix, Stretch, SymbolicMatrix } from "./blocks";
 import { showFormula } from "./formula";
 
-/** Hues of the bodies' colours lie as far apart as they go. */
+/** The hues of the bodies are as far apart as possible. */
 const GOLDEN_ANGLE = 137.5;
 const FIRST_HUE = 210;
 
@@ -12,10 +12,10 @@ export function hueOf(body: number): number {
   return (FIRST_HUE + GOLDEN_ANGLE * body) % 360;
 }
 
-/** How rows and columns are named: as the paper writes them, or by the names of bodies and coordinates. */
+/** Names of rows and columns: as in the paper, or by bodies and coordinates. */
 export type Notation = "paper" | "names";
 
-/** One matrix with its numbers, its blocks coloured by the bodies that they are of. */
+/** One matrix with its numbers; each block has the colour of its body. */
 export class MatrixTable {
   readonly element: HTMLElement;
   private readonly cells: HTMLElement[] = [];
@@ -41,7 +41,7 @@ export class MatrixTable {
     this.update(matrix);
   }
 
-  /** The same matrix with other numbers. */
+  /** Updates the numbers of the matrix. */
   update(matrix: NamedMatrix): void {
     this.blocks = blocksOf(matrix, this.rows, this.columns);
     this.cells.forEach((cell, at) => {
@@ -86,7 +86,7 @@ export class MatrixTable {
     return header;
   }
 
-  /** A touch on a block that is touched already lets it go. */
+  /** A second touch of a block deselects it. */
   private touch(target: EventTarget | null): void {
     const place = target instanceof HTMLElement ? target.dataset.block : undefined;
     const isOn = target instanceof HTMLElement && target.classList.contains("is-touched");
@@ -97,7 +97,7 @@ export class MatrixTable {
   }
 }
 
-/** An entry takes what its column has to what its row has. */
+/** Unit of an entry: it maps the unit of its column to the unit of its row. */
 export function unitOf(row: string, column: string): string {
   if (column === "1") return row === "1" ? "" : row;
   return row === column ? "" : `(${row})/(${column})`;

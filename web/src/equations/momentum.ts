@@ -29,7 +29,7 @@ export function inertiaOf(rigid: Rigid, bodies: readonly BodyInfo[], poses: Arra
   const total: Inertia = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
   for (const body of rigid) {
     const own = axesOf(body, poses);
-    // Axes of the body, and its place from the common centre, in those of the first.
+    // Axes of the body, and its position from the common centre, in the axes of the first body.
     const turned = first.map((axis) => own.map((other) => dot(axis, other)));
     const d = first.map((axis) => dot(axis, placeOf(body).map((value, k) => value - centre[k])));
     const { mass_kg, inertia_kg_m2 } = bodies[body];
@@ -66,13 +66,13 @@ export function sizeOf(vector: Vector): number {
   return Math.hypot(...vector);
 }
 
-/** Where the angular momentum of this size lies: a free body keeps its size. */
+/** The sphere of angular momentum of this magnitude: a free body keeps the magnitude. */
 export function momentumSphere(size: number): Surface {
   return ([x, y, z]) => [size * x, size * y, size * z];
 }
 
 /**
- * Where angular momenta h of the kinetic energy T lie (MacCullagh's ellipsoid): h' J^-1 h = 2 T. With J = C C' (Cholesky) they are
+ * The angular momenta h of kinetic energy T (MacCullagh's ellipsoid): h' J^-1 h = 2 T. With J = C C' (Cholesky) they are
  * sqrt(2 T) C u of the unit vectors u.
  */
 export function energyEllipsoid(inertia: readonly (readonly number[])[], energy_J: number): Surface {

@@ -1,7 +1,7 @@
 import { blocksOf, stretchesOf } from "./blocks";
 import type { Block, NamedMatrix } from "./blocks";
 
-/** Which body a label of a matrix is of: the one that it names, or the one that its joint carries; -1 for none. */
+/** The body of a matrix label: the one that it names, or the one that its joint carries; -1 for none. */
 export function bodyFinder(bodies: readonly string[], joints: readonly { name: string; body: string; free_coordinates: string[] }[]): (label: string) => number {
   const known = new Map(bodies.map((name, at) => [name, at]));
   for (const { name, body, free_coordinates } of joints) {
@@ -19,7 +19,7 @@ export interface BodyMotion {
   angular: [number, number, number];
 }
 
-/** What a column of B does: each body's motion at a rate of one of that coordinate; bodies that stand still are left out. */
+/** The effect of a column of B: each body's motion at unit rate of that coordinate; bodies at rest are left out. */
 export function motionsOf(b: NamedMatrix, column: number, bodyOf: (label: string) => number): BodyMotion[] {
   const rows = stretchesOf(b.row_labels, b.row_units, bodyOf);
   const blocks = blocksOf(b, rows, [{ from: column, length: 1, body: -1 }]).flat();

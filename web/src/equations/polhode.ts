@@ -4,24 +4,25 @@ import { make, setText } from "../ui/dom";
 import { circlesOf, energyEllipsoid, inertiaOf, momentumOf, momentumSphere, rigidsOf, sizeOf } from "./momentum";
 import type { Rigid, Vector } from "./momentum";
 
-/** Back to where the path is drawn from, s. */
+/** Length of the drawn path, s. */
 const PATH_S = 120;
-/** Of the picture, CSS pixels; it is drawn at twice that. */
+/** Size of the picture, CSS pixels; it is drawn at twice that. */
 const SIZE_PX = 300;
-/** Part of the picture that the larger of both surfaces fills. */
+/** Share of the picture that the larger surface fills. */
 const FILLS = 0.9;
 /** A turn of the view by a key, and by a pixel of a drag, rad. */
 const KEY_TURN = Math.PI / 18;
 const DRAG_TURN = 0.01;
 
-/** A body's angular momentum about its centre of mass, in its own axes, with the bodies that move as one with it: on the momentum sphere and the energy ellipsoid, where a free body's polhode lies. */
+/** A body's angular momentum about its centre of mass, in its own axes, with the bodies fixed to it: on the momentum sphere and the energy
+ * ellipsoid, where the polhode of a free body lies. */
 export class Polhode {
   readonly element: HTMLElement;
   private readonly choice = make("select", { "aria-label": texts.equations.polhode_body, "data-testid": "polhode-body" });
   private readonly canvas = make("canvas", { width: 2 * SIZE_PX, height: 2 * SIZE_PX, class: "polhode", tabindex: 0, role: "img" });
   private readonly words = make("p", { class: "muted" });
   private readonly details: HTMLDetailsElement;
-  /** Of the view: about the vertical, and from above, rad. */
+  /** Angles of the view: about the vertical, and from above, rad. */
   private view: [number, number] = [0.7, 0.5];
   private run: Run | null = null;
   private rigids: Rigid[] = [];
@@ -88,7 +89,7 @@ export class Polhode {
     pen.fill();
   }
 
-  /** What lies behind is fainter. */
+  /** Parts behind are fainter. */
   private trace(pen: CanvasRenderingContext2D, points: readonly Vector[], scale: number, width: number): void {
     pen.lineWidth = width;
     const seen = points.map((point) => this.seen(point));

@@ -4,11 +4,11 @@ import { texts } from "../texts";
 import { make } from "../ui/dom";
 import { showFormula } from "./formula";
 
-/** Block row and columns of B that eq. 46b is of: the velocity of the arm's centre, by all that moves it. */
+/** Block row and columns of B in eq. 46b: the velocity of the arm's centre. */
 const ROW = 4;
 const COLUMNS = [0, 1, 2, 3];
 
-/** The equations of the paper that have a slip, as printed and corrected, beside a crane of a slewing and a luffing body. */
+/** The equations of the paper with an error, as printed and corrected, for a crane of a slewing and a luffing body. */
 export class PrintedForms {
   readonly element: HTMLElement;
   private readonly choice = make("select", { "aria-label": texts.equations.printed, "data-testid": "printed" });

@@ -11,7 +11,7 @@ import { pictureOfPlot, pictureOfShip } from "./pictures";
 import { RunFiles } from "./run_files";
 import type { MadeFile } from "./run_files";
 
-/** One thing to be kept. */
+/** One item to save. */
 interface Choice {
   name: string;
   help: string;
@@ -19,7 +19,7 @@ interface Choice {
   make(): Promise<MadeFile | string | null>;
 }
 
-/** A dialog with all that can be kept of a run: the recording, pictures, the scenario. */
+/** A dialog with everything that can be saved of a run: the recording, pictures, the scenario. */
 export class ExportDialog {
   private readonly dialog = make("dialog", { class: "picker picker-small", "aria-label": texts.exports.title, "data-testid": "export-dialog" });
   private readonly body = make("div", { class: "export-choices" });
@@ -38,7 +38,7 @@ export class ExportDialog {
     document.body.append(this.dialog);
   }
 
-  /** Nothing is there to be kept before a scenario is open. */
+  /** Nothing can be saved before a scenario is open. */
   open(): void {
     if (!this.session.run) return;
     setText(this.said, "");
@@ -50,7 +50,7 @@ export class ExportDialog {
     this.dialog.showModal();
   }
 
-  /** How many rows there are, and whether all that there were. */
+  /** Number of rows, and whether the recording is complete. */
   private rows(): string {
     const { recorded, rows, thinnedUntil_s, last_s } = this.files.kept;
     if (thinnedUntil_s === null) return texts.exports.rows(rows.length, fixed(last_s, 2));

@@ -5,7 +5,7 @@ export interface UnitColumn {
   data: Float64Array;
 }
 
-/** Columns as a Parquet file, compressed; `about` stands in its metadata as Python's results do, and the units beside it. */
+/** Columns as a compressed Parquet file; its metadata holds `about`, as Python's results do, and the units. */
 export async function parquetOf(columns: readonly UnitColumn[], about: Record<string, string>): Promise<ArrayBuffer> {
   const { parquetWriteBuffer } = await import("hyparquet-writer");
   const units = JSON.stringify(Object.fromEntries(columns.map(({ name, unit }) => [name, unit])));

@@ -2,19 +2,19 @@ import { styleOf } from "../plots/chart";
 import type { Plot } from "../plots/plot";
 import { scaleOf } from "../plots/sheet";
 
-/** Of what is written on a picture, in pixels of the page. */
+/** Size of the text on a picture, in pixels of the page. */
 const TEXT = { title: 17, small: 13, margin: 14, line: 20 };
-/** Room for words below, which is cut off where they are fewer. */
+/** Space for text below; unused space is cut off. */
 const MOST_WORDS_PX = 160;
 
-/** A picture on paper of the page's colour, with a title above and words below. */
+/** A picture on a background of the page's colour, with a title above and text below. */
 class Sheet {
   readonly canvas = document.createElement("canvas");
   private readonly pen: CanvasRenderingContext2D;
   private readonly style = styleOf();
   private y = TEXT.margin;
 
-  /** Sizes in pixels of the page; `scale` of the picture's to those. */
+  /** Sizes are in pixels of the page; `scale` converts to pixels of the picture. */
   constructor(
     private readonly width: number,
     height: number,
@@ -40,7 +40,7 @@ class Sheet {
     this.y += TEXT.title + 8;
   }
 
-  /** The lines with their colours and units, as many in a row as there is room for. */
+  /** The legend: lines with their colours and units, as many in a row as fit. */
   legend(entries: readonly { label: string; colour: string; unit: string }[]): void {
     let x = TEXT.margin;
     for (const { label, colour, unit } of entries) {
@@ -61,7 +61,7 @@ class Sheet {
     this.y += height + 6;
   }
 
-  /** In as many rows as it takes. */
+  /** Text in as many rows as needed. */
   words(text: string): void {
     this.pen.font = `400 ${TEXT.small}px ${this.style.colour("font")}`;
     const rows = [""];
@@ -76,7 +76,7 @@ class Sheet {
     }
   }
 
-  /** As high as what is on it. */
+  /** Cuts the picture to the height of its content. */
   blob(): Promise<Blob> {
     const { width } = this.canvas;
     const height = Math.min(this.canvas.height, Math.round((this.y + TEXT.margin / 2) * this.scale));
@@ -87,7 +87,7 @@ class Sheet {
   }
 }
 
-/** The ship as she is seen, with the run and its time under her. */
+/** The 3D view, with the run and its time below. */
 export function pictureOfShip(canvas: HTMLCanvasElement, title: string, time: string): Promise<Blob> {
   const scale = canvas.width / canvas.clientWidth;
   const sheet = new Sheet(canvas.clientWidth, canvas.clientHeight + 2 * TEXT.margin + 2 * TEXT.line, scale);
@@ -97,7 +97,7 @@ export function pictureOfShip(canvas: HTMLCanvasElement, title: string, time: st
   return sheet.blob();
 }
 
-/** A plot with its title, the units of its lines, what it says below and the run it is of. */
+/** A plot with its title, the units of its lines, the text below it and its run. */
 export async function pictureOfPlot(plot: Plot, run: string): Promise<Blob | null> {
   const found = await plot.picture();
   if (!found) return null;

@@ -2,12 +2,12 @@ import type { Recorded } from "../app/recording/recording";
 import type { Run } from "../app/session";
 import { evenEnd } from "../plots/spectrum";
 
-/** What of a recording is left: of a long one the older part was thinned. */
+/** The remaining part of a recording: the older part of a long one was thinned. */
 export interface Kept {
   rows: readonly Recorded[];
-  /** As many as there were, about. */
+  /** Approximate original number of records. */
   recorded: number;
-  /** From when on none is missing, s; null where none is missing at all. */
+  /** Time from which no record is missing, s; null if none is missing. */
   thinnedUntil_s: number | null;
   last_s: number;
 }
@@ -25,10 +25,10 @@ export function keptOf(items: readonly Recorded[], { record_every_s, step_s }: R
   return { rows, recorded, thinnedUntil_s: rows[from].time_s, last_s };
 }
 
-/** Lets the page breathe between parts of a long work, ms. */
+/** Interval at which a long task lets the page react, ms. */
 const BREATH_MS = 40;
 
-/** Parts of a file as they are made, put together; the page goes on meanwhile. */
+/** Joins the parts of a file as they are made; the page stays responsive. */
 export async function gathered(parts: Iterable<string>): Promise<string[]> {
   const all: string[] = [];
   let since_ms = performance.now();

@@ -5,13 +5,13 @@ import { parquetOf } from "./parquet";
 import { gathered, keptOf } from "./rows";
 import type { Kept } from "./rows";
 
-/** A file that is ready to be handed over. */
+/** A finished file. */
 export interface MadeFile {
   name: string;
   content: Blob;
 }
 
-/** As Python's results say it of the same run. */
+/** The attributes, as in Python's results of the same run. */
 const FINISHED = "finished";
 const AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port";
 
@@ -51,7 +51,7 @@ export class RunFiles {
     return { name: `${this.stem}.parquet`, content: new Blob([file], { type: "application/vnd.apache.parquet" }) };
   }
 
-  /** What every data set says of the run that it comes from: the attributes of `kingpost.results`, as far as the page knows them. */
+  /** Attributes that describe the run: those of `kingpost.results`, as far as the page knows them. */
   private async about({ model }: Run): Promise<Record<string, string>> {
     const { recorded, rows } = this.kept;
     const scenario = await this.session.resolved();

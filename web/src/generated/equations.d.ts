@@ -1,23 +1,23 @@
 /* Generated from schema/equations.schema.json by `npm run types`; do not edit. */
 
 /**
- * The method's equations as another language shows them: the matrices at one state, and the formulas of their blocks.
+ * The method's equations for other languages: the matrices at one state, and the formulas of their blocks.
  */
 export interface Equations {
   /**
-   * In the order of the theory.
+   * The matrices, in the order of the theory.
    */
   matrices: NamedMatrix[];
   /**
-   * Of those that have any, with bodies by their numbers.
+   * The formulas of the matrices that have them, with bodies by number.
    */
   formulas: SymbolicMatrix[];
 }
 /**
  * A labelled matrix; `data` by rows.
  *
- * A matrix takes a list in the units of its columns to one in the units of its rows, so that each
- * entry is in its row's unit over its column's: M* (row N m, column rad/s^2) has kg m^2.
+ * A matrix maps a list in the units of its columns to one in the units of its rows, so each entry has its row's unit
+ * over its column's: M* (row N m, column rad/s^2) has kg m^2.
  */
 export interface NamedMatrix {
   /**
@@ -25,19 +25,19 @@ export interface NamedMatrix {
    */
   name: string;
   /**
-   * One label a row.
+   * One label per row.
    */
   row_labels: string[];
   /**
-   * One label a column; a list has the single label of what it is.
+   * One label per column; a list has a single label.
    */
   column_labels: string[];
   /**
-   * One SI unit a row.
+   * One SI unit per row.
    */
   row_units: string[];
   /**
-   * One SI unit a column; `1` for a list.
+   * One SI unit per column; `1` for a list.
    */
   column_units: string[];
   /**
@@ -62,11 +62,11 @@ export interface SymbolicMatrix {
    */
   equation: string;
   /**
-   * What each block row stands for, in LaTeX.
+   * The meaning of each block row, in LaTeX.
    */
   rows: string[];
   /**
-   * What each block column stands for, in LaTeX.
+   * The meaning of each block column, in LaTeX.
    */
   columns: string[];
   /**

@@ -1,7 +1,7 @@
 /* Generated from schema/hydrostatics.schema.json by `npm run types`; do not edit. */
 
 /**
- * The hulls of a scenario, and what keeps them from being described.
+ * The hulls of a scenario, and warnings.
  */
 export interface HydrostaticReport {
   /**
@@ -9,7 +9,7 @@ export interface HydrostaticReport {
    */
   hulls: HullAfloat[];
   /**
-   * What a user should know.
+   * Warnings.
    */
   warnings: string[];
 }
@@ -27,11 +27,11 @@ export interface HullAfloat {
    */
   body: string;
   /**
-   * Of the hull and all that its joints carry, kg.
+   * Mass of the hull and all that its joints carry, kg.
    */
   mass_kg: number;
   /**
-   * Of the water that it displaces, kg.
+   * Mass of the water that it displaces, kg.
    */
   displacement_kg: number;
   /**
@@ -39,24 +39,24 @@ export interface HullAfloat {
    */
   displacement_m3: number;
   /**
-   * Depth of the keel below the database's origin, m; that point is `draught_m` of the database
-   * under the origin, in hull axes.
+   * Depth of the keel below the database's origin, m; the keel is the point `draught_m` of the database below the
+   * origin, in hull axes.
    */
   draught_m: number;
   /**
-   * The draught that the database is for, m.
+   * The draught of the database, m.
    */
   database_draught_m: number;
   /**
-   * To starboard, rad.
+   * Heel to starboard, rad.
    */
   heel_rad: number;
   /**
-   * By the bow, rad.
+   * Trim by the bow, rad.
    */
   trim_rad: number;
   /**
-   * KB, m: all heights over the keel are along the hull's z.
+   * KB, m: all heights above the keel are along the hull's z.
    */
   keel_to_buoyancy_m: number;
   /**
@@ -74,32 +74,32 @@ export interface HullAfloat {
    */
   keel_to_metacentre_m: [number, number];
   /**
-   * KG, m, with every load where it is, and the liquid in slack tanks.
+   * KG, m, with every load and the liquid in slack tanks in their present position.
    */
   keel_to_gravity_m: number;
   /**
-   * KG, m, with hanging loads at the joints that they hang from, and raised by what free surfaces take off GM.
+   * KG, m, with hanging loads at their suspension points, plus the reduction of GM by free surfaces.
    *
    * @minItems 2
    * @maxItems 2
    */
   fluid_keel_to_gravity_m: [number, number];
   /**
-   * GM with every load where it is and as if it were fixed there, m.
+   * GM with every load fixed in its present position, m.
    *
    * @minItems 2
    * @maxItems 2
    */
   solid_metacentric_height_m: [number, number];
   /**
-   * GM, m, with hanging loads at the joints that they hang from, less what free surfaces take off.
+   * GM, m, with hanging loads at their suspension points, less the reduction by free surfaces.
    *
    * @minItems 2
    * @maxItems 2
    */
   metacentric_height_m: [number, number];
   /**
-   * The loads that hang.
+   * The hanging loads.
    */
   hanging: HangingLoad[];
   /**
@@ -111,27 +111,26 @@ export interface HullAfloat {
    */
   righting_arm: RightingArmCurve | null;
   /**
-   * Whether volume, KB and BM are of the mesh as it floats; else they are of the waterplane at the
-   * database's draught, moved along the hull's z.
+   * Whether volume, KB and BM are those of the floating mesh; else they follow from the waterplane at the database's
+   * draught, moved along the hull's z.
    */
   by_mesh: boolean;
   /**
-   * Whether the run's buoyancy, by which it rests so, is the mesh's; else it is linear, and the righting arms, which
-   * are always the mesh's, rise through zero at a heel of their own.
+   * Whether the buoyancy of the run, which gives this position, is the mesh's; else it is linear, and the righting
+   * arms, which are always the mesh's, may pass through zero at another heel.
    */
   rests_by_mesh: boolean;
 }
 /**
- * What hangs on a joint, or on lines.
+ * A load that hangs on a joint, or on lines.
  *
- * A joint counts where the centre of all that it carries is below it, at least one of its rotations
- * is free, and no spring, brake, servo or motor acts on that; and where no closed loop, cylinder or
- * spring line is tied to what it carries, and it has no hull of its own.
+ * A load hangs on a joint if the centre of all that the joint carries is below it, at least one rotation is free, no
+ * spring, brake, servo or motor acts on that rotation, and no closed loop, cylinder, spring line or hull is attached
+ * to the bodies that it carries.
  *
- * Spring lines and ropes count where they end in one point of the ship, or are near legs of one rope, and carry a body that
- * floats by its joint, and nothing else holds that: no water, loop, cylinder, contact or other line. Slack ropes carry nothing.
- * Legs of one rope count where
- * their ends are near each other; where one runs over a sheave, its end is the sheave's centre.
+ * A load hangs on spring lines or ropes if they start from one point of the ship, or are legs of one rope with ends
+ * close together, and carry a body with a floating joint that nothing else holds: no water, loop, cylinder, contact or
+ * other line. Slack ropes carry nothing. The end of a leg at a sheave is the sheave's centre.
  */
 export interface HangingLoad {
   /**
@@ -143,17 +142,17 @@ export interface HangingLoad {
    */
   body: string;
   /**
-   * Of the body and all that it carries, kg.
+   * Mass of the body and all that it carries, kg.
    */
   mass_kg: number;
   /**
-   * How far the centre of that is below the joint, m.
+   * Distance of their centre below the joint, m.
    */
   length_m: number;
   /**
-   * The share of that length by which the centre of gravity rises where the ship heels, and where it
-   * trims: `|P u|^2`, with u the axis of heel or trim and P the projection on the joint's free axes.
-   * Of a load that swings about one axis at an angle a to u it is `cos^2 a`.
+   * The share of that length by which the effective centre of gravity rises, for heel and for trim: `|P u|^2`, with
+   * u the axis of heel or trim and P the projection on the joint's free axes. For a load that swings about one axis
+   * at an angle a to u it is `cos^2 a`.
    *
    * @minItems 2
    * @maxItems 2
@@ -161,7 +160,7 @@ export interface HangingLoad {
   free_share: [number, number];
 }
 /**
- * The free surface of a slack tank of a hull, or of what its joints carry without letting it hang.
+ * The free surface of a slack tank in a hull, or in a body that its joints carry without hanging.
  */
 export interface FreeSurface {
   /**
@@ -173,17 +172,17 @@ export interface FreeSurface {
    */
   body: string;
   /**
-   * Of the liquid, kg; it is part of the body's mass.
+   * Mass of the liquid, kg; it is part of the body's mass.
    */
   liquid_kg: number;
   /**
-   * Height of the liquid's centre over the keel, as it stands, along the hull's z, m.
+   * Height of the liquid's centre above the keel in the present position, along the hull's z, m.
    */
   keel_to_liquid_m: number;
   /**
-   * What it takes off GM across the ship and along it, `rho i / M`, i the second moment of its surface as it
-   * stands about its centroid and M the mass afloat, m (Barrass & Derrett, *Ship Stability for Masters and
-   * Mates*, ch. on free surface).
+   * Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
+   * its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
+   * surface).
    *
    * @minItems 2
    * @maxItems 2
@@ -191,11 +190,11 @@ export interface FreeSurface {
   correction_m: [number, number];
 }
 /**
- * GZ over the heel to one side, at constant displacement, free to trim, with hanging loads where they hang from
+ * GZ over the heel to one side, at constant displacement, free to trim, with hanging loads at their suspension points
  * and slack tanks level.
  *
- * Of a ship that lists, to the side of its list, where its arms are the lesser; of one that stands upright, to the side
- * whose largest arm is the lesser, starboard where both are the same.
+ * For a listing ship it is to the side of the list, where the arms are smaller; for an upright ship to the side with
+ * the smaller largest arm, and to starboard if both are equal.
  */
 export interface RightingArmCurve {
   /**
@@ -203,21 +202,21 @@ export interface RightingArmCurve {
    */
   side: "port" | "starboard";
   /**
-   * By angles of heel from 0 to 60 deg.
+   * Points at heel angles from 0 to 60 deg.
    */
   points: RightingArmPoint[];
   /**
-   * Heel to that side at which the arm rises through zero, rad: the list, or the angle of loll. `None` where it
-   * does not to 90 deg.
+   * Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll. `None` if it does not
+   * up to 90 deg.
    */
   equilibrium_rad: number | null;
   /**
-   * The largest arm beyond that, m, and its heel, rad; a parabola through three angles a degree apart.
+   * The largest arm beyond it, m, and its heel, rad, from a parabola through three angles one degree apart.
    */
   largest: LargestArm | null;
   /**
-   * Heel at which the arm falls through zero, rad; `None` where it does not to 90 deg. The range of positive
-   * stability is from the equilibrium to there.
+   * Heel at which the arm becomes negative, rad; `None` if it does not up to 90 deg. The range of positive stability
+   * is from the equilibrium to this angle.
    */
   vanishing_rad: number | null;
 }
@@ -226,15 +225,15 @@ export interface RightingArmCurve {
  */
 export interface RightingArmPoint {
   /**
-   * To the curve's side, rad.
+   * Heel to the curve's side, rad.
    */
   heel_rad: number;
   /**
-   * By the bow, rad.
+   * Trim by the bow, rad.
    */
   trim_rad: number;
   /**
-   * GZ, m: above 0 where it turns the ship back.
+   * GZ, m: positive if it turns the ship back.
    */
   arm_m: number;
 }
@@ -243,7 +242,7 @@ export interface RightingArmPoint {
  */
 export interface LargestArm {
   /**
-   * To the curve's side, rad.
+   * Heel to the curve's side, rad.
    */
   heel_rad: number;
   /**

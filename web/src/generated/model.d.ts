@@ -28,11 +28,11 @@ export interface Published {
   warnings: Warning[];
 }
 /**
- * A scenario as a view shows it.
+ * The description of a scenario for a view.
  */
 export interface Description {
   /**
-   * One line.
+   * Title of one line.
    */
   title: string;
   /**
@@ -64,7 +64,7 @@ export interface Description {
     | "generalized_alpha"
     | "implicit_midpoint";
   /**
-   * The parts that it is made of, those in parts too.
+   * The parts that it includes, also those within parts.
    */
   parts: PartDescription[];
   /**
@@ -84,11 +84,11 @@ export interface Description {
    */
   elements: ElementDescription[];
   /**
-   * Acceleration of gravity, m/s^2; 0 where it is off.
+   * Acceleration of gravity, m/s^2; 0 if it is disabled.
    */
   gravity_m_s2: number;
   /**
-   * The sea, where there is one.
+   * The sea, if there is one.
    */
   sea: SeaDescription | null;
   /**
@@ -96,11 +96,11 @@ export interface Description {
    */
   hulls: HullDescription[];
   /**
-   * What columns of the results are to keep.
+   * The limits on columns of the results.
    */
   limits: LimitDescription[];
   /**
-   * The knobs with their values.
+   * The parameters with their values.
    */
   parameters: ParameterDescription[];
   /**
@@ -108,12 +108,12 @@ export interface Description {
    */
   live_settings: string[];
   /**
-   * What a person should know of the model before it runs.
+   * Warnings about the model before it runs.
    */
   warnings: string[];
 }
 /**
- * A part and where it stands.
+ * A part and where it is mounted.
  */
 export interface PartDescription {
   /**
@@ -125,18 +125,18 @@ export interface PartDescription {
    */
   part: string;
   /**
-   * The body that it stands on, or `world`.
+   * The body that it is mounted on, or `world`.
    */
   on: string;
   /**
-   * In the drawing frame of that body, m.
+   * Position in the drawing frame of that body, m.
    *
    * @minItems 3
    * @maxItems 3
    */
   position_m: [number, number, number];
   /**
-   * Its axes in that body's: roll, pitch, yaw, rad.
+   * Orientation of its axes in that body's: roll, pitch, yaw, rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -156,8 +156,7 @@ export interface BodyDescription {
    */
   parent: string;
   /**
-   * Whether it is a ship or floats as one: nothing but its floating joint, or the motion that waves give it, joins it
-   * to the world.
+   * Whether it is a ship or floats like one: its joint to the world is floating or moved by waves.
    */
   floats: boolean;
   /**
@@ -165,14 +164,14 @@ export interface BodyDescription {
    */
   mass_kg: number;
   /**
-   * Inertia about its centre of mass, body axes, kg m^2, without the water's share.
+   * Inertia about its centre of mass, body axes, kg m^2, without added mass.
    *
    * @minItems 3
    * @maxItems 3
    */
   inertia_kg_m2: [[number, number, number], [number, number, number], [number, number, number]];
   /**
-   * As in the scenario; absent where only an inertia is given.
+   * The shape in the scenario; absent if only an inertia is given.
    */
   shape: Shape | null;
   /**
@@ -248,16 +247,16 @@ export interface JointDescription {
    */
   free_coordinates: string[];
   /**
-   * What is given of its prescribed motion.
+   * The given data of its prescribed motion.
    */
   prescribed: Fact[];
 }
 /**
- * Something that is given, ready to print.
+ * A given value, ready to print.
  */
 export interface Fact {
   /**
-   * What it is, in words.
+   * Its kind, in words.
    */
   label: string;
   /**
@@ -265,7 +264,7 @@ export interface Fact {
    */
   value: string;
   /**
-   * SI unit; empty where it has none.
+   * SI unit; empty if it has none.
    */
   unit: string;
 }
@@ -280,20 +279,20 @@ export interface LoopDescription {
   first: PointDescription;
   second: PointDescription1;
   /**
-   * What it constrains, as the scenario names it.
+   * Its constraints, as named in the scenario.
    */
   constraints: string[];
 }
 /**
- * Where it is tied to the first body.
+ * The attachment to the first body.
  */
 export interface PointDescription {
   /**
-   * The body that carries it, a segment where that is flexible; or `world`.
+   * The body that carries it, or its segment if it is flexible, or `world`.
    */
   body: string;
   /**
-   * Seen from the body's centre of mass in body axes, or from the world's origin, m.
+   * Position from the body's centre of mass in body axes, or from the world's origin, m.
    *
    * @minItems 3
    * @maxItems 3
@@ -301,15 +300,15 @@ export interface PointDescription {
   position_m: [number, number, number];
 }
 /**
- * Where it is tied to the second.
+ * The attachment to the second body.
  */
 export interface PointDescription1 {
   /**
-   * The body that carries it, a segment where that is flexible; or `world`.
+   * The body that carries it, or its segment if it is flexible, or `world`.
    */
   body: string;
   /**
-   * Seen from the body's centre of mass in body axes, or from the world's origin, m.
+   * Position from the body's centre of mass in body axes, or from the world's origin, m.
    *
    * @minItems 3
    * @maxItems 3
@@ -317,7 +316,7 @@ export interface PointDescription1 {
   position_m: [number, number, number];
 }
 /**
- * One of the things that act on the model, or read it.
+ * A force, a drive or a sensor.
  */
 export interface ElementDescription {
   /**
@@ -325,19 +324,19 @@ export interface ElementDescription {
    */
   name: string;
   /**
-   * Where the scenario has it: `forces`, `drives` or `sensors`.
+   * Its section in the scenario: `forces`, `drives` or `sensors`.
    */
   group: string;
   /**
-   * What it is, in words.
+   * Its kind, in words.
    */
   kind: string;
   /**
-   * Whether it is on.
+   * Whether it is enabled.
    */
   enabled: boolean;
   /**
-   * What is given of it.
+   * Its given data.
    */
   facts: Fact[];
 }
@@ -350,20 +349,20 @@ export interface SeaDescription {
    */
   density_kg_m3: number;
   /**
-   * Depth of the still water, m; absent where it is infinite.
+   * Depth of the still water, m; absent if it is infinite.
    */
   depth_m: number | null;
   /**
-   * Number of regular waves that the hulls feel; 0 for water that is level.
+   * Number of regular waves in the sea; 0 for calm water.
    */
   wave_components: number;
   /**
-   * Wave systems of whose spectra something is cut off.
+   * Wave systems whose spectra are cut off.
    */
   cut_spectra: CutSpectrum[];
 }
 /**
- * A spectrum of which not all is in the sea.
+ * A spectrum that is only partly in the sea.
  */
 export interface CutSpectrum {
   /**
@@ -392,7 +391,7 @@ export interface HullDescription {
    */
   body: string;
   /**
-   * The hull's origin, on the water plane of its data, from the body's centre of mass, body axes, m.
+   * The hull's origin, on the waterplane of its data, from the body's centre of mass, body axes, m.
    *
    * @minItems 3
    * @maxItems 3
@@ -411,11 +410,11 @@ export interface HullDescription {
    */
   beam_m: number;
   /**
-   * Whether its buoyancy is that of small motions about the draught of its data.
+   * Whether its buoyancy is linear, for small motions about the draught of its data.
    */
   is_linear: boolean;
   /**
-   * Its shape, where the data have it.
+   * Its mesh, if the data have one.
    */
   mesh: MeshDescription | null;
 }
@@ -433,7 +432,7 @@ export interface MeshDescription {
   triangles: [number, number, number][];
 }
 /**
- * A limit that a run is held against.
+ * A limit that a run is checked against.
  */
 export interface LimitDescription {
   /**
@@ -449,7 +448,7 @@ export interface LimitDescription {
    */
   unit: string;
   /**
-   * How many of the column's SI unit that is.
+   * This unit in the column's SI unit.
    */
   unit_si: number;
   /**
@@ -461,7 +460,7 @@ export interface LimitDescription {
    */
   at_most: number | null;
   /**
-   * From when on it counts, s.
+   * Time from which it applies, s.
    */
   from_s: number;
 }
@@ -470,7 +469,7 @@ export interface LimitDescription {
  */
 export interface ParameterDescription {
   /**
-   * Name, as `--set` takes it.
+   * Name, as used in `--set`.
    */
   name: string;
   /**
@@ -482,7 +481,7 @@ export interface ParameterDescription {
    */
   unit: string;
   /**
-   * What kind of control fits.
+   * The kind of control for it.
    */
   kind: "boolean" | "number" | "choice";
   /**
@@ -501,7 +500,7 @@ export interface ParameterDescription {
    */
   choices: string[] | null;
   /**
-   * Whether it may change during a run.
+   * Whether it can change during a run.
    */
   live: boolean;
 }
@@ -514,15 +513,15 @@ export interface Channel {
    */
   variable: string;
   /**
-   * What it is, as short as the axis of a plot needs it.
+   * A short description, for the axis of a plot.
    */
   long_name: string;
   /**
-   * What it is.
+   * Its description.
    */
   description: string;
   /**
-   * SI unit of all its columns; absent where they differ.
+   * SI unit of all its columns; absent if they differ.
    */
   unit: string | null;
   /**
@@ -542,7 +541,7 @@ export interface Channel {
    */
   labels: string[][];
   /**
-   * How a column is named by its labels: `{body}.angular_velocity.{axis}`.
+   * The pattern of a column's name from its labels: `{body}.angular_velocity.{axis}`.
    */
   column: string;
   /**
@@ -550,7 +549,7 @@ export interface Channel {
    */
   columns: string[];
   /**
-   * Whether elements show it; else it is of the model, or of the ledger.
+   * Whether it is an output of elements; else it belongs to the model or the ledger.
    */
   of_elements: boolean;
   /**
@@ -563,19 +562,20 @@ export interface Channel {
   len: number;
 }
 /**
- * A line that a picture draws from point to point. Its number of points stays the same over a run; a single one is a ball.
+ * A line that views draw from point to point. Its number of points is constant over a run; a single point is drawn as
+ * a ball.
  */
 export interface DrawnLine {
   /**
-   * Whose it is.
+   * Name of its element.
    */
   name: string;
   /**
-   * What it looks like.
+   * Its appearance.
    */
   style: "line" | "barrel" | "rod" | "pin";
   /**
-   * Radius, m; 0 where it is too thin to be drawn to scale.
+   * Radius, m; 0 if it is too thin to be drawn to scale.
    */
   radius_m: number;
   /**
@@ -584,7 +584,7 @@ export interface DrawnLine {
   points: number;
 }
 /**
- * A value that a hand or a controller sets from outside, held over each step.
+ * A value that a user or a controller sets from outside, constant over each step.
  */
 export interface Input {
   /**
@@ -608,24 +608,24 @@ export interface Input {
    */
   value: number;
   /**
-   * The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` where a hand sets it.
+   * The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` if the user sets it.
    */
   signal: string | null;
 }
 /**
- * What a person should know of a run.
+ * A warning of a run.
  */
 export interface Warning {
   /**
-   * When it was so, s.
+   * The time that it concerns, s.
    */
   time_s: number;
   /**
-   * Whose it is: a joint, a closed loop, a body or an element.
+   * What it concerns: a joint, a closed loop, a body or an element.
    */
   name: string;
   /**
-   * What was so.
+   * The text of the warning.
    */
   text: string;
 }

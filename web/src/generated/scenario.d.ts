@@ -1,23 +1,23 @@
 /* Generated from schema/scenario.schema.json by `npm run types`; do not edit. */
 
 /**
- * A part in its place. What stands on the world in the part's file stands on the mounting here.
+ * A part and where it is mounted. Bodies that the part's file attaches to the world are attached to the mounting.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
  */
 export type Mounting = {
   /**
-   * A part of the gallery by its name, or a YAML or JSON file, its path from this file's folder.
+   * The name of a part in the gallery, or the path of a YAML or JSON file from this file's folder.
    */
   part: string;
   /**
-   * What the names of the part's bodies, joints, forces, drives, loops and parameters begin with here, before a `_`;
-   * without it, the name of this entry. Empty, they stay as they are.
+   * Prefix of the names of the part's bodies, joints, forces, drives, loops and parameters, followed by `_`; without
+   * it, the name of this entry. An empty prefix leaves the names as they are.
    */
   prefix?: string | null;
   /**
-   * The body that the part stands on, or `world`.
+   * The body that the part is mounted on, or `world`.
    */
   on?: string;
   /**
@@ -28,7 +28,7 @@ export type Mounting = {
    */
   position_m?: [number, number, number];
   /**
-   * The part's axes in that body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of the part's axes in that body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -42,8 +42,8 @@ export type Mounting = {
    */
   orientation_deg?: [number, number, number];
   /**
-   * Values for the part, by the names of its parameters or by dotted paths of its fields. Parameters without a value here
-   * are parameters of the whole.
+   * Values for the part, by the names of its parameters or by dotted paths of its fields. Parameters without a value
+   * here become parameters of this scenario.
    */
   parameters?: {
     [k: string]: unknown;
@@ -59,11 +59,11 @@ export type Body = {
   [k: string]: unknown;
 } & {
   /**
-   * Off leaves out this body and all that hangs on it.
+   * `false` leaves out this body and every body below it in the tree.
    */
   enabled?: boolean;
   /**
-   * The body that this one hangs on, or `world`.
+   * The parent body, or `world`: this body's joint connects the two.
    */
   parent?: string;
   /**
@@ -79,11 +79,11 @@ export type Body = {
    */
   colour?: string | null;
   /**
-   * The solid that gives the inertia, unless `inertia` does, and the picture.
+   * The solid that is drawn, and whose inertia the body has unless `inertia` is given.
    */
   shape?: Shape | null;
   /**
-   * The inertia in numbers; it replaces that of the shape.
+   * The inertia in numbers; it replaces the shape's inertia.
    */
   inertia?: Inertia | null;
   /**
@@ -98,7 +98,7 @@ export type Body = {
    */
   centre_of_mass_m?: [number, number, number];
   /**
-   * How this body moves against its parent.
+   * The joint to the parent: how this body moves relative to it.
    */
   joint:
     | {
@@ -168,7 +168,7 @@ export type InertiaTensor = {
   [k: string]: unknown;
 } & {
   /**
-   * Ixx, Iyy, Izz, kg m^2. No one of them may exceed the sum of the other two.
+   * Ixx, Iyy, Izz, kg m^2. None may exceed the sum of the other two.
    *
    * @minItems 3
    * @maxItems 3
@@ -197,12 +197,12 @@ export type InertiaTensor = {
   products_t_m2?: [number, number, number];
 };
 /**
- * Makes a body a uniform beam along its x axis, centred on its centre of mass. Its mass is the body's, its length
- * that of the shape unless it is given.
+ * Makes a body a uniform beam along its x axis, centred on its centre of mass. Its mass is the body's, its length is
+ * the shape's unless it is given.
  *
- * The beam is cut into pieces with an elastic joint in the middle of each. The body keeps its name for the first
- * half piece, with the body's joint; the segments after it are `boom.1`, `boom.2`, and so on. What hangs on the body
- * hangs on the segment at its `position_m`.
+ * The beam is cut into pieces with an elastic joint in the middle of each. The body keeps its name for the first half
+ * piece, with the body's joint; the segments after it are `boom.1`, `boom.2`, and so on. A child of the body is
+ * attached to the segment at its `position_m`.
  */
 export type Flexible = {
   [k: string]: unknown;
@@ -307,11 +307,11 @@ export type InitialMotion = {
  */
 export type RevoluteJoint = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
-   * The axis in this body's axes, of any length but 0.
+   * The axis in this body's axes, of any length except 0.
    *
    * @minItems 3
    * @maxItems 3
@@ -332,7 +332,7 @@ export type RevoluteJoint = {
    */
   child_position_m?: [number, number, number];
   /**
-   * This body's axes in the parent's at angle 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of this body's axes in the parent's at angle 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -421,7 +421,8 @@ export type AngleFriction = {
    */
   torque_kN_m?: number;
   /**
-   * Rate about which it changes its sign smoothly, rad/s; what should stick creeps below it.
+   * Rate scale over which the friction changes sign smoothly, rad/s. A joint that should stick creeps more slowly
+   * than this.
    */
   smoothing_rad_s?: number;
   /**
@@ -444,7 +445,7 @@ export type AngleSpring = {
    */
   stiffness_kN_m_per_rad?: number;
   /**
-   * Angle at which it is slack, rad.
+   * Angle at which the spring has no moment, rad.
    */
   rest_rad?: number;
   /**
@@ -453,7 +454,7 @@ export type AngleSpring = {
   rest_deg?: number;
 };
 /**
- * Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
+ * Stops. At a depth d beyond a limit a stop pushes back with `stiffness d (1 + dissipation d')`; it never pulls.
  */
 export type AngleLimits = {
   [k: string]: unknown;
@@ -483,7 +484,8 @@ export type AngleLimits = {
    */
   stiffness_kN_m_per_rad?: number;
   /**
-   * What is lost: of a small rate u a stop gives back about `u (1 - 2/3 dissipation u)`, s/rad.
+   * Energy loss of the stop, s/rad: after an impact at a small rate u the axis leaves at about `u (1 - 2/3
+   * dissipation u)`.
    */
   dissipation_s_per_rad?: number;
   /**
@@ -506,7 +508,7 @@ export type PrescribedRate = {
    */
   rate_deg_s?: number;
   /**
-   * How the rate goes with time.
+   * How the rate varies over time.
    */
   history?: "constant" | "pulse" | "list" | "lever";
   /**
@@ -538,11 +540,11 @@ export type AngleTravel = {
    */
   start_s?: number;
   /**
-   * From rest to rest, both ramps included, s.
+   * Duration from rest to rest, both ramps included, s.
    */
   duration_s: number;
   /**
-   * Length of a ramp, s; at most half of the duration.
+   * Duration of a ramp, s; at most half of the whole duration.
    */
   ramp_s: number;
 };
@@ -551,11 +553,11 @@ export type AngleTravel = {
  */
 export type PrismaticJoint = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
-   * The axis in this body's axes, of any length but 0.
+   * The axis in this body's axes, of any length except 0.
    *
    * @minItems 3
    * @maxItems 3
@@ -576,7 +578,7 @@ export type PrismaticJoint = {
    */
   child_position_m?: [number, number, number];
   /**
-   * This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of this body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -657,7 +659,8 @@ export type LengthFriction = {
    */
   force_kN?: number;
   /**
-   * Speed about which it changes its sign smoothly, m/s; what should stick creeps below it.
+   * Speed scale over which the friction changes sign smoothly, m/s. A joint that should stick creeps more slowly
+   * than this.
    */
   smoothing_m_s?: number;
 };
@@ -676,12 +679,12 @@ export type LengthSpring = {
    */
   stiffness_kN_per_m?: number;
   /**
-   * Extension at which it is slack, m.
+   * Extension at which the spring has no force, m.
    */
   rest_m?: number;
 };
 /**
- * Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
+ * Stops. At a depth d beyond a limit a stop pushes back with `stiffness d (1 + dissipation d')`; it never pulls.
  */
 export type LengthLimits = {
   [k: string]: unknown;
@@ -703,7 +706,8 @@ export type LengthLimits = {
    */
   stiffness_kN_per_m?: number;
   /**
-   * What is lost: of a small speed u a stop gives back about `u (1 - 2/3 dissipation u)`, s/m.
+   * Energy loss of the stop, s/m: after an impact at a small speed u the axis leaves at about `u (1 - 2/3
+   * dissipation u)`.
    */
   dissipation_s_per_m?: number;
 };
@@ -712,11 +716,11 @@ export type LengthLimits = {
  */
 export type CylindricalJoint = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
-   * The axis in this body's axes, of any length but 0.
+   * The axis in this body's axes, of any length except 0.
    *
    * @minItems 3
    * @maxItems 3
@@ -737,7 +741,8 @@ export type CylindricalJoint = {
    */
   child_position_m?: [number, number, number];
   /**
-   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+   * angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -754,7 +759,7 @@ export type CylindricalJoint = {
   translation?: LengthAxis;
 };
 /**
- * The turning about the axis.
+ * The rotation about the axis.
  */
 export type AngleAxis = {
   /**
@@ -819,7 +824,7 @@ export type AngleAxis = {
   gear_ratio?: number;
 };
 /**
- * The sliding along the axis.
+ * The translation along the axis.
  */
 export type LengthAxis = {
   /**
@@ -876,23 +881,23 @@ export type LengthAxis = {
   gear_ratio_rad_per_m?: number;
 };
 /**
- * Turns about an axis that stays with the parent, then about one that stays with this body. Its coordinates are
- * `first` and `second`.
+ * Turns about an axis fixed in the parent, then about an axis fixed in this body. Its coordinates are `first` and
+ * `second`.
  */
 export type UniversalJoint = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
-   * The axis that stays with the parent, in this body's axes at angle 0, of any length but 0.
+   * The axis fixed in the parent, given in this body's axes at angle 0, of any length except 0.
    *
    * @minItems 3
    * @maxItems 3
    */
   first_axis: [number, number, number];
   /**
-   * The axis that stays with this body, in its axes, perpendicular to the first.
+   * The axis fixed in this body, in its axes, perpendicular to the first.
    *
    * @minItems 3
    * @maxItems 3
@@ -913,7 +918,8 @@ export type UniversalJoint = {
    */
   child_position_m?: [number, number, number];
   /**
-   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+   * angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -930,7 +936,7 @@ export type UniversalJoint = {
   second?: AngleAxis2;
 };
 /**
- * The turning about the first axis.
+ * The rotation about the first axis.
  */
 export type AngleAxis1 = {
   /**
@@ -995,7 +1001,7 @@ export type AngleAxis1 = {
   gear_ratio?: number;
 };
 /**
- * The turning about the second axis.
+ * The rotation about the second axis.
  */
 export type AngleAxis2 = {
   /**
@@ -1060,24 +1066,23 @@ export type AngleAxis2 = {
   gear_ratio?: number;
 };
 /**
- * Slides in a plane that stays with the parent and turns about its normal. Its coordinates are `x`, `y` and
- * `rotation`.
+ * Slides in a plane fixed in the parent and turns about its normal. Its coordinates are `x`, `y` and `rotation`.
  */
 export type PlanarJoint = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
-   * The plane's normal in this body's axes, of any length but 0.
+   * The plane's normal in this body's axes, of any length except 0.
    *
    * @minItems 3
    * @maxItems 3
    */
   normal: [number, number, number];
   /**
-   * The direction of x in the plane, in this body's axes at angle 0, perpendicular to the normal; y is the normal
-   * times x.
+   * The direction of x in the plane, in this body's axes at angle 0, perpendicular to the normal; y is the cross
+   * product of the normal and x.
    *
    * @minItems 3
    * @maxItems 3
@@ -1098,7 +1103,8 @@ export type PlanarJoint = {
    */
   child_position_m?: [number, number, number];
   /**
-   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+   * angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -1230,7 +1236,7 @@ export type LengthAxis2 = {
   gear_ratio_rad_per_m?: number;
 };
 /**
- * The turning about the normal.
+ * The rotation about the normal.
  */
 export type AngleAxis3 = {
   /**
@@ -1295,12 +1301,12 @@ export type AngleAxis3 = {
   gear_ratio?: number;
 };
 /**
- * Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity against the parent in this body's
+ * Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity relative to the parent in this body's
  * axes.
  */
 export type SphericalJoint = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
@@ -1318,7 +1324,8 @@ export type SphericalJoint = {
    */
   child_position_m?: [number, number, number];
   /**
-   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of this body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x
+   * angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -1332,8 +1339,8 @@ export type SphericalJoint = {
    */
   orientation_deg?: [number, number, number];
   /**
-   * This body's axes at the start in those that `orientation_rad` gives: roll, pitch, yaw (intrinsic z-y-x angles),
-   * rad.
+   * Orientation of this body's axes at the start, relative to that of `orientation_rad`: roll, pitch, yaw (intrinsic
+   * z-y-x angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -1347,7 +1354,7 @@ export type SphericalJoint = {
    */
   initial_orientation_deg?: [number, number, number];
   /**
-   * Angular velocity against the parent at the start, in this body's axes, rad/s.
+   * Angular velocity relative to the parent at the start, in this body's axes, rad/s.
    *
    * @minItems 3
    * @maxItems 3
@@ -1369,16 +1376,16 @@ export type SphericalJoint = {
    */
   damping_kN_m_s?: number;
   /**
-   * Holds the orientation against the parent as it is.
+   * Holds the orientation relative to the parent.
    */
   held?: boolean;
 };
 /**
- * No motion against the parent.
+ * No motion relative to the parent.
  */
 export type FixedJoint = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
@@ -1396,7 +1403,7 @@ export type FixedJoint = {
    */
   child_position_m?: [number, number, number];
   /**
-   * This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of this body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -1411,20 +1418,21 @@ export type FixedJoint = {
   orientation_deg?: [number, number, number];
 };
 /**
- * A body that moves with the waves of the sea by displacement RAOs, whatever acts on it. Its parent is the world. Its
- * coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes about their mean place.
+ * A body that moves with the waves by displacement RAOs, whatever forces act on it. Its parent is the world. Its
+ * coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes relative to their mean
+ * place.
  */
 export type MovedByWaves = {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
-   * The file of the RAOs: CSV whose names state its conventions, or OrcaFlex's YAML with one vessel type.
+   * The file of the RAOs: CSV whose column names state the conventions, or OrcaFlex's YAML with one vessel type.
    */
   raos: string;
   /**
-   * Whether port is as starboard, where a CSV file holds waves from 0 to 180 degrees only.
+   * Whether port and starboard are alike, for a CSV file with waves from 0 to 180 degrees only.
    */
   symmetric?: boolean | null;
   /**
@@ -1451,7 +1459,7 @@ export type MovedByWaves = {
   heading_deg?: number;
 };
 /**
- * Where it is tied to one body. Constraints are along and about these axes.
+ * The attachment to one body. Constraints are along and about these axes.
  */
 export type Attachment = {
   /**
@@ -1466,7 +1474,7 @@ export type Attachment = {
    */
   position_m?: [number, number, number];
   /**
-   * The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of the axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -1481,7 +1489,7 @@ export type Attachment = {
   orientation_deg?: [number, number, number];
 };
 /**
- * Where it is tied to the other.
+ * The attachment to the other body.
  */
 export type Attachment1 = {
   /**
@@ -1496,7 +1504,7 @@ export type Attachment1 = {
    */
   position_m?: [number, number, number];
   /**
-   * The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   * Orientation of the axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -1524,8 +1532,8 @@ export type Constraint =
       distance: Distance;
     };
 /**
- * One wave system of the sea. Directions are those that the waves go to, from the world's x axis towards y: 180 degrees
- * is a head sea for a ship at heading 0.
+ * One wave system of the sea. Directions are those towards which the waves travel, from the world's x axis towards y:
+ * 180 degrees is a head sea for a ship at heading 0.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -1561,7 +1569,7 @@ export type RegularWave = {
    */
   enabled?: boolean;
   /**
-   * From trough to crest, m.
+   * Height from trough to crest, m.
    */
   height_m: number;
   /**
@@ -1569,7 +1577,7 @@ export type RegularWave = {
    */
   period_s: number;
   /**
-   * Where it goes to, rad.
+   * Direction that the wave goes to, rad.
    */
   direction_rad?: number;
   /**
@@ -1577,7 +1585,7 @@ export type RegularWave = {
    */
   direction_deg?: number;
   /**
-   * Phase at the world's origin at time 0, rad: with 0 a crest is there.
+   * Phase at the world's origin at time 0, rad: 0 is a crest.
    */
   phase_rad?: number;
   /**
@@ -1616,7 +1624,7 @@ export type Jonswap = {
   realisation?: WaveRealisation;
 };
 /**
- * How the realisation is made.
+ * Settings of the realisation.
  */
 export type WaveRealisation = {
   /**
@@ -1624,15 +1632,16 @@ export type WaveRealisation = {
    */
   components?: number;
   /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   * Whether the amplitudes are random, as in a record of the sea, or those of the spectrum.
    */
   amplitudes?: "deterministic" | "random";
   /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   * s of the spreading function cos^(2 s)(angle / 2), with the angle from the mean direction; without it, the sea is
+   * long-crested.
    */
   spreading_exponent?: number | null;
   /**
-   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves below this frequency are left out with their energy, rad/s; without it, none are.
    */
   lowest_rad_s?: number | null;
   /**
@@ -1640,7 +1649,7 @@ export type WaveRealisation = {
    */
   lowest_deg_s?: number | null;
   /**
-   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves above this frequency are left out with their energy, rad/s; without it, none are.
    */
   highest_rad_s?: number | null;
   /**
@@ -1675,7 +1684,7 @@ export type PiersonMoskowitz = {
   realisation?: WaveRealisation1;
 };
 /**
- * How the realisation is made.
+ * Settings of the realisation.
  */
 export type WaveRealisation1 = {
   /**
@@ -1683,15 +1692,16 @@ export type WaveRealisation1 = {
    */
   components?: number;
   /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   * Whether the amplitudes are random, as in a record of the sea, or those of the spectrum.
    */
   amplitudes?: "deterministic" | "random";
   /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   * s of the spreading function cos^(2 s)(angle / 2), with the angle from the mean direction; without it, the sea is
+   * long-crested.
    */
   spreading_exponent?: number | null;
   /**
-   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves below this frequency are left out with their energy, rad/s; without it, none are.
    */
   lowest_rad_s?: number | null;
   /**
@@ -1699,7 +1709,7 @@ export type WaveRealisation1 = {
    */
   lowest_deg_s?: number | null;
   /**
-   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves above this frequency are left out with their energy, rad/s; without it, none are.
    */
   highest_rad_s?: number | null;
   /**
@@ -1718,7 +1728,7 @@ export type OchiHubble = {
   swell: OchiHubblePart;
   wind_sea: OchiHubblePart1;
   /**
-   * Mean direction that the waves of both go to, rad.
+   * Mean direction that the waves of both parts go to, rad.
    */
   direction_rad?: number;
   /**
@@ -1728,7 +1738,7 @@ export type OchiHubble = {
   realisation?: WaveRealisation2;
 };
 /**
- * How the realisation is made.
+ * Settings of the realisation.
  */
 export type WaveRealisation2 = {
   /**
@@ -1736,15 +1746,16 @@ export type WaveRealisation2 = {
    */
   components?: number;
   /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   * Whether the amplitudes are random, as in a record of the sea, or those of the spectrum.
    */
   amplitudes?: "deterministic" | "random";
   /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   * s of the spreading function cos^(2 s)(angle / 2), with the angle from the mean direction; without it, the sea is
+   * long-crested.
    */
   spreading_exponent?: number | null;
   /**
-   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves below this frequency are left out with their energy, rad/s; without it, none are.
    */
   lowest_rad_s?: number | null;
   /**
@@ -1752,7 +1763,7 @@ export type WaveRealisation2 = {
    */
   lowest_deg_s?: number | null;
   /**
-   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves above this frequency are left out with their energy, rad/s; without it, none are.
    */
   highest_rad_s?: number | null;
   /**
@@ -1784,7 +1795,7 @@ export type SpectrumTable = {
   realisation?: WaveRealisation3;
 };
 /**
- * How the realisation is made.
+ * Settings of the realisation.
  */
 export type WaveRealisation3 = {
   /**
@@ -1792,15 +1803,16 @@ export type WaveRealisation3 = {
    */
   components?: number;
   /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   * Whether the amplitudes are random, as in a record of the sea, or those of the spectrum.
    */
   amplitudes?: "deterministic" | "random";
   /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   * s of the spreading function cos^(2 s)(angle / 2), with the angle from the mean direction; without it, the sea is
+   * long-crested.
    */
   spreading_exponent?: number | null;
   /**
-   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves below this frequency are left out with their energy, rad/s; without it, none are.
    */
   lowest_rad_s?: number | null;
   /**
@@ -1808,7 +1820,7 @@ export type WaveRealisation3 = {
    */
   lowest_deg_s?: number | null;
   /**
-   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   * Waves above this frequency are left out with their energy, rad/s; without it, none are.
    */
   highest_rad_s?: number | null;
   /**
@@ -1817,8 +1829,8 @@ export type WaveRealisation3 = {
   highest_deg_s?: number | null;
 };
 /**
- * Waves that were measured at one point, in a direction that one point cannot tell. The sea repeats after the record's
- * length; its mean is left out.
+ * Waves measured at one point. The record does not contain their direction: give it. The sea repeats after the
+ * record's length; the mean elevation is removed.
  */
 export type ElevationRecord = {
   /**
@@ -1845,7 +1857,7 @@ export type ElevationRecord = {
    */
   direction_deg?: number;
   /**
-   * Waves of less than this frequency are left out, rad/s; without it, none.
+   * Waves below this frequency are left out, rad/s; without it, none are.
    */
   lowest_rad_s?: number | null;
   /**
@@ -1853,7 +1865,7 @@ export type ElevationRecord = {
    */
   lowest_deg_s?: number | null;
   /**
-   * Waves of more than this frequency are left out, rad/s; without it, those above half the sampling frequency.
+   * Waves above this frequency are left out, rad/s; without it, those above half the sampling frequency.
    */
   highest_rad_s?: number | null;
   /**
@@ -1862,7 +1874,7 @@ export type ElevationRecord = {
   highest_deg_s?: number | null;
 };
 /**
- * The current at given depths, its components linear between them and below the last as there.
+ * The current at given depths. Its components are linear between depths and constant below the last.
  */
 export type CurrentTable = {
   [k: string]: unknown;
@@ -1885,7 +1897,7 @@ export type CurrentTable = {
   directions_deg?: number[];
 };
 /**
- * The wind: the same everywhere at one height, steady or with gusts.
+ * The wind: uniform at each height, steady or with gusts.
  */
 export type Wind = {
   [k: string]: unknown;
@@ -1903,11 +1915,11 @@ export type Wind = {
    */
   direction_deg?: number;
   /**
-   * Height above the still water that the speed is given at, m.
+   * Height above the still water at which the speed is given, m.
    */
   reference_height_m?: number;
   /**
-   * How the mean speed goes with the height.
+   * How the mean speed varies with height.
    */
   profile?:
     | "uniform"
@@ -1919,7 +1931,7 @@ export type Wind = {
       }
     | "npd";
   /**
-   * What the speed does about its mean; without it, the wind is steady.
+   * Variation of the speed about its mean; without it, the wind is steady.
    */
   gusts?: Gusts | null;
   /**
@@ -1928,7 +1940,7 @@ export type Wind = {
   air_density_kg_m3?: number;
 };
 /**
- * What acts on the bodies from outside.
+ * Forces that act on the bodies from outside.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -1992,11 +2004,11 @@ export type ViscousDamping = {
    */
   body: string;
   /**
-   * What its velocity is relative to.
+   * What the velocity is measured against.
    */
   relative_to?: "water" | "earth";
   /**
-   * The point that the force acts at, and whose velocity counts, in the body's drawing frame, m; without it, the
+   * The point where the force acts and whose velocity is used, in the body's drawing frame, m; without it, the
    * centre of mass.
    *
    * @minItems 3
@@ -2032,8 +2044,8 @@ export type ViscousDamping = {
    */
   angular_kN_m_s?: [number, number, number];
   /**
-   * Added to these: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity x, y, z (m/s) and roll,
-   * pitch, yaw rate (rad/s). No motion may gain energy from it.
+   * A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
+   * x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
    *
    * @minItems 6
    * @maxItems 6
@@ -2050,8 +2062,8 @@ export type ViscousDamping = {
     | null;
 };
 /**
- * The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, the waves that the hull makes
- * and those that come. Weight is no part of it: that is gravity's, on every body.
+ * The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
+ * It does not contain weight: `gravity` acts on every body.
  */
 export type Hydrodynamics = {
   /**
@@ -2079,11 +2091,11 @@ export type Hydrodynamics = {
    */
   hydrostatics?: "linear" | "mesh" | "none";
   /**
-   * Whether the infinite-frequency added mass moves with the hull.
+   * Whether the added mass at infinite frequency acts.
    */
   added_mass?: boolean;
   /**
-   * Whether the waves that the hull makes act on it.
+   * Whether the waves that the hull radiates act on it.
    */
   radiation?: boolean;
   /**
@@ -2091,24 +2103,27 @@ export type Hydrodynamics = {
    */
   excitation?: boolean;
   /**
-   * Whether the waves' own pressure acts on what their surface wets of the mesh, instead of the linear Froude-Krylov
-   * force: large motions and high waves. Excitation is then by diffraction alone. Needs `hydrostatics: mesh`.
+   * Whether the pressure of the incident waves acts on the part of the mesh below their surface, instead of the
+   * linear Froude-Krylov force: for large motions and high waves. The linear excitation is then diffraction only.
+   * Needs `hydrostatics: mesh`.
    */
   wave_pressure?: boolean;
   /**
-   * Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and sway
-   * force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not beside
-   * `wave_pressure`.
+   * Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and
+   * sway force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not
+   * together with `wave_pressure`.
    */
   wave_drift?: boolean;
   /**
-   * Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep water:
-   * damping of slow surge and sway by the waves, and more or less drift in a current. Needs `wave_drift`.
+   * Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep
+   * water: it adds wave-drift damping of slow surge and sway, and changes the drift in a current. Needs
+   * `wave_drift`.
    */
   wave_drift_damping?: boolean;
   /**
-   * First-order wave loads are taken at the place and heading that pass a filter of sixth order with this cut-off, rad/s:
-   * well below the waves' frequencies, above those of the ship's drift, which it follows without lag.
+   * Cut-off of a sixth-order low-pass filter, rad/s. First-order wave loads are computed at the filtered position
+   * and heading. Choose it well below the wave frequencies and above those of the ship's drift, which the filter
+   * follows without lag.
    */
   slow_motion_cutoff_rad_s?: number;
   /**
@@ -2117,7 +2132,7 @@ export type Hydrodynamics = {
   slow_motion_cutoff_deg_s?: number;
 };
 /**
- * The water that moves with it.
+ * Its added mass.
  */
 export type SubmergedAddedMass = {
   /**
@@ -2146,11 +2161,11 @@ export type SubmergedAddedMass = {
    */
   moments_t_m2?: [number, number, number];
   /**
-   * Open area over the whole of the plates, from 0 to 0.5: it reduces the coefficients.
+   * Open area over total area of the plates, from 0 to 0.5: it reduces the coefficients.
    */
   perforation?: number;
   /**
-   * How it grows with the share of the volume that is under water; without it, in proportion.
+   * How the added mass grows with the share of the volume under water; without it, in proportion.
    */
   growth?: SubmergedGrowth | null;
 };
@@ -2188,14 +2203,14 @@ export type SubmergedDrag = {
   linear_kN_s_m?: [number, number, number];
 };
 /**
- * A line without weight between two points on bodies, or on a body and in the world: a spring that pulls when it is
- * longer than its unstretched length.
+ * A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring when
+ * it is longer than its unstretched length.
  */
 export type SpringLine = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it is there.
+   * Whether it acts.
    */
   enabled?: boolean;
   first: Pin;
@@ -2213,19 +2228,19 @@ export type SpringLine = {
    */
   axial_stiffness_kN?: number;
   /**
-   * Damping along the line: a in T = EA/L0 s (1 + a s') at the stretch s, never less than 0, s/m.
+   * Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never less than 0.
    */
   dissipation_s_per_m?: number;
 };
 /**
- * A mooring line from a fairlead to an anchor: at every moment the elastic catenary in which it would rest, without
- * inertia, drag and seabed friction of its own.
+ * A mooring line from a fairlead to an anchor: quasi-static, an elastic catenary at every moment. It has no inertia,
+ * no drag and no seabed friction.
  */
 export type CatenaryLine = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it is there.
+   * Whether it acts.
    */
   enabled?: boolean;
   fairlead: Pin2;
@@ -2241,7 +2256,7 @@ export type CatenaryLine = {
    */
   unstretched_length_m: number;
   /**
-   * Weight less buoyancy of the unstretched length, N/m.
+   * Weight in water per unstretched length, N/m.
    */
   weight_in_water_N_per_m?: number;
   /**
@@ -2257,27 +2272,27 @@ export type CatenaryLine = {
    */
   axial_stiffness_kN?: number;
   /**
-   * Whether the anchor stands on a flat seabed, at the anchor's depth everywhere, that carries the line. Without it
-   * the line hangs freely.
+   * Whether the line can lie on a flat seabed at the anchor's depth. Without it the line hangs freely.
    */
   seabed?: boolean;
 };
 /**
- * A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls where its path is longer than the rope,
- * else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its tension there is none that
- * a load could be sized by.
+ * A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls when its path is longer
+ * than the rope, else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its
+ * peak tension at that moment must not be used for design.
  */
 export type Rope = {
   /**
-   * Whether it is there.
+   * Whether it acts.
    */
   enabled?: boolean;
   /**
-   * What it runs over, from its first end to its last: it begins at a point or a drum and ends at a point.
+   * The points, sheaves and drum of its path, from its first end to its last: it begins at a point or a drum and
+   * ends at a point.
    */
   path: RopeStation[];
   /**
-   * Length without tension of the rope on its path at the start, m; without it, the rope is just taut at the start.
+   * Unstretched length of the rope on its path at the start, m; without it, the rope is just taut at the start.
    */
   unstretched_length_m?: number | null;
   /**
@@ -2289,8 +2304,8 @@ export type Rope = {
    */
   axial_stiffness_kN?: number | null;
   /**
-   * Stiffness of what gives way in series with the rope, the crane's boom and foundation say, N/m; without it, nothing
-   * does.
+   * Stiffness in series with the rope, of the crane's boom and foundation for example, N/m; without it, they are
+   * rigid.
    */
   series_stiffness_N_per_m?: number | null;
   /**
@@ -2298,20 +2313,22 @@ export type Rope = {
    */
   series_stiffness_kN_per_m?: number | null;
   /**
-   * Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. For wire ropes it is 0.01
+   * Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' in addition to k e. For wire ropes it is 0.01
    * to 0.02 s.
    */
   damping_time_s?: number;
   /**
-   * Its mass, kg/m, which is weight alone; without it, the rope weighs nothing. Its legs stay straight.
+   * Its mass, kg/m. It acts as weight only, without inertia, and the legs stay straight; without it, the rope has no
+   * weight.
    */
   mass_kg_per_m?: number | null;
   /**
-   * Diameter of the circle that displaces as much water as the rope below the still water line, m; without it, none.
+   * Diameter of the circle that displaces as much water as the rope, below the still water line, m; without it, the
+   * rope has no buoyancy.
    */
   diameter_m?: number | null;
   /**
-   * Tension at which the rope parts, N; without it, it does not.
+   * Tension at which the rope parts, N; without it, the rope never parts.
    */
   breaking_load_N?: number | null;
   /**
@@ -2319,15 +2336,17 @@ export type Rope = {
    */
   breaking_load_kN?: number | null;
   /**
-   * What hangs on it: its dynamic amplification factor is its tension over that of this load at rest in air.
+   * The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
+   * at rest in air.
    */
   carries?: CarriedByRope[];
   /**
-   * What the crane may lift by it at which radius; without it, nothing is known of that.
+   * The crane's load chart for this rope; without it, the load is not checked.
    */
   load_chart?: LoadChart | null;
   /**
-   * Whether it can be released: an input in [0, 1] of the rope's name begins at 0, and at 0.5 the load is lost.
+   * Whether it can be released: it then has an input in [0, 1] with the rope's name, which begins at 0; at 0.5 the
+   * load is lost.
    */
   can_be_released?: boolean;
 };
@@ -2345,15 +2364,15 @@ export type RopeStation =
       drum: RopeDrum;
     };
 /**
- * The load chart of a crane: rated loads over the radius, which is the distance from the slewing axis to where the rope leaves
- * the crane for the load. The results have `load_radius` (m), `rated_load` and `hook_load` (kg) and `load_utilisation`, hook load
- * over rated load; a run warns where that passes 1, and of a radius outside of the chart.
+ * The load chart of a crane: rated loads over the radius, the distance from the slewing axis to the point where the
+ * rope leaves the crane. The results have `load_radius` (m), `rated_load` and `hook_load` (kg) and `load_utilisation`,
+ * hook load over rated load; a run warns when the utilisation exceeds 1 or the radius is outside the chart.
  */
 export type LoadChart = {
   [k: string]: unknown;
 } & {
   /**
-   * The revolute joint by which the crane slews.
+   * The revolute joint about which the crane slews.
    */
   joint: string;
   /**
@@ -2361,8 +2380,8 @@ export type LoadChart = {
    */
   radii_m: number[];
   /**
-   * The rated load at each radius, with what hangs between rope and load, kg: linear between, before the first and beyond the
-   * last as there.
+   * The rated load at each radius, including the gear between rope and load, kg. Linear between radii; constant
+   * below the first and above the last.
    */
   rated_loads_kg?: number[];
   /**
@@ -2371,18 +2390,17 @@ export type LoadChart = {
   rated_loads_t?: number[];
 };
 /**
- * A line whose winch pays out and hauls in so that its tension stays: a tugger line or a tag line. The winch stands at its
- * first end.
+ * A line with a constant-tension winch: a tugger line or a tag line. The winch stands at its first end.
  */
 export type TuggerLine = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it is there.
+   * Whether it acts.
    */
   enabled?: boolean;
   /**
-   * What it runs over, from its winch to the load: it begins and ends at a point.
+   * The points and sheaves of its path, from the winch to the load: it begins and ends at a point.
    */
   path: RopeStation[];
   /**
@@ -2395,19 +2413,19 @@ export type TuggerLine = {
   tension_kN?: number;
 };
 /**
- * Contact of a load with a surface: it is pressed out, and held by friction.
+ * Contact of a load with a surface: a normal force pushes the load out, and friction holds it.
  */
 export type Contact = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it is there.
+   * Whether it acts.
    */
   enabled?: boolean;
   load: ContactLoad;
   surface: ContactSurface;
   /**
-   * Stiffness of each point that touches, N/m: a box that stands on four corners has four times as much.
+   * Stiffness of each contact point, N/m: a box that stands on four corners has four times this stiffness.
    */
   stiffness_N_per_m?: number;
   /**
@@ -2415,11 +2433,12 @@ export type Contact = {
    */
   stiffness_kN_per_m?: number;
   /**
-   * What is left of the speed of an impact at `restitution_speed_m_s`, from 0.1 to 1; slower impacts leave more.
+   * Coefficient of restitution, from 0.1 to 1: rebound speed over impact speed, at `restitution_speed_m_s`. It is
+   * higher for slower impacts.
    */
   restitution?: number;
   /**
-   * The speed of impact that the restitution is for, m/s.
+   * The impact speed at which `restitution` holds, m/s.
    */
   restitution_speed_m_s?: number;
   /**
@@ -2427,7 +2446,7 @@ export type Contact = {
    */
   friction_coefficient: number;
   /**
-   * Stiffness of each point along the surface while friction holds it, N/m; without it, that of the contact.
+   * Tangential stiffness of each contact point while friction holds it, N/m; without it, `stiffness_N_per_m`.
    */
   friction_stiffness_N_per_m?: number | null;
   /**
@@ -2435,12 +2454,12 @@ export type Contact = {
    */
   friction_stiffness_kN_per_m?: number | null;
   /**
-   * Penetration that is refused where a run begins, and that a run warns of, m.
+   * Largest penetration, m: a deeper one is an error at the start and a warning during the run.
    */
   penetration_tolerance_m?: number;
 };
 /**
- * What touches.
+ * The load.
  */
 export type ContactLoad = {
   /**
@@ -2455,7 +2474,7 @@ export type ContactLoad = {
    */
   position_m?: [number, number, number];
   /**
-   * The shape's axes in the body's: roll, pitch, yaw, rad.
+   * Orientation of the shape's axes in the body's: roll, pitch, yaw, rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -2469,7 +2488,7 @@ export type ContactLoad = {
    */
   orientation_deg?: [number, number, number];
   /**
-   * What touches.
+   * The load.
    */
   shape:
     | {
@@ -2486,7 +2505,7 @@ export type ContactLoad = {
       };
 };
 /**
- * What it touches: a deck, a quay, the seabed, a bumper.
+ * The surface that the load touches: a deck, a quay, the seabed, a bumper.
  */
 export type ContactSurface = {
   /**
@@ -2501,7 +2520,7 @@ export type ContactSurface = {
    */
   position_m?: [number, number, number];
   /**
-   * The shape's axes in the body's: roll, pitch, yaw, rad.
+   * Orientation of the shape's axes in the body's: roll, pitch, yaw, rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -2515,7 +2534,7 @@ export type ContactSurface = {
    */
   orientation_deg?: [number, number, number];
   /**
-   * What is touched.
+   * The shape of the surface.
    */
   shape:
     | {
@@ -2536,7 +2555,7 @@ export type FlowCoefficients = {
 } & {
   /**
    * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-   * from ahead, as OCIMF's.
+   * from ahead, as in OCIMF.
    */
   directions_rad?: number[];
   /**
@@ -2544,7 +2563,7 @@ export type FlowCoefficients = {
    */
   directions_deg?: number[];
   /**
-   * Whether port is as starboard: the directions go from 0 to pi and are mirrored.
+   * Whether port and starboard are alike: the directions then go from 0 to pi and are mirrored.
    */
   symmetric: boolean;
   /**
@@ -2580,7 +2599,7 @@ export type FlowCoefficients1 = {
 } & {
   /**
    * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-   * from ahead, as OCIMF's.
+   * from ahead, as in OCIMF.
    */
   directions_rad?: number[];
   /**
@@ -2588,7 +2607,7 @@ export type FlowCoefficients1 = {
    */
   directions_deg?: number[];
   /**
-   * Whether port is as starboard: the directions go from 0 to pi and are mirrored.
+   * Whether port and starboard are alike: the directions then go from 0 to pi and are mirrored.
    */
   symmetric: boolean;
   /**
@@ -2617,7 +2636,7 @@ export type FlowCoefficients1 = {
   length_m: number;
 };
 /**
- * Where.
+ * The position and heading to hold.
  */
 export type StationTarget = {
   /**
@@ -2644,7 +2663,7 @@ export type TranslationTuning = {
   [k: string]: unknown;
 } & {
   /**
-   * Mass, with that of the water that moves with the ship at low frequency, kg.
+   * Mass with the low-frequency added mass, kg.
    */
   mass_kg?: number;
   /**
@@ -2671,7 +2690,7 @@ export type TranslationTuning1 = {
   [k: string]: unknown;
 } & {
   /**
-   * Mass, with that of the water that moves with the ship at low frequency, kg.
+   * Mass with the low-frequency added mass, kg.
    */
   mass_kg?: number;
   /**
@@ -2698,7 +2717,7 @@ export type RotationTuning = {
   [k: string]: unknown;
 } & {
   /**
-   * Moment of inertia about the vertical, with that of the water, kg m^2.
+   * Moment of inertia about the vertical with the added one, kg m^2.
    */
   inertia_kg_m2?: number;
   /**
@@ -2834,11 +2853,11 @@ export type TunnelThruster = {
    */
   max_thrust_kN?: number;
   /**
-   * Time constant of the thrust behind its command, s.
+   * Time constant with which the thrust follows its command, s.
    */
   time_constant_s: number;
   /**
-   * Weight of its use against that of the others in the allocation.
+   * Weight in the thrust allocation: a thruster with a larger weight is used less.
    */
   weight?: number;
 };
@@ -2884,11 +2903,11 @@ export type MainPropeller = {
    */
   max_astern_thrust_kN?: number;
   /**
-   * Time constant of the thrust behind its command, s.
+   * Time constant with which the thrust follows its command, s.
    */
   time_constant_s: number;
   /**
-   * Weight of its use against that of the others in the allocation.
+   * Weight in the thrust allocation: a thruster with a larger weight is used less.
    */
   weight?: number;
 };
@@ -2918,11 +2937,11 @@ export type AzimuthThruster = {
    */
   max_thrust_kN?: number;
   /**
-   * Time constant of both components of the thrust behind their commands, s.
+   * Time constant with which both components of the thrust follow their commands, s.
    */
   time_constant_s: number;
   /**
-   * Weight of its use against that of the others in the allocation.
+   * Weight in the thrust allocation: a thruster with a larger weight is used less.
    */
   weight?: number;
 };
@@ -2948,7 +2967,7 @@ export type StationTarget1 = {
   heading_deg?: number;
 };
 /**
- * What acts between two bodies, mostly in the joint that connects them.
+ * Forces between two bodies, mostly in the joint that connects them.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -3004,7 +3023,7 @@ export type Motor = {
    */
   torque_kN_m?: number;
   /**
-   * How the torque goes with time.
+   * How the torque varies over time.
    */
   history?: "constant" | "pulse" | "list" | "lever";
   /**
@@ -3039,7 +3058,7 @@ export type LinearMotor = {
    */
   force_kN?: number;
   /**
-   * How the force goes with time.
+   * How the force varies over time.
    */
   history?: "constant" | "pulse" | "list" | "lever";
   /**
@@ -3142,7 +3161,7 @@ export type LinearServo = {
   force_limit_kN?: number;
 };
 /**
- * A drive that turns an axis as its set-point says, within its limits: a winch, a slewing gear.
+ * A drive that turns an axis to follow a set-point within limits: a winch, a slewing gear.
  */
 export type ControlledDrive = {
   [k: string]: unknown;
@@ -3156,7 +3175,7 @@ export type ControlledDrive = {
    */
   joint: string;
   /**
-   * What it follows. An input, named as the drive, adds to it.
+   * The set-point that it follows. An input with the drive's name is added to it.
    */
   set_point:
     | {
@@ -3201,7 +3220,7 @@ export type ControlledDrive = {
    */
   torque_limit_kN_m?: number;
   /**
-   * Largest power that it gives, W; braking is limited by its torque alone.
+   * Largest power that it delivers, W. It does not limit braking: only the torque limit does.
    */
   power_limit_W?: number | null;
   /**
@@ -3209,7 +3228,7 @@ export type ControlledDrive = {
    */
   power_limit_kW?: number | null;
   /**
-   * Torque per angle that it is behind its reference, N m/rad.
+   * Torque per angle error against its reference, N m/rad.
    */
   stiffness_N_m_per_rad?: number;
   /**
@@ -3217,7 +3236,7 @@ export type ControlledDrive = {
    */
   stiffness_kN_m_per_rad?: number;
   /**
-   * Torque per rate that it is behind its reference, N m s/rad.
+   * Torque per rate error against its reference, N m s/rad.
    */
   damping_N_m_s_per_rad?: number;
   /**
@@ -3225,8 +3244,7 @@ export type ControlledDrive = {
    */
   damping_kN_m_s_per_rad?: number;
   /**
-   * Time in which its reference comes to a new rate where no limit holds, s; with a limit of jerk it is longer where the
-   * acceleration takes longer to come.
+   * Time in which its reference reaches a new rate where no limit acts, s. A jerk limit makes it longer.
    */
   response_time_s?: number;
 };
@@ -3270,7 +3288,7 @@ export type AngleSetPoint = {
   angle_deg?: number;
 };
 /**
- * A drive that moves an axis as its set-point says, within its limits.
+ * A drive that slides an axis to follow a set-point within limits.
  */
 export type LinearControlledDrive = {
   [k: string]: unknown;
@@ -3284,7 +3302,7 @@ export type LinearControlledDrive = {
    */
   joint: string;
   /**
-   * What it follows. An input, named as the drive, adds to it.
+   * The set-point that it follows. An input with the drive's name is added to it.
    */
   set_point:
     | {
@@ -3317,7 +3335,7 @@ export type LinearControlledDrive = {
    */
   force_limit_kN?: number;
   /**
-   * Largest power that it gives, W; braking is limited by its force alone.
+   * Largest power that it delivers, W. It does not limit braking: only the force limit does.
    */
   power_limit_W?: number | null;
   /**
@@ -3325,7 +3343,7 @@ export type LinearControlledDrive = {
    */
   power_limit_kW?: number | null;
   /**
-   * Force per extension that it is behind its reference, N/m.
+   * Force per extension error against its reference, N/m.
    */
   stiffness_N_per_m?: number;
   /**
@@ -3333,7 +3351,7 @@ export type LinearControlledDrive = {
    */
   stiffness_kN_per_m?: number;
   /**
-   * Force per speed that it is behind its reference, N s/m.
+   * Force per speed error against its reference, N s/m.
    */
   damping_N_s_per_m?: number;
   /**
@@ -3341,8 +3359,7 @@ export type LinearControlledDrive = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Time in which its reference comes to a new speed where no limit holds, s; with a limit of jerk it is longer where the
-   * acceleration takes longer to come.
+   * Time in which its reference reaches a new speed where no limit acts, s. A jerk limit makes it longer.
    */
   response_time_s?: number;
 };
@@ -3366,7 +3383,7 @@ export type Brake = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it is there.
+   * Whether it acts.
    */
   enabled?: boolean;
   /**
@@ -3382,7 +3399,8 @@ export type Brake = {
    */
   torque_kN_m?: number;
   /**
-   * Rate about which its torque changes its sign smoothly, rad/s; what it holds creeps below it.
+   * Rate scale over which its torque changes sign smoothly, rad/s. A joint that it holds creeps more slowly than
+   * this.
    */
   smoothing_rad_s?: number;
   /**
@@ -3390,7 +3408,7 @@ export type Brake = {
    */
   smoothing_deg_s?: number;
   /**
-   * Set, released, or by a lever.
+   * Set, released, or moved by a lever.
    */
   state?: "set" | "released" | "lever";
 };
@@ -3401,7 +3419,7 @@ export type LinearBrake = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it is there.
+   * Whether it acts.
    */
   enabled?: boolean;
   /**
@@ -3417,17 +3435,17 @@ export type LinearBrake = {
    */
   force_kN?: number;
   /**
-   * Speed about which its force changes its sign smoothly, m/s; what it holds creeps below it.
+   * Speed scale over which its force changes sign smoothly, m/s. A joint that it holds creeps more slowly than this.
    */
   smoothing_m_s?: number;
   /**
-   * Set, released, or by a lever.
+   * Set, released, or moved by a lever.
    */
   state?: "set" | "released" | "lever";
 };
 /**
- * A hydraulic cylinder between two pins: a force `stiffness (wanted length - length) - damping rate` along the line
- * between them, clipped at what it can push and pull. The length wanted moves at the speed limit at most.
+ * A hydraulic cylinder between two pins: a force `stiffness (target length - length) - damping rate` along the line
+ * between them, limited to what it can push and pull. The target length changes no faster than the speed limit.
  */
 export type Cylinder = {
   [k: string]: unknown;
@@ -3439,15 +3457,15 @@ export type Cylinder = {
   first: Pin3;
   second: Pin4;
   /**
-   * Length between the pins where the cylinder is drawn in, m: a stop.
+   * Length between the pins when fully retracted, m: there is a stop.
    */
   shortest_m: number;
   /**
-   * Length between the pins where it is all the way out, m: a stop.
+   * Length between the pins when fully extended, m: there is a stop.
    */
   longest_m: number;
   /**
-   * What it is after.
+   * The target length.
    */
   target?:
     | "hold"
@@ -3456,7 +3474,7 @@ export type Cylinder = {
       }
     | "lever";
   /**
-   * Largest speed of the length wanted, m/s.
+   * Largest rate of the target length, m/s.
    */
   speed_limit_m_s: number;
   /**
@@ -3492,7 +3510,7 @@ export type Cylinder = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Force per length of the stops at both ends of the stroke, N/m.
+   * Stiffness of the stops at both ends of the stroke, N/m.
    */
   stop_stiffness_N_per_m?: number;
   /**
@@ -3505,7 +3523,7 @@ export type Cylinder = {
   stop_dissipation_s_per_m?: number;
 };
 /**
- * What measures: a motion reference unit at its own ticks, the others in every row of the results.
+ * Sensors. A motion reference unit measures at its own interval, the others in every row of the results.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -3521,7 +3539,7 @@ export type Sensor =
       air_gap: AirGap;
     };
 /**
- * What it is to stay clear of.
+ * The point or solid to stay clear of.
  */
 export type ClearanceFrom = {
   /**
@@ -3533,15 +3551,15 @@ export type ClearanceFrom = {
    */
   point?: string | null;
   /**
-   * The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; from the named point,
-   * where there is one.
+   * The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; measured from the
+   * named point if one is given.
    *
    * @minItems 3
    * @maxItems 3
    */
   position_m?: [number, number, number];
   /**
-   * The solid's axes in the body's: roll, pitch, yaw, rad.
+   * Orientation of the solid's axes in the body's: roll, pitch, yaw, rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -3555,12 +3573,12 @@ export type ClearanceFrom = {
    */
   orientation_deg?: [number, number, number];
   /**
-   * The solid; without it, the point.
+   * The solid; without it, the distance is to the point.
    */
   shape?: ClearanceShape | null;
 };
 /**
- * What a point is to stay clear of.
+ * The solid that a point stays clear of.
  */
 export type ClearanceShape =
   | "own"
@@ -3577,7 +3595,7 @@ export type ClearanceShape =
       sphere: SphereShape;
     };
 /**
- * What ends a step of an operation.
+ * The condition that ends a step of an operation.
  */
 export type Condition =
   | {
@@ -3602,21 +3620,21 @@ export interface Scenario {
    */
   version: 1;
   /**
-   * One line that says what this is.
+   * A title of one line.
    */
   title: string;
   /**
-   * What a reader should know: the source, the choices made.
+   * A description: sources, assumptions, choices.
    */
   description?: string;
   /**
-   * The knobs of this scenario, in the order in which views show them.
+   * The parameters that a user can change, in the order in which views show them.
    */
   parameters?: Parameter[];
   simulation?: SimulationSettings;
   /**
-   * Other files that this scenario is made of, by name. A resolved scenario has them among its own bodies, loops, forces,
-   * drives and parameters.
+   * Other files that this scenario includes, by name. In a resolved scenario their contents stand among its own
+   * bodies, loops, forces, drives and parameters.
    */
   parts?: {
     [k: string]: Mounting;
@@ -3628,7 +3646,7 @@ export interface Scenario {
     [k: string]: Body;
   };
   /**
-   * What ties bodies together beside their joints, by name.
+   * Constraints between bodies in addition to their joints, by name.
    */
   loops?: {
     [k: string]: Loop;
@@ -3642,50 +3660,50 @@ export interface Scenario {
    */
   wind?: Wind | null;
   /**
-   * What acts on the bodies from outside, by name.
+   * Forces on the bodies from outside, by name.
    */
   forces?: {
     [k: string]: Force;
   };
   /**
-   * What acts between the bodies, in their joints, by name.
+   * Drives between the bodies, in their joints, by name.
    */
   drives?: {
     [k: string]: Drive;
   };
   /**
-   * What measures, by name.
+   * Sensors by name.
    */
   sensors?: {
     [k: string]: Sensor;
   };
   /**
-   * Inputs that take what is measured, by name.
+   * Connections from a sensor's output to an input, by name.
    */
   wires?: {
     [k: string]: Wire;
   };
   /**
-   * The timeline that moves its levers and set-points.
+   * The timeline that moves levers and set-points.
    */
   operation?: Operation | null;
   /**
-   * What columns of the results are to keep, by name.
+   * Limits on columns of the results, by name.
    */
   limits?: {
     [k: string]: Limit;
   };
 }
 /**
- * A knob of a scenario. Command line, Python and the app set the fields that it writes by this name.
+ * A parameter that a user can change. Command line, Python and the app set the fields in `writes` by its name.
  */
 export interface Parameter {
   /**
-   * The name by which it is set; no field at the top of the file may have it.
+   * The name by which it is set; it may not be the name of a field at the top of the file.
    */
   name: string;
   /**
-   * What views show; the name when absent.
+   * The label that views show; without it, the name.
    */
   label?: string;
   /**
@@ -3693,7 +3711,7 @@ export interface Parameter {
    */
   unit?: string;
   /**
-   * The value written unless another is given; when absent, what stands at the first field.
+   * The default value; without it, the value of the first field in `writes`.
    */
   default?: boolean | number | string | null;
   /**
@@ -3708,11 +3726,11 @@ export interface Parameter {
    */
   choices?: string[] | null;
   /**
-   * Whether it may change during a run; else it takes effect at reset.
+   * Whether it can change during a run; if not, it takes effect at the next reset.
    */
   live?: boolean;
   /**
-   * The fields that it writes, as dotted paths: `bodies.ship.mass_kg`.
+   * The fields that it sets, as dotted paths: `bodies.ship.mass_kg`.
    */
   writes: string[];
 }
@@ -3749,12 +3767,12 @@ export interface SimulationSettings {
    */
   record_every_s?: number;
   /**
-   * Whether the run begins at the equilibrium near where the bodies are put, found with the waves off: a ship at its
-   * draught, heel and trim.
+   * Whether the run begins at the equilibrium near the given positions, found without waves: a ship at its draught,
+   * heel and trim.
    */
   begin_at_equilibrium?: boolean;
   /**
-   * A run diverges when a rate passes this, rad/s or m/s.
+   * A run counts as diverged when a rate exceeds this, rad/s or m/s.
    */
   rate_limit?: number;
   /**
@@ -3770,15 +3788,15 @@ export interface SimulationSettings {
  */
 export interface DormandPrinceSettings {
   /**
-   * Error that a step may make on each coordinate, rad or m, and on each rate, rad/s or m/s.
+   * Error that a step may make in each coordinate, rad or m, and in each rate, rad/s or m/s.
    */
   absolute_tolerance?: number;
   /**
-   * Beside it: as a part of the coordinate's motion in the step, and of the rate.
+   * Added to it: error relative to the coordinate's motion in the step, and to the rate.
    */
   relative_tolerance?: number;
   /**
-   * Largest step of its own, s.
+   * Largest step that it takes, s.
    */
   largest_step_s?: number;
 }
@@ -3801,7 +3819,7 @@ export interface NewmarkSettings {
  */
 export interface GeneralizedAlphaSettings {
   /**
-   * What a step leaves of oscillations far faster than it, from 0, all is gone, to 1, nothing is damped.
+   * Factor by which one step reduces oscillations much faster than the step: from 0, all removed, to 1, no damping.
    */
   rho_infinity?: number;
 }
@@ -3865,7 +3883,7 @@ export interface RadiiOfGyration {
   radii_m: [number, number, number];
 }
 /**
- * A round tube; a bar where the wall is half of the diameter.
+ * A round tube; a solid bar if the wall is half of the diameter.
  */
 export interface CircularTube {
   /**
@@ -3922,7 +3940,7 @@ export interface GeneralSection {
   shear_areas_m2?: [number, number] | null;
 }
 /**
- * The damping ratio of a mode; modes of other frequencies have it in proportion to theirs.
+ * The damping ratio of a mode; those of other modes are in proportion to their frequencies.
  */
 export interface DampingRatio {
   /**
@@ -3944,11 +3962,11 @@ export interface StiffnessTime {
   time_s: number;
 }
 /**
- * A body free in the world. Its parent is the world.
+ * A body that moves freely in the world. Its parent is the world.
  */
 export interface FloatingJoint {
   /**
-   * Name of the joint; the body's when absent.
+   * Name of the joint; without it, the body's name.
    */
   name?: string | null;
   /**
@@ -3963,8 +3981,8 @@ export interface FloatingJoint {
 }
 /**
  * Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
- * `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back to 0.
- * Without a reverse the way is `R (rise_s + hold_s)`.
+ * `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back
+ * to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
  */
 export interface RatePulse {
   /**
@@ -3972,7 +3990,7 @@ export interface RatePulse {
    */
   start_s?: number;
   /**
-   * Length of the ramp from 0 to the full rate, s.
+   * Duration of the ramp from 0 to the full rate, s.
    */
   rise_s: number;
   /**
@@ -3980,22 +3998,21 @@ export interface RatePulse {
    */
   hold_s: number;
   /**
-   * Time at the full rate the other way, s; 0 is a pulse that does not reverse.
+   * Time at the full rate in the other direction, s; 0 is a pulse that does not reverse.
    */
   reverse_s?: number;
 }
 /**
- * Shares of the full strength at given times, and straight lines between them: none before the first time, the last
- * share after the last.
+ * Shares of the full strength at given times, linear between them: 0 before the first time, the last share after the
+ * last.
  */
 export interface HistoryList {
   /**
-   * Times, s, none before the one in front of it. The same time twice is a jump, which a motor may make and a
-   * prescribed rate may not.
+   * Times in increasing order, s. The same time twice is a jump: a motor may have one, a prescribed rate may not.
    */
   time_s: number[];
   /**
-   * The share at each time: 1 is full, -1 full the other way.
+   * The share at each time: 1 is full strength, -1 full strength in the other direction.
    */
   share: number[];
 }
@@ -4008,7 +4025,7 @@ export interface PrescribedSpeed {
    */
   speed_m_s: number;
   /**
-   * How the speed goes with time.
+   * How the speed varies over time.
    */
   history?: "constant" | "pulse" | "list" | "lever";
   /**
@@ -4034,11 +4051,11 @@ export interface LengthTravel {
    */
   start_s?: number;
   /**
-   * From rest to rest, both ramps included, s.
+   * Duration from rest to rest, both ramps included, s.
    */
   duration_s: number;
   /**
-   * Length of a ramp, s; at most half of the duration.
+   * Duration of a ramp, s; at most half of the whole duration.
    */
   ramp_s: number;
 }
@@ -4058,8 +4075,8 @@ export interface Point {
   position_m: [number, number, number];
 }
 /**
- * A joint that closes a loop, cut out of the tree and written as constraints between the two bodies that it ties. Name
- * only those that the joints do not keep already: a four-bar linkage in the x-z plane needs x and z.
+ * A joint that closes a loop, written as constraints between the two bodies that it connects. Give only constraints
+ * that the other joints do not already impose: a four-bar linkage in the x-z plane needs x and z.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -4072,12 +4089,12 @@ export interface Loop {
   first: Attachment;
   second: Attachment1;
   /**
-   * What it constrains, in any order; none may follow from the others.
+   * The constraints, in any order; none may follow from the others.
    */
   constraints: Constraint[];
   /**
-   * The largest gap at the start that is closed by moving the free joints, m, and rad for angles. They move by the
-   * least that the masses allow; a larger gap is an error.
+   * The largest gap at the start, m, and rad for angles. A smaller gap is closed by the smallest mass-weighted
+   * motion of the free joints; a larger one is an error.
    */
   start_gap_m?: number;
 }
@@ -4091,7 +4108,7 @@ export interface Distance {
   length_m: number;
 }
 /**
- * The water that hulls float in, and what moves it.
+ * The water, its waves and its current.
  */
 export interface Sea {
   /**
@@ -4109,19 +4126,19 @@ export interface Sea {
     [k: string]: Waves;
   };
   /**
-   * Time over which the waves grow from nothing at the start, s.
+   * Time over which the waves grow from zero at the start, s.
    */
   ramp_s?: number;
   /**
-   * Velocity of the water at the surface along the world's x and y, m/s; of a current by a table left out.
+   * Velocity of the current at the surface along the world's x and y, m/s; leave it out for a current by a table.
    *
    * @minItems 2
    * @maxItems 2
    */
   current_m_s?: [number, number];
   /**
-   * How the current goes with depth: for loads of the current by coefficients; damping, radiation and drift see that at
-   * the surface.
+   * How the current varies with depth. Current loads by coefficients use it; damping, radiation and drift use the
+   * current at the surface.
    */
   current_profile?:
     | "uniform"
@@ -4180,13 +4197,13 @@ export interface PowerLaw {
  */
 export interface Logarithmic {
   /**
-   * Height at which the law has no wind, m: 0.0001 to 0.01 at sea.
+   * Height at which the mean wind is zero by this law, m: 0.0001 to 0.01 at sea.
    */
   roughness_m: number;
 }
 /**
- * Gusts: the speed of the wind about its mean, drawn from a spectrum with the run's seed. They blow along the mean wind and meet
- * the whole ship at once.
+ * Gusts: variation of the wind speed about its mean, drawn from a spectrum with the run's seed. They act along the
+ * mean wind and on the whole ship at once.
  */
 export interface Gusts {
   /**
@@ -4209,24 +4226,24 @@ export interface Gusts {
    */
   components?: number;
   /**
-   * Whether amplitudes are random too, or those of the spectrum.
+   * Whether the amplitudes are random or those of the spectrum.
    */
   amplitudes?: "deterministic" | "random";
   /**
-   * Slower gusts are left out, Hz: 1/3600 unless given, for a mean over one hour.
+   * Lowest frequency, Hz: slower gusts are left out. 1/3600 unless given, for a mean over one hour.
    */
   lowest_Hz?: number;
   /**
-   * Faster gusts are left out, Hz: they are smaller than a ship.
+   * Highest frequency, Hz: faster gusts, which are smaller than a ship, are left out.
    */
   highest_Hz?: number;
   /**
-   * Time over which they grow from nothing at the start, s.
+   * Time over which the gusts grow from zero at the start, s.
    */
   ramp_s?: number;
 }
 /**
- * S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3), f_p = c U / z, sigma as API RP 2A has it over the height z.
+ * S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3), f_p = c U / z, sigma by API RP 2A at the height z.
  */
 export interface ApiGusts {
   /**
@@ -4239,11 +4256,11 @@ export interface ApiGusts {
  */
 export interface KaimalGusts {
   /**
-   * I, the deviation of the speed as a share of the mean.
+   * I: standard deviation of the speed over the mean speed.
    */
   turbulence_intensity: number;
   /**
-   * L, m: by IEC 61400-1 5.67 times the height, from 60 m on 340 m.
+   * L, m. In IEC 61400-1 it is 5.67 times the height, and 340 m above 60 m.
    */
   length_scale_m: number;
 }
@@ -4273,11 +4290,11 @@ export interface QuadraticDamping {
    */
   body: string;
   /**
-   * What its velocity is relative to.
+   * What the velocity is measured against.
    */
   relative_to?: "water" | "earth";
   /**
-   * The point that the force acts at, and whose velocity counts, in the body's drawing frame, m.
+   * The point where the force acts and whose velocity is used, in the body's drawing frame, m.
    *
    * @minItems 3
    * @maxItems 3
@@ -4299,9 +4316,10 @@ export interface QuadraticDamping {
   angular_N_m_s2?: [number, number, number];
 }
 /**
- * The free surface of a liquid in a box whose sides are along the body's axes. The liquid is part of the body: of its
- * `mass_kg`, `centre_of_mass_m` and inertia, as if it were frozen with the body upright; this adds what its surface,
- * level at once, moves. So its natural period in the tank must be well below the body's in roll and pitch.
+ * The free surface of a liquid in a box whose sides are along the body's axes. The body's `mass_kg`,
+ * `centre_of_mass_m` and inertia must contain the liquid, as if it were frozen with the body upright. This force adds
+ * the effect of the liquid's shift. The surface is taken as always level, so the liquid's natural period must be well
+ * below those of the body in roll and pitch.
  */
 export interface SlackTank {
   /**
@@ -4313,22 +4331,22 @@ export interface SlackTank {
    */
   body: string;
   /**
-   * Centre of the box in the body's drawing frame, m. A free surface turns the body by the same moment wherever it is.
+   * Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on it.
    *
    * @minItems 3
    * @maxItems 3
    */
   position_m: [number, number, number];
   /**
-   * Along the body's x axis, inside, m.
+   * Inner length along the body's x axis, m.
    */
   length_m: number;
   /**
-   * Along the body's y axis, inside, m.
+   * Inner breadth along the body's y axis, m.
    */
   breadth_m: number;
   /**
-   * Along the body's z axis, inside, m.
+   * Inner height along the body's z axis, m.
    */
   height_m: number;
   /**
@@ -4336,13 +4354,13 @@ export interface SlackTank {
    */
   filling: number;
   /**
-   * Density of the liquid, kg/m^3; without it, that of the sea.
+   * Density of the liquid, kg/m^3; without it, the sea's density.
    */
   density_kg_m3?: number | null;
 }
 /**
- * The water on an object that is lowered through the surface of the sea, small beside the waves: buoyancy, drag, added
- * mass that grows as it goes under, slamming. Several may stand on one body, for a long or a composed one.
+ * The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,
+ * slamming, and added mass that grows with immersion. A long or composed body may have several.
  */
 export interface Submerged {
   /**
@@ -4374,17 +4392,17 @@ export interface Submerged {
         sphere: SphereShape;
       };
   /**
-   * V: volume of water that the whole object displaces, m^3, where that is less than the solid's, as of a frame.
+   * V: volume of water that the whole object displaces, m^3, if it is less than the solid's volume, as for a frame.
    */
   displaced_volume_m3?: number | null;
   added_mass?: SubmergedAddedMass;
   drag?: SubmergedDrag;
   /**
-   * Drag of the wind on what is dry.
+   * Drag of the wind on the dry part.
    */
   wind?: SubmergedWind | null;
   /**
-   * Water inside, that comes in and drains through holes.
+   * Water inside, which enters and drains through holes.
    */
   entrained_water?: EntrainedWater | null;
 }
@@ -4420,17 +4438,18 @@ export interface SubmergedWind {
    */
   areas_m2?: [number, number, number] | null;
   /**
-   * Height above the still water whose wind counts, m.
+   * Height above the still water at which the wind speed is taken, m.
    */
   height_m?: number;
 }
 /**
- * Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes at its
- * floor and open to the air above: it comes in and drains by Torricelli's law. What stands higher than the sea is carried.
+ * Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes
+ * in its floor and open at the top. It enters and drains by Torricelli's law. The object carries the water that stands
+ * higher than the sea.
  */
 export interface EntrainedWater {
   /**
-   * Volume of water that it holds when full, m^3; beside the displaced volume in the solid.
+   * Volume of water that it holds when full, m^3; not part of the displaced volume.
    */
   volume_m3: number;
   /**
@@ -4442,16 +4461,16 @@ export interface EntrainedWater {
    */
   hole_area_m2: number;
   /**
-   * C_d: what the jet through the holes is of their area times Torricelli's speed; about 0.6 of sharp edges.
+   * C_d: flow through the holes over their area times Torricelli's speed; about 0.6 for sharp edges.
    */
   discharge_coefficient?: number;
   /**
-   * Share of the volume that is water where a run begins; without it, as high as the sea stands.
+   * Share of the volume that is water at the start; without it, the level of the sea.
    */
   initial_filling?: number | null;
 }
 /**
- * One end: the fairlead, say.
+ * One end: a fairlead, for example.
  */
 export interface Pin {
   /**
@@ -4514,7 +4533,8 @@ export interface RopePoint {
    */
   position_m?: [number, number, number];
   /**
-   * Number of parallel falls between the place before and this one. Together they pull with that many times the tension.
+   * Number of parallel falls from the place before to this one. Together they pull with this number times the
+   * tension.
    */
   falls?: number;
 }
@@ -4534,23 +4554,24 @@ export interface Sheave {
    */
   position_m?: [number, number, number];
   /**
-   * To the middle of the rope, m.
+   * Radius to the middle of the rope, m.
    */
   radius_m: number;
   /**
-   * The axis in the body's axes, any length: the rope turns about it, by the right hand, on its way from the first end
-   * to the last, from -90 to 270 degrees.
+   * The axis in the body's axes, of any length except 0. From the first end to the last, the rope turns about it by
+   * the right-hand rule, by -90 to 270 degrees.
    *
    * @minItems 3
    * @maxItems 3
    */
   axis: [number, number, number];
   /**
-   * The smaller over the larger tension at the sheave while the rope is hauled in, towards its first end.
+   * Efficiency while the rope is hauled in, towards its first end: the smaller tension at the sheave over the
+   * larger.
    */
   efficiency_hoisting?: number;
   /**
-   * The same while it is paid out.
+   * The same while the rope is paid out.
    */
   efficiency_lowering?: number;
 }
@@ -4559,32 +4580,32 @@ export interface Sheave {
  */
 export interface RopeDrum {
   /**
-   * The revolute joint by which the drum turns, on the body that carries it.
+   * The revolute joint about which the drum turns, on the body that carries it.
    */
   joint: string;
   /**
-   * To the middle of the rope that it pays out at the start, m.
+   * Radius to the middle of the rope that is paid out at the start, m.
    */
   radius_m: number;
   /**
-   * Where the rope lies on it in layers; without them it is paid out at one radius.
+   * The layers of rope on the drum; without them the radius is constant.
    */
   layers?: DrumLayers | null;
   /**
-   * The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
+   * The sign of the joint's rate that pays out rope. It decides on which side the rope leaves the drum.
    */
   pays_out?: "with_positive_rate" | "with_negative_rate";
   /**
-   * Tension of the rope times the radius over the torque that hauls it in.
+   * Efficiency while it hauls in: tension times radius over the torque.
    */
   efficiency_hoisting?: number;
   /**
-   * The torque that holds the rope over its tension times the radius while it is paid out.
+   * Efficiency while it pays out: the torque that holds the rope over tension times radius.
    */
   efficiency_lowering?: number;
 }
 /**
- * Layers of rope on a drum: its radius falls by the height of a layer for the turns of one.
+ * Layers of rope on a drum: its radius falls by the height of a layer for every layer of turns.
  */
 export interface DrumLayers {
   /**
@@ -4592,11 +4613,13 @@ export interface DrumLayers {
    */
   turns_per_layer: number;
   /**
-   * Of a layer, m: the diameter of a rope that lies on top of the one below, 0.87 of it in the grooves between.
+   * Height of a layer, m: the rope's diameter if each turn lies on top of the one below, 0.87 of it if the turns lie
+   * in the grooves.
    */
   height_m: number;
   /**
-   * To the middle of the rope in the innermost layer, m. The radius falls no further, and an event says so.
+   * Radius to the middle of the rope in the innermost layer, m. The radius falls no further; an event is recorded
+   * then.
    */
   innermost_radius_m: number;
 }
@@ -4609,8 +4632,8 @@ export interface CarriedByRope {
    */
   body: string;
   /**
-   * Tension of the rope at rest over the weight of the body; without it, one over the number of falls that the rope ends with.
-   * Of each of n slings at an angle b to the level it is 1 / (n sin b).
+   * Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
+   * the rope. For each of n slings at an angle b to the horizontal it is 1 / (n sin b).
    */
   share?: number | null;
 }
@@ -4619,7 +4642,7 @@ export interface CarriedByRope {
  */
 export interface ContactPoints {
   /**
-   * From the shape's centre, in its axes, m; at most 64.
+   * Positions from the shape's centre, in its axes, m; at most 64.
    */
   positions_m: [number, number, number][];
 }
@@ -4628,7 +4651,7 @@ export interface ContactPoints {
  */
 export interface ContactPlane {
   /**
-   * Out of the surface, in its axes, any length.
+   * The outward normal, in the surface's axes, of any length except 0.
    *
    * @minItems 3
    * @maxItems 3
@@ -4648,21 +4671,21 @@ export interface WindLoad {
    */
   body: string;
   /**
-   * The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+   * The point where the force acts and whose velocity is used, in the body's drawing frame, m.
    *
    * @minItems 3
    * @maxItems 3
    */
   position_m?: [number, number, number];
   /**
-   * Height above the still water whose wind the coefficients refer to, m.
+   * Height above the still water at which the wind speed is taken, m.
    */
   height_m?: number;
   coefficients: FlowCoefficients;
 }
 /**
- * The current on a body by coefficients of its relative velocity. Do not damp surge, sway and yaw by other
- * forces too.
+ * The current on a body by coefficients of its relative velocity. It damps surge, sway and yaw too: add no other
+ * damping for the current.
  */
 export interface CurrentLoad {
   /**
@@ -4674,18 +4697,18 @@ export interface CurrentLoad {
    */
   body: string;
   /**
-   * The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+   * The point where the force acts and whose velocity is used, in the body's drawing frame, m.
    *
    * @minItems 3
    * @maxItems 3
    */
   position_m?: [number, number, number];
   /**
-   * Draught over which the current is averaged where it has a profile, m.
+   * Draught over which a current profile is averaged, m.
    */
   draught_m?: number | null;
   /**
-   * Which speed counts where the current has a profile.
+   * Which speed of a current profile is used.
    */
   speed?:
     | "mean_square"
@@ -4705,7 +4728,7 @@ export interface CurrentAtDepth {
   depth_m: number;
 }
 /**
- * A controller that keeps a point of a ship over a place and the ship on a heading by its thrusters.
+ * A controller that holds a point of a ship at a position, and the ship on a heading, with thrusters.
  */
 export interface DynamicPositioning {
   /**
@@ -4717,7 +4740,7 @@ export interface DynamicPositioning {
    */
   body: string;
   /**
-   * The point that is kept, and that forces and moments refer to, in the body's drawing frame, m.
+   * The point that is held, in the body's drawing frame, m. Forces and moments refer to it.
    *
    * @minItems 3
    * @maxItems 3
@@ -4735,16 +4758,16 @@ export interface DynamicPositioning {
         stated: StatedGains;
       };
   /**
-   * What keeps the thrusters from answering each wave; without it they do.
+   * The filter that keeps the thrusters from responding to every wave; without it they respond.
    */
   wave_filter?: WaveFilter | null;
   /**
-   * What gives way where a thruster is at its limit.
+   * What is reduced when a thruster is at its limit.
    */
   priority?: "heading" | "none";
   /**
-   * Time within which the integrals follow what the thrusters can give while one of them is at its limit, s; without it
-   * sqrt(K_d / K_i), of each of surge, sway and yaw.
+   * Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
+   * this time constant. Without it sqrt(K_d / K_i), for surge, sway and yaw each.
    */
   anti_windup_time_s?: number | null;
   /**
@@ -4762,20 +4785,21 @@ export interface NaturalPeriods {
   sway: TranslationTuning1;
   yaw: RotationTuning;
   /**
-   * Whether integrals take up the mean of what pushes the ship.
+   * Whether integral action balances the mean load on the ship.
    */
   integral?: boolean;
 }
 /**
- * Notches, and a low pass after them, in what the controller makes of errors and rates; not in its integrals.
+ * Notch filters and then a low-pass filter on the proportional and derivative part of the controller; the integrals
+ * are not filtered.
  */
 export interface WaveFilter {
   /**
-   * Periods that are notched out, s: the waves' peak period, or several about it.
+   * Periods of the notches, s: the waves' peak period, or several periods around it.
    */
   notch_periods_s?: number[];
   /**
-   * What a notch leaves at its own period: the ratio of the dampings of its numerator and its denominator.
+   * Gain of a notch at its own period: damping ratio of its numerator over that of its denominator.
    */
   notch_damping_ratio?: number;
   /**
@@ -4783,17 +4807,17 @@ export interface WaveFilter {
    */
   cutoff_period_s?: number | null;
   /**
-   * Its damping ratio.
+   * Damping ratio of the low pass.
    */
   cutoff_damping_ratio?: number;
 }
 /**
- * Springs and dampers in surge, sway and yaw that keep a ship near its place, as soft springs keep a model in a wave basin:
- * without force in heave, and without moment in roll and pitch. They act at the centre of mass of the ship with all that it
- * carries, as the scenario puts it, so that they do not roll it as it swings.
+ * Springs and dampers in surge, sway and yaw that keep a ship near its position, like soft springs in a wave basin.
+ * They have no force in heave and no moment in roll and pitch. They act at the centre of mass of the ship with all
+ * that it carries in its initial position, so that they do not excite roll.
  *
- * Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` with m that same mass (of yaw, moment of inertia) and the added
- * mass of slow motions, at frequency zero.
+ * Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` where m is that mass (for yaw the moment of inertia) plus
+ * the added mass at zero frequency.
  */
 export interface SoftHold {
   /**
@@ -4805,21 +4829,23 @@ export interface SoftHold {
    */
   body: string;
   /**
-   * T of surge, sway and yaw, s: ten times the longest wave period of interest leaves the motions with the waves alone.
+   * T of surge, sway and yaw, s. At ten times the longest wave period of interest the springs do not change the wave
+   * motions.
    *
    * @minItems 3
    * @maxItems 3
    */
   natural_periods_s?: [number, number, number];
   /**
-   * zeta of surge, sway and yaw: share of the critical damping.
+   * zeta of surge, sway and yaw: damping over critical damping.
    *
    * @minItems 3
    * @maxItems 3
    */
   damping_ratios?: [number, number, number];
   /**
-   * Where the origin of the body's drawing frame is held, and the heading; without it, where the body starts.
+   * Position at which the origin of the body's drawing frame is held, and the heading; without it, those at the
+   * start.
    */
   target?: StationTarget1 | null;
 }
@@ -4833,7 +4859,7 @@ export interface Pulse {
    */
   start_s?: number;
   /**
-   * Length of the ramp from 0 to full strength, s; 0 is a jump.
+   * Duration of the ramp from 0 to full strength, s; 0 is a jump.
    */
   rise_s: number;
   /**
@@ -4841,7 +4867,7 @@ export interface Pulse {
    */
   hold_s: number;
   /**
-   * Time at full strength the other way, s; 0 is a pulse that does not reverse.
+   * Time at full strength in the other direction, s; 0 is a pulse that does not reverse.
    */
   reverse_s?: number;
 }
@@ -4905,9 +4931,9 @@ export interface TargetLength {
   length_m: number;
 }
 /**
- * Measures the motion of a point of a body, without noise. It shows, as signals for wires, `measured_roll` and
- * `measured_pitch` (rad), `measured_heave` (m, over where the run began), `measured_heave_rate` (m/s) and
- * `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), held between two samples.
+ * Measures the motion of a point of a body, without noise. Its outputs, which wires can use, are `measured_roll` and
+ * `measured_pitch` (rad), `measured_heave` (m, relative to the start of the run), `measured_heave_rate` (m/s) and
+ * `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples.
  */
 export interface MotionReferenceUnit {
   /**
@@ -4930,13 +4956,13 @@ export interface MotionReferenceUnit {
    */
   period_s: number;
   /**
-   * By how many samples what it shows is late: 0 to 1000.
+   * Delay of its outputs, in samples: 0 to 1000.
    */
   delay_samples?: number;
 }
 /**
- * The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside of a
- * solid. Nothing keeps the two apart.
+ * The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
+ * solid. It is only measured: no force keeps the two apart.
  */
 export interface Clearance {
   /**
@@ -4959,7 +4985,7 @@ export interface OwnPoint {
    */
   point?: string | null;
   /**
-   * The point in the body's drawing frame, m; from the named one, where there is one.
+   * The point in the body's drawing frame, m; measured from the named point if one is given.
    *
    * @minItems 3
    * @maxItems 3
@@ -4967,8 +4993,8 @@ export interface OwnPoint {
   position_m?: [number, number, number];
 }
 /**
- * The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results; over
- * the still water where there are none. Negative under water.
+ * The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results;
+ * above the still water where there are no waves. Negative under water.
  */
 export interface AirGap {
   /**
@@ -4984,7 +5010,7 @@ export interface AirGap {
    */
   point?: string | null;
   /**
-   * The point in the body's drawing frame, m; from the named one, where there is one.
+   * The point in the body's drawing frame, m; measured from the named point if one is given.
    *
    * @minItems 3
    * @maxItems 3
@@ -4992,18 +5018,18 @@ export interface AirGap {
   position_m?: [number, number, number];
 }
 /**
- * An input that takes a sampled output, from each sample to the next. Both have the same unit.
+ * A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
  */
 export interface Wire {
   /**
-   * Whether it connects them; if not, a hand sets the input.
+   * Whether it connects them; if not, the user sets the input.
    */
   enabled?: boolean;
   /**
-   * The output, as its column in the results: `mru.measured_heave`.
+   * The output, by its column in the results: `mru.measured_heave`.
    */
   from: string;
   /**
@@ -5012,12 +5038,12 @@ export interface Wire {
   to: string;
 }
 /**
- * Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. The inputs that it
- * sets are not a hand's.
+ * Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
+ * move the inputs that it sets.
  */
 export interface Operation {
   /**
-   * Whether it runs; if not, a hand sets the inputs.
+   * Whether it runs; if not, the user sets the inputs.
    */
   enabled?: boolean;
   /**
@@ -5030,24 +5056,24 @@ export interface Operation {
  */
 export interface OperationStep {
   /**
-   * What is done: "lift off".
+   * What the step does: "lift off".
    */
   name: string;
   /**
-   * What is moved. An input that is not named keeps its value.
+   * The inputs that it moves. An input that is not named keeps its value.
    */
   set?: InputMove[];
   /**
-   * What ends the step; without it, the end of its last move.
+   * The condition that ends the step; without it, the step ends with its last move.
    */
   until?: Condition | null;
   /**
-   * The longest that the step may last, s: beyond it the run ends, and says what the step waited for.
+   * The longest time that the step may take, s. Then the run ends and reports what the step waited for.
    */
   time_out_s?: number | null;
 }
 /**
- * Moves an input: a lever, a brake, or what is added to a drive's set-point.
+ * Moves an input: a lever, a brake, or the offset of a drive's set-point.
  */
 export interface InputMove {
   /**
@@ -5055,20 +5081,20 @@ export interface InputMove {
    */
   input: string;
   /**
-   * The value that it goes to, in `unit`.
+   * The new value, in `unit`.
    */
   to: number;
   /**
-   * Unit of `to`: the input's own in SI (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN for it; without it, the SI
-   * unit.
+   * Unit of `to`: the input's SI unit (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN instead; without it,
+   * the SI unit.
    */
   unit?: string | null;
   /**
-   * When it begins, s since the step began.
+   * When the move begins, s after the start of the step.
    */
   at_s?: number;
   /**
-   * How long it takes, along a straight line from where the input is, s; 0 is at once.
+   * Duration of the move, s, linear from the input's present value; 0 is at once.
    */
   in_s?: number;
 }
@@ -5081,20 +5107,20 @@ export interface ColumnRange {
    */
   column: string;
   /**
-   * It is above this.
+   * The value is above this.
    */
   above?: number | null;
   /**
-   * It is below this.
+   * The value is below this.
    */
   below?: number | null;
   /**
-   * Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+   * Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
    */
   unit?: string | null;
 }
 /**
- * What a column of the results is to keep. A run says of each whether it held, and the worst value with its time.
+ * A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -5117,15 +5143,15 @@ export interface Limit {
    */
   at_least?: number | null;
   /**
-   * The largest size that is allowed, to either side of zero.
+   * The largest absolute value that is allowed.
    */
   within?: number | null;
   /**
-   * Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+   * Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
    */
   unit?: string | null;
   /**
-   * From when on it counts, s: without it, from the start.
+   * Time from which the limit applies, s; without it, from the start.
    */
   from_s?: number;
 }

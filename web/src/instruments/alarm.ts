@@ -1,15 +1,15 @@
 const KEY = "kingpost.alarm";
-/** Of the alarm's tone, Hz and s: three short beeps. */
+/** Frequency, Hz, and times, s, of the alarm: three short beeps. */
 const PITCH_HZ = 880;
 const BEEP_S = 0.14;
 const EVERY_S = 0.24;
 const BEEPS = 3;
 
-/** A sound for a limit that is exceeded; it can be muted, and stays so. */
+/** A sound when a limit is exceeded; it can be muted, which is remembered. */
 export class Alarm {
   private context: AudioContext | null = null;
 
-  /** Where storage is denied, it sounds. */
+  /** Without storage it is not muted. */
   get isMuted(): boolean {
     try {
       return localStorage.getItem(KEY) === "muted";
@@ -22,7 +22,7 @@ export class Alarm {
     try {
       localStorage.setItem(KEY, isMuted ? "muted" : "on");
     } catch {
-      // It holds for this page only where nothing can be kept.
+      // Without storage it holds for this page only.
     }
   }
 

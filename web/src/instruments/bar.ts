@@ -4,7 +4,7 @@ import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import type { LimitState, LimitTrack } from "./limits";
 
-/** A limit as a bar: the allowed part, the value now and the worst so far; amber near a bound, red beyond it. */
+/** A limit as a bar: the allowed range, the present value and the worst so far; amber near a bound, red beyond it. */
 export class LimitBar {
   readonly element: HTMLElement;
   private readonly value = make("span", { class: "limit-value" });
@@ -37,7 +37,7 @@ export class LimitBar {
     const shown = withUnit(number(value), limit);
     setText(this.value, shown);
     setText(this.worst, `${bounds(limit)}. ${worst ? texts.instruments.worst(number(worst.value), fixed(worst.time_s, 1)) : texts.instruments.counts_from(limit.from_s)}`);
-    // No powers of ten are allowed there.
+    // Powers of ten are not allowed there.
     const values = { "aria-valuemin": low, "aria-valuemax": high, "aria-valuenow": value };
     for (const [name, one] of Object.entries(values)) this.meter.setAttribute(name, one.toFixed(6));
     this.meter.setAttribute("aria-valuetext", `${shown}, ${texts.instruments.states[state]}`);

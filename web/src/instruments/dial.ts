@@ -2,11 +2,11 @@ import { fixed } from "../app/format";
 import { texts } from "../texts";
 import { svg } from "./svg";
 
-/** Degrees of a ship's inclination that a degree of it turns the picture by: 5 degrees of heel are to be seen. */
+/** Exaggeration of the inclination in the picture: 5 degrees of heel have to be visible. */
 const MAGNIFIED = 3;
 const LARGEST_DEG = 25;
 
-/** What a dial draws of a ship: seen from aft, or from starboard with the bow to the right. */
+/** The view of a dial: from aft, or from starboard with the bow to the right. */
 const SILHOUETTES = {
   aft: "M-34 -4 L-30 22 Q0 30 30 22 L34 -4 Z M-14 -4 V-22 H14 V-4 Z M-2 -22 V-36 H2 V-22 Z",
   side: "M-44 -4 L-40 16 H34 L44 -4 Z M-38 -4 V-20 H-20 V-4 Z M2 -4 V-30 H5 V-4 Z M4 -29 L26 -18 L25 -16 L4 -25 Z",
@@ -22,7 +22,7 @@ export class Dial {
   constructor(
     private readonly label: string,
     ship: keyof typeof SILHOUETTES,
-    /** +1 where a positive angle turns the picture clockwise. */
+    /** +1 if a positive angle turns the picture clockwise. */
     private readonly clockwise: 1 | -1,
   ) {
     this.ship = svg("path", { d: SILHOUETTES[ship], class: "dial-ship" });

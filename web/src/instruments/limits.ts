@@ -6,22 +6,22 @@ export type LimitState = "ok" | "near" | "exceeded" | "waiting";
 /** Share of a bound, or of half the span between two, that counts as near. */
 const NEAR = 0.1;
 
-/** The value that was nearest to a bound, or farthest beyond one, in the unit of the limit. */
+/** The value nearest to a bound, or farthest beyond it, in the unit of the limit. */
 export interface Worst {
   time_s: number;
   value: number;
 }
 
-/** How far a value is within the bounds; negative beyond one, and for NaN. */
+/** Margin of a value to the bounds; negative beyond one, and for NaN. */
 export function marginOf({ at_least, at_most }: LimitInfo, value: number): number {
   if (Number.isNaN(value)) return -Infinity;
   return Math.min(at_most === null ? Infinity : at_most - value, at_least === null ? Infinity : value - at_least);
 }
 
-/** A limit, with the worst value at every time of a run so far: a list that grows only where the worst gets worse. */
+/** A limit, with the worst value up to every time of a run: the list grows only when the worst gets worse. */
 export class LimitTrack {
   private worsts: Worst[] = [];
-  /** Largest size of a value so far: what a bound of zero is measured by. */
+  /** Largest magnitude of a value so far: the scale for a bound of zero. */
   private size = 0;
 
   constructor(
@@ -43,12 +43,12 @@ export class LimitTrack {
     if (!last || marginOf(this.limit, value) < marginOf(this.limit, last.value)) this.worsts.push({ time_s, value });
   }
 
-  /** The run goes on from here: what came after is no more. */
+  /** The run continues from here: later values are dropped. */
   dropAfter(time_s: number): void {
     this.worsts = this.worsts.filter((worst) => worst.time_s <= time_s);
   }
 
-  /** The worst up to a time; null where no row counted. */
+  /** The worst value up to a time; null if no row counted. */
   worstUntil(time_s: number): Worst | null {
     let at = this.worsts.length - 1;
     while (at >= 0 && this.worsts[at].time_s > time_s) at -= 1;
@@ -75,7 +75,7 @@ export class LimitTrack {
     return this.worsts.slice(-1).map(({ value }) => value).filter(Number.isFinite);
   }
 
-  /** What a margin is measured by: half the span, the bound, or where that is zero the largest value so far. */
+  /** The scale of a margin: half the span, the bound, or, if that is zero, the largest value so far. */
   private scale(): number {
     const { at_least, at_most } = this.limit;
     if (at_least !== null && at_most !== null) return (at_most - at_least) / 2;
@@ -83,7 +83,7 @@ export class LimitTrack {
   }
 }
 
-/** The gravest of some states. */
+/** The worst of several states. */
 export function gravest(states: readonly LimitState[]): LimitState {
   const order: LimitState[] = ["exceeded", "near", "ok"];
   return order.find((state) => states.includes(state)) ?? "waiting";

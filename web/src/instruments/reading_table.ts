@@ -6,7 +6,7 @@ import { number } from "./bar";
 import { rangeOf } from "./range";
 import { pointsOf, readingsOf } from "./readings";
 
-/** How a unit is shown, and how many of it a column's unit is. */
+/** The displayed unit, and the factor from the column's unit to it. */
 const SHOWN: Record<string, [string, number]> = { N: ["kN", 1e-3], kg: ["t", 1e-3], rad: ["°", 180 / Math.PI], "1": ["", 1] };
 
 interface Row {
@@ -15,7 +15,7 @@ interface Row {
   cells: HTMLElement[];
 }
 
-/** What ropes carry, how they lead, what is left of gaps and how named points move up and down: now, and over the last minute. */
+/** Readings of rope tensions and angles, gaps, and the heave of named points: now, and over the last minute. */
 export class ReadingTable {
   readonly element: HTMLElement;
   private readonly rows: Row[] = [];
@@ -40,7 +40,7 @@ export class ReadingTable {
     this.element = make("table", { class: "readings" }, make("caption", {}, texts.instruments.readings), head, ...groups, ...ofPoints);
   }
 
-  /** Null where there is nothing to read off. */
+  /** Null if there are no readings. */
   static of(run: Run, session: Session): ReadingTable | null {
     const table = new ReadingTable(run, session);
     return table.rows.length > 0 ? table : null;

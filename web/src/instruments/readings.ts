@@ -1,24 +1,25 @@
 import type { Channel, ModelInfo } from "../engine/engine";
 
-/** What of a crane at work is read off, by the end of the variable's name: what ropes carry and lead, what the crane may lift, what is left of gaps, what drives use, wind and waves. */
+/** Readings of a crane at work, by the end of the variable's name: rope tensions and angles, crane capacity, gaps, drives, wind and waves.
+ * */
 const READ = [
   "_tension", "_offlead", "_sidelead", "_daf", "load_radius", "rated_load",
   "hook_load", "clearance", "air_gap", "_utilisation",
   "wave_elevation", "wind_speed", "wind_direction",
 ];
-/** Back to where the range of a motion is taken from, s. */
+/** Length of the past for the range of a motion, s. */
 export const RANGE_S = 60;
 
-/** One value that is read off. */
+/** One reading. */
 export interface Reading {
-  /** Whose it is. */
+  /** The element, body or point that it belongs to. */
   thing: string;
   label: string;
   column: string;
   unit: string;
 }
 
-/** Of each thing that the engine shows what a crane operator reads. */
+/** The readings for a crane operator, of each element. */
 export function readingsOf(channels: readonly Channel[]): Reading[] {
   const scalar = channels.filter(({ of_elements, labels }) => of_elements && labels.length === 1);
   return scalar
@@ -28,7 +29,7 @@ export function readingsOf(channels: readonly Channel[]): Reading[] {
     );
 }
 
-/** Under the name of what it is of, "tension of a line" is "tension". */
+/** Under the name of its line, "tension of a line" becomes "tension". */
 function withoutThing(long_name: string): string {
   return long_name.replace(/ (of|from|above|that) .*$/, "");
 }

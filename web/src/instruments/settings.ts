@@ -4,7 +4,7 @@ import { texts } from "../texts";
 import { make } from "../ui/dom";
 import type { Alarm } from "./alarm";
 
-/** Which colours the page has. */
+/** The colour theme of the page. */
 export function paletteChoice(): HTMLElement {
   const { palette, palettes } = texts.instruments;
   const options = [make("option", { value: "" }, palettes.device), ...PALETTES.map((name) => make("option", { value: name }, palettes[name]))];
@@ -14,7 +14,7 @@ export function paletteChoice(): HTMLElement {
   return make("label", { class: "setting" }, palette, select);
 }
 
-/** Whether a limit that is exceeded is heard. */
+/** Whether the alarm sounds when a limit is exceeded. */
 export function soundSwitch(alarm: Alarm): HTMLElement {
   const box = make("input", { type: "checkbox", "data-testid": "alarm-sound", checked: !alarm.isMuted });
   box.addEventListener("change", () => alarm.mute(!box.checked));

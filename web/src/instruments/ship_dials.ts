@@ -31,7 +31,7 @@ export class ShipDials {
     this.element = make("section", { class: "dials", "aria-label": texts.instruments.ship }, ...figures);
   }
 
-  /** Null where nothing floats. */
+  /** Null if nothing floats. */
   static of({ model }: Run, session: Session): ShipDials | null {
     const body = hullBodyOf(model);
     return body === null ? null : new ShipDials(body, session);

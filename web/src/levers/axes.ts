@@ -7,7 +7,7 @@ import type { Vec3 } from "../view/fit";
 export const AXES = ["left_x", "left_y", "right_x", "right_y"] as const;
 export type Axis = (typeof AXES)[number];
 
-/** An input on an axis of a stick; `reversed` where the stick's positive side is the input's negative one. */
+/** An input on an axis of a stick; `reversed` if the stick's positive side is the input's negative side. */
 export interface Place {
   input: string;
   reversed: boolean;
@@ -15,16 +15,17 @@ export interface Place {
 
 export type Places = Partial<Record<Axis, Place>>;
 
-/** slew: about an upright axis; raise: a boom about a level one; hoist: a drum, which turns about its own centre; other: what the model does not say. */
+/** slew: about a vertical axis; raise: a boom about a horizontal axis; hoist: a drum, which turns about its own centre; other: unknown to
+ * the model. */
 type Motion = "slew" | "raise" | "hoist" | "other";
 
 interface Moved extends Place {
   motion: Motion;
-  /** Bodies from what moves down to the ground. */
+  /** Bodies from the moved one down to the ground. */
   depth: number;
 }
 
-/** Which input goes to which axis where nothing else was chosen: slew and the first boom left, hoist and the next boom right, others where room is left. */
+/** Default assignment of inputs to axes: slew and the first boom left, hoist and the next boom right, others on free axes. */
 export function placesOf(run: Run, poses: ArrayLike<number>): Places {
   const waiting = onSticks(run.inputs)
     .map((input) => movedBy(run, poses, input.name))
@@ -41,18 +42,18 @@ export function placesOf(run: Run, poses: ArrayLike<number>): Places {
   return places;
 }
 
-/** Inputs that a stick can spring back from: a hand sets them, and zero is between their ends. */
+/** Inputs for a self-centring stick: they are set by hand, and zero is between their bounds. */
 export function onSticks(inputs: readonly InputInfo[]): InputInfo[] {
   return inputs.filter(({ signal, lower, upper }) => !signal && lower < 0 && upper > 0);
 }
 
-/** What an input moves: the body of the joint that its drive names, or the last of the bodies that the drive stands between. */
+/** The body that an input moves: that of the joint of its drive, or the last of the bodies that the drive connects. */
 function movedBy({ model, jointAxes }: Run, poses: ArrayLike<number>, input: string): Moved {
   const parents = new Map(model.bodies.map(({ name, parent }) => [name, parent]));
   const facts = model.elements.find(({ name, group }) => name === input && group === "drives")?.facts ?? [];
   const named = model.joints.find(({ name }) => name === facts.find(({ label }) => label === "joint")?.value);
   let body = named?.body ?? facts.filter(({ value }) => parents.has(value)).at(-1)?.value;
-  // What is fixed to its parent moves with it.
+  // A fixed body moves with its parent.
   while (body !== undefined && parents.has(body) && model.joints.find((joint) => joint.body === body)?.kind === "fixed") body = parents.get(body);
   const joint = jointAxes.find((one) => one.body === body);
   if (!joint || model.joints.find((one) => one.body === body)?.kind !== "revolute") return { input, motion: "other", reversed: false, depth: Infinity };
@@ -62,7 +63,8 @@ function movedBy({ model, jointAxes }: Run, poses: ArrayLike<number>, input: str
   return { input, ...motion, depth: depthOf(parents, joint.body) };
 }
 
-/** A stick to the right turns to the right, as seen from above; away from the hand lowers and pays out. `arm` leads from the child's centre to the joint. */
+/** A stick to the right slews to the right, seen from above; a push away lowers and pays out. `arm` leads from the child's centre to the
+ * joint. */
 function motionAbout(axis: Vec3, arm: Vec3, isOfJoint: boolean): { motion: Motion; reversed: boolean } {
   if (Math.abs(axis[2]) > Math.hypot(axis[0], axis[1])) return { motion: "slew", reversed: axis[2] > 0 };
   if (Math.hypot(...arm) < 1e-9) return { motion: "hoist", reversed: false };
@@ -71,7 +73,7 @@ function motionAbout(axis: Vec3, arm: Vec3, isOfJoint: boolean): { motion: Motio
   return { motion: "raise", reversed: raises };
 }
 
-/** A vector of a body's axes, in the world's; poses are x y z qw qx qy qz a body, and the world has none. */
+/** A vector from a body's axes to the world's; poses are x y z qw qx qy qz for each body, and the world has none. */
 function turned(vector: Vec3, poses: ArrayLike<number>, body: number): Vec3 {
   if (body < 0) return vector;
   const at = 7 * body + 3;

@@ -4,7 +4,7 @@ import type { Place, Places } from "./axes";
 const PLACES_KEY = "kingpost.levers.";
 const HIDDEN_KEY = "kingpost.levers_hidden";
 
-/** Which input a person chose for each axis in this scenario; null where the model decides. */
+/** The user's choice of an input for each axis in this scenario; null if the model decides. */
 export function chosenPlaces(file: string): Places | null {
   try {
     const text = kept(PLACES_KEY + file);
@@ -18,7 +18,7 @@ export function choosePlaces(file: string, places: Places | null): void {
   keep(PLACES_KEY + file, places && JSON.stringify(places));
 }
 
-/** Whether a person put the sticks away. */
+/** Whether the user has hidden the sticks. */
 export function areHidden(): boolean {
   return kept(HIDDEN_KEY) !== null;
 }
@@ -27,7 +27,7 @@ export function hideSticks(hidden: boolean): void {
   keep(HIDDEN_KEY, hidden ? "yes" : null);
 }
 
-/** What holds for this page, where its storage is denied. */
+/** The setting of this page if storage is denied. */
 const here = new Map<string, string>();
 
 function keep(key: string, text: string | null): void {

@@ -4,7 +4,7 @@ import { make } from "../ui/dom";
 import { AXES } from "./axes";
 import type { Axis, Places } from "./axes";
 
-/** Asks which input each axis of the sticks has; `choose` hears every choice, and null for what the model says. */
+/** Asks for the input of each axis of the sticks; `choose` gets every choice, and null for the model's default. */
 export function askForPlaces(inputs: readonly InputInfo[], places: Places, choose: (places: Places | null) => Places): void {
   const dialog = make("dialog", { class: "axes-dialog", "aria-labelledby": "axes-title" });
   const rows = make("div", { class: "axes-rows" });
@@ -36,7 +36,7 @@ function rowOf(axis: Axis, inputs: readonly InputInfo[], places: Places, pick: (
   return make("div", { class: "axes-row" }, make("label", { for: `axis-${axis}` }, texts.levers.axes[axis]), select, reverse);
 }
 
-/** An input has one axis: where it goes to another one, it leaves the one before, and keeps its sense. */
+/** An input has one axis: when it moves to another axis it leaves the first, and keeps its sense. */
 export function placed(places: Places, axis: Axis, input: string): Places {
   const held = Object.values(places).find((place) => place?.input === input);
   const others = Object.entries(places).filter(([name, place]) => name !== axis && place && place.input !== input);

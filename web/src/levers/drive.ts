@@ -1,21 +1,21 @@
 import type { Run } from "../app/run";
 import type { InputInfo } from "../engine/engine";
 
-/** At a limit where so much of it is used. */
+/** Share of a limit from which the drive counts as at the limit. */
 const AT_LIMIT = 0.99;
 
-/** What a drive does: its rate over the greatest (NaN where the model does not say it), and the limits that it is at. */
+/** State of a drive: its rate over the largest (NaN if unknown), and the limits that it has reached. */
 export interface Doing {
   share: number;
   rate: number;
   limits: string[];
 }
 
-/** Reads off a row what the drive of an input does. */
+/** Reads the state of an input's drive from a row. */
 export class Drive {
   /** Unit of its rate. */
   readonly unit: string;
-  /** The greatest rate, as the drive's own limit or the end of the input says it; NaN where neither does. */
+  /** The largest rate, from the drive's limit or the bound of the input; NaN if there is neither. */
   readonly greatest: number;
   private readonly rateAt: number;
   private readonly used: { limit: string; at: number }[];
@@ -50,7 +50,7 @@ function isRate(unit: string): boolean {
   return unit === "rad/s" || unit === "m/s";
 }
 
-/** What a share used is of: `effort` of `drive_effort_utilisation`. */
+/** The quantity of a utilisation: `effort` of `drive_effort_utilisation`. */
 function limitOf(variable: string): string {
   return variable.split("_").at(-2) ?? variable;
 }

@@ -1,6 +1,6 @@
 import type { Axis } from "./axes";
 
-/** Keys of the axes, to the positive side and to the negative one. */
+/** Keys of the axes, for the positive and the negative side. */
 const KEYS: Record<string, [Axis, number]> = {
   w: ["left_y", 1],
   s: ["left_y", -1],
@@ -15,10 +15,10 @@ const KEYS: Record<string, [Axis, number]> = {
 /** Up, left, down, right of each stick. */
 export const HINTS = { left: ["W", "A", "S", "D"], right: ["I", "J", "K", "L"] };
 
-/** How far a stick goes while Shift is down. */
+/** Deflection of a stick while Shift is pressed. */
 const FINE = 0.3;
 
-/** The letters move the sticks while no text is typed; `take` hears null where the last of an axis is let go. */
+/** The letter keys move the sticks unless text is typed; `take` gets null when the last key of an axis is released. */
 export function enableKeys(take: (axis: Axis, deflection: number | null) => void): void {
   const down = new Map<string, number>();
   const tell = (axis: Axis) => {

@@ -6,9 +6,9 @@ import { Drive } from "./drive";
 /** Who moves a lever. */
 export type Hand = "thumb" | "keys" | "gamepad" | "slider";
 
-/** Of the stick's way: what is less is none. */
+/** Dead zone, as a share of the stick's travel. */
 const DEAD = 0.08;
-/** Places of a stick from the middle to its end: a thumb that trembles is no new value. */
+/** Number of steps of a stick from the middle to its end: a trembling thumb gives no new value. */
 const PLACES = 50;
 
 /** A deflection without its dead zone, in steps; -1 to 1. */
@@ -20,7 +20,7 @@ export function withoutDeadZone(deflection: number): number {
 /** One axis of a stick, and the input that it sets. */
 export class Lever {
   readonly drive: Drive;
-  /** Whether the input is an angle or a length: the stick then says how fast it changes. */
+  /** Whether the input is an angle or a length: the stick then sets its rate. */
   readonly isPosition: boolean;
   private readonly hands = new Map<Hand, number>();
 
@@ -38,7 +38,7 @@ export class Lever {
     return this.input.name.replaceAll("_", " ");
   }
 
-  /** A hand moves it, or lets go of it: null. */
+  /** A hand moves it, or releases it: null. */
   take(hand: Hand, deflection: number | null): void {
     if (hand !== "slider") this.hands.delete("slider");
     if (deflection === null) this.hands.delete(hand);
@@ -53,31 +53,31 @@ export class Lever {
     return this.hands.size > 0;
   }
 
-  /** As the hand has it that moves it farthest. */
+  /** The largest deflection of all hands on it. */
   get deflection(): number {
     return [...this.hands.values()].reduce((most, one) => (Math.abs(one) > Math.abs(most) ? one : most), 0);
   }
 
-  /** What the input is set to: between its ends as the stick between its own. */
+  /** The value of the input: in proportion between its bounds. */
   get value(): number {
     const share = this.signed(this.deflection);
     return share < 0 ? -share * this.input.lower : share * this.input.upper;
   }
 
-  /** Where an angle or a length goes from `from` in a time. */
+  /** The new value of an angle or a length after a time, starting at `from`. */
   valueAfter(from: number, seconds: number): number {
     const rate = Number.isFinite(this.drive.greatest) ? this.drive.greatest : 1;
     const to = from + this.signed(this.deflection) * rate * seconds;
     return Math.min(this.input.upper, Math.max(this.input.lower, to));
   }
 
-  /** The deflection that a value of the input is. */
+  /** The deflection for a value of the input. */
   deflectionOf(value: number): number {
     if (this.isPosition) return this.deflection;
     return this.signed(value < 0 ? -value / this.input.lower : value / this.input.upper);
   }
 
-  /** From the stick's sense to the input's, and back. */
+  /** Converts between the stick's sense and the input's. */
   signed(share: number): number {
     return (this.place.reversed ? -share : share) || 0;
   }

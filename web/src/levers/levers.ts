@@ -12,15 +12,15 @@ import { Lever } from "./lever";
 import type { Hand } from "./lever";
 import { Stick } from "./stick";
 
-/** Between two moves of one lever that are sent, ms: every one is kept with the run. */
+/** Time between two sent moves of one lever, ms: each is stored with the run. */
 const SEND_EVERY_MS = 60;
-/** Between two moves of an angle or a length that a stick winds on, s of the run. */
+/** Time between two moves of an angle or a length that a stick drives, s of the run. */
 const WIND_EVERY_S = 0.1;
-/** How long a message stands, ms, and how long a phone shakes at a limit. */
+/** Time of a message, ms, and of the vibration of a phone at a limit. */
 const MESSAGE_MS = 5000;
 const SHAKE_MS = 25;
 
-/** Two sticks over the picture, for the inputs that a hand sets. A lever that is moved before the run goes on acts when it does. */
+/** Two sticks over the picture, for the inputs that are set by hand. A lever that is moved during a pause acts when the run continues. */
 export class Levers {
   private readonly box = byId("sticks");
   private readonly button = byId<HTMLButtonElement>("levers-button");
@@ -30,7 +30,7 @@ export class Levers {
   private levers: { lever: Lever; stick: Stick; sent_ms: number; timer: number; wound_s: number; wasAtLimit: boolean }[] = [];
   private standard: Places = {};
   private built = "";
-  /** Put away by the person; also where that cannot be stored. */
+  /** Hidden by the user; also if that cannot be stored. */
   private isAway = areHidden();
   private messageTimer = 0;
 
@@ -50,7 +50,7 @@ export class Levers {
     );
   }
 
-  /** Asks which input each axis has. */
+  /** Asks for the input of each axis. */
   ask(): void {
     const { run } = this.session;
     if (run) askForPlaces(onSticks(run.inputs), this.places(), (places) => this.choose(run, places));
@@ -79,7 +79,7 @@ export class Levers {
     return chosenPlaces(this.file) ?? this.standard;
   }
 
-  /** Sticks that are the same stay, with the hand that holds them. */
+  /** Unchanged sticks stay, with the hand that holds them. */
   private build(run: Run, places = this.places()): void {
     const inputs = new Map(onSticks(run.inputs).map((input) => [input.name, input]));
     const placed = AXES.flatMap((axis) => {
@@ -127,7 +127,7 @@ export class Levers {
 
   private takeAxis(axis: Axis, hand: Hand, deflection: number | null): void {
     const found = this.levers.find(({ lever }) => lever.axis === axis);
-    // Letters and a gamepad are there while another page is, too.
+    // Keys and a gamepad also work while another panel is open.
     if (found && (deflection === null || this.box.checkVisibility())) this.take(found.lever, hand, deflection);
   }
 
@@ -158,7 +158,7 @@ export class Levers {
     void this.session.setInput(lever.input.name, lever.value);
   }
 
-  /** A stick that is held stays where the hand has it, whatever the run goes back to. */
+  /** A held stick stays in the hand's position when the run goes back. */
   private sendHeld(): void {
     for (const { lever } of this.levers) if (lever.isHeld) this.send(lever);
     this.show();
@@ -169,7 +169,7 @@ export class Levers {
     this.show();
   }
 
-  /** A stick of an angle or a length moves it on, as fast as the stick says. */
+  /** A stick for an angle or a length changes it at the rate of its deflection. */
   private wind(own: (typeof this.levers)[number], time_s: number): void {
     const { lever } = own;
     if (!lever.isPosition) return;

@@ -5,10 +5,10 @@ import type { Doing } from "./drive";
 import type { Hand, Lever } from "./lever";
 import { withoutDeadZone } from "./lever";
 
-/** How far an arrow key moves a lever. */
+/** Deflection by an arrow key. */
 const KEY_STEP = 0.1;
 
-/** Moves an axis of a stick; null lets go of it. */
+/** Moves an axis of a stick; null releases it. */
 type Take = (lever: Lever, hand: Hand, deflection: number | null) => void;
 
 /** Along the axis of a lever. */
@@ -18,11 +18,11 @@ interface Shown {
   slider: HTMLElement;
   mark: HTMLElement;
   line: HTMLElement;
-  /** Of the greatest rate, what the drive does. */
+  /** Rate of the drive over its largest rate. */
   share: HTMLElement;
 }
 
-/** A stick for a thumb: a pad with a knob, what the drives do as marks beside it, and a line of words for each of its axes. */
+/** A stick for a thumb: a pad with a knob, marks for the state of the drives, and a line of text for each axis. */
 export class Stick {
   readonly element: HTMLElement;
   private readonly knob = make("span", { class: "stick-knob", "aria-hidden": "true" });
@@ -79,7 +79,7 @@ export class Stick {
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"] as const) {
       pad.addEventListener(end, (event) => event.pointerId === this.pointer && this.letGo());
     }
-    // A long press is no menu.
+    // A long press must not open a menu.
     pad.addEventListener("contextmenu", (event) => event.preventDefault());
   }
 
@@ -96,7 +96,7 @@ export class Stick {
     for (const { lever } of this.axes) this.take(lever, "thumb", null);
   }
 
-  /** For those who do not see it, a lever stays where the arrow keys move it. */
+  /** For screen readers: a lever stays where the arrow keys move it. */
   private key(lever: Lever, event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const steps: Record<string, number> = { ArrowUp: KEY_STEP, ArrowRight: KEY_STEP, ArrowDown: -KEY_STEP, ArrowLeft: -KEY_STEP, Home: -2, End: 2 };
@@ -107,7 +107,7 @@ export class Stick {
     event.stopPropagation();
   }
 
-  /** Shows a lever's deflection, and what its drive does; null where that is not known. */
+  /** Shows a lever's deflection and the state of its drive; null if unknown. */
   show(of: Lever, deflection: number, doing: Doing | null): void {
     const axis = this.axes.find(({ lever }) => lever === of)!;
     this.knob.style.setProperty(axis.isAcross ? "--across" : "--along", String(deflection));

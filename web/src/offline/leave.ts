@@ -1,6 +1,6 @@
 /**
- * A service worker that replaces the one that keeps the app: it takes away what that one kept, and itself. `kingpost serve`
- * answers with it, for what it serves can be another with every start, and is on this machine anyway.
+ * A service worker that replaces the one that caches the app: it removes the cached files and itself. `kingpost serve` sends it, because a
+ * local server can serve another build at each start.
  */
 
 interface LeavingScope {
@@ -18,7 +18,7 @@ scope.addEventListener("activate", (event) => event.waitUntil(leave()));
 async function leave(): Promise<void> {
   await caches.delete(`kingpost ${scope.registration.scope}`);
   await scope.registration.unregister();
-  // Pages that were answered by the other one load anew.
+  // Reload pages that the other worker served.
   const windows = await scope.clients.matchAll({ type: "window" });
   await Promise.all(windows.map((window) => window.navigate(window.url)));
 }

@@ -7,24 +7,25 @@ const words = texts.offline;
 
 let isBegun = false;
 
-/** Where the app is kept on the device already, it says when a newer build is there. */
+/** If the app is cached on the device, it reports a newer build. */
 export function watchOffline(): void {
   if (navigator.serviceWorker?.controller) void keepOffline();
 }
 
-/** Keeps the app on the device, where it is served safely. Who only looks at the start page is spared the engine. Not while developing. */
+/** Caches the app on the device, if it is served over a secure connection. The start page alone does not load the engine. Not during
+ * development. */
 export async function keepOffline(): Promise<void> {
   if (isBegun) return;
   isBegun = true;
   const { serviceWorker } = navigator;
   if (!import.meta.env.PROD || !serviceWorker) return;
   const script = new URL("offline.js", document.baseURI);
-  // Without it the app runs all the same.
+  // The app also runs without it.
   const registration = await serviceWorker.register(script, { updateViaCache: "none" }).catch(() => undefined);
   if (!registration) return;
   watch(registration);
   const { active } = await serviceWorker.ready;
-  // What the page was loaded with stands in the name of its script.
+  // The name of the script shows the build of the page.
   if (!serviceWorker.controller) active?.postMessage({ claim: import.meta.url } satisfies ToOffline);
 }
 
@@ -42,7 +43,7 @@ function watch(registration: ServiceWorkerRegistration): void {
   });
 }
 
-/** A newer build is kept, and waits. */
+/** A newer build is cached, and waits. */
 function tell(waiting: ServiceWorker): void {
   const button = make("button", { type: "button", class: "button", "data-testid": "update" }, words.reload);
   const said = make("p", {});

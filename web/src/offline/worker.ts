@@ -1,4 +1,4 @@
-/** The app's service worker: keeps all files of one build, and answers with these alone, so that no build mixes with another. */
+/** The app's service worker: it caches all files of one build and serves only these, so that builds do not mix. */
 
 interface LastingEvent extends Event {
   waitUntil(work: Promise<unknown>): void;
@@ -24,9 +24,9 @@ interface WorkerScope {
   addEventListener(type: "message", listener: (event: LastingEvent & MessageEvent<ToOffline>) => void): void;
 }
 
-/** `claim`: the page has this script, and asks to be answered from now on. `takeOver`: the page asks for the newer build. */
+/** `claim`: the page asks this worker to serve it from now on. `takeOver`: the page asks for the newer build. */
 export type ToOffline = { claim: string } | { takeOver: true };
-/** Other windows have the older build, which would be mixed with the newer one. */
+/** Other windows have the older build: they would mix it with the newer one. */
 export type FromOffline = { others: number };
 
 const scope = self as unknown as WorkerScope;
@@ -45,7 +45,7 @@ scope.addEventListener("message", (event) => {
   event.waitUntil("claim" in data ? claim(data.claim) : takeOver(ports[0]));
 });
 
-/** What an older build has kept of the same files is not fetched again. One file that does not come, and none counts. */
+/** Files that an older build has cached are not fetched again. If one file fails, the whole build is dropped. */
 async function keepAll(): Promise<void> {
   const cache = await opened();
   const keep = async (path: string) => {
@@ -54,13 +54,13 @@ async function keepAll(): Promise<void> {
   await Promise.all(Object.keys(files).map(keep));
 }
 
-/** A file of this build: where the host has another by now, that is another build's. */
+/** A file of this build; a file with another digest on the host belongs to another build. */
 async function fetched(path: string): Promise<Response> {
   const response = await fetch(new URL(path, folder), { cache: "no-cache" });
   const content = await response.arrayBuffer();
   if (!response.ok || (await digestOf(content)) !== files[path]) throw new Error(`${path} is not that of this build`);
   const headers = new Headers(response.headers);
-  // They are of the bytes on the way, which were packed.
+  // These headers describe the compressed bytes.
   for (const name of ["content-encoding", "content-length"]) headers.delete(name);
   return new Response(content, { headers });
 }
@@ -77,12 +77,12 @@ async function dropOthers(): Promise<void> {
   await Promise.all(others.map((request) => cache.delete(request)));
 }
 
-/** A browser short of room may have dropped it. */
+/** A browser with little storage may have dropped it. */
 async function kept(path: string, request: Request): Promise<Response> {
   return (await (await opened()).match(keyOf(path))) ?? fetch(request);
 }
 
-/** A page of another build goes on without. */
+/** A page of another build is not served from here. */
 async function claim(script: string): Promise<void> {
   if (pathOf(script) !== null) await scope.clients.claim();
 }
@@ -94,7 +94,7 @@ async function takeOver(port: MessagePort): Promise<void> {
   else await scope.skipWaiting();
 }
 
-/** The path of a file of this build, whatever is asked of it; null for another address. */
+/** The path of a file of this build, without its query; null for another address. */
 function pathOf(url: string): string | null {
   const { origin, pathname } = new URL(url);
   const place = origin + pathname;

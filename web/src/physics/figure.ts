@@ -4,10 +4,10 @@ import { Painted } from "../plots/chart";
 import type { PaintedAxes, Style } from "../plots/chart";
 import { make } from "../ui/dom";
 
-/** Smaller is not drawn, pixels. */
+/** Smaller pictures are not drawn, pixels. */
 const LEAST_PX = 40;
 
-/** A picture of a lesson, painted anew from what it shows whenever that, its size or the page's colours are others. */
+/** A picture of a lesson, repainted when its content, its size or the page's colours change. */
 export abstract class Figure<Content> {
   readonly area = make("div", { class: "lesson-area", role: "img" });
   private chart: Painted | null = null;
@@ -23,7 +23,7 @@ export abstract class Figure<Content> {
     });
   }
 
-  /** What it shows, in words for those who do not see it. */
+  /** A description for screen readers. */
   draw(content: Content, name: string): void {
     this.content = content;
     if (this.area.getAttribute("aria-label") !== name) this.area.setAttribute("aria-label", name);

@@ -2,7 +2,7 @@ import type { Recording } from "../app/recording/recording";
 import type { Run } from "../app/session";
 import { DEGREES } from "./loss_chart";
 
-/** Most points of a line that is drawn: more than pixels show nothing. */
+/** Most points of a drawn line: more than pixels would be invisible. */
 const MOST_POINTS = 800;
 
 /** The heel of a body over a stretch of the recording, s and deg, counted to a side: 1 for starboard, -1 for port. */
@@ -14,7 +14,7 @@ export function heelOver(recording: Recording, { columns }: Run, body: string, w
   return kept.filter((_, k) => k % every === 0 || k === kept.length - 1).map(({ time_s, row }) => [time_s, way * row[at] * DEGREES]);
 }
 
-/** Where it is largest: of all recorded times, not of those that are drawn. */
+/** Time of the largest heel, among all recorded times, not only the drawn ones. */
 export function furthest(recording: Recording, { columns }: Run, body: string, way: number, [from_s, to_s]: [number, number]): [number, number] | null {
   const at = columns.at(`${body}.roll`);
   const { rows } = recording;

@@ -4,10 +4,10 @@ import type { PaintedAxes, Style } from "../plots/chart";
 import { texts } from "../texts";
 import { Figure } from "./figure";
 
-/** Narrower shows rounding noise as motion, deg. */
+/** A narrower range would show rounding noise as motion, deg. */
 const LEAST_DEG = 0.1;
 
-/** Heel over time, s and deg, levels to hold it against, where it went furthest and where it is. */
+/** Heel over time, s and deg, reference levels, the largest heel and the present one. */
 export interface HeelContent {
   axis: string;
   points: [number, number][];

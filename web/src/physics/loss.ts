@@ -15,7 +15,7 @@ import { isByTimeline, lostWith, releaseOf, releasedAt } from "./release";
 import { armOf, bothSides, lossOf, mirror } from "./righting";
 import type { Arms, Loss } from "./righting";
 
-/** The scenario of the gallery that is made for it. */
+/** The scenario of the gallery for this lesson. */
 const EXAMPLE = "?scenario=loss_of_hook_load";
 /** Shown before the cut, and at least after it, s. */
 const TIME_S = { before: 5, after: 30 };
@@ -27,7 +27,7 @@ interface Ship {
   after: Arms;
 }
 
-/** The load is cut: the ship's righting arms with it and without it, where she is on them, and how far she rolls. */
+/** Loss of hook load: the ship's righting arms with and without the load, her present heel on them, and how far she rolls. */
 export class LossLesson {
   readonly element = make("div", { class: "lesson", "data-testid": "lesson-loss" });
   private readonly cut = make("button", { type: "button", class: "button button-primary", "data-testid": "cut" }, texts.loss.cut);
@@ -39,7 +39,7 @@ export class LossLesson {
   private readonly body = make("div", { class: "lesson-body" });
   private release: InputInfo | null = null;
   private ship: Ship | null = null;
-  /** Why there is no ship, or not yet. */
+  /** The reason why there is no ship, or not yet. */
   private lack = "";
   private asked: Run | null = null;
 
@@ -58,7 +58,7 @@ export class LossLesson {
     this.build();
   }
 
-  /** The arms are asked for once somebody looks: they take longer than many pictures. */
+  /** The arms are computed when the panel is visible: they take longer than many frames. */
   show(): void {
     const { run, shown } = this.session;
     if (!run || !shown.recording || !this.release) return;
@@ -84,7 +84,7 @@ export class LossLesson {
     this.show();
   }
 
-  /** What fails is a warning like the engine's own. */
+  /** A failure becomes a warning like the engine's own. */
   private afloat(without: readonly string[]): Promise<Hydrostatics | null> {
     return this.aside.hydrostaticsAtStart(this.session, without, "loss").catch((thrown) => ({ hulls: [], warnings: [asFault(thrown).message] }));
   }
@@ -127,7 +127,7 @@ export class LossLesson {
   private async cutNow(): Promise<void> {
     const { release, session } = this;
     if (!release || !session.run) return;
-    // What a timeline steers no hand sets: the run begins anew without it.
+    // An input that a timeline steers cannot be set by hand: the run starts again without the timeline.
     if (isByTimeline(release)) {
       session.set(session.run.timelineSwitch, false);
       await session.reset();
@@ -156,7 +156,7 @@ function levelsOf({ rest, reach }: Loss): { heel: number; colour: string; name: 
   return reach === null ? [first] : [first, { heel: reach * DEGREES, colour: COLOURS.area_1, name: levels.reach }];
 }
 
-/** The ship that the load hangs from, where she has righting arms with it and without it. */
+/** The ship that carries the load, if she has righting arms with and without it. */
 function shipOf(before: Hydrostatics, after: Hydrostatics, release: string): Ship | null {
   const hull = before.hulls.find(({ hanging }) => hanging.some(({ joint }) => joint === release));
   const lighter = after.hulls.find(({ force }) => force === hull?.force);

@@ -9,10 +9,10 @@ import type { Arms, Loss } from "./righting";
 export const DEGREES = 180 / Math.PI;
 /** Names of colours of the theme. */
 export const COLOURS = { before: "muted", after: "yaw", area_1: "roll", area_2: "pitch" } as const;
-/** Shown of the side from which she rolls, at least, and beyond the heels that matter on both sides, deg. */
+/** Smallest range on the side from which she rolls, and margin beyond the important heels, deg. */
 const OTHER_SIDE = { least: 10, beyond: 5 };
 
-/** Arms before and after, counted to the side to which she rolls, what follows from them, and where she is: heel in rad. */
+/** Arms before and after, counted to the side to which she rolls, the results, and her present heel, rad. */
 export interface LossContent {
   before: Arms;
   after: Arms;
@@ -22,7 +22,7 @@ export interface LossContent {
   isLost: boolean;
 }
 
-/** Righting arms with the load and without it, the areas that drive her and stop her, and where the ship is on them. */
+/** Righting arms with and without the load, the areas that drive and stop her, and the ship's present heel. */
 export class LossChart extends Figure<LossContent> {
   protected axesOf({ side }: LossContent): PaintedAxes {
     return { across: texts.loss.heel_axis(side), upwards: texts.plots.arm_axis, written: (value) => `${tick(value)}°` };
@@ -54,13 +54,13 @@ export class LossChart extends Figure<LossContent> {
   }
 }
 
-/** The curve that she is on is drawn in full. */
+/** Her present curve is a solid line. */
 function drawArms(u: uPlot, colour: string, { heel, arm }: Arms, isNow: boolean): void {
   const points = heel.map((at, k): [number, number] => [at * DEGREES, arm[k]]);
   stroke(u, points, "y", isNow ? { colour, width: 2.5 } : { colour, width: 1.5, dash: [6, 4] });
 }
 
-/** Round the area between the arms and zero. */
+/** Outline of the area between the arms and zero. */
 function under(arms: Arms, from: number, to: number): [number, number][] {
   const at = [from, ...arms.heel.filter((one) => one > from && one < to), to];
   return [[from * DEGREES, 0], ...at.map((one): [number, number] => [one * DEGREES, armOf(arms, one)]), [to * DEGREES, 0]];

@@ -3,14 +3,14 @@ import type { Fault } from "../engine/engine";
 import type { ModesAt } from "./modes";
 import type { SeaSpectrum } from "./sea_spectrum";
 
-/** A scenario whose modes are asked for at these values of a parameter. */
+/** A request for the modes of a scenario at these values of a parameter. */
 export interface Sweep {
   scenario: ScenarioOf;
   parameter: string;
   values: readonly number[];
 }
 
-/** One value after the other, and the sea before them; a value that has none says why. */
+/** Answers: first the sea, then one value after the other; a value without modes gives a reason. */
 export type FromSweep =
   | { kind: "sea"; sea: SeaSpectrum | null }
   | { kind: "modes"; found: ModesAt }

@@ -1,34 +1,34 @@
-/** A motion that swings, as the engine finds it about rest. */
+/** An oscillating mode about equilibrium, from the engine. */
 export interface NaturalMode {
-  /** The one that moves most in it. */
+  /** The coordinate that moves most. */
   coordinate: string;
   period_s: number;
   damping_ratio: number;
 }
 
-/** The modes at one value of what is varied. */
+/** The modes at one value of the varied parameter. */
 export interface ModesAt {
   value: number;
   modes: readonly NaturalMode[];
 }
 
-/** A place of a line: a value, and the mode that it has there. */
+/** A point of a line: a value and its mode. */
 export interface Place extends NaturalMode {
   value: number;
 }
 
-/** One mode over the values, in order of these. */
+/** One mode over the values, in their order. */
 export interface PeriodLine {
   coordinate: string;
   places: Place[];
 }
 
-/** Longer ones are of station keeping, shorter ones of ropes and frames: no sea meets them, s. */
+/** Longer periods belong to station keeping, shorter ones to ropes and frames: outside the range of waves, s. */
 const PERIODS_S = { least: 1.5, most: 40 };
-/** From one value to the next a period changes by no more than this factor; else it is another mode. */
+/** A larger ratio of the periods at neighbouring values means another mode. */
 const MOST_CHANGE = 1.5;
 
-/** Modes of the same coordinate that are nearest to each other from value to value, as lines. */
+/** Joins the nearest modes of the same coordinate from value to value into lines. */
 export function linesOf(found: readonly ModesAt[]): PeriodLine[] {
   const lines: PeriodLine[] = [];
   for (const { value, modes } of [...found].sort((a, b) => a.value - b.value)) {
@@ -50,7 +50,7 @@ function nearest(lines: readonly PeriodLine[], period_s: number): PeriodLine | n
   return best && away(best) <= Math.log(MOST_CHANGE) ? best : null;
 }
 
-/** Where lines pass a period, between two values on the straight line from one to the other; in order of the values. */
+/** Crossings of lines with a period, interpolated linearly between two values; in order of the values. */
 export function crossings(lines: readonly PeriodLine[], period_s: number): Place[] {
   const found = lines.flatMap(({ places }) =>
     places.flatMap((to, k): Place[] => {
@@ -65,13 +65,13 @@ export function crossings(lines: readonly PeriodLine[], period_s: number): Place
   return found.sort((a, b) => a.value - b.value);
 }
 
-/** The place at which a period comes nearest to another, by their ratio; null where there is no line. */
+/** The point at which a period is nearest to another, by their ratio; null if there is no line. */
 export function closest(lines: readonly PeriodLine[], period_s: number): Place | null {
   const away = (place: Place) => Math.abs(Math.log(place.period_s / period_s));
   return lines.flatMap(({ places }) => places).reduce<Place | null>((so, place) => (so && away(so) <= away(place) ? so : place), null);
 }
 
-/** So many values over a range, evenly, in an order in which each halves a gap: a rough picture comes first. */
+/** Evenly spaced values over a range, in an order in which each halves a gap: a rough picture comes first. */
 export function valuesOver([low, high]: readonly [number, number], count: number): number[] {
   const order = [0, count - 1];
   for (let gap = 2 ** Math.ceil(Math.log2(count)); gap >= 1; gap /= 2) {

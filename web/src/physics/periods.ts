@@ -3,7 +3,7 @@ import type { FromSweep, Sweep } from "./messages";
 
 export type SweepWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
 
-/** Natural periods over a parameter, from an engine in a worker of its own: one sweep at a time, and a newer one ends it. */
+/** Natural periods over a parameter, from an engine in its own worker: one sweep at a time; a newer sweep ends it. */
 export class Periods {
   private worker: SweepWorker | null = null;
 

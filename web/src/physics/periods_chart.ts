@@ -9,13 +9,13 @@ import type { SeaSpectrum } from "./sea_spectrum";
 /** Colours of the theme for the modes, and of the sea. */
 export const MODE_COLOURS = ["roll", "yaw", "line-4", "line-5", "line-6", "line-8", "pitch"];
 export const SEA_COLOUR = "line-7";
-/** Share of the width that the sea's spectrum has at its peak. */
+/** Share of the width for the peak of the sea's spectrum. */
 const SEA_SHARE = 0.3;
-/** Less of the sea's density is not looked at, of its largest. */
+/** Smaller densities of the sea, relative to the largest, are ignored. */
 const FAINT = 0.02;
 const MARGIN = 1.06;
 
-/** Periods over what is varied, the sea, what is set now, and where a period meets the peak. */
+/** Periods over the varied parameter, the sea, the present value, and the crossings of a period with the peak. */
 export interface PeriodsContent {
   axis: string;
   range: [number, number];
@@ -25,7 +25,7 @@ export interface PeriodsContent {
   met: readonly Place[];
 }
 
-/** Natural periods over a parameter; from the right the spectrum of the sea stands on the same axis of periods. */
+/** Natural periods over a parameter; the spectrum of the sea is at the right, on the same axis of periods. */
 export class PeriodsChart extends Figure<PeriodsContent> {
   protected axesOf({ axis }: PeriodsContent): PaintedAxes {
     return { across: axis, upwards: texts.resonance.period_axis };

@@ -7,12 +7,12 @@ import { LossLesson } from "./loss";
 import { ResonanceLesson } from "./resonance";
 import type { Periods } from "./periods";
 
-/** What a lesson is to the panel. */
+/** The interface of a lesson. */
 interface Lesson {
   readonly element: HTMLElement;
   /** Another run begins. */
   open(run: Run): void;
-  /** The moment that is shown is another, and somebody looks. */
+  /** Another moment is shown, and the panel is visible. */
   show(): void;
 }
 
@@ -48,7 +48,7 @@ export class PhysicsPanel {
     onPanelOpened("physics", () => this.look());
   }
 
-  /** With a picture, where something is new and somebody looks. */
+  /** Called with a picture, if something is new and the panel is visible. */
   draw(): void {
     if (!this.isStale || !isPanelOpen("physics") || !this.session.run) return;
     this.isStale = false;
@@ -68,7 +68,7 @@ export class PhysicsPanel {
     this.look();
   }
 
-  /** What is in sight is named at once, not with the next picture. */
+  /** The visible panel gets its label at once, not with the next picture. */
   private look(): void {
     this.touch();
     this.draw();

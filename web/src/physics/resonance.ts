@@ -14,18 +14,18 @@ import { legendOf, meetings, tableOf, withUnit } from "./resonance_words";
 import type { Meetings } from "./resonance_words";
 import type { SeaSpectrum } from "./sea_spectrum";
 
-/** The scenario of the gallery that is made for it. */
+/** The scenario of the gallery for this lesson. */
 const EXAMPLE = "?scenario=offshore_vessel&waves=true";
 const VALUES = 25;
-/** Reasons that are told of values that were left out. */
+/** Most reasons shown for values that were left out. */
 const MOST_REASONS = 3;
-/** Of the roll so much is shown, s. */
+/** Length of the shown roll, s. */
 const ROLL_S = 120;
 
 /** A parameter that can be varied. */
 type Varied = ParameterInfo & { range: [number, number] };
 
-/** What a sweep has found so far, and of what. */
+/** The results of a sweep so far, and its parameter. */
 interface Found {
   key: string;
   sea: SeaSpectrum | null;
@@ -34,7 +34,7 @@ interface Found {
   fault: string;
 }
 
-/** Natural periods over a number of the scenario, beside the spectrum of the sea: where they meet, and what the run does there. */
+/** Natural periods over a parameter, and the spectrum of the sea: their crossings, and the run there. */
 export class ResonanceLesson {
   readonly element = make("div", { class: "lesson", "data-testid": "lesson-resonance" });
   private readonly choice = make("select", { id: "varied", "data-testid": "varied" });
@@ -94,7 +94,7 @@ export class ResonanceLesson {
     const axis = withUnit(parameter.label, parameter.unit);
     const content = { axis, range: parameter.range, lines, sea: found?.sea ?? null, now: typeof now === "number" ? now : null, met: met.crossings };
     this.chart.draw(content, texts.resonance.chart(axis));
-    // Buttons under a finger stay the same ones.
+    // Buttons are not replaced while a finger is on them.
     const written = JSON.stringify([lines, found?.sea?.peak_s, found?.skipped, axis]);
     if (written === this.written) return;
     this.written = written;
@@ -146,7 +146,7 @@ export class ResonanceLesson {
     return this.varied.find(({ name }) => name === this.choice.value);
   }
 
-  /** Of which scenario and which values what was found is: all but the one that is varied. */
+  /** The scenario and the values of the results, without the varied one. */
   private key(): string {
     const { source, values } = this.session;
     const others = Object.entries(values.overrides).filter(([name]) => name !== this.choice.value);
@@ -178,7 +178,7 @@ export class ResonanceLesson {
     this.show();
   }
 
-  /** A value that waits for a reset has one, and then it runs. */
+  /** If a value waits for a reset, the run is reset, then started. */
   private run(name: string, value: number): void {
     const { session } = this;
     session.set(name, value);
@@ -187,13 +187,13 @@ export class ResonanceLesson {
   }
 }
 
-/** What acts at once is mostly of the sea, which changes no period of the ship; a length is likely that of a pendulum. */
+/** Live parameters mostly change the sea, not the periods of the ship; a length is probably that of a pendulum. */
 function likeliest(varied: readonly Varied[]): Varied | undefined {
   const structural = varied.filter(({ live }) => !live);
   return structural.find(({ unit }) => unit === "m") ?? structural[0] ?? varied[0];
 }
 
-/** Each reason once, of a few of the values. */
+/** Each reason once, for a few of the values. */
 function reasons(skipped: Found["skipped"], unit: string): string[] {
   const others = skipped.filter(({ why }, k) => skipped.findIndex((one) => one.why === why) === k).slice(0, MOST_REASONS);
   return others.map(({ value, why }) => `${withUnit(String(value), unit, " ")}: ${why}.`);

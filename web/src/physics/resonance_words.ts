@@ -12,7 +12,7 @@ import type { SeaSpectrum } from "./sea_spectrum";
 /** Digits of a value that a button sets. */
 const DIGITS = 3;
 
-/** What is said of where periods meet the sea's peak, each with the value to try it at. */
+/** Sentences on the crossings of periods with the sea's peak, each with the value to try. */
 export interface Meetings {
   crossings: Place[];
   sentences(parameter: Pick<ParameterInfo, "unit">, isComputed: boolean): { text: string; value: number | null }[];
@@ -44,7 +44,7 @@ function rounded(value: number): number {
   return Number(value.toPrecision(DIGITS));
 }
 
-/** A name or a number with its unit, where it has one. */
+/** A name or a number with its unit, if it has one. */
 export function withUnit(text: string, unit: string, between = ", "): string {
   return unit ? `${text}${between}${unit}` : text;
 }

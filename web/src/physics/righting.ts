@@ -5,34 +5,34 @@ import { onLine } from "../plots/stability";
 export interface Arms {
   heel: number[];
   arm: number[];
-  /** Where the ship comes to rest; null where the arms nowhere turn her upright. */
+  /** The ship's equilibrium; null if the arms do not turn her upright at any heel. */
   rest: number | null;
 }
 
-/** Area 2 over area 1 that is asked for: in waters that are exposed, and in others. */
+/** Required ratio of area 2 to area 1, in exposed and in unexposed waters. */
 export const REQUIRED = { exposed: 1.4, sheltered: 1.0 };
 
 /**
- * What the righting arms say of a ship that loses the load on her hook: area 1 drives her from the heel that she had with it to her
- * new rest, area 2 stops her from there to the end, where her arm vanishes, water enters, or her curve ends. Angles in rad, counted
- * to the side to which she rolls; areas in m rad. (International Code on Intact Stability, 2008, part B, 2.9.5.)
+ * Loss of hook load by the righting arms: area 1 drives the ship from her heel with the load to her new equilibrium; area 2 stops her from
+ * there to the end, where her arm vanishes, water enters, or her curve ends. Angles in rad, counted to the side to which she rolls; areas
+ * in m rad. (International Code on Intact Stability, 2008, part B, 2.9.5.)
  */
 export interface Loss {
-  /** 1 where she rolls to starboard, -1 to port. */
+  /** 1 if she rolls to starboard, -1 if to port. */
   way: 1 | -1;
   start: number;
   rest: number;
   end: number;
-  /** Whether water enters before the arms vanish: it is there that area 2 ends. */
+  /** Whether water enters before the arms vanish: area 2 then ends there. */
   floods: boolean;
   area_1: number;
   area_2: number;
-  /** How far she would roll without damping: where area 2 has become area 1; null where that is beyond the end. */
+  /** Largest roll without damping: where area 2 equals area 1; null if that is beyond the end. */
   reach: number | null;
 }
 
 /**
- * The arms on both sides, from those on one: of a hull that is alike on both, with `a` the arm at no heel,
+ * The arms on both sides from those on one side, for a symmetric hull, with `a` the arm at zero heel:
  * GZ(-phi) = 2 a cos(phi) - GZ(phi).
  */
 export function bothSides({ side, points, equilibrium_rad }: Pick<RightingArmCurve, "side" | "points" | "equilibrium_rad">): Arms {
@@ -48,7 +48,7 @@ export function armOf({ heel, arm }: Arms, at: number): number {
   return onLine(heel, arm, at);
 }
 
-/** The area under the arms from one heel to another, m rad, by trapezia; 0 where the second is not beyond the first. */
+/** The area under the arms from one heel to another, m rad, by trapezia; 0 if the second is not beyond the first. */
 export function areaOf(arms: Arms, from: number, to: number): number {
   let area = 0;
   const at = [from, ...arms.heel.filter((one) => one > from && one < to), to];
@@ -56,7 +56,7 @@ export function areaOf(arms: Arms, from: number, to: number): number {
   return area;
 }
 
-/** The loss of the load, by the arms before and after; null where she rests at no heel before or after. */
+/** The loss of hook load, from the arms before and after; null if she has no equilibrium before or after. */
 export function lossOf(before: Arms, after: Arms, flooding_rad: number): Loss | null {
   if (before.rest === null || after.rest === null) return null;
   const way = after.rest >= before.rest ? 1 : -1;
@@ -73,17 +73,17 @@ export function mirror({ heel, arm, rest }: Arms): Arms {
   return { heel: heel.map((one) => -one).reverse(), arm: arm.map((one) => -one).reverse(), rest: rest === null ? null : -rest };
 }
 
-/** The heel beyond rest at which the arms fall through 0, or the last one. */
+/** The heel beyond equilibrium at which the arms fall through 0, or the last one. */
 function vanishing({ heel, arm }: Arms, rest: number): number {
   const k = heel.findIndex((_, i) => i > 0 && heel[i] > rest && arm[i - 1] > 0 && arm[i] <= 0);
   if (k < 0) return heel[heel.length - 1];
   return heel[k - 1] + ((heel[k] - heel[k - 1]) * arm[k - 1]) / (arm[k - 1] - arm[k]);
 }
 
-/** Halvings of the angle between rest and end: to the last bit that is shown and far beyond. */
+/** Number of bisections between equilibrium and end: more than enough for the shown digits. */
 const HALVINGS = 50;
 
-/** Where the area from rest on has become so large; the arms between rest and end are all upright. */
+/** The heel at which the area from equilibrium reaches a value; all arms in between are positive. */
 function reachOf(arms: Arms, rest: number, end: number, area: number): number {
   let [low, high] = [rest, end];
   for (let k = 0; k < HALVINGS; k++) {

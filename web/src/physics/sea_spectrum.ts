@@ -1,23 +1,23 @@
 import type { EngineInSeas } from "../ahead/sea";
 
-/** The regular waves that a sea is the sum of: rad/s and m. */
+/** The regular waves that make up a sea: rad/s and m. */
 export interface Waves {
   omega: number[];
   amplitude_m: number[];
 }
 
-/** The spectral density of a sea over the period of its waves, over its largest; its peak. */
+/** The spectral density of a sea over the wave period, relative to its largest; and its peak. */
 export interface SeaSpectrum {
   period_s: number[];
   density: number[];
   peak_s: number;
 }
 
-/** A time after any ramp, and a lapse in which no wave of the sea makes half a turn, s. */
+/** A time after any ramp, and an interval in which no wave of the sea makes half a turn, s. */
 const AT_S = 1000;
 const LAPSE_S = 0.05;
 
-/** The waves of an engine's sea: how fast each turns says its frequency, its amplitude is what the spectra expect of it. */
+/** The waves of an engine's sea: the rate of its phase gives each frequency, and the spectra give its amplitude. */
 export function wavesOf(engine: Pick<EngineInSeas, "wave_phasors">, amplitude_m: ArrayLike<number>): Waves {
   const [now, then] = [AT_S, AT_S + LAPSE_S].map((time_s) => engine.wave_phasors(0, 0, time_s));
   const count = amplitude_m.length;
@@ -33,15 +33,15 @@ export function wavesOf(engine: Pick<EngineInSeas, "wave_phasors">, amplitude_m:
   return waves;
 }
 
-/** Share of its frequency over which each wave is spread: the density of a few hundred waves is then smooth. */
+/** Width over which each wave is spread, relative to its frequency: the density of a few hundred waves is then smooth. */
 const SPREAD = 0.05;
-/** Of a wave the spread reaches so many times this far. */
+/** The spread ends at this multiple of its width. */
 const REACH = 3;
 const POINTS = 160;
 
 /**
- * S(omega) of a sea of regular waves: each with its a^2/2 spread by a normal distribution over the logarithm of the frequency. The
- * periods are evenly apart in that too. Null for calm water.
+ * S(omega) of a sea of regular waves: each with its a^2/2 spread by a normal distribution over the logarithm of the frequency. The periods
+ * are also evenly spaced in it. Null for calm water.
  */
 export function spectrumOf({ omega, amplitude_m }: Waves): SeaSpectrum | null {
   if (omega.length === 0) return null;

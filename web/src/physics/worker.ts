@@ -37,7 +37,7 @@ async function sweep({ scenario, parameter, values }: Sweep): Promise<void> {
   }
 }
 
-/** About the equilibrium that is nearest to where the scenario begins. */
+/** Modes about the equilibrium nearest to the start of the scenario. */
 function modesOf(text: string, file: string, overrides: string, files: string): NaturalMode[] {
   const engine = new Simulation(text, file, overrides, files);
   try {

@@ -10,13 +10,13 @@ import { inWords } from "./lines";
 import { armAt, heelToSide } from "./stability";
 import { places } from "./table";
 
-/** Righting arms as the engine last reckoned them, and of which time. */
+/** The last computed righting arms, and their time. */
 export interface Arms {
   found: Hydrostatics;
   time_s: number;
 }
 
-/** A hull with a curve, and where it now is on it. */
+/** A hull with a curve, and its present heel on it. */
 interface Curve {
   body: string;
   side: string;
@@ -32,7 +32,7 @@ interface Curve {
 const DEGREES = 180 / Math.PI;
 const COLOURS = ["yaw", "roll", "pitch", "line-4"];
 
-/** Righting arms of the hulls over their heel, in degrees, with where each ship now is. */
+/** Righting arms of the hulls over their heel, in degrees, with the present heel of each ship. */
 export class ArmsChart implements Chart {
   private chart: Painted | null = null;
   private curves: Curve[] = [];
@@ -134,7 +134,7 @@ export class ArmsChart implements Chart {
   }
 }
 
-/** Whose curves there are; of a single hull it goes without saying. */
+/** Names of the hulls with curves; empty for a single hull. */
 export function armsLegend(hulls: readonly { body: string }[]): { label: string; colour: string; unit: string }[] {
   return hulls.length < 2 ? [] : hulls.map(({ body }, i) => ({ label: inWords(body), colour: COLOURS[i % COLOURS.length], unit: "" }));
 }

@@ -4,32 +4,32 @@ import type { DrawnLine } from "./drawn";
 import type { Fan } from "./fan";
 import type { Stretch } from "./stretch";
 
-/** What all charts of a plot draw: lines over the stretch of the recording that is in sight. */
+/** Data of all charts of a plot: lines over the visible stretch of the recording. */
 export interface Content {
   lines: DrawnLine[];
-  /** The numbers in sight, as shown; its first array has the times. */
+  /** The visible numbers in displayed units; the first array has the times. */
   stretch: Stretch;
-  /** What may come, over time. */
+  /** Futures over time. */
   fan: Fan;
-  /** In sight, s. */
+  /** The visible stretch, s. */
   range_s: [number, number];
   /** The moment that is shown; whether it lies before the newest. */
   shown_s: number;
   isBack: boolean;
-  /** A number of a line at the moment that is shown. */
+  /** The value of a line at the moment that is shown. */
   now(line: DrawnLine): number;
 }
 
 /** A way to show lines. */
 export interface Chart {
-  /** Draws into its area; needs what is in sight anew only where it is stale. */
+  /** Draws into its area; the visible data is read again only if it is stale. */
   draw(content: Content): void;
   resize(width: number, height: number): void;
-  /** For the legend: the number of each line, at the crosshair where there is one. */
+  /** For the legend: the value of each line, at the crosshair if there is one. */
   values(content: Content): string[];
-  /** Where the crosshair is, in words; empty for nowhere. */
+  /** The position of the crosshair in words; empty if there is none. */
   at(content: Content): string;
-  /** What else it says, under the picture. */
+  /** Further text under the picture. */
   notes(content: Content): string[];
   /** The same in numbers: its first row has the headings. */
   table(content: Content): string[][];
@@ -37,7 +37,7 @@ export interface Chart {
   destroy(): void;
 }
 
-/** Colours and font of the page as they are now. */
+/** Present colours and font of the page. */
 export interface Style {
   colour(name: string): string;
   axis: Pick<uPlot.Axis, "stroke" | "font" | "labelFont" | "ticks" | "grid">;
@@ -51,7 +51,7 @@ export function styleOf(): Style {
   return { colour, axis: { stroke: colour("muted"), font, labelFont: font, ticks: { show: false }, grid } };
 }
 
-/** Room for the half of the last number on the axis that stands out, pixels. */
+/** Space for the half of the last number that extends beyond the axis, pixels. */
 const LAST_TICK_PX = 24;
 const AXIS_PX = { across: 28, upright: 48, label: 18 };
 
@@ -80,15 +80,15 @@ export function paddingOf(axes: number): uPlot.Padding {
   return [8, axes > 1 ? 8 : LAST_TICK_PX, 0, 0];
 }
 
-/** Share of the height that the lines keep where a limit is drawn as well. */
+/** Smallest share of the height for the lines if a limit is also drawn. */
 const LINES_SHARE = 0.15;
 const MARGIN = 0.06;
-/** Of a value that hardly changes: a range that is narrower shows rounding noise as motion. */
+/** Smallest range, relative to a nearly constant value: a narrower one would show rounding noise as motion. */
 const LEAST_SHARE = 1e-6;
-/** Lines that are this flat against their distance from zero do without it. */
+/** If the range of lines is below this share of their distance from zero, the axis leaves zero out. */
 const FLAT = 0.25;
 
-/** Room around lines, their zero and their limits. */
+/** Range of an axis, with a margin around lines, zero and limits. */
 export function heightsOf(low: number | null, high: number | null, least: number, bounds: readonly number[]): [number, number] {
   let [bottom, top] = [low ?? 0, high ?? 0];
   const size = Math.max(Math.abs(bottom), Math.abs(top));
@@ -105,15 +105,15 @@ export function heightsOf(low: number | null, high: number | null, least: number
   return [bottom - margin, top + margin];
 }
 
-/** What is written along the axes of a chart that is painted by hand. */
+/** Labels of the axes of a hand-painted chart. */
 export interface PaintedAxes {
   across: string;
   upwards: string;
-  /** How a number of the axis across is written. */
+  /** Formats a number of the horizontal axis. */
   written?: (value: number) => string;
 }
 
-/** A chart whose axes alone are the library's: what is between them is painted by hand. */
+/** A chart with axes from the library and a hand-painted content. */
 export class Painted {
   private readonly chart: uPlot;
 
@@ -133,7 +133,7 @@ export class Painted {
     this.chart = new uPlot(options, [[0, 1], [null, null]], area);
   }
 
-  /** Paints it anew between these ends of its axes. */
+  /** Repaints it between these ends of its axes. */
   fit([left, right]: [number, number], [bottom, top]: [number, number]): void {
     this.chart.setData([[left, right], [null, null]], false);
     this.chart.batch(() => {
@@ -177,7 +177,7 @@ export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: stri
   ctx.restore();
 }
 
-/** The area that a line of points goes round, on a chart. */
+/** Fills the polygon of points on a chart. */
 export function fill(u: uPlot, points: Iterable<[number, number]>, scale: string, colour: string): void {
   const { ctx } = u;
   ctx.save();
@@ -190,7 +190,7 @@ export function fill(u: uPlot, points: Iterable<[number, number]>, scale: string
   ctx.restore();
 }
 
-/** A ring and a dot at a place on a chart. */
+/** A ring with a dot on a chart. */
 export function dot(u: uPlot, [x, y]: [number, number], scale: string, colour: string, ring: string): void {
   const { ctx } = u;
   ctx.save();
@@ -204,7 +204,7 @@ export function dot(u: uPlot, [x, y]: [number, number], scale: string, colour: s
   ctx.restore();
 }
 
-/** A word beside a place on a chart. */
+/** A label next to a point on a chart. */
 export function word(u: uPlot, text: string, [x, y]: [number, number], font: string, colour: string, align: CanvasTextAlign): void {
   const { ctx } = u;
   ctx.save();

@@ -5,20 +5,20 @@ import type { Places } from "./stretch";
 import { decimalsFor, shownUnit } from "./units";
 import type { Angle, ShownUnit } from "./units";
 
-/** A bound of a limit as a plot has it, in the unit that is shown. */
+/** A bound of a limit in a plot, in the displayed unit. */
 export interface Bound {
   name: string;
   value: number;
-  /** From when on it counts, s. */
+  /** Time from which it counts, s. */
   from_s: number;
 }
 
-/** A line of a plot: where its numbers stand in a row, how they are shown, its colour and its limits. */
+/** A line of a plot: the columns of its numbers, their display, its colour and its limits. */
 export class DrawnLine {
   readonly places: Places;
   readonly shown: ShownUnit;
   readonly bounds: Bound[];
-  /** Largest size of the numbers in sight of the lines on its axis, as shown. */
+  /** Largest magnitude of the visible numbers on its axis, in the displayed unit. */
   largest = 0;
 
   constructor(
@@ -40,7 +40,7 @@ export class DrawnLine {
     );
   }
 
-  /** A number of the recording as it is shown. */
+  /** A recorded number in the displayed unit. */
   scaled(value: number): number {
     return (value + (this.line.offset ?? 0)) * this.shown.scale;
   }
@@ -49,16 +49,16 @@ export class DrawnLine {
     return decimalsFor(this.shown, this.largest);
   }
 
-  /** Half of a turn, as shown. */
+  /** Half a turn in the displayed unit. */
   get half(): number {
     return Math.PI * this.shown.scale;
   }
 }
 
-/** Colours of the theme for lines that say nothing of an axis. */
+/** Colours of the theme for lines that do not belong to an axis. */
 const FREE = ["yaw", "roll", "pitch", "line-4", "line-5", "line-6", "line-7", "line-8"];
 
-/** A colour for each line: that of the axis that it is about where no other line has it. */
+/** A colour for each line: the colour of its axis unless another line has it. */
 export function coloursOf(lines: readonly Line[]): string[] {
   const taken = new Set<string>();
   const take = (colour: string) => (taken.add(colour), colour);

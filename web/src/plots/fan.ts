@@ -3,16 +3,16 @@ import type { Outlook } from "../ahead/outlook";
 import { texts } from "../texts";
 import type { Places } from "./stretch";
 
-/** How dense the wide band and the narrow one are painted. */
+/** Opacity of the wide and the narrow band. */
 const DENSITIES = [0.16, 0.26];
 const DASHES_PX = [5, 4];
-/** Times that are told in numbers. */
+/** Times for which values are given in text. */
 const TOLD = 4;
 
-/** What may come, over time: of each line of a plot two bands, of 90 and 50 % of the futures, and a dashed line in their middle. */
+/** Futures over time: for each line of a plot two bands, with 90 and 50 % of the futures, and a dashed median. */
 export class Fan {
   private times: Float64Array = new Float64Array();
-  /** By line of the plot, the lines of its fan. */
+  /** The lines of the fan for each line of the plot. */
   private fans: Float64Array[][] = [];
 
   fill(outlook: Outlook | null, lines: readonly Places[], scale: (value: number, line: number) => number): void {
@@ -21,7 +21,7 @@ export class Fan {
     this.fans = outlook ? lines.map((places, i) => outlook.fan(places).map((line) => line.map((value) => scale(value, i)))) : [];
   }
 
-  /** The lowest value and the highest of all lines or of some, where there are any. */
+  /** The lowest and the highest value of all or some lines, if there are any. */
   get range(): [number, number] {
     return this.rangeOf(this.fans.map((_, i) => i));
   }
@@ -33,7 +33,7 @@ export class Fan {
     return [all(Math.min, Infinity), all(Math.max, -Infinity)];
   }
 
-  /** In numbers: a time and the wide band of each line. */
+  /** As text: a time and the wide band of each line. */
   rows(write: (value: number, line: number) => string): string[][] {
     const last = this.times.length - 1;
     const told = Array.from({ length: TOLD }, (_, i) => Math.round((last * (i + 1)) / TOLD));
@@ -71,7 +71,7 @@ export class Fan {
     ctx.stroke();
   }
 
-  /** Along a line, or back on it. */
+  /** Follows a line forwards or backwards. */
   private trace({ ctx, valToPos }: uPlot, line: Float64Array, scale: string, isBack = false): void {
     for (let n = 0; n < line.length; n++) {
       const k = isBack ? line.length - 1 - n : n;

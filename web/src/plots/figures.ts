@@ -3,20 +3,20 @@ import { texts } from "../texts";
 import { beside, inWords, labelOf, linesOf } from "./lines";
 import type { Line } from "./lines";
 
-/** Lines that belong together, to be chosen at once. */
+/** Lines that belong together and are chosen at once. */
 export interface Figure {
   title: string;
   lines: Line[];
-  /** What each is called beside this title. */
+  /** The name of each line under this title. */
   labels: string[];
 }
 
-/** Lines of one plot: more cannot be told apart. */
+/** Most lines of one plot: more cannot be distinguished. */
 export const MOST_LINES = 8;
-/** Things that bend have many coordinates, of which no few say how they move. */
+/** Flexible bodies have many coordinates; a few of them do not describe the motion. */
 const BENDS = "elastic";
 
-/** What can be drawn of a run, what belongs together in it, and what is drawn until a person chooses. */
+/** The possible lines of a run, groups of them, and the default selection. */
 export class Figures {
   readonly lines: Line[];
   readonly all: Figure[];
@@ -41,12 +41,12 @@ export class Figures {
     return this.byId.get(id);
   }
 
-  /** The figure that has these lines and no others. */
+  /** The figure with exactly these lines. */
   ofLines(ids: readonly string[]): Figure | undefined {
     return this.all.find(({ lines }) => lines.length === ids.length && lines.every(({ id }, i) => id === ids[i]));
   }
 
-  /** The lines of each plot until a person chooses: what moves, and the forces that the scenario has limits for. */
+  /** The default lines of each plot: moving bodies, and forces with limits. */
   defaults(): string[][] {
     const { hulls, bodies } = this.model;
     const moving = [...hulls.map(({ body }) => body), ...bodies.filter(({ floats }) => floats).map(({ name }) => name)].filter((body) => !this.isHeld(body));
@@ -58,7 +58,7 @@ export class Figures {
     return [limited.length > 0 ? limited : idsOf(this.rates(body)), angles];
   }
 
-  /** Whether nothing moves what else would float. */
+  /** Whether a floating body is held. */
   private isHeld(body: string): boolean {
     const joint = this.model.joints.find((one) => one.body === body);
     return joint?.kind === "floating" && joint.free_coordinates.length === 0 && joint.prescribed.length === 0;
@@ -78,7 +78,7 @@ export class Figures {
     return this.named(texts.plots.angles_of(inWords(body)), ["pitch", "yaw", "roll"].map((angle) => `${body}.${angle}`), texts.plots.turns);
   }
 
-  /** Beside the wave. */
+  /** Motions to show together with the wave. */
   private heave({ name, body }: ModelInfo["hulls"][number]): Figure {
     return this.named(texts.plots.heave_of(inWords(body)), [`${body}.heave`, `${name}.wave_elevation`], texts.plots.heave_and_wave);
   }
@@ -96,7 +96,7 @@ export class Figures {
     return { title, lines: found.map(({ line }) => line), labels: found.map(({ label }) => label) };
   }
 
-  /** Of each thing that has several numbers of one kind these together; of forces and moments a figure for each unit. */
+  /** For each element the components of a quantity together; for forces and moments a figure for each unit. */
   private vectors(): Figure[] {
     const several = this.channels.filter(({ dims }) => dims.length > 1);
     return several.flatMap((channel) => {
@@ -123,7 +123,7 @@ function idsOf({ lines }: Figure): string[] {
   return lines.map(({ id }) => id);
 }
 
-/** What lines are called that were chosen one by one: whose they are goes without saying where all are of one thing. */
+/** Names of lines that were chosen one by one: if all belong to one element, its name is left out. */
 export function titleAndLabels(lines: readonly Line[], figure: Figure | undefined): { title: string; labels: string[] } {
   if (figure) return figure;
   const things = new Set(lines.map(({ thing }) => thing));

@@ -1,18 +1,18 @@
 import type { Channel, ModelInfo } from "../engine/engine";
 import { texts } from "../texts";
 
-/** Colours that say about which axis something turns. */
+/** Colours of the axes of rotation. */
 export type AxisColour = "pitch" | "yaw" | "roll";
 
-/** What can be drawn as one line: a column of the recording, or the length of a vector of columns. */
+/** A possible line: a column of the recording, or the magnitude of a vector of columns. */
 export interface Line {
-  /** What a kept view names it by: the column, or the columns of the vector joined. */
+  /** Its id in a stored view: the column, or the joined columns of the vector. */
   id: string;
-  /** Whose it is; empty for what is of the whole model. */
+  /** The element or body that it belongs to; empty for the whole model. */
   thing: string;
-  /** What it is, under the name of whose it is. */
+  /** Its name without that of the element or body. */
   what: string;
-  /** The same in the engine's words. */
+  /** The engine's description. */
   about: string;
   columns: readonly string[];
   /** SI unit of the columns. */
@@ -20,7 +20,7 @@ export interface Line {
   /** Added to the column, in its unit. */
   offset?: number;
   colour?: AxisColour;
-  /** Angles jump from +180 to -180 degrees: no line is drawn there. */
+  /** No line is drawn where an angle jumps from +180 to -180 degrees. */
   wraps?: boolean;
 }
 
@@ -43,7 +43,7 @@ function lineOf(channel: Channel, place: number): Line {
   };
 }
 
-/** Whose a column is and the rest of its labels: the last dimension is the fastest. */
+/** The owner of a column, and its other labels: the last dimension is the fastest. */
 function labelsAt({ dims, labels }: Channel, place: number): [string, string[]] {
   const found: string[] = [];
   let left = place;
@@ -54,18 +54,18 @@ function labelsAt({ dims, labels }: Channel, place: number): [string, string[]] 
   return dims[0] === "axis" || dims.length === 0 ? ["", found] : [found[0], found.slice(1)];
 }
 
-/** The length of the force that a joint or a loop carries: of a hanging load's joint the hook load. */
+/** The magnitude of the force in a joint or a loop: for the joint of a hanging load it is the hook load. */
 export function carriedLine(thing: string, variable: string): Line {
   const columns = ["x", "y", "z"].map((axis) => `${thing}.${variable}.force_${axis}`);
   return { id: columns.join("+"), thing, what: texts.plots.carried, about: "", columns, unit: "N" };
 }
 
-/** Rise of a hull's centre of mass above its place at the draught of its data. */
+/** Rise of a hull's centre of mass above its position at the draught of its data. */
 export function heaveLine({ body, origin_m }: Pick<ModelInfo["hulls"][number], "body" | "origin_m">): Line {
   return { id: `${body}.heave`, thing: body, what: texts.plots.heave, about: "", columns: [`${body}.position.z`], unit: "m", offset: origin_m[2], colour: "pitch" };
 }
 
-/** All that can be drawn of a run: every column but the time, and what is made of them. */
+/** All possible lines of a run: every column except the time, and derived quantities. */
 export function linesOf(model: ModelInfo, channels: readonly Channel[]): Line[] {
   const carrying = ["joint_reaction", "loop_reaction"].flatMap((variable) => {
     const things = channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
@@ -75,24 +75,24 @@ export function linesOf(model: ModelInfo, channels: readonly Channel[]): Line[] 
   return [...columns.flatMap((channel) => channel.columns.map((_, place) => lineOf(channel, place))), ...carrying, ...model.hulls.map(heaveLine)];
 }
 
-/** As a legend has it. */
+/** The name in a legend. */
 export function labelOf({ thing, what }: Line): string {
   return thing === "" ? what : `${inWords(thing)} ${beside(thing, what)}`;
 }
 
-/** What is said of a thing, without words at its head that the name beside it has: of `aft_line` the `line speed` is its `speed`. */
+/** A description without leading words that the element's name contains: for `aft_line`, `line speed` becomes `speed`. */
 export function beside(thing: string, what: string): string {
   const known = inWords(thing).split(" ");
   const words = what.split(" ");
   return words.slice(words.findIndex((word, at) => !known.includes(word) || at === words.length - 1)).join(" ");
 }
 
-/** A name of the scenario as a person writes it. */
+/** A name of the scenario in ordinary spelling. */
 export function inWords(name: string): string {
   return name.replaceAll("_", " ");
 }
 
-/** Whether a line has these words, in any order, in its name, in that of its columns or in what is said of it. */
+/** Whether a line has these words, in any order, in its name, its columns or its description. */
 export function hasWords(line: Line, search: string): boolean {
   const name = `${labelOf(line)} ${line.about} ${line.columns.join(" ")}`.toLowerCase();
   return search.toLowerCase().split(/\s+/).every((word) => name.includes(word));

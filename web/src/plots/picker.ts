@@ -7,7 +7,7 @@ import type { Line } from "./lines";
 import { CHART_KINDS, PARTS } from "./view";
 import type { ChartKind, PlotView } from "./view";
 
-/** What a picker does to the plot that it is for. */
+/** Actions of a picker on its plot. */
 export interface Picked {
   place: number;
   view: PlotView;
@@ -17,10 +17,10 @@ export interface Picked {
   remove(): void;
 }
 
-/** Figures in the list at most; a search finds the others. */
+/** Most figures in the list; a search finds the others. */
 const MOST_FIGURES = 12;
 
-/** A dialog that chooses what a plot shows: its kind, and its lines out of all that the run has, by a search. */
+/** A dialog to choose the kind of a plot and, with a search, its lines. */
 export class Picker {
   private readonly dialog = make("dialog", { class: "picker", "data-testid": "picker" });
   private readonly heading = make("h2");
@@ -45,7 +45,7 @@ export class Picker {
     this.lines.append(this.chosen, this.search, this.count, this.list);
     this.dialog.append(make("form", { method: "dialog" }, this.heading, fields, this.lines, this.buttons()));
     this.dialog.addEventListener("click", (event) => event.target === this.dialog && this.dialog.close());
-    // Enter in the search closes nothing.
+    // Enter in the search field does not close the dialog.
     this.search.addEventListener("keydown", (event) => event.key === "Enter" && event.preventDefault());
     document.body.append(this.dialog);
   }
@@ -70,7 +70,7 @@ export class Picker {
     this.show();
     this.offer();
     this.dialog.showModal();
-    // On a phone the keyboard would cover what there is to choose.
+    // On a phone the keyboard would cover the list.
     if (matchMedia("(pointer: fine)").matches) this.search.focus();
   }
 
@@ -112,7 +112,7 @@ export class Picker {
     });
   }
 
-  /** What has the words of the search. */
+  /** The lines that match the search. */
   private offer(): void {
     const { figures } = this.picked!;
     const words = this.search.value.trim();

@@ -21,28 +21,28 @@ import type { PlotView } from "./view";
 
 /** Least time between two tables of the same plot, ms. */
 const TABLE_EVERY_MS = 1000;
-/** Smaller is not drawn, pixels. */
+/** Smaller plots are not drawn, pixels. */
 const LEAST_PX = 40;
 
-/** What all plots of a run share. */
+/** Data that all plots of a run share. */
 export interface PlotContext {
   run: Run;
   shown: Shown;
   figures: Figures;
   angle: Angle;
-  /** The stretch of time in sight, s. */
+  /** The visible stretch of time, s. */
   range_s(): [number, number];
   arms(): Arms | null;
-  /** What may come, to be drawn after what came. */
+  /** Futures, drawn after the recorded lines. */
   outlook(): Outlook | null;
-  /** A stretch of time was drawn on. */
+  /** The user has selected a stretch of time. */
   chooseRange(range_s: [number, number]): void;
-  /** The person asks what else this plot could show. */
+  /** The user wants to choose other lines. */
   choose(plot: Plot): void;
   changed(): void;
 }
 
-/** A plot as a picture has it. */
+/** A plot for a picture. */
 export interface PlotPicture {
   title: string;
   entries: { label: string; colour: string; unit: string }[];
@@ -50,7 +50,7 @@ export interface PlotPicture {
   canvas: HTMLCanvasElement;
 }
 
-/** One plot: what it shows, to choose; a legend with the numbers at the crosshair or the moment that is shown; the picture. */
+/** One plot: the choice of lines, a legend with the values at the crosshair or the moment that is shown, and the chart. */
 export class Plot {
   readonly element: HTMLElement;
   private readonly title: HTMLButtonElement;
@@ -61,7 +61,7 @@ export class Plot {
   private readonly notes = make("p", { class: "plot-notes" });
   private readonly told: HTMLButtonElement;
   private readonly statistics: StatisticsTable;
-  /** The same in numbers, for those who do not see it. */
+  /** The same in numbers, for screen readers. */
   private readonly table = make("table");
   private readonly stretch = new Stretch();
   private readonly fan = new Fan();
@@ -91,7 +91,7 @@ export class Plot {
     this.show();
   }
 
-  /** Takes up what the view says. */
+  /** Applies the view. */
   show(): void {
     const { view, context } = this;
     const { run, figures, angle } = context;
@@ -134,7 +134,7 @@ export class Plot {
     this.legend.replaceChildren(...entries, ...hulls);
   }
 
-  /** Whose righting arms are drawn. */
+  /** The hulls whose righting arms are drawn. */
   private hulls(): PlotPicture["entries"] {
     return this.view.kind === "arms" ? armsLegend(this.context.run.model.hulls) : [];
   }
@@ -197,10 +197,10 @@ export class Plot {
     return { lines, stretch, fan, range_s: context.range_s(), shown_s: shown.time_s, isBack: shown.isBack, now };
   }
 
-  /** Takes what is in sight from the recording. */
+  /** Reads the visible stretch from the recording. */
   private fill({ range_s }: Content): void {
     const rows = this.context.shown.recording?.rows;
-    // Over time one record beyond the left edge, so that the line comes from there.
+    // Over time with one record before the left edge, so that the line starts there.
     const first = rows ? rows.indexAt(range_s[0]) : 0;
     const isAt = rows?.items[first]?.time_s === range_s[0];
     const from = Math.max(0, this.view.kind === "time" || isAt ? first : first + 1);
@@ -220,7 +220,7 @@ export class Plot {
     this.notes.hidden = notes === "";
   }
 
-  /** The table of numbers, the statistics and how many decimals there are: now and then. */
+  /** Updates the table, the statistics and the number of decimals from time to time. */
   private drawTable(content: Content): void {
     const now = performance.now();
     if (this.isTabled || now - this.tabledAt_ms < TABLE_EVERY_MS) return;
@@ -241,7 +241,7 @@ export class Plot {
     this.stale = true;
   }
 
-  /** What the plot shows, to be kept as a picture. */
+  /** The content of the plot, to save as a picture. */
   async picture(): Promise<PlotPicture | null> {
     const content = this.content();
     this.fill(content);

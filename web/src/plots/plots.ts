@@ -15,11 +15,11 @@ import type { PlotsView } from "./view";
 import { between, ViewDialog } from "./view_dialog";
 import { stretchOf, windowLength } from "./window";
 
-/** Righting arms are asked for once the controls have been left alone for so long, ms; while a run goes, so often. */
+/** Righting arms are computed after this pause of the controls, ms; during a run, at this interval. */
 const CALM_MS = 300;
 const ARMS_EVERY_MS = 4000;
 
-/** The plots of the recording: any channel, over time, as a spectrum or against another; what each shows is kept for the scenario. */
+/** The plots of the recording: any channel, over time, as a spectrum or against another; the choice is stored for each scenario. */
 export class Plots {
   private readonly list = make("div", { class: "plots-list" });
   private readonly picker = new Picker();
@@ -53,7 +53,7 @@ export class Plots {
     session.listen({
       opened: (run, _frame) => this.open(run),
       advanced: (_run, { rows }) => rows.length > 0 && this.touch(),
-      // Of what is newest the rows tell.
+      // The rows give the newest values.
       moved: () => session.status !== "running" && this.touch(),
       branched: () => this.askArmsSoon(),
       statusChanged: (status) => status === "paused" && this.askArmsSoon(),
@@ -71,7 +71,7 @@ export class Plots {
     this.touch();
   }
 
-  /** What there is to keep as pictures. */
+  /** The plots that can be saved as pictures. */
   get shown(): readonly Plot[] {
     return this.plots;
   }
@@ -80,7 +80,7 @@ export class Plots {
     for (const plot of this.plots) plot.touch();
   }
 
-  /** A reset leaves the plots as they are, as far as there still is what they show. */
+  /** A reset keeps the plots whose lines still exist. */
   private open(run: Run): void {
     this.figures = new Figures(run.model, run.channels);
     this.arms = null;
@@ -198,7 +198,7 @@ export class Plots {
     this.timer = window.setTimeout(() => void this.askArms(), CALM_MS);
   }
 
-  /** Only where a plot shows them: they cost more than many frames. */
+  /** Only if a plot shows them: they cost more than many frames. */
   private async askArms(): Promise<void> {
     const { run, shown } = this.session;
     this.armsAsked_ms = performance.now();

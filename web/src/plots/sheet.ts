@@ -1,13 +1,13 @@
 import { make } from "../ui/dom";
 import type { Chart, Content } from "./chart";
 
-/** A chart that is kept as a picture is drawn anew, in this size whatever the screen has, pixels of the page. */
+/** Size of a saved chart, independent of the screen, pixels of the page. */
 const SIZE = { width: 1100, height: 460 };
-/** Until a chart that loads what it needs is there, ms. */
+/** Timeout for a chart that loads a library, ms. */
 const PAUSE_MS = 25;
 const MOST_PAUSES = 80;
 
-/** The chart of a plot on a canvas of its own; null where it could not be drawn. */
+/** The chart of a plot on its own canvas; null if it could not be drawn. */
 export async function drawnApart(chartIn: (area: HTMLElement) => Chart, content: Content): Promise<HTMLCanvasElement | null> {
   const area = make("div", { class: "plot-sheet", style: `width: ${SIZE.width}px; height: ${SIZE.height}px`, "aria-hidden": "true" });
   document.body.append(area);
@@ -31,7 +31,7 @@ function copyOf(canvas: HTMLCanvasElement): HTMLCanvasElement {
   return copy;
 }
 
-/** How many pixels of a picture one of the page is. */
+/** Pixels of the picture per pixel of the page. */
 export function scaleOf(canvas: HTMLCanvasElement): number {
   return canvas.width / SIZE.width;
 }

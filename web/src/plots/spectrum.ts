@@ -1,10 +1,10 @@
 /** A one-sided spectral density over the angular frequency: its integral is the variance. */
 export interface Spectrum {
-  /** rad/s, evenly from 0 on. */
+  /** Frequencies, rad/s, evenly spaced from 0. */
   omega: Float64Array;
   /** Unit of the values squared, times s/rad. */
   density: Float64Array;
-  /** From line to line, rad/s: 2 pi over the length of a segment. */
+  /** Frequency spacing, rad/s: 2 pi over the length of a segment. */
   resolution: number;
   segments: number;
 }
@@ -14,7 +14,7 @@ const EVEN = 1e-6;
 /** Fewest records of a segment. */
 const SHORTEST = 8;
 
-/** Transforms a sequence of real numbers whose length is a power of two: re, im of the lines from 0 to the middle. */
+/** Transforms a sequence of real numbers whose length is a power of two: re, im of the frequencies from 0 to the Nyquist frequency. */
 export type Transform = (values: Float64Array) => ArrayLike<number>;
 
 /** The library is loaded with the first spectrum. */
@@ -27,7 +27,7 @@ export async function loadTransform(): Promise<(length: number) => Transform> {
   };
 }
 
-/** Where the evenly spaced records begin that go up to the last; of a run that ended off the grid, to the one before: [from, to). */
+/** The evenly spaced records up to the last one, or to the one before if a run ended off the grid: [from, to). */
 export function evenEnd(times_s: ArrayLike<number>): [number, number] {
   const gap = (i: number) => times_s[i] - times_s[i - 1];
   const isEven = (i: number, step_s: number) => Math.abs(gap(i) - step_s) <= EVEN * step_s;
@@ -40,7 +40,7 @@ export function evenEnd(times_s: ArrayLike<number>): [number, number] {
   return [from, to];
 }
 
-/** Records of a segment: a power of two, of which `parts` fit into the record at least; 0 where it is too short. */
+/** Records of a segment: a power of two, so that at least `parts` fit into the record; 0 if it is too short. */
 export function segmentLength(records: number, parts: number): number {
   const length = 2 ** Math.floor(Math.log2(Math.max(1, records / parts)));
   return length >= SHORTEST ? length : 0;
@@ -76,12 +76,12 @@ function hann(length: number): Float64Array {
   return Float64Array.from({ length }, (_, i) => 0.5 - 0.5 * Math.cos((2 * Math.PI * i) / length));
 }
 
-/** Place of the largest line but the first, which has what drifts. */
+/** Index of the largest density, except at 0, which contains the drift. */
 export function peakOf({ density }: Spectrum): number {
   return density.reduce((best, value, k) => (k > 0 && value > density[best] ? k : best), 1);
 }
 
-/** How many lines from 0 on hold this share of the variance. */
+/** Number of frequencies from 0 that contain this share of the variance. */
 export function linesThatHold({ density }: Spectrum, share: number): number {
   const whole = density.reduce((sum, value) => sum + value, 0);
   let [sum, k] = [0, 0];

@@ -7,14 +7,14 @@ import { evenEnd, linesThatHold, loadTransform, peakOf, segmentLength, welch } f
 import type { Spectrum, Transform } from "./spectrum";
 import { places } from "./table";
 
-/** Share of the variance that is in sight, and how far beyond it the axis goes. */
+/** Visible share of the variance, and the extension of the axis beyond it. */
 const SHOWN_SHARE = 0.995;
 const BEYOND = 1.5;
 const FEWEST_LINES = 8;
 /** Least time between two spectra while a run goes, ms. */
 const EVERY_MS = 500;
 
-/** Spectral densities of lines over the angular frequency, of the evenly spaced records in sight. */
+/** Spectral densities of lines over the angular frequency, from the visible evenly spaced records. */
 export class SpectrumChart implements Chart {
   private chart: uPlot | null = null;
   private transformOf: ((length: number) => Transform) | null = null;
@@ -56,7 +56,7 @@ export class SpectrumChart implements Chart {
     this.found = lines.map((_, i) => welch(columns[i].subarray(from, to), step_s, length, transformOf));
   }
 
-  /** Where nearly all of the variance is in sight, rad/s. */
+  /** Frequency up to which nearly all of the variance is visible, rad/s. */
   private end(): number {
     const [first] = this.found;
     if (!first) return 1;
@@ -130,7 +130,7 @@ export class SpectrumChart implements Chart {
   }
 }
 
-/** Of a density: the unit of the line squared, over an angular frequency. */
+/** Unit of a density: the unit of the line squared, over an angular frequency. */
 function unitOf({ shown }: DrawnLine): string {
   return shown.unit === "" ? "s/rad" : `(${shown.unit})² s/rad`;
 }

@@ -5,12 +5,12 @@ export function heelToSide({ side }: Pick<RightingArmCurve, "side">, heel_rad: n
   return side === "starboard" ? heel_rad : -heel_rad;
 }
 
-/** The righting arm at a heel to the curve's side, m, on the line between two points; NaN beyond the curve. */
+/** The righting arm at a heel to the curve's side, m, interpolated linearly; NaN beyond the curve. */
 export function armAt({ points }: Pick<RightingArmCurve, "points">, heel_rad: number): number {
   return onLine(points.map((point) => point.heel_rad), points.map(({ arm_m }) => arm_m), heel_rad);
 }
 
-/** The height over a place of a line through points from left to right; NaN beyond its ends. */
+/** The value of a polyline at a position, its points ordered from left to right; NaN beyond its ends. */
 export function onLine(across: readonly number[], upwards: readonly number[], at: number): number {
   const after = across.findIndex((one) => one >= at);
   if (across[after] === at) return upwards[after];

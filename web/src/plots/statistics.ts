@@ -1,11 +1,11 @@
-/** What a stretch of a record comes to, as `kingpost statistics` defines it. */
+/** Statistics of a stretch of a record, as `kingpost statistics` defines them. */
 export interface Statistics {
   mean: number;
   /** About the mean. */
   standard_deviation: number;
   minimum: number;
   maximum: number;
-  /** Four deviations, crest to trough: of a wave elevation its Hs. */
+  /** Four standard deviations, crest to trough: for a wave elevation its Hs. */
   significant_double_amplitude: number;
   /** Mean time between up-crossings of the mean, s; NaN where there are fewer than two. */
   zero_up_crossing_period: number;
@@ -14,7 +14,7 @@ export interface Statistics {
 /** Up-crossings that a mean period needs. */
 const FEWEST_CROSSINGS = 2;
 
-/** Of values at these times; where rows lie unevenly, as thinned ones do, each counts as long as it stands. */
+/** Statistics of values at these times; unevenly spaced rows, such as thinned ones, are weighted by their duration. */
 export function statisticsOf(times_s: ArrayLike<number>, values: ArrayLike<number>): Statistics {
   const weights = weightsOf(times_s);
   const mean = weighted(values, weights, (value) => value);
@@ -32,7 +32,7 @@ export function statisticsOf(times_s: ArrayLike<number>, values: ArrayLike<numbe
   };
 }
 
-/** How long each record stands: half of the way to either neighbour, as far on both sides at the ends. Even records weigh the same. */
+/** Duration of each record: half of the interval to each neighbour, at the ends the same on both sides. Even records have equal weight. */
 function weightsOf(times_s: ArrayLike<number>): Float64Array {
   const last = times_s.length - 1;
   if (last < 1) return new Float64Array(times_s.length).fill(1);
@@ -49,7 +49,7 @@ function weighted(values: ArrayLike<number>, weights: Float64Array, of: (value: 
   return sum / whole;
 }
 
-/** Each crossing is found on the line between two records. */
+/** Each crossing is interpolated linearly between two records. */
 function upCrossingPeriod(times_s: ArrayLike<number>, values: ArrayLike<number>, mean: number): number {
   const crossings: number[] = [];
   for (let i = 0; i + 1 < values.length; i++) {

@@ -1,6 +1,6 @@
 import type { Recorded } from "../app/recording/recording";
 
-/** A line's numbers in a row: one column, or the columns of a vector whose length it is; -1 where there is none. */
+/** Columns of a line in a row: one column, or those of a vector whose magnitude it is; -1 if there is none. */
 export type Places = readonly number[];
 
 export function read(row: ArrayLike<number>, places: Places): number {
@@ -13,7 +13,7 @@ export class Stretch {
   private arrays: Float64Array[] = [];
   length = 0;
 
-  /** Records from one place to before another; the first array has their times. `scale` makes of a number what is shown. */
+  /** Copies a range of records; the first array has their times. `scale` converts a number to the displayed unit. */
   fill(rows: readonly Recorded[], [from, to]: [number, number], lines: readonly Places[], scale: (value: number, line: number) => number): void {
     this.length = to - from;
     if (this.arrays.length !== lines.length + 1 || this.arrays[0].length < this.length) {
@@ -27,7 +27,7 @@ export class Stretch {
     }
   }
 
-  /** Views, not copies: they stand until the next filling. */
+  /** Views, not copies: they are valid until the next filling. */
   get data(): Float64Array[] {
     return this.arrays.map((one) => one.subarray(0, this.length));
   }

@@ -1,15 +1,15 @@
 import { texts } from "../texts";
 
-/** Most moments that a table has. */
+/** Most times in a table. */
 const MOST_ROWS = 12;
 
-/** Places of at most so many moments among `length`, evenly and with the last. */
+/** Evenly spaced indices among `length`, at most a given number, with the last. */
 export function places(length: number, most = MOST_ROWS): number[] {
   const count = Math.min(length, most);
   return Array.from({ length: count }, (_, i) => (count === 1 ? length - 1 : Math.round((i * (length - 1)) / (count - 1))));
 }
 
-/** What the lines of a plot show, in numbers: of each its least, its greatest and a few moments. */
+/** The lines of a plot in numbers: for each the smallest, the largest and some values. */
 export function rowsOf(times: ArrayLike<number>, lines: readonly ArrayLike<number>[], write: (value: number, line: number) => string): string[][] {
   const moments = places(times.length).map((at) => [`${Number(times[at].toPrecision(6))} s`, ...lines.map((line, i) => write(line[at], i))]);
   const ends = (of: (a: number, b: number) => number) => lines.map((line, i) => write(Array.from(line).reduce((so, value) => of(so, value), line[0]), i));

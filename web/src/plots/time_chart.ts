@@ -7,11 +7,11 @@ import type { DrawnLine } from "./drawn";
 import { rowsOf } from "./table";
 import { wrapPlaces } from "./window";
 
-/** Angles that differ by less look the same: narrower would show rounding noise, rad. */
+/** Smallest range of an angle: a narrower one would show rounding noise, rad. */
 const LEAST_ANGLE = 1e-4;
-/** Of what is no angle, in its unit. */
+/** Smallest range of other quantities, in their unit. */
 const LEAST = 1e-9;
-/** Narrower is a click, pixels. */
+/** A narrower selection is a click, pixels. */
 const LEAST_DRAG_PX = 6;
 const TIME_DECIMALS = 2;
 
@@ -22,7 +22,7 @@ export class TimeChart implements Chart {
 
   constructor(
     private readonly area: HTMLElement,
-    /** A stretch of time was drawn on with the mouse. */
+    /** The user has selected a stretch of time with the mouse. */
     private readonly choose: (range_s: [number, number]) => void,
   ) {}
 
@@ -97,7 +97,7 @@ export class TimeChart implements Chart {
     return new uPlot(options, stretch.data as unknown as uPlot.AlignedData, this.area);
   }
 
-  /** Room for the lines of a unit, their limits and what may come of them. */
+  /** Range for the lines of a unit, their limits and their futures. */
   private rangeFor(lines: readonly DrawnLine[], unit: string): uPlot.Range.Function {
     const places = lines.flatMap((line, i) => (line.shown.unit === unit ? [i] : []));
     const own = places.map((i) => lines[i]);
@@ -110,7 +110,7 @@ export class TimeChart implements Chart {
     };
   }
 
-  /** What may come, behind the lines. */
+  /** Draws the futures behind the lines. */
   private drawFan(u: uPlot, style: Style): void {
     if (!this.content) return;
     const { fan, lines } = this.content;
@@ -124,7 +124,7 @@ export class TimeChart implements Chart {
     if (width >= LEAST_DRAG_PX) this.choose([u.posToVal(left, "x"), u.posToVal(left + width, "x")]);
   }
 
-  /** A line across at an earlier moment that is shown. */
+  /** A vertical line at an earlier moment that is shown. */
   private drawMoment(u: uPlot, style: Style): void {
     const { content } = this;
     if (!content?.isBack || content.lines.length === 0) return;
@@ -133,7 +133,7 @@ export class TimeChart implements Chart {
     stroke(u, [[content.shown_s, min!], [content.shown_s, max!]], scale, { colour: style.colour("accent"), width: 1 });
   }
 
-  /** The limits of a column, from when on they count, in the colour of its line. */
+  /** The limits of a column, from the time at which they count, in the colour of its line. */
   private drawBounds(u: uPlot, style: Style): void {
     const { content } = this;
     if (!content) return;

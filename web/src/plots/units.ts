@@ -1,20 +1,20 @@
-/** Whether angles are shown in degrees or as the engine has them. */
+/** Whether angles are shown in degrees or in radians. */
 export type Angle = "deg" | "rad";
 
-/** How numbers of an SI unit are shown. */
+/** The display of numbers of an SI unit. */
 export interface ShownUnit {
   unit: string;
-  /** Factor from the SI unit to it. */
+  /** Factor from the SI unit to the displayed unit. */
   scale: number;
   /** Decimals of a number that is not small. */
   decimals: number;
 }
 
 const DEGREES_PER_RADIAN = 180 / Math.PI;
-/** Shown by the thousand, as pictures of `kingpost plot` have them. */
+/** Shown in thousands, as in pictures of `kingpost plot`. */
 const BY_THE_THOUSAND = ["N", "N m", "J", "W"];
 const DECIMALS = { deg: 2, rad: 5, thousand: 2, other: 4 };
-/** Digits of the largest number in sight, where these decimals would leave fewer. */
+/** Fewest digits of the largest visible number, if the decimals give fewer. */
 const DIGITS = 3;
 const MOST_DECIMALS = 9;
 
@@ -27,12 +27,12 @@ export function shownUnit(si: string, angle: Angle): ShownUnit {
   return { unit: si === "1" ? "" : pretty(si), scale: 1, decimals: DECIMALS.other };
 }
 
-/** Powers as the field writes them. */
+/** Usual notation of powers. */
 function pretty(unit: string): string {
   return unit.replaceAll("^2", "²").replaceAll("^3", "³");
 }
 
-/** Decimals for numbers up to this size: enough of a small one to be read. */
+/** Decimals for numbers up to a magnitude: enough for small numbers. */
 export function decimalsFor({ decimals }: ShownUnit, largest: number): number {
   if (!(largest > 0) || !Number.isFinite(largest)) return decimals;
   const needed = DIGITS - 1 - Math.floor(Math.log10(largest));

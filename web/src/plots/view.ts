@@ -8,20 +8,20 @@ export const CHART_KINDS = ["time", "spectrum", "phase", "arms"] as const;
 /** Over time, its spectrum, one line against another, or righting arms over the heel. */
 export type ChartKind = (typeof CHART_KINDS)[number];
 
-/** How many segments a record is cut into for its spectrum, at least: more are smoother, fewer are finer. */
+/** Smallest number of segments of a record for its spectrum: more give a smoother spectrum, fewer a finer one. */
 export const PARTS = [2, 4, 8, 16];
 
-/** What one plot shows. */
+/** Content of one plot. */
 export interface PlotView {
   kind: ChartKind;
-  /** Their ids. */
+  /** Ids of its lines. */
   lines: string[];
-  /** Whether its numbers stand under it. */
+  /** Whether its table is shown under it. */
   isTold: boolean;
   parts: number;
 }
 
-/** What all plots of a scenario show. */
+/** Content of all plots of a scenario. */
 export interface PlotsView {
   plots: PlotView[];
   angle: Angle;
@@ -39,13 +39,13 @@ export function defaultView(figures: Figures): PlotsView {
   return { plots: figures.defaults().map((lines) => plotOf(lines)), angle: "deg", window: FOLLOWING };
 }
 
-/** A stretch from one time to another is of this run, and not kept. */
+/** A fixed stretch of time belongs to this run and is not stored. */
 export function keepView(file: string, view: PlotsView): void {
   const window = view.window.kind === "between" ? FOLLOWING : view.window;
   try {
     localStorage.setItem(KEY + file, JSON.stringify({ ...view, window }));
   } catch {
-    // It holds for this page only where nothing can be kept.
+    // Without storage it holds for this page only.
   }
 }
 
@@ -53,11 +53,11 @@ export function forgetView(file: string): void {
   try {
     localStorage.removeItem(KEY + file);
   } catch {
-    // There is nothing to forget.
+    // There is nothing to remove.
   }
 }
 
-/** What was kept of a scenario, as far as it still has these lines; null for nothing. */
+/** The stored view of a scenario, with the lines that still exist; null if there is none. */
 export function keptView(file: string, figures: Figures): PlotsView | null {
   try {
     const text = localStorage.getItem(KEY + file);
@@ -67,7 +67,7 @@ export function keptView(file: string, figures: Figures): PlotsView | null {
   }
 }
 
-/** Of what another version of the app may have kept. */
+/** Checks a view that another version of the app may have stored. */
 export function viewOf(kept: unknown, figures: Figures): PlotsView | null {
   if (!isObject(kept) || !Array.isArray(kept.plots)) return null;
   const plots = kept.plots.map((plot) => plotFrom(plot, figures)).filter((plot) => plot !== null);

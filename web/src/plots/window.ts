@@ -1,14 +1,14 @@
 /** Most records that the plots show. */
 const MOST_RECORDS = 20000;
 
-/** How long the plots look back, s: the scenario's duration, at least 10 s, as can be drawn. */
+/** Longest visible stretch, s: the scenario's duration, at least 10 s, and no more than can be drawn. */
 export function windowLength(duration_s: number, interval_s: number): { window_s: number; capacity: number } {
   const wanted_s = Math.max(duration_s, 10);
   const capacity = Math.min(MOST_RECORDS, Math.ceil(wanted_s / interval_s) + 2);
   return { window_s: Math.min(wanted_s, (capacity - 2) * interval_s), capacity };
 }
 
-/** What the plots show of a run at its start, s; it doubles until all of it is in sight. */
+/** First stretch at the start of a run, s; it doubles until the whole run is visible. */
 const FIRST_STRETCH_S = 15;
 
 /** The stretch of time in sight: from the start, in doubling stretches to the duration, then the last window. */
@@ -16,12 +16,12 @@ export function timeRange(now_s: number, duration_s: number, window_s: number): 
   const whole = Math.min(duration_s, window_s);
   let stretch = FIRST_STRETCH_S;
   while (stretch < now_s) stretch *= 2;
-  // No last stretch that is hardly longer than the one before.
+  // Avoid a last stretch that is hardly longer than the previous one.
   const end = Math.max(now_s, 1.3 * stretch > whole ? whole : stretch);
   return [Math.max(0, end - window_s), end];
 }
 
-/** The same, moved so far that a moment is in it which lies before. */
+/** The stretch, moved so that it contains an earlier moment. */
 export function rangeInSight(now_s: number, shown_s: number, duration_s: number, window_s: number): [number, number] {
   const [from, to] = timeRange(now_s, duration_s, window_s);
   if (shown_s >= from) return [from, to];
@@ -38,11 +38,11 @@ export function wrapPlaces(values: ArrayLike<number>, first: number, last: numbe
   return places;
 }
 
-/** What of the time the plots show: follow the run, all of it, the last so many seconds, or from one time to another. */
+/** The visible time: following the run, all of it, the last seconds, or a fixed stretch. */
 export type WindowChoice = { kind: "follow" } | { kind: "all" } | { kind: "last"; length_s: number } | { kind: "between"; from_s: number; to_s: number };
 
 export const FOLLOWING: WindowChoice = { kind: "follow" };
-/** Last so many seconds, to choose. */
+/** Choices for the last seconds. */
 export const LAST_S = [10, 30, 60, 300];
 
 export function isWindow(value: unknown): value is WindowChoice {
@@ -52,7 +52,7 @@ export function isWindow(value: unknown): value is WindowChoice {
   return one?.kind === "follow" || one?.kind === "all";
 }
 
-/** The run as far as the plots need to know it: its newest time, the one that is shown, its length and how far plots look back. */
+/** The data of the run that plots need: newest time, shown time, duration and longest visible stretch. */
 export interface Extent {
   now_s: number;
   shown_s: number;

@@ -9,10 +9,10 @@ import { sharedRun } from "./making";
 import type { SharedRun } from "./shared_run";
 
 const words = texts.share;
-/** What an address begins with that names the machine which it is opened on. */
+/** Prefixes of addresses that mean the local machine. */
 const OWN_HOSTS = /^(localhost|127\.|\[::1\])/;
 
-/** Hands over a link that opens the run in hand: to another program, to the clipboard, as a text to copy, as a QR code. */
+/** Offers a link to the present run: to another program, to the clipboard, as a text to copy, as a QR code. */
 export class ShareDialog {
   private readonly says = make("div", { class: "share-says" });
   private readonly field = make("textarea", { readonly: true, rows: 3, spellcheck: "false", "aria-label": words.link, "data-testid": "share-link" });
@@ -53,7 +53,7 @@ export class ShareDialog {
     const buttons = make("div", { class: "share-buttons" }, this.copy, this.send);
     const dialog = make("dialog", { class: "share", "aria-labelledby": "share-title", "data-testid": "share-dialog" }, head, this.says, this.field, buttons, this.done, this.qr);
     close.addEventListener("click", () => dialog.close());
-    // Beside the dialog: its own padding is none, so that a click on it is one on what is behind.
+    // A click outside: the dialog has no padding, so a click on the element itself is on the backdrop.
     dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());
     return dialog;
   }
@@ -74,7 +74,7 @@ export class ShareDialog {
     this.says.replaceChildren(...lines.map((line) => make("p", {}, line)));
   }
 
-  /** A page that is not served safely has neither a clipboard nor other programs to send to. */
+  /** A page without a secure connection has no clipboard and cannot send to other programs. */
   private show(link: string): void {
     this.field.value = link;
     this.field.hidden = link === "";
@@ -102,7 +102,7 @@ export class ShareDialog {
   }
 
   private async toOthers(): Promise<void> {
-    // Who changes their mind there is no failure.
+    // Cancelling is not a failure.
     await navigator.share({ title: document.title, url: this.field.value }).catch(() => undefined);
   }
 }

@@ -5,15 +5,15 @@ import { packed, unpacked } from "./packing";
 import { sharedRunOf } from "./shared_run";
 import type { SharedRun } from "./shared_run";
 
-/** Of the form that is written: `#k1=` and what `packed` makes, a point, a digest of what is in it. */
+/** Prefix of links that are written: `#k1=`, then the result of `packed`, a point, and a digest of the content. */
 const VERSION = 1;
 const KEY = /^k(\d+)$/;
-/** Longest form after the `#`, characters: browsers take more, messengers and mails cut. */
+/** Longest text after the `#`, characters: browsers accept more, messengers and mail programs truncate. */
 export const LONGEST = 64_000;
-/** Most that it may hold, bytes: a hundred scenarios. A small link can be made to hold gigabytes. */
+/** Largest content, bytes: a hundred scenarios. A small link could unpack to gigabytes. */
 const LARGEST = 2_000_000;
 
-/** What stands after the `#` of an address that opens a run. */
+/** The text after the `#` in an address that opens a run. */
 export async function hashOf(run: SharedRun): Promise<string> {
   const json = JSON.stringify(run);
   const bytes = new TextEncoder().encode(json);
@@ -22,7 +22,7 @@ export async function hashOf(run: SharedRun): Promise<string> {
   return hash;
 }
 
-/** The run that an address holds; throws a fault of the kind `link` that says why there is none. */
+/** The run in an address; throws a fault of the kind `link` with the reason if there is none. */
 export async function runIn(hash: string): Promise<SharedRun> {
   const { version, text } = entryOf(hash) ?? { version: VERSION, text: "" };
   if (version > VERSION) throw faultOfLink(texts.share.newer);

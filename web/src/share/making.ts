@@ -5,7 +5,7 @@ import { digestOf } from "../engine/digest";
 import type { Moment } from "../app/recording/recording";
 import type { SharedMoment, SharedRun, SharedScenario } from "./shared_run";
 
-/** The run in hand as it is shown: paused, for the moment to stay what the link says. Null where there is none. */
+/** The present run at the shown moment; it is paused, so that the link is for the moment that is seen. Null if there is none. */
 export async function sharedRun(session: Session): Promise<SharedRun | null> {
   session.pause();
   const changes = await session.changes();
@@ -15,12 +15,12 @@ export async function sharedRun(session: Session): Promise<SharedRun | null> {
   return { scenario: scenarioOf(source, run), values: values.begun, changes: changes.filter(isBy(moment)), moment: momentOf(moment) };
 }
 
-/** What comes after the moment that is shown is not in the link: who looks back shares what is seen. */
+/** The link contains nothing after the moment that is shown. */
 function isBy(moment: Moment): (change: Change) => boolean {
   return ({ time_s }) => time_s <= moment.time_s;
 }
 
-/** One of the gallery is named: its text is wherever the app is. */
+/** A scenario of the gallery is given by name: every copy of the app has its text. */
 function scenarioOf({ gallery, file, text, opened }: Source, { digest }: Run): SharedScenario {
   return gallery === undefined ? { file, text, opened: opened ?? {} } : { gallery, digest };
 }
@@ -30,8 +30,8 @@ function momentOf({ time_s, row }: Moment): SharedMoment | null {
 }
 
 /**
- * Whether the run in hand has, at a link's moment, the numbers that the link was made at; null at any other moment, and where
- * a hand set something else.
+ * Whether the present run has the numbers of the link at the link's moment; null at any other moment, and if something else was set by
+ * hand.
  */
 export async function isSame(session: Session, link: SharedRun): Promise<boolean | null> {
   const { moment } = session.shown;

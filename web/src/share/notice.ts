@@ -8,7 +8,7 @@ import type { SharedRun } from "./shared_run";
 
 const words = texts.share;
 
-/** Says of a run that came by a link what it does, offers its moment, and says there whether the numbers are those of then. */
+/** A notice for a run from a link: what the run repeats, a button to its moment, and there whether the numbers agree. */
 export class LinkNotice {
   private link: SharedRun | null = null;
   private isCompared = false;
@@ -22,7 +22,7 @@ export class LinkNotice {
     });
   }
 
-  /** The run in hand came by this link. */
+  /** The present run came from this link. */
   tell(link: SharedRun): void {
     this.link = link;
     this.show();
@@ -47,7 +47,7 @@ export class LinkNotice {
     ].filter((text) => text !== "");
     const button = make("button", { type: "button", class: "button", "data-testid": "run-to" }, words.run_to);
     button.addEventListener("click", () => {
-      // Out of the way of the picture, until there is something to say at the moment.
+      // Hidden until the link's moment.
       this.close();
       byId("start").focus();
       session.runTo(moment!.time_s);

@@ -1,11 +1,11 @@
-/** Bytes in few characters that any address takes: deflated, in base64url without padding. */
+/** Bytes as a short text for an address: deflated, in base64url without padding. */
 export async function packed(bytes: Uint8Array): Promise<string> {
   const parts: string[] = [];
   await each(through(bytes, new CompressionStream("deflate-raw")), (part) => parts.push(String.fromCharCode(...part)));
   return btoa(parts.join("")).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** The bytes again. Throws what is no Range Error where they are damaged, and a Range Error where there are more than `most`. */
+/** Unpacks the bytes. Throws a RangeError if there are more than `most`, and another error if they are damaged. */
 export async function unpacked(text: string, most: number): Promise<Uint8Array> {
   const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
@@ -23,7 +23,7 @@ function through(bytes: Uint8Array, stream: GenericTransformStream): ReadableStr
   return new Blob([bytes as BlobPart]).stream().pipeThrough(stream as ReadableWritablePair<Uint8Array, Uint8Array<ArrayBuffer>>);
 }
 
-/** Part by part, so that what takes them can stop before all are there. */
+/** Part by part, so that the reader can stop early. */
 async function each(stream: ReadableStream<Uint8Array>, take: (part: Uint8Array) => void): Promise<void> {
   const reader = stream.getReader();
   try {

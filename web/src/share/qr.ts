@@ -1,12 +1,12 @@
 import { encode } from "uqr";
 import { svg } from "../instruments/svg";
 
-/** Longest text that a phone still reads off a screen, characters; the standard's own limit is 2953. */
+/** Longest text that a phone can read from a screen, characters; the limit of the standard is 2953. */
 export const LONGEST_QR = 1000;
-/** White around it, modules: what the standard asks for. */
+/** Quiet zone, modules, as the standard requires. */
 const QUIET = 4;
 
-/** A QR code as a picture, dark on white whatever the palette is. */
+/** A QR code as a picture, dark on white with any theme. */
 export function qrCode(text: string, label: string): SVGSVGElement {
   const { data, size } = encode(text, { ecc: "L", border: QUIET });
   const modules = data.flatMap((row, y) => row.flatMap((isDark, x) => (isDark ? [`M${x} ${y}h1v1h-1z`] : [])));

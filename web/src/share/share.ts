@@ -2,7 +2,7 @@ import type { Session } from "../app/session";
 import { byId } from "../ui/dom";
 import type { ShareDialog } from "./dialog";
 
-/** Makes a link to the run in hand; what that takes is loaded when it is first asked for. */
+/** Makes a link to the present run; the code for it is loaded at the first use. */
 export function enableSharing(session: Session): void {
   const button = byId<HTMLButtonElement>("share");
   let dialog: Promise<ShareDialog> | null = null;

@@ -7,13 +7,13 @@ import { addressOf, cardOf } from "./card";
 
 const { start } = texts;
 
-/** The page that the bare address shows: what Kingpost is, and the gallery as cards. */
+/** The start page: what Kingpost is, and the gallery as cards. */
 export class StartPage {
   private readonly page = byId("start-page");
   private readonly alert = make("p", { class: "start-alert", role: "alert", "data-testid": "start-alert" });
   private readonly groups = make("div", { class: "start-groups" }, make("p", { class: "muted" }, start.loading));
 
-  /** `open` is given the address of the scenario that was chosen, `prepare` is told when one is about to be. */
+  /** `open` gets the address of the chosen scenario; `prepare` is called when a choice is likely. */
   constructor(
     private readonly open: (query: string) => void,
     private readonly prepare: () => void,
@@ -44,7 +44,7 @@ export class StartPage {
     this.groups.replaceChildren(...gallery.groups.map((group, k) => section(group, k)));
   }
 
-  /** There are no cards; files can be opened all the same. */
+  /** There are no cards; files can still be opened. */
   lack(why: string): void {
     this.groups.replaceChildren();
     this.say(start.failed(why));

@@ -8,7 +8,7 @@ export type Texts = typeof en;
 
 const ALL: Record<Language, Texts> = { en, nb };
 
-/** Of the texts of the page. */
+/** The language of the page's texts. */
 export const language: Language = languageHere();
 
 /** The texts of the page. */

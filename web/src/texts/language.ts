@@ -3,17 +3,17 @@ export const LANGUAGES = { en: "English", nb: "Norsk (bokmål)" } as const;
 export type Language = keyof typeof LANGUAGES;
 
 const KEY = "kingpost.language";
-/** What browsers say for Norwegian, of which bokmål is the one that is here. */
+/** Browsers' codes for Norwegian; the app has bokmål. */
 const NORWEGIAN = ["nb", "no", "nn"];
 
-/** The language that was chosen; else the first of the browser's that is here; else English. */
+/** The chosen language; otherwise the first of the browser's that the app has; otherwise English. */
 export function languageOf(chosen: string | null, preferred: readonly string[]): Language {
   const known = [chosen ?? "", ...preferred].map((tag) => tag.toLowerCase().split("-")[0]);
   const here = known.map((code) => (NORWEGIAN.includes(code) ? "nb" : code)).find((code) => code in LANGUAGES);
   return (here as Language | undefined) ?? "en";
 }
 
-/** Of the page; a worker is started in the language of its page, which is its name. */
+/** The language of the page; a worker's name is the language of its page. */
 export function languageHere(): Language {
   if (typeof document === "undefined") return languageOf(typeof name === "undefined" ? null : name, []);
   return languageOf(chosenLanguage(), navigator.languages);
@@ -27,12 +27,12 @@ function chosenLanguage(): string | null {
   }
 }
 
-/** The page loads anew at the same address: all its texts are written once. */
+/** The page is reloaded at the same address, because its texts are written only once. */
 export function chooseLanguage(language: Language): void {
   try {
     localStorage.setItem(KEY, language);
   } catch {
-    // Where nothing can be kept, the browser's language stays.
+    // Without storage, the browser's language stays.
   }
   location.reload();
 }

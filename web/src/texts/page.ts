@@ -1,9 +1,9 @@
 import { language, texts } from "./index";
 
-/** Which attribute of the page's own elements has the key of what: `data-text="transport.start"`. */
+/** Attributes of the page's elements that hold the key of a text: `data-text="transport.start"`. */
 const ATTRIBUTES = { "data-label": "aria-label", "data-title": "title" } as const;
 
-/** Writes the texts into the page, where its elements name them by area and key, and says which language they are of. */
+/** Writes the texts into the elements that name them by area and key, and sets the language of the page. */
 export function fillPage(): void {
   document.documentElement.lang = language;
   for (const element of document.querySelectorAll("[data-text]")) element.append(...strong(textOf(element.getAttribute("data-text")!)));
@@ -12,14 +12,14 @@ export function fillPage(): void {
   }
 }
 
-/** The text of a key, as `transport.start`. */
+/** The text of a key such as `transport.start`. */
 function textOf(key: string): string {
   const found = key.split(".").reduce<unknown>((texts, part) => (texts as Record<string, unknown> | undefined)?.[part], texts);
   if (typeof found !== "string") throw new Error(`the page names no text: ${key}`);
   return found;
 }
 
-/** What stands between double asterisks is strong. */
+/** Text between double asterisks is strong. */
 function strong(text: string): (Node | string)[] {
   return text.split("**").map((part, k) => {
     if (k % 2 === 0) return part;

@@ -3,10 +3,10 @@ import type { Session } from "../app/session";
 import { texts } from "../texts";
 import { byId, setText } from "./dom";
 
-/** How long nothing changes before it is said, ms: Step pressed many times is one message. */
+/** Pause after the last change before a message, ms: Step pressed many times gives one message. */
 const CALM_MS = 400;
 
-/** Says the state of the run to those who do not see it. */
+/** Announces the state of the run to screen readers. */
 export function announce(session: Session): void {
   const region = byId("announcer");
   let timer = 0;
@@ -18,12 +18,12 @@ export function announce(session: Session): void {
     opened: soon,
     statusChanged: soon,
     valuesChanged: soon,
-    // Of an earlier moment that is looked up, the track says itself which it is.
+    // The track itself announces an earlier moment.
     moved: () => session.status !== "running" && !session.shown.isBack && soon(),
   });
 }
 
-/** In words, without what changes while it runs. */
+/** The state in words, without the numbers that change during a run. */
 function wordsOf(session: Session): string {
   const { run, status, shown } = session;
   const { moment } = shown;

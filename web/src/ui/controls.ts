@@ -44,14 +44,14 @@ export class Controls {
     this.show();
   }
 
-  /** Stands under the control that was changed last and waits for a restart. */
+  /** A note under the control that was changed last and waits for a restart. */
   private restartButton(): HTMLElement {
     const button = make("button", { type: "button", class: "button is-due", "data-testid": "restart" }, texts.controls.restart_now);
     button.addEventListener("click", () => this.session.restart());
     return button;
   }
 
-  /** A lever for each input that a hand sets, and what sets the others. */
+  /** A lever for each input that is set by hand, and a line on what sets the others. */
   private showLevers(): void {
     const inputs = this.session.run?.inputs ?? [];
     this.inputs = inputs.filter((input) => !input.signal).map(({ name }) => this.lever(name));
@@ -94,7 +94,7 @@ export class Controls {
     return lever;
   }
 
-  /** Where the run branches levers are as they were; one in a hand is as the hand has it. */
+  /** At a branch of the run levers have their values of that moment; a held lever keeps the hand's value. */
   private showInputs(inputs: readonly InputInfo[]): void {
     for (const { name, element, show } of this.inputs) {
       const input = inputs.find((one) => `input-${one.name}` === name);
@@ -114,7 +114,7 @@ export class Controls {
   private offerRestart(pending: string[]): void {
     if (pending.length === 0) return this.restart.remove();
     const last = pending.map((name) => this.items.find((item) => item.name === name)?.element).filter((element) => element !== undefined).at(-1);
-    // What waits may be a setting of the numerics alone.
+    // Only a numerical setting may be waiting.
     if (!last) byId("settings").append(this.restart);
     else if (last.nextElementSibling !== this.restart) last.after(this.restart);
   }

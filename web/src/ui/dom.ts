@@ -1,4 +1,4 @@
-/** The element with this id; the page is ours, so one that is missing is a mistake of ours. */
+/** The element with this id; a missing one is a bug of the page. */
 export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   const found = document.getElementById(id);
   if (!found) throw new Error(`the page has no element ${id}`);
@@ -27,7 +27,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Sets text only where it changed, so that nothing is laid out for nothing. */
+/** Sets text only if it changed, to avoid needless layout. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

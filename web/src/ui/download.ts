@@ -4,6 +4,6 @@ import { make } from "./dom";
 export function download(name: string, content: Blob): void {
   const href = URL.createObjectURL(content);
   make("a", { href, download: name }).click();
-  // The browser has begun to read it once the click is through.
+  // After the click the browser has begun to read it.
   setTimeout(() => URL.revokeObjectURL(href), 60_000);
 }

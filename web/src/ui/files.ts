@@ -1,9 +1,9 @@
 import { byId } from "./dom";
 
-/** Most that a file may hold, bytes: a hydrodynamic database of a thousand frequencies and directions has a tenth of it. */
+/** Largest file, bytes: ten times a hydrodynamic database of a thousand frequencies and directions. */
 const MOST_BYTES = 100e6;
 
-/** Files that are chosen or dropped on the page, handed on together as texts by their names; one that is too large is refused unread. */
+/** Files that are chosen or dropped on the page, handed on together as texts by name; a file that is too large is refused unread. */
 export function enableFiles(open: (texts: Record<string, string>) => void, refuse: (file: File, most_bytes: number) => void): void {
   const take = async (files: File[]) => {
     const large = files.find(({ size }) => size > MOST_BYTES);

@@ -7,7 +7,7 @@ import type { Moment } from "../app/recording/recording";
 import { texts } from "../texts";
 import { byId, byTestId, make, setText } from "./dom";
 
-/** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than many frames. */
+/** Hydrostatics are computed after this pause of the controls, ms: they cost more than many frames. */
 const CALM_MS = 250;
 
 /** How the ship floats, over the picture: heel, trim, draught, the wave and the metacentric height, where there is a hull. */
@@ -52,7 +52,7 @@ export class Floating {
     }, CALM_MS);
   }
 
-  /** Of the first hull, as the rest of the box. */
+  /** Values of the first hull, like the rest of the box. */
   private showAtRest(found: Hydrostatics | null): void {
     const height_m = found?.hulls[0]?.metacentric_height_m[0];
     setText(byTestId("metacentric-height"), height_m === undefined ? "–" : `${fixed(height_m, 2)} m`);

@@ -2,7 +2,7 @@ import type { ParameterInfo, Value } from "../engine/engine";
 import { texts } from "../texts";
 import { make } from "./dom";
 
-/** One control: its element, and how it shows a value and that the value waits for a reset. */
+/** One control: its element, and functions that show its value and whether the value waits for a reset. */
 export interface Item {
   name: string;
   element: HTMLElement;
@@ -41,14 +41,14 @@ export function choice({ name, label, live, choices }: Named & Pick<ParameterInf
   };
 }
 
-/** When a change takes effect; for what is no parameter nothing. */
+/** When a change takes effect; empty for a control that is not a parameter. */
 function whenOf(live: boolean | undefined): Node | string {
   if (live === undefined) return "";
   const { live: at_once, restart } = texts.controls;
   return make("span", { class: live ? "item-when item-live" : "item-when item-restart" }, live ? at_once : restart);
 }
 
-/** A slider with its number beside it, editable; without a range the number alone. */
+/** A slider with an editable number; without a range only the number. */
 export function number({ name, label, live, unit, range }: Numeric, set: (value: number) => void): Item {
   const text = unit ? `${label}, ${unit}` : label;
   const box = make("input", {
@@ -69,7 +69,7 @@ export function number({ name, label, live, unit, range }: Numeric, set: (value:
   let shown = "";
   box.addEventListener("change", () => {
     if (Number.isFinite(box.valueAsNumber)) set(box.valueAsNumber);
-    // A NaN leaves the value in force, and in sight.
+    // NaN keeps the present value, and shows it.
     else box.value = shown;
   });
   return {
@@ -87,15 +87,15 @@ function inShort(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
-/** A number that was degrees, was turned to radians and back, as it was written. */
+/** Restores a number of degrees that was converted to radians and back. */
 export function withoutRounding(value: number): string {
   return String(Number(value.toPrecision(12)));
 }
 
-/** How far the slider of a position's lever reaches from zero, rad or m; its box takes any number. */
+/** Range of the slider of a position lever, rad or m; its box takes any number. */
 const SLIDER_REACH = 100;
 
-/** The slider's range of an input. The set-point of a position has no bounds of its own: they are a million to either side. */
+/** The slider's range for an input. The set-point of a position has no real bounds: they are plus and minus a million. */
 export function sliderRange({ unit, lower, upper }: { unit: string; lower: number; upper: number }): [number, number] {
   const isPosition = unit === "rad" || unit === "m";
   return isPosition ? [Math.max(lower, -SLIDER_REACH), Math.min(upper, SLIDER_REACH)] : [lower, upper];

@@ -10,10 +10,10 @@ export function menuOf(element: HTMLDetailsElement, title: string, icon: string,
   listenOnce(element, panel);
 }
 
-/** How far the panel stays from the foot of what it lies in, pixels. */
+/** Distance of the panel from the bottom of its container, pixels. */
 const FOOT_PX = 8;
 
-/** The panel is no higher than there is room; what the menu hears it hears once, however often it is filled. */
+/** The panel fits the available height; listeners are added only once, even if the menu is filled again. */
 function listenOnce(element: HTMLDetailsElement, panel: HTMLElement): void {
   element.ontoggle = () => {
     const room = element.closest("section")?.getBoundingClientRect();
@@ -36,7 +36,7 @@ export interface Choice {
   label: string;
 }
 
-/** One of some, as radio buttons. */
+/** A choice, as radio buttons. */
 export function oneOf(group: string, legend: string, choices: readonly Choice[], chosen: string, choose: (name: string) => void): HTMLElement {
   const items = choices.map(({ name, label }) => {
     const input = make("input", { type: "radio", name: group, value: name, checked: name === chosen, "data-testid": `${group}-${name}` });

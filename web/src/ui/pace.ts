@@ -4,7 +4,7 @@ import type { Session } from "../app/session";
 import { texts } from "../texts";
 import { byId, setText } from "./dom";
 
-/** How fast the run goes against the wall, and that it lags where it does. */
+/** The speed of the run relative to wall time, and whether it lags. */
 export function showPace(session: Session): void {
   const pace = new Pace();
   const shown = byId("pace");

@@ -5,7 +5,7 @@ import { duration, fixed, integratorName, scientific } from "../app/format";
 import { texts } from "../texts";
 import { byTestId, setText } from "./dom";
 
-/** The time, always in sight, and how it is computed with which errors, in one line that opens. */
+/** The time, always visible, and the numerical method with its errors, in a line that can be opened. */
 export class Readouts {
   private readonly time = byTestId("time");
   private readonly energy = byTestId("energy-error");
@@ -31,7 +31,7 @@ export class Readouts {
     });
   }
 
-  /** The integrator can be another while the run goes on. */
+  /** The integrator can change during a run. */
   private showScheme({ model }: Run, integrator: string): void {
     const name = integratorName(integrator);
     const short = name.replace(/ \(.*/, "");
@@ -53,7 +53,7 @@ export class Readouts {
   }
 }
 
-/** Errors are in proportion to the largest energy and momentum of all rows so far. */
+/** Errors are relative to the largest energy and momentum of all rows so far. */
 function see(run: Run, frame: Frame): void {
   const { width } = run.columns;
   for (let at = 0; at < frame.rows.length; at += width) run.accuracy.see(frame.rows.subarray(at, at + width));
@@ -65,7 +65,7 @@ function seeAnew(run: Run, { rows }: Recording): void {
   for (const { row } of rows.items) run.accuracy.see(row);
 }
 
-/** Before anything has moved there is nothing to be in proportion to: no error is 0, and another is as it is. */
+/** Before anything has moved there is no scale: a zero error is 0, and any other is shown without scaling. */
 function relative(value: number, absolute: number, inItself: string): string {
   if (Number.isNaN(value)) return absolute === 0 ? "0" : inItself;
   return scientific(value);

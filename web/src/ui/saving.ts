@@ -2,14 +2,14 @@ import type { Session } from "../app/session";
 import { byId } from "./dom";
 import { download } from "./download";
 
-/** Hands the scenario over as a file, with the parameters and the levers as they were set. */
+/** Saves the scenario as a file, with the parameters and the lever moves. */
 export function enableSaving(session: Session): void {
   const button = byId<HTMLButtonElement>("save");
   button.addEventListener("click", () => void saveScenario(session));
   session.listen({ statusChanged: (status) => (button.disabled = status === "loading" || status === "empty") });
 }
 
-/** The name of the file; null where there is none, which is reported. */
+/** The name of the file; null, with a report, if there is none. */
 export async function saveScenario(session: Session): Promise<string | null> {
   const file = await session.save();
   if (!file) return null;

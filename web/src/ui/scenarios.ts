@@ -13,41 +13,41 @@ import type { SharedRun } from "../share/shared_run";
 import { language, texts } from "../texts";
 import { byId, make } from "./dom";
 
-/** Before the names of files, and of links, among the choices. */
+/** Prefixes of files and links among the choices. */
 const FILE = "file:";
 const LINK = "link:";
-/** How long values stay as they are before the address says them, ms: browsers refuse many addresses at a time. */
+/** Pause after the last change before values are written to the address, ms: browsers limit address changes. */
 const CALM_MS = 300;
 
-/** What the browser's history keeps of a page. */
+/** State of a page in the browser's history. */
 export interface Choice {
   choice: string;
 }
 
-/** A choice beside those of the gallery: a file that was opened here, or what came by a link. */
+/** A choice that is not in the gallery: a file that was opened here, or a scenario from a link. */
 interface Own {
   source: Source;
   values: Values;
   title: string;
-  /** Where the address has it. */
+  /** The link in the address. */
   hash: string;
   link?: SharedRun;
 }
 
-/** Choosing a scenario: by the address, from the gallery or as a file; the address says which, and with which values. */
+/** The choice of a scenario by the address, from the gallery or as a file; the address holds the choice and its values. */
 export class Scenarios {
   private readonly select = byId<HTMLSelectElement>("gallery");
   private readonly own = new Map<string, Own>();
   private gallery: Gallery;
   private shown = "";
-  /** What the shown one was opened with. */
+  /** The values with which the shown scenario was opened. */
   private values: Values = {};
   private timer = 0;
 
   constructor(
     private readonly session: Session,
     base: string,
-    /** Is told of a run that came by a link, once it is open. */
+    /** Called when a run from a link is open. */
     private readonly linked: (link: SharedRun) => void,
   ) {
     this.gallery = Gallery.empty(base);
@@ -55,13 +55,13 @@ export class Scenarios {
     session.listen({ valuesChanged: () => this.writeSoon() });
   }
 
-  /** What there is to choose from. */
+  /** The list of choices. */
   offer(gallery: Gallery): void {
     this.gallery = gallery;
     this.fill();
   }
 
-  /** Opens what the address asks for; where that cannot be, what the bare address does. */
+  /** Opens the scenario of the address; if that fails, the default one. */
   async openAddress(): Promise<void> {
     if (holdsRun(location.hash)) return this.openLink(location.hash);
     const asked = askedBy(location.search);
@@ -70,21 +70,21 @@ export class Scenarios {
     if (!(await this.openAsked(asked))) await this.openFirst(this.session.fault);
   }
 
-  /** What opens where nothing is asked for. */
+  /** The default scenario. */
   private get first(): Asked {
     const { opening } = this.gallery;
     return opening ? { scenario: opening, values: {} } : OPENING;
   }
 
-  /** In the place of what cannot be opened, which is said. */
+  /** Opens the default instead of a scenario that cannot be opened, with a message. */
   private async openFirst(why: Fault | null): Promise<void> {
-    // Where the engine is not there, another fails in the same way.
+    // Without an engine, another scenario would fail in the same way.
     if (isOfEngine(why) || !(await this.openAsked(this.first))) return;
     history.replaceState(null, "", location.pathname + (this.gallery.opening ? "" : queryOf(this.first)));
     if (why) this.session.report(why);
   }
 
-  /** A run that the address holds; one that does not open leaves the run in hand as it was. */
+  /** Opens the run in the address; if it cannot be opened, the present run stays. */
   private async openLink(hash: string): Promise<void> {
     const why = await this.triedLink(hash);
     if (!why) return;
@@ -93,7 +93,7 @@ export class Scenarios {
     this.session.report(why);
   }
 
-  /** Why it does not open. */
+  /** The reason why it cannot be opened. */
   private async triedLink(hash: string): Promise<Fault | null> {
     try {
       const link = await runIn(hash);
@@ -113,7 +113,7 @@ export class Scenarios {
     return { ...source, changes };
   }
 
-  /** With the file's own values where those of the address are refused, which is said. */
+  /** Opens with the file's own values if those of the address are refused, with a message. */
   private async openAsked({ scenario, values }: Asked): Promise<boolean> {
     const name = scenario ?? "";
     if (await this.openNamed(name, values)) return true;
@@ -147,19 +147,19 @@ export class Scenarios {
     return isOpen;
   }
 
-  /** What is chosen by hand stands in the address, so that a link to it can be sent and Back leads from it. */
+  /** The address shows the user's choice, so that it can be sent as a link and Back works. */
   private async choose(choice: string): Promise<void> {
     const own = this.own.get(choice);
     if (!(await (own ? this.openOwn(choice, own) : this.openNamed(choice, {})))) return;
     history.pushState({ choice }, "", location.pathname + this.address());
   }
 
-  /** Whether a file that was opened here, or a link, is what a state of the history stands for. */
+  /** Whether a history state belongs to a file that was opened here, or to a link. */
   holds(state: Choice | null): boolean {
     return state !== null && this.own.has(state.choice);
   }
 
-  /** Back or forward, or another link in the address; what is open already stays as it is. */
+  /** Back or forward, or another link in the address; a scenario that is already open stays. */
   async goTo(state: Choice | null): Promise<void> {
     clearTimeout(this.timer);
     const own = state && this.own.get(state.choice);
@@ -169,7 +169,7 @@ export class Scenarios {
     else await this.openAddress();
   }
 
-  /** A scenario, and with it the files that it names. */
+  /** Opens a scenario with the files that it names. */
   async openFiles(dropped: Record<string, string>): Promise<void> {
     const file = scenarioAmong(dropped);
     if (!file) return this.session.report(faultOfDatabase(Object.keys(dropped)[0]));
@@ -196,7 +196,7 @@ export class Scenarios {
     this.select.value = this.shown;
   }
 
-  /** What the address has after its path: nothing of a person's own file, and a link stays the link. */
+  /** The address after its path: empty for a user's own file; a link stays. */
   private address(): string {
     const own = this.own.get(this.shown);
     return own ? own.hash : queryOf({ scenario: this.shown, values: this.session.values.wanted });

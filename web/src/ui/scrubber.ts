@@ -5,10 +5,10 @@ import { byId, byTestId, make, setText } from "./dom";
 import { marksOf, wordsNear } from "./marks";
 import type { Mark } from "./marks";
 
-/** How near to a mark its words are shown, as a share of the track. */
+/** Distance to a mark within which its text is shown, as a share of the track. */
 const NEAR = 1 / 100;
 
-/** The whole recording as a track: the moment that is shown, what happened when, and a way to any moment of it. */
+/** The whole recording as a track: the moment that is shown, marks of events, and access to any moment. */
 export class Scrubber {
   private readonly range = byId<HTMLInputElement>("cursor");
   private readonly list = byId("marks");
@@ -25,7 +25,7 @@ export class Scrubber {
     this.show();
   }
 
-  /** From record to record; the rest is the browser's. */
+  /** Arrow keys move from record to record; the browser handles the rest. */
   private key(event: KeyboardEvent): void {
     const records = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
     const { recording, time_s } = this.session.shown;
@@ -34,7 +34,7 @@ export class Scrubber {
     this.session.scrub(recording.beside(time_s, records));
   }
 
-  /** Says what happened where the pointer is. */
+  /** Shows the events at the pointer. */
   private point({ clientX }: PointerEvent): void {
     const { left, width } = this.list.getBoundingClientRect();
     this.range.title = wordsNear(this.marks, (clientX - left) / width, NEAR);
@@ -59,7 +59,7 @@ export class Scrubber {
   private showMarks(): void {
     const { marks, start_s, now } = this.session.shown.recording!;
     this.marks = marksOf(marks, start_s, now.time_s);
-    // A run that goes on shifts them a little all the time: they move where it is seen.
+    // A run shifts the marks a little all the time: they are moved only when the shift is visible.
     const listed = this.marks.map(({ share, words }) => `${share.toFixed(3)} ${words}`).join("\n");
     if (listed === this.listed) return;
     this.listed = listed;

@@ -1,10 +1,10 @@
 import { byId } from "./dom";
 
-/** The panels take turns: of all on a narrow screen, of those beside the picture on a wide one, where the plots are always there. */
+/** Shows one panel at a time: among all panels on a narrow screen, among those beside the picture on a wide one, where the plots stay. */
 export function enableSwitcher(): void {
   for (const button of buttons()) button.addEventListener("click", () => showPanel(button.dataset.panel!));
   document.querySelector(".skip-link")!.addEventListener("click", (event) => {
-    // The address would be another one, which asks for another page.
+    // A link would change the address, and with it the page.
     event.preventDefault();
     showPanel("controls");
     byId("controls").focus();
@@ -21,7 +21,7 @@ export function showPanel(id: string): void {
   byId(id).dispatchEvent(new Event(OPENED));
 }
 
-/** Says to a panel that it is in sight: what it shows may be old. */
+/** Tells a panel that it is visible: its content may be old. */
 const OPENED = "panel-opened";
 
 export function onPanelOpened(id: string, act: () => void): void {
@@ -32,7 +32,7 @@ export function isPanelOpen(id: string): boolean {
   return byId(id).classList.contains("is-open");
 }
 
-/** Offers a panel where it has something to show; one that is open and no more offered gives way to the controls. */
+/** Offers a panel if it has content; an open panel without content is replaced by the controls. */
 export function offerPanel(id: string, isOffered: boolean): void {
   const button = buttons().find(({ dataset }) => dataset.panel === id)!;
   button.hidden = !isOffered;

@@ -6,12 +6,12 @@ import { cross, unit } from "./fit";
 import { bowArrowOf } from "./hull";
 import type { Palette } from "./palette";
 
-/** Faces that meet at less than this look round, rad. */
+/** Faces that meet at a smaller angle are shaded smoothly, rad. */
 const CREASE = 0.5;
-/** Upward part of the normal of what is painted as deck. */
+/** Smallest upward component of the normal of faces that are painted as deck. */
 const LEVEL = 0.9;
 
-/** The hull as the hydrodynamic data have it, painted below and above the water line of those data. */
+/** The hull mesh of the hydrodynamic database, painted below and above its water line. */
 export function meshHullOf({ mesh, origin_m }: HullInfo & { mesh: MeshInfo }, palette: Palette): Group {
   const positions: number[] = [];
   const colours: number[] = [];

@@ -3,13 +3,13 @@ import type { DataTexture, IUniform } from "three";
 import type { Palette } from "./palette";
 import { ripplesOf } from "./ripples";
 
-/** Towards the sun: from astern and starboard, high enough for short shadows. */
+/** Direction of the sun: from astern and starboard, high enough for short shadows. */
 export const TO_SUN = new Vector3(-0.72, -0.46, 1.05).normalize();
 
-/** How bright the sky and the water are drawn, over the theme's colours: tone mapping darkens them again. */
+/** Brightness of sky and water relative to the theme's colours: tone mapping darkens them again. */
 const BRIGHTNESS = { day: 1.15, night: 1 };
 
-/** What the shaders of the sky and of the sea share: one value for both, so that they meet without an edge. */
+/** Shared values of the shaders of sky and sea, so that they meet without an edge. */
 export type Air = { [uniform in keyof ReturnType<typeof airOf>]: IUniform };
 
 export function airOf() {
@@ -23,12 +23,12 @@ export function airOf() {
     toSun: { value: TO_SUN },
     /** Distance at which haze takes most of the colour, m. */
     visibility_m: { value: 3000 },
-    /** Of the tile of ripples, m. */
+    /** Size of the tile of ripples, m. */
     tile_m: { value: 20 },
-    /** Steepness of the ripples, and of the waves that are too far away for the engine's grid. */
+    /** Steepness of the ripples, and of waves beyond the engine's grid. */
     rippleSlope: { value: 0 },
     farSlope: { value: 0 },
-    /** Where the ripples have moved to, tiles. */
+    /** Displacement of the ripples, tiles. */
     drift: { value: new Vector2() },
     ripples: { value: null as DataTexture | null },
     underWater: { value: false },
@@ -56,7 +56,7 @@ export const SKY_GLSL = /* glsl */ `
     return sunColour * 9.0 * smoothstep(0.9993, 0.9997, dot(direction, toSun));
   }`;
 
-/** The water: its body, the sky mirrored in it, ripples, and what an eye under it sees. */
+/** The water: its colour, the mirrored sky, ripples, and the view from below. */
 export const WATER_GLSL = /* glsl */ `
   uniform vec3 deep, shallow, foamColour;
   uniform vec2 drift;
@@ -64,7 +64,7 @@ export const WATER_GLSL = /* glsl */ `
   uniform float visibility_m, tile_m, rippleSlope, farSlope;
 
   #ifndef FLAT
-  // Slopes of the small waves at a place, and a share of far waves; each layer goes its own way.
+  // Slopes of the small waves at a place, and a share of far waves; each layer moves differently.
   vec2 rippleAt(vec2 place, float distance_m, float far) {
     vec2 at = place / tile_m;
     float seen = 1.0 / (1.0 + distance_m / (14.0 * tile_m));
@@ -94,7 +94,7 @@ export const WATER_GLSL = /* glsl */ `
     return mix(skyColour(normalize(vec3(direction.xy, 0.0))), colour, clear);
   }
 
-  // Water without end: dark below, lighter towards the surface.
+  // Unbounded water: dark below, lighter towards the surface.
   vec3 depths(vec3 direction) {
     vec3 lit = mix(deep, shallow, 0.75);
     return mix(0.35 * deep, lit, smoothstep(-0.9, 1.0, direction.z));
@@ -109,7 +109,7 @@ export const WATER_GLSL = /* glsl */ `
     return mix(depths(direction), colour, exp(-2.2 * distance_m / tile_m / 14.0));
   }`;
 
-/** What ends each of these shaders. */
+/** The last lines of each of these shaders. */
 export const FINISH_GLSL = /* glsl */ `
     #include <tonemapping_fragment>
     #include <colorspace_fragment>

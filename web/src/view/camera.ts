@@ -11,20 +11,20 @@ const UP: Vec3 = [0, 0, 1];
 const FIELD_DEG = 32;
 /** The eye's lowest place around what it looks at, rad from above. */
 const LOWEST = 0.94 * Math.PI;
-/** How far a body that is followed is away, in its own sizes, and at least in those of the model. */
+/** Distance of a followed body, in sizes of the body, and smallest distance in sizes of the model. */
 const FOLLOWED = { own: 9, model: 0.25 };
-/** The eye stays so far above the water, in sizes of the model. */
+/** Smallest height of the eye above the water, in sizes of the model. */
 const ABOVE_WATER = 0.012;
-/** Room around what is fitted. */
+/** Margin around the fitted objects. */
 const MARGIN = 1.16;
-/** Room that is left before the eye steps back. */
+/** Margin at which the eye steps back. */
 const EDGE = 1.06;
-/** How soon the eye steps back, ms. */
+/** Time in which the eye steps back, ms. */
 const STEP_BACK_MS = 180;
 const KEY_TURN = Math.PI / 36;
 const KEY_ZOOM = 0.9;
 
-/** The eye: orbits the ship by mouse, touch and keys, and keeps it in the picture until taken over. */
+/** The camera: orbits the ship by mouse, touch and keys, and keeps it in the picture until the user moves it. */
 export class Eye {
   readonly camera = new PerspectiveCamera(FIELD_DEG, 1, 0.5, 3000);
   private readonly orbit: OrbitControls;
@@ -32,9 +32,9 @@ export class Eye {
   private boxes: Box[] = [];
   private poses: ArrayLike<number> = [];
   private root: Vec3 = [0, 0, 0];
-  /** The body that the eye goes along with. */
+  /** The body that the camera follows. */
   private followed = 0;
-  /** From where what is fitted is seen. */
+  /** Direction of the view for a fit. */
   private back = FIRST_VIEW;
   private readonly outlook: Outlook;
   private last_ms = 0;
@@ -42,15 +42,15 @@ export class Eye {
   private height = 1;
   /** The part of the picture that nothing covers. */
   private room: Area = { left: 0, top: 0, right: 1, bottom: 1 };
-  /** Whether the person has turned or zoomed the view; then it stays theirs until the next fit. */
+  /** Whether the user has turned or zoomed the view; it then stays until the next fit. */
   isTaken = false;
 
   constructor(
     canvas: HTMLCanvasElement,
     private readonly moved: () => void,
-    /** What stands on the picture. */
+    /** The controls that cover the picture. */
     private readonly covers: () => Area[],
-    /** Back to how it was first looked at. */
+    /** Back to the first view. */
     private readonly home: () => void,
   ) {
     this.camera.up.set(...UP);
@@ -64,7 +64,7 @@ export class Eye {
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
-  /** What to keep in the picture. */
+  /** The points to keep in the picture. */
   watch(boxes: Box[], poses: ArrayLike<number>): void {
     this.boxes = boxes;
     this.poses = poses;
@@ -81,7 +81,7 @@ export class Eye {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Everything from a side, to be turned from there. */
+  /** Everything from one side; the user can turn the view from there. */
   lookFrom(back: Vec3 = FIRST_VIEW): void {
     this.leavePost();
     this.followed = 0;
@@ -90,7 +90,7 @@ export class Eye {
     this.fit();
   }
 
-  /** Near a body, and along with it. */
+  /** Near a body, following it. */
   goAlong(body: number): void {
     this.leavePost();
     this.followed = body;
@@ -106,7 +106,7 @@ export class Eye {
     this.moved();
   }
 
-  /** Where a person stands; `target` is the body to look at. */
+  /** From the place of a person; `target` is the body to look at. */
   standAt(post: Post, target: number | null): void {
     this.isTaken = true;
     this.orbit.enabled = false;
@@ -120,7 +120,7 @@ export class Eye {
     this.useLens();
   }
 
-  /** Keeps the eye above the water; null where it may go under, or where there is none. */
+  /** Keeps the eye above the water; null if it may go under, or if there is no water. */
   stayAbove(water_m: ((x: number, y: number) => number | null) | null): void {
     const { position } = this.camera;
     const water = this.outlook.isTaken ? null : (water_m?.(position.x, position.y) ?? null);
@@ -152,7 +152,7 @@ export class Eye {
     else this.fit();
   }
 
-  /** Puts what is looked at in the middle of that part of the picture which nothing covers and where it is seen largest. */
+  /** Centres the target in the uncovered part of the picture in which it appears largest. */
   private makeRoom(points: readonly Vec3[]): void {
     const { width, height } = this;
     const nearness = (area: Area) => 1 / frame(points, unit(this.back), UP, this.lensOf(area)).distance;
@@ -176,7 +176,7 @@ export class Eye {
     this.moved();
   }
 
-  /** Once a frame: what is left of a drag, and a step back while something is out of the picture. */
+  /** Called once per frame: the rest of a drag, and a step back while something is outside the picture. */
   update(now_ms: number): void {
     const passed_ms = Math.min(now_ms - this.last_ms, 250);
     this.last_ms = now_ms;
@@ -203,13 +203,13 @@ export class Eye {
     return this.lensOf(this.room);
   }
 
-  /** A part of the picture as if it were the whole. */
+  /** Projects to a part of the picture. */
   private lensOf({ left, top, right, bottom }: Area) {
     const share = (bottom - top) / this.height;
     return { fov: 2 * Math.atan(share * Math.tan(this.fov / 2)), aspect: (right - left) / (bottom - top) };
   }
 
-  /** Without damping an update drops what is left of a drag. */
+  /** Without damping an update drops the rest of a drag. */
   private stopSwinging(): void {
     const { enableDamping } = this.orbit;
     this.orbit.enableDamping = false;
@@ -217,7 +217,7 @@ export class Eye {
     this.orbit.enableDamping = enableDamping;
   }
 
-  /** Goes a share of the way to where everything is in the picture again, never nearer. */
+  /** Moves a share of the way to a view that contains everything, never nearer. */
   private stepBack(share: number): void {
     const points = cornersOf(this.poses, this.boxes);
     const offset = this.camera.position.clone().sub(this.orbit.target);

@@ -1,7 +1,7 @@
 import { Group, IcosahedronGeometry, InstancedMesh, Matrix4, MeshBasicMaterial } from "three";
 import type { Palette } from "./palette";
 
-/** Places, x y z, m, world, one after another, and how late each is, from 0 to 1. */
+/** Places, x y z, m, world, one after another, and the time of each, from 0 to 1. */
 export interface Swarm {
   points: ArrayLike<number>;
   lateness: ArrayLike<number>;
@@ -11,7 +11,7 @@ export interface Swarm {
 const SIZE = 0.0035;
 const OPACITY = 0.6;
 
-/** Places where something may come to be, as a cloud: soon in one colour, late in another. */
+/** Possible future places as a cloud: soon in one colour, late in another. */
 export class Cloud extends Group {
   private drawn: InstancedMesh<IcosahedronGeometry, MeshBasicMaterial> | null = null;
 

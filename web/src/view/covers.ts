@@ -1,6 +1,6 @@
 import type { Area } from "./fit";
 
-/** What of the page stands on the picture, in its pixels. */
+/** Parts of the page that cover the picture, in pixels. */
 export function coversOf(canvas: HTMLCanvasElement): Area[] {
   const picture = canvas.getBoundingClientRect();
   const parts = [...document.querySelectorAll(".floating, .stick, .scene-tools, .scene-note, .frames-legend, .readouts")];

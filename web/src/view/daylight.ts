@@ -6,15 +6,15 @@ import type { Palette } from "./palette";
 import type { Tier } from "./quality";
 import { Sky } from "./sky";
 
-/** Strengths of the lights; the sky's where it lights by itself, the plain one where it does not. */
+/** Strengths of the lights: of the sky if it is a light source, otherwise of a plain light. */
 const LIGHT = {
   day: { sun: 2.3, sky: 0.6, plain: 1.15 },
   night: { sun: 2.1, sky: 2.2, plain: 1.7 },
 };
-/** Reach of the shadows, in sizes of what throws them. */
+/** Range of the shadows, in sizes of the objects. */
 const REACH = 1.1;
 
-/** The sky, the sun with its shadows, and the light that comes from all around. */
+/** The sky, the sun with its shadows, and the ambient light. */
 export class Daylight extends Group {
   readonly sky: Sky;
   private readonly sun = new DirectionalLight(0xffffff);
@@ -42,14 +42,14 @@ export class Daylight extends Group {
     this.plain.groundColor.set(palette.isDark ? 0x46566a : 0x9aa8b5);
   }
 
-  /** Around it a sea, or a plain room; whether that is new. */
+  /** Sets a sea or a plain room around it; returns whether that is new. */
   surround(hasSea: boolean): boolean {
     if (this.sky.hasSea === hasSea) return false;
     this.sky.hasSea = hasSea;
     return true;
   }
 
-  /** In so much detail; what the sky lights, or null where a plain light does. */
+  /** Sets the level of detail; returns the sky as a light, or null for a plain light. */
   detail(tier: Tier): Texture | null {
     this.sky.detail(tier.ripples);
     if (this.sun.shadow.mapSize.x !== tier.shadowSize) {
@@ -69,7 +69,7 @@ export class Daylight extends Group {
     return (this.isDark ? LIGHT.night : LIGHT.day).sky;
   }
 
-  /** The sun goes with the ship, so that the shadow stays sharp wherever it drifts. */
+  /** The sun moves with the ship, so that the shadow stays sharp while she drifts. */
   follow(x: number, y: number, z: number, size: number): void {
     this.sun.target.position.set(x, y, z);
     this.sun.position.copy(TO_SUN).multiplyScalar(2.4 * size).add(this.sun.target.position);

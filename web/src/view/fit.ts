@@ -20,7 +20,7 @@ export function rotate([w, x, y, z]: readonly [number, number, number, number], 
   return [v[0] + 2 * u[0], v[1] + 2 * u[1], v[2] + 2 * u[2]];
 }
 
-/** A box in body axes, by its least and its greatest corner. */
+/** A box in body axes, by its smallest and its largest corner. */
 export interface Box {
   low: Vec3;
   high: Vec3;
@@ -55,7 +55,7 @@ export interface Lens {
   aspect: number;
 }
 
-/** A target and a distance at which the points fill the picture, with as much room on one side as on the other. */
+/** A target and a distance at which the points fill the picture, with equal margins. */
 export function frame(points: readonly Vec3[], back: Vec3, up: Vec3, lens: Lens): { target: Vec3; distance: number } {
   const right = unit(cross(up, back));
   const top = cross(back, right);
@@ -101,7 +101,7 @@ export interface Area {
   bottom: number;
 }
 
-/** The part of a picture of this size that nothing covers and that is best: the largest where nothing else is said. */
+/** The best uncovered part of a picture of this size: by default the largest. */
 export function roomIn(width: number, height: number, covers: readonly Area[], worth: (area: Area) => number = sizeOf): Area {
   const edges = (ends: number[], of: (cover: Area) => number) => [...ends, ...covers.map(of)];
   const covered = (area: Area) => covers.some((one) => one.left < area.right && one.right > area.left && one.top < area.bottom && one.bottom > area.top);

@@ -12,25 +12,25 @@ import type { Palette } from "./palette";
 import { boxOf, edgesOf, shapedHullOf, solidOf } from "./solids";
 import { Stays } from "./stays";
 
-/** What of a run is drawn. */
+/** The data of a run for drawing. */
 export type Shown = Pick<Run, "model" | "lines">;
-/** What of a moment is drawn. */
+/** The data of a moment for drawing. */
 export type Pose = { [part in keyof Pick<Frame, "poses" | "line_points">]: ArrayLike<number> };
 
-/** The bodies of a run with what ties them: as ships and cranes, or as the model's own solids. */
+/** The bodies of a run with their connections: as ships and cranes, or as the model's own solids. */
 export class Fleet {
   readonly world = new Group();
   bodies: Group[] = [];
-  /** Of the model's solids. */
+  /** Size of the model's solids. */
   boxes: Box[] = [];
-  /** Of all that is drawn. */
+  /** Size of everything drawn. */
   drawn: Box[] = [];
   craft: Craft | null = null;
   private linkages: Linkages | null = null;
   private lines: DrawnLines | null = null;
   private stays: Stays | null = null;
 
-  /** `start` is how everything stood when the run began: what is tied to what is taken from it. */
+  /** `start` holds the poses at the start of the run: the connections are found from it. */
   build({ model, lines }: Shown, start: Pose, palette: Palette, isPlain: boolean): void {
     this.clear();
     const hulls = model.bodies.map(({ name }) => shapedHullOf(model, name));
@@ -63,7 +63,7 @@ export class Fleet {
     return Math.max(0.1, ...this.boxes.map((box) => Math.hypot(...edgesOf(box))));
   }
 
-  /** Cuts a body along a plane and shows its inside, or makes it whole again. */
+  /** Cuts a body along a plane and shows its inside, or removes the cut. */
   cut(body: number, plane: Plane | null): void {
     this.bodies[body]?.traverse((object) => {
       if (!(object instanceof Mesh)) return;

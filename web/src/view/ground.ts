@@ -79,7 +79,7 @@ export class Ground extends Group {
     this.grid.uniforms.spacing.value = spacing;
   }
 
-  /** Fades around a place, a few sizes of what stands there away. */
+  /** Fades with the distance from a place, within a few sizes of the model. */
   reachFrom(x: number, y: number, size: number): void {
     this.grid.uniforms.centre.value = [x, y];
     this.grid.uniforms.reach.value = 6 * size;

@@ -4,13 +4,13 @@ import type { Highlight } from "../equations/highlight";
 import type { Box } from "./fit";
 import type { Palette } from "./palette";
 
-/** Lengths of arrows, as parts of the size of the model: of the fastest motion along, and of any turning. */
+/** Lengths of arrows, relative to the size of the model: for the fastest translation, and for any rotation. */
 const ALONG = 0.45;
 const ABOUT = 0.3;
 /** Head of an arrow, as a part of its length. */
 const HEAD = 0.2;
 
-/** Bodies that are pointed out, in a box each, and arrows of how they move. */
+/** Highlighted bodies, each in a box, and arrows of their motion. */
 export class Marks {
   readonly group = new Group();
   private arrows: { arrow: ArrowHelper; body: number; isTurning: boolean; direction: Vector3 }[] = [];
@@ -29,7 +29,7 @@ export class Marks {
     this.place(bodies);
   }
 
-  /** Along with the bodies: what turns is in their axes, what moves along in the world's. */
+  /** Follows the bodies: rotations are in body axes, translations in the world's. */
   place(bodies: readonly Object3D[]): void {
     for (const { arrow, body, isTurning, direction } of this.arrows) {
       arrow.position.copy(bodies[body].position);
@@ -46,7 +46,7 @@ export class Marks {
   private point(body: number, [x, y, z]: readonly number[], length: number, colour: Color, isTurning: boolean): void {
     const direction = new Vector3(x, y, z).normalize();
     const arrow = new ArrowHelper(direction, new Vector3(), length, colour, HEAD * length, 0.6 * HEAD * length);
-    // Seen through the hull: most centres of mass lie in one.
+    // Visible through the hull, because most centres of mass lie inside one.
     for (const part of [arrow.line, arrow.cone]) {
       part.renderOrder = 1;
       const material = part.material as { depthTest: boolean; transparent: boolean };

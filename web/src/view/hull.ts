@@ -66,7 +66,7 @@ function deckOf(box: Box, bevel: number, palette: Palette): Mesh {
   return deck;
 }
 
-/** An arrow along the deck and two frames' lines: where the bow is can be read from any side. */
+/** An arrow along the deck and two frame lines: they show the bow from any side. */
 function markingsOf(box: Box, palette: Palette): Mesh[] {
   const [l, w, z] = [box.length_m, box.width_m, box.height_m / 2 + 0.02];
   const line = (x: number) => {

@@ -6,25 +6,25 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import type { DrawnLine } from "../engine/engine";
 import type { Palette } from "./palette";
 
-/** Width of a line that is too thin to be drawn to scale, pixels: it is seen from afar too. */
+/** Width of a line that is too thin to be drawn to scale, pixels: it stays visible from afar. */
 const WIDTH_PX = 2.2;
 
 /** Axis along which three's cylinders stand. */
 const ALONG = new Vector3(0, 1, 0);
 
-/** The collar at the mouth of a barrel that a rod slides in, over the barrel's radius: its radius and its length. */
+/** The collar at the end of a cylinder barrel, relative to the barrel's radius: its radius and its length. */
 const COLLAR = { radius: 1.22, length: 1.1 };
 
-/** What lays one line through its points: x y z of each. */
+/** A function that lays a line through its points: x y z of each. */
 type Lay = (points: ArrayLike<number>, from: number) => void;
 
-/** What the engine draws beside the bodies: ropes, tubes and pins, through its points. All tubes are one draw call, and all pins. */
+/** The lines of the engine: ropes, tubes and pins, through their points. All tubes are one draw call, and all pins another. */
 export class DrawnLines {
   private readonly drawn: { lay: Lay; points: number }[];
   private readonly tubes: Instances | null;
   private readonly pins: Instances | null;
 
-  /** Puts what is drawn into the world. */
+  /** Adds the lines to the world. */
   constructor(lines: readonly DrawnLine[], world: Group, palette: Pick<Palette, DrawnLine["style"]>) {
     const isTube = ({ points, radius_m }: DrawnLine) => points > 1 && radius_m > 0;
     const collars = lines.filter(({ style }) => style === "barrel").length;
@@ -38,7 +38,7 @@ export class DrawnLines {
     });
   }
 
-  /** Lays them through their points now, one line's after another's. */
+  /** Moves them to their present points, line by line. */
   place(points: ArrayLike<number>): void {
     let from = 0;
     for (const line of this.drawn) {
@@ -49,13 +49,13 @@ export class DrawnLines {
   }
 }
 
-/** Solids of one shape, each of its own size and colour, as one mesh. */
+/** Solids of one shape, with individual sizes and colours, as one mesh. */
 class Instances {
   private count = 0;
 
   private constructor(private readonly mesh: InstancedMesh) {}
 
-  /** Null where there are none. */
+  /** Null if there are none. */
   static of(count: number, geometry: BufferGeometry, world: Group): Instances | null {
     if (count === 0) return null;
     const mesh = new InstancedMesh(geometry, new MeshStandardMaterial({ roughness: 0.35, metalness: 0.25 }), count);
@@ -70,7 +70,7 @@ class Instances {
     return (points, from) => this.put(at, point(points, from), new Quaternion(), new Vector3().setScalar(radius_m));
   }
 
-  /** From its first point to its second; a barrel has a collar where its rod comes out. */
+  /** From its first point to its second; a barrel has a collar at the rod's end. */
   tube(radius_m: number, colour: Color, isBarrel: boolean): Lay {
     const [at, collar] = [this.next(colour), isBarrel ? this.next(colour) : -1];
     return (points, from) => {
@@ -107,7 +107,7 @@ function threadOf(count: number, colour: Color, world: Group): Lay {
   world.add(object);
   const { data } = geometry.getAttribute("instanceStart") as InterleavedBufferAttribute;
   return (points, from) => {
-    // Each of its parts has both its ends.
+    // Each part stores both of its ends.
     for (let part = 0; part + 1 < count; part++) {
       for (let k = 0; k < 6; k++) data.array[6 * part + k] = points[from + 3 * part + k];
     }

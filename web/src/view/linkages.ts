@@ -4,18 +4,18 @@ import type { ModelInfo, PointInfo } from "../engine/engine";
 import { painted } from "./lines";
 import type { Palette } from "./palette";
 
-/** Radius of a loop's pin, as a part of the thickness of the slimmer body that it ties. */
+/** Radius of a loop's pin, relative to the thickness of the slimmer of its bodies. */
 const PIN = 0.6;
 
 /** Axis along which three's cylinders stand. */
 const ALONG = new Vector3(0, 1, 0);
 
-/** What closed loops tie bodies together by: pins, and rods of a distance. */
+/** The connections of closed loops: pins, and rods for a fixed distance. */
 export class Linkages {
   private readonly lines: Line[] = [];
   private readonly names: string[];
 
-  /** Hangs what is drawn on the bodies' objects and on the world; `thickness` is the bodies', m. */
+  /** Adds them to the objects of the bodies and to the world; `thickness` is that of the bodies, m. */
   constructor(
     model: ModelInfo,
     private readonly bodies: readonly Group[],
@@ -31,7 +31,7 @@ export class Linkages {
     }
   }
 
-  /** Puts what spans two bodies where their pins are now. */
+  /** Moves rods between two bodies to the present places of their pins. */
   place(): void {
     for (const line of this.lines) line.place();
   }

@@ -6,13 +6,13 @@ import { Place } from "./craft/place";
 /** Vertical field of view of a person at a window, degrees. */
 const FIELD_DEG = 58;
 const NEAR_M = 0.1;
-/** Turn of the eyes by a drag, rad a pixel, and up and down at most, rad. */
+/** Turn of the eyes by a drag, rad per pixel, and largest turn up and down, rad. */
 const DRAG = 0.004;
 const STEEPEST = 1.4;
-/** Down from level where there is nothing to look at, rad. */
+/** Downward angle if there is nothing to look at, rad. */
 const DOWN = 0.12;
 
-/** The eyes of a person who stands on a body; they look at something until they are turned. */
+/** The eyes of a person on a body; they look at a target until they are turned. */
 export class Outlook {
   private post: Post | null = null;
   private target: number | null = null;
@@ -33,7 +33,7 @@ export class Outlook {
     return this.post !== null;
   }
 
-  /** Takes the post; `target` is the body to look at. */
+  /** Moves to the post; `target` is the body to look at. */
   take(post: Post, target: number | null): void {
     this.post = post;
     this.target = target;
@@ -49,7 +49,7 @@ export class Outlook {
     this.camera.up.set(0, 0, 1);
   }
 
-  /** By so much to the left and down, rad. */
+  /** Turns to the left and down, rad. */
   turn(left: number, down: number): void {
     if (!this.post) return;
     this.around += left;
@@ -58,7 +58,7 @@ export class Outlook {
     this.turned();
   }
 
-  /** To where the body is now. */
+  /** Follows the body. */
   place(poses: ArrayLike<number>): void {
     if (!this.post) return;
     const { body, point, looks_rad } = this.post;

@@ -1,7 +1,7 @@
 import { Color } from "three";
 import { isDark } from "../app/palette";
 
-/** Colours of the 3D view; they come from the page's theme, so that there is one place for them. */
+/** Colours of the 3D view, from the page's theme. */
 export interface Palette {
   hull: Color;
   bottom: Color;
@@ -15,17 +15,17 @@ export interface Palette {
   pin: Color;
   line: Color;
   grid: Color;
-  /** Of the air and the water. */
+  /** Colours of the air and the water. */
   zenith: Color;
   haze: Color;
   sun: Color;
   deep: Color;
   shallow: Color;
   foam: Color;
-  /** Of the room around where there is no sea. */
+  /** Colours of the surroundings if there is no sea. */
   studioHigh: Color;
   studioLow: Color;
-  /** Of what stands on a deck. */
+  /** Colours of deck equipment. */
   house: Color;
   window: Color;
   fitting: Color;

@@ -1,16 +1,16 @@
 import type { WebGLRenderer } from "three";
 
-/** How much of the scene is drawn. */
+/** The level of detail of the scene. */
 export interface Tier {
-  /** Pixels of the picture to one of the page, at most. */
+  /** Most pixels of the picture per pixel of the page. */
   pixelRatio: number;
   /** Texels along an edge of the map of shadows. */
   shadowSize: number;
-  /** Ripples on the sea, lines between the engine's, light by the sky: else flat colours. */
+  /** Ripples on the sea, interpolated lines, light from the sky; otherwise flat colours. */
   ripples: boolean;
 }
 
-/** From the best to the one that a computer without a graphics card draws. */
+/** From the best to the one for a computer without a graphics card. */
 export const TIERS: readonly Tier[] = [
   { pixelRatio: 2, shadowSize: 4096, ripples: true },
   { pixelRatio: 1.5, shadowSize: 4096, ripples: true },
@@ -21,18 +21,18 @@ export const TIERS: readonly Tier[] = [
 ];
 export const LOWEST = TIERS.length - 1;
 
-/** Frames that a mean is taken over. */
+/** Number of frames in a mean. */
 const WINDOW = 30;
-/** The rate to aim for where the display's is not known to be less, ms a frame. */
+/** Target time per frame, unless the display is slower, ms. */
 const AIM_MS = 1000 / 60;
-/** Means over so much of what the display takes are too slow; below so much there may be room. */
+/** A mean above the first multiple of the display's frame time is too slow; below the second a better tier may be possible. */
 const SLOW = 1.35;
 const ROOMY = 1.12;
-/** Means with room before a better picture is tried, and at most. */
+/** Number of fast means before a better tier is tried, and its upper bound. */
 const PATIENCE = 6;
 const LONGEST_PATIENCE = 192;
 
-/** What draws without a graphics card. */
+/** Names of software renderers. */
 const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
 /** Chooses a tier by the times between frames: worse soon, better after a while and later each time that it failed. */
@@ -49,7 +49,7 @@ export class Quality {
     return TIERS[this.at];
   }
 
-  /** Takes the time between two frames that followed each other; whether the tier is another now. */
+  /** Takes the time between two consecutive frames; returns whether the tier has changed. */
   drew(interval_ms: number): boolean {
     this.sum_ms += interval_ms;
     this.frames += 1;
@@ -79,22 +79,22 @@ export class Quality {
   }
 }
 
-/** The quality of a renderer's pictures, by the time between those that follow each other. */
+/** Sets the quality of a renderer from the times between consecutive frames. */
 export class Drawing {
   private last_ms = 0;
 
   constructor(
     private readonly quality: Quality,
-    /** Whether the tier stays what it is. */
+    /** Whether the tier is fixed. */
     private readonly isHeld: boolean,
   ) {}
 
-  /** Begins where the machine likely ends: low without a graphics card and there for good, lower on a phone. */
+  /** Starts at the likely tier of the machine: low and fixed without a graphics card, lower on a phone. */
   static of(renderer: WebGLRenderer): Drawing {
     const gl = renderer.getContext();
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-    // For pictures that are kept: `#quality=best` after the address.
+    // For saved pictures: `#quality=best` after the address.
     if (new URLSearchParams(location.hash.slice(1)).get("quality") === "best") return new Drawing(new Quality(), true);
     if (SOFTWARE.test(name)) return new Drawing(new Quality(LOWEST), true);
     return new Drawing(new Quality(matchMedia("(pointer: coarse)").matches ? 1 : 0), false);
@@ -104,14 +104,14 @@ export class Drawing {
     return this.quality.tier;
   }
 
-  /** A picture was drawn; whether the tier is another now. */
+  /** A picture was drawn; returns whether the tier has changed. */
   drew(now_ms: number): boolean {
     const [last_ms, isHeld] = [this.last_ms, this.isHeld];
     this.last_ms = now_ms;
     return !isHeld && last_ms > 0 && this.quality.drew(now_ms - last_ms);
   }
 
-  /** Nothing had to be drawn: the next picture follows none. */
+  /** No picture was needed: the next one does not follow a previous one. */
   rest(): void {
     this.last_ms = 0;
   }

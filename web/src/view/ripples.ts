@@ -2,7 +2,7 @@ import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RG
 
 /** Texels along an edge of the tile. */
 const SIZE = 256;
-/** Waves in the tile: along x, along y, share of the slope, phase. Whole numbers of waves, so that tiles join. */
+/** Waves in the tile: along x, along y, share of the slope, phase. The numbers of waves are whole, so that tiles join. */
 const WAVES = waves(28);
 
 /** Slope of the small waves at a place of the tile, from -1 to 1; x and y go from 0 to 1. */
@@ -17,7 +17,7 @@ export function rippleSlope(x: number, y: number): [number, number] {
   return slope;
 }
 
-/** A tile of small waves to look at, of no sea in particular: slopes in red and green. */
+/** A tile of decorative small waves: slopes in red and green. */
 export function ripplesOf(): DataTexture {
   const texels = new Uint8Array(4 * SIZE * SIZE);
   for (let j = 0; j < SIZE; j++) {
@@ -51,7 +51,7 @@ function waves(count: number): { along: number; across: number; share: number; p
   return drawn.map((wave) => ({ ...wave, share: 1.5 / drawn.length ** 0.5 / Math.hypot(wave.along, wave.across) ** 0.35 }));
 }
 
-/** Numbers from 0 to 1 by a linear congruence. */
+/** Numbers from 0 to 1 from a linear congruential generator. */
 function randomFrom(seed: number): () => number {
   let state = seed;
   return () => (state = (1103515245 * state + 12345) % 2147483648) / 2147483648;

@@ -14,15 +14,15 @@ import { View } from "./view";
 
 export interface Scene {
   draw(): void;
-  /** Points out bodies and how they move; null for nothing. */
+  /** Highlights bodies and their motion; null for nothing. */
   highlight(what: Highlight | null): void;
-  /** Where the loads may come to be. */
+  /** Possible future places of the loads. */
   foresee(outlook: Outlook | null): void;
-  /** The picture as it is, to be copied at once: a browser empties it soon after. */
+  /** The present picture; copy it at once, because a browser soon clears it. */
   picture(): HTMLCanvasElement | null;
 }
 
-/** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
+/** Connects the 3D picture to the run and to its buttons; without WebGL it shows a message, and the rest works. */
 export function createScene(session: Session, aside: Aside): Scene {
   let view: View;
   try {
@@ -47,13 +47,13 @@ export function createScene(session: Session, aside: Aside): Scene {
   });
   const timeOfPicture = follow(session);
   let drawn: unknown = null;
-  /** What is to be shown with the next picture: futures come faster than pictures. */
+  /** Futures for the next picture: they arrive faster than pictures. */
   let due: (() => void) | null = null;
   return {
     draw() {
       const { recording } = session.shown;
       const moment = recording && recording.at(timeOfPicture());
-      // What is the same is not drawn again; between two poses every moment is another.
+      // An unchanged picture is not drawn again; between two poses every moment differs.
       if (moment && moment.poses !== drawn) {
         view.show(moment);
         view.showSea(moment.surface);
@@ -71,7 +71,7 @@ export function createScene(session: Session, aside: Aside): Scene {
   };
 }
 
-/** The time of the picture: while a run goes a little behind the newest, else the one that is shown everywhere. */
+/** The time of the picture: during a run slightly behind the newest, otherwise the moment that is shown everywhere. */
 function follow(session: Session): () => number {
   const playback = new Playback();
   const wall_s = () => performance.now() / 1000;
@@ -84,7 +84,7 @@ function follow(session: Session): () => number {
   return () => playback.at(wall_s());
 }
 
-/** A browser may take the graphics away, and gives them back empty. */
+/** A browser may drop the graphics context, and restores it empty. */
 function showLosses(canvas: HTMLElement, view: View): void {
   const message = byId("scene-message");
   canvas.addEventListener("webglcontextlost", () => {
@@ -97,7 +97,7 @@ function showLosses(canvas: HTMLElement, view: View): void {
   });
 }
 
-/** What the picture shows of water. */
+/** The data of the water for the picture. */
 function noteOf({ sea, hulls }: ModelInfo, spacing: number): string {
   if (!sea || hulls.length === 0) return texts.picture.no_water(length(spacing));
   if (sea.wave_components === 0) return texts.picture.still_water;

@@ -7,9 +7,9 @@ import { setDefine } from "./sky";
 import { drawnWaves, heightAt, refined, roughness } from "./waves";
 import type { DrawnWaves } from "./waves";
 
-/** Between these distances, in lengths of the hull, the waves level out: the lines get too far apart to carry them. */
+/** Between these distances, in lengths of the hull, the waves fade to level water: the lines get too far apart to show them. */
 const LEVEL_BETWEEN = [1.4, 3.6] as const;
-/** Lines from the middle within which the sea's roughness is taken. */
+/** Range, in lines from the middle, for the sea's roughness. */
 const ROUGH_LINES = 20;
 /** Ripples: the tile in lengths of the hull, steepness with waves and on still water, speed in tiles a second. */
 const TILE = 0.16;
@@ -17,7 +17,7 @@ const RIPPLE_SLOPE = { waves: 0.16, still: 0.05 };
 const DRIFT_PER_S = 0.03;
 /** Haze, in lengths of the hull. */
 const VISIBILITY = 45;
-/** A drawn frame moves the ripples by so much time at most, s: not by a pause. */
+/** Largest time step of the ripples per frame, s: a pause does not move them. */
 const LONGEST_FRAME_S = 0.1;
 
 const VERTEX = /* glsl */ `
@@ -92,7 +92,7 @@ const FRAGMENT = /* glsl */ `
       } else {
         float foam = flecked(cover.x, place.xy);
         vec3 colour = hazed(waterColour(-towards, normal, cover.y, foam, light), towards, distance_m);
-        // Steeply down a part of what is under the surface shows through.
+        // Seen steeply from above, the surface is partly transparent.
         float seenThrough = 0.26 * smoothstep(0.05, 0.75, -towards.z) * (1.0 - foam);
         float end = 1.0 - smoothstep(0.8 * edge_m, edge_m, length(place.xy - edgeMiddle));
         gl_FragColor = vec4(colour, (1.0 - seenThrough) * end);
@@ -101,7 +101,7 @@ const FRAGMENT = /* glsl */ `
     }
   #endif`;
 
-/** The surface of the sea around the ship as the engine gives it; the sky draws the level sea beyond. */
+/** The surface of the sea around the ship from the engine; the sky shader draws the level sea beyond. */
 export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
   private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
   private drawn: DrawnWaves | null = null;
@@ -134,7 +134,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.visible = false;
   }
 
-  /** How much is drawn of it: ripples, and lines between the engine's. */
+  /** Its level of detail: ripples and interpolated lines. */
   detail(ripples: boolean): void {
     setDefine(this.material, "FLAT", !ripples);
     this.material.transparent = ripples;
@@ -143,7 +143,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.show(this.surface);
   }
 
-  /** Nothing is shown where there is no sea. */
+  /** Hidden if there is no sea. */
   show(surface: Surface | null): void {
     this.visible = surface !== null;
     this.surface = surface;
@@ -160,17 +160,17 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.suit(drawn);
   }
 
-  /** Whether there is a sea, in sight or not. */
+  /** Whether there is a sea, visible or not. */
   get isShown(): boolean {
     return this.surface !== null;
   }
 
-  /** Height of the water at a place, m; null where there is none. */
+  /** Height of the water at a place, m; null if there is none. */
   heightAt(x: number, y: number): number | null {
     return this.isShown && this.drawn ? heightAt(this.drawn, x, y) : null;
   }
 
-  /** Ripples, haze and colours to the size of the ship and the roughness of the sea. */
+  /** Adapts ripples, haze and colours to the size of the ship and the roughness of the sea. */
   private suit(drawn: DrawnWaves): void {
     const { air } = this;
     const { x_m, y_m, height_m } = drawn;
@@ -198,7 +198,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     value.set((value.x + DRIFT_PER_S * passed_s) % 1000, (value.y + 0.6 * DRIFT_PER_S * passed_s) % 1000);
   }
 
-  /** Makes room for so many lines along each axis, where there is another number of them. */
+  /** Allocates for a new number of lines along each axis. */
   private lay(lines: number): void {
     if (this.shares.length === lines * lines) return;
     this.shares = sharesOf(lines);
@@ -213,7 +213,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
   }
 }
 
-/** How much of the wave is drawn at each crossing: 1 around the middle, 0 beyond, and smoothly down between. */
+/** Share of the wave at each crossing: 1 around the middle, 0 far away, smooth in between. */
 function sharesOf(lines: number): Float32Array<ArrayBuffer> {
   const step = (lines - 1) / (OFFSETS.length - 1);
   const offset = (k: number) => {
@@ -228,7 +228,7 @@ function sharesOf(lines: number): Float32Array<ArrayBuffer> {
   });
 }
 
-/** Two a cell, counter-clockwise from above. */
+/** Two triangles for each cell, counter-clockwise from above. */
 function triangles(lines: number): number[] {
   const indices: number[] = [];
   for (let i = 0; i + 1 < lines; i++) {

@@ -2,14 +2,14 @@ import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, M
 import type { Box } from "./fit";
 import type { Palette } from "./palette";
 
-/** Places along the cut at which the water's height is taken. */
+/** Number of points of the water's height along the cut. */
 const PLACES = 65;
-/** Thickness of the drawn water line, as a part of the hull's length. */
+/** Thickness of the drawn water line, relative to the hull's length. */
 const LINE = 0.0022;
 
-/** A cut along a hull's centre line: what keeps the half beyond it, and the water in it. */
+/** A cut along a hull's centre line: the clipping plane, and the water in it. */
 export class Section extends Group {
-  /** Keeps what is to port. */
+  /** Keeps the port side. */
   readonly plane = new Plane();
   private readonly line = strip(1);
   private readonly water = strip(0.3);

@@ -33,7 +33,7 @@ const FRAGMENT = /* glsl */ `
   void main() {
     vec3 towards = normalize(direction);
     if (!hasSea) {
-      // Two soft steps: a floor, and a wall that darkens upwards.
+      // A soft transition between a floor and a wall that darkens upwards.
       float wall = smoothstep(-0.12, 0.75, towards.z);
       gl_FragColor = vec4(mix(studioLow, studioHigh, max(wall, 0.7 * smoothstep(0.1, -0.9, towards.z))), 1.0);
       #include <colorspace_fragment>
@@ -47,7 +47,7 @@ const FRAGMENT = /* glsl */ `
     ${FINISH_GLSL}
   }`;
 
-/** What is behind everything: sky and level sea to the horizon, or where there is no sea a plain room. */
+/** The background: sky and level sea to the horizon, or a plain room if there is no sea. */
 export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
   private readonly eye = new Float32Array(3);
 
@@ -59,7 +59,7 @@ export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
     );
     this.material.uniforms = { ...air, ...own, eye: { value: this.eye } };
     this.frustumCulled = false;
-    // After what is opaque: only what is left of the picture is painted.
+    // After the opaque objects, so that only the remaining pixels are painted.
     this.renderOrder = 1;
     this.onBeforeRender = (_renderer, _scene, { matrixWorld }) => this.eye.set(matrixWorld.elements.slice(12, 15));
   }

@@ -7,13 +7,13 @@ import type { Box, Vec3 } from "./fit";
 import { hullOf } from "./hull";
 import type { Palette } from "./palette";
 
-/** Density that a point's ball is drawn with, kg/m3: a tonne is 1.2 m across. */
+/** Density of the ball of a point mass, kg/m3: a tonne is 1.2 m across. */
 const BALL_DENSITY = 1100;
 
 /** A hull with its shape. */
 export type ShapedHull = HullInfo & { mesh: MeshInfo };
 
-/** What a body looks like, about its own frame: x forward, y to port, z up; as its hull where that has a shape. */
+/** The look of a body in its own frame: x forward, y to port, z up; its hull mesh if there is one. */
 export function solidOf(body: BodyInfo, palette: Palette, isShip: boolean, hull: ShapedHull | undefined): Object3D {
   const { shape } = body;
   if (hull) return meshHullOf(hull, withHull(palette, body.colour));
@@ -50,7 +50,7 @@ function geometryOf(shape: Shape, mass_kg: number): BufferGeometry {
   }
 }
 
-/** A cylinder about its centre with slightly broken edges. */
+/** A cylinder about its centre with slightly bevelled edges. */
 function cylinderOf(radius: number, length: number, axis: "x" | "y" | "z"): BufferGeometry {
   const [half, edge] = [length / 2, 0.12 * Math.min(radius, length)];
   const corner = (sign: number) =>
@@ -65,7 +65,7 @@ function cylinderOf(radius: number, length: number, axis: "x" | "y" | "z"): Buff
   return geometry;
 }
 
-/** A point has no size: it is drawn as a ball as large as its mass suggests. */
+/** A point mass has no size: it is drawn as a ball whose size follows from its mass. */
 function ballOf(mass_kg: number): BufferGeometry {
   return new SphereGeometry(ballRadius(mass_kg), 36, 24);
 }
@@ -74,7 +74,7 @@ export function ballRadius(mass_kg: number): number {
   return Math.cbrt((3 * mass_kg) / (4 * Math.PI * BALL_DENSITY));
 }
 
-/** The hull of a body that has one with a shape. */
+/** The hull of a body, if it has a mesh. */
 export function shapedHullOf(model: ModelInfo, body: string): ShapedHull | undefined {
   return model.hulls.find((hull): hull is ShapedHull => hull.body === body && hull.mesh !== null);
 }
@@ -86,7 +86,7 @@ export function boxOf(body: BodyInfo, hull: ShapedHull | undefined): Box {
   return { low: [-x, -y, -z], high: [x, y, z] };
 }
 
-/** The box with room for a frame of this length at the body's centre. */
+/** The box, enlarged for a frame of this length at the body's centre. */
 export function withFrame({ low, high }: Box, length: number): Box {
   return { low, high: [Math.max(high[0], length), Math.max(high[1], length), Math.max(high[2], length)] };
 }

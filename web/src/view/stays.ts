@@ -5,7 +5,7 @@ import type { Palette } from "./palette";
 
 const ALONG = new Vector3(0, 1, 0);
 
-/** Bars between two bodies that move against each other, in one draw call. */
+/** Bars between two bodies that move relative to each other, in one draw call. */
 export class Stays extends InstancedMesh {
   constructor(
     private readonly stays: readonly Stay[],
@@ -16,7 +16,7 @@ export class Stays extends InstancedMesh {
     this.frustumCulled = false;
   }
 
-  /** To where the bodies are now. */
+  /** Follows the bodies. */
   place(bodies: readonly Object3D[]): void {
     this.stays.forEach(({ from, to, radius }, i) => {
       const [start, end] = [from, to].map(({ body, point }) => new Vector3(...point).applyQuaternion(bodies[body].quaternion).add(bodies[body].position));

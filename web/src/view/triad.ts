@@ -48,7 +48,7 @@ function arrowOf(length: number, colour: Color, opacity: number): Group {
   return new Group().add(stem, head);
 }
 
-/** Size of a label so many pixels high in a picture so many pixels high. */
+/** Size of a label of a given height in a picture of a given height, pixels. */
 export function labelScale(pixels: number, height: number, fov: number): number {
   return (2 * Math.tan(fov / 2) * pixels) / height;
 }

@@ -26,19 +26,19 @@ import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
 import { labelScale, triadOf } from "./triad";
 
-/** Height of a label of a body frame, pixels, at most. */
+/** Largest height of a label of a body frame, pixels. */
 const LABEL_PX = 58;
 
-/** Length of a body frame, as a part of the longest diagonal of a body. */
+/** Length of a body frame, relative to the longest diagonal of a body. */
 const FRAME_LENGTH = 0.14;
 
-/** How dense the water is to look through, over the longest diagonal of a body. */
+/** Opacity of the water over the longest diagonal of a body. */
 const FOG = 0.22;
 
-/** From where the model is looked at. */
+/** The viewpoint. */
 export type CameraName = "free" | "load" | "cab" | "bridge" | "top" | "section";
 
-/** From straight above, and from starboard: off it by a little, so that the bow is to the right. */
+/** The view from above is slightly tilted to starboard, so that the bow is to the right. */
 const FROM_ABOVE = [0, -0.002, 1] as const;
 const FROM_STARBOARD = [0, -1, 0.1] as const;
 
@@ -57,7 +57,7 @@ export class View {
   readonly overlays = new Overlays(this.fleet);
   private palette: Palette = readPalette();
   private run: Shown | null = null;
-  /** How everything stood when the run began. */
+  /** Poses at the start of the run. */
   private start: Pose = { poses: [], line_points: [] };
   private frame: Pose = { poses: [], line_points: [] };
   private isPlain = false;
@@ -70,7 +70,7 @@ export class View {
   private framesShown = false;
   private stale = true;
 
-  /** Throws where the browser has no WebGL. */
+  /** Throws if the browser has no WebGL. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
     this.renderer.toneMapping = ACESFilmicToneMapping;
@@ -87,7 +87,7 @@ export class View {
     onPalette(() => this.repaint());
   }
 
-  /** Builds the bodies; `refit` when it is another model and not the same one reset. */
+  /** Builds the bodies; `refit` for another model, not for a reset of the same one. */
   build(run: Shown, frame: Pose, refit: boolean): void {
     if (run !== this.run) this.start = frame;
     this.run = run;
@@ -106,24 +106,24 @@ export class View {
     this.stale = true;
   }
 
-  /** What is drawn over the bodies at a moment. */
+  /** The overlays at a moment. */
   showOverlays(run: Run, moment: Moment, path: () => readonly Vec3[]): void {
     this.overlays.show(run, moment, this.start.poses, path, this.palette);
     this.stale = true;
   }
 
-  /** The body that hangs on the crane; null where there is none. */
+  /** The body that hangs on the crane; null if there is none. */
   get load(): number | null {
     return this.fleet.craft?.load ?? null;
   }
 
-  /** In the middle of what is looked at. */
+  /** The centre of the view. */
   pixelsPerMetre(): number {
     const { camera, target, fov } = this.eye;
     return this.canvas.clientHeight / (2 * Math.tan(fov / 2) * camera.position.distanceTo(target));
   }
 
-  /** From where this model can be looked at. */
+  /** The viewpoints that this model offers. */
   cameras(): CameraName[] {
     const { craft } = this.fleet;
     const offered = { free: true, load: craft?.load != null, cab: craft?.cab != null, bridge: craft?.bridge != null, top: true, section: this.hull() >= 0 };
@@ -143,7 +143,7 @@ export class View {
     this.stale = true;
   }
 
-  /** Hears from where the picture is looked at. */
+  /** Called when the viewpoint changes. */
   onLook(tell: (camera: CameraName) => void): void {
     this.tell = tell;
   }
@@ -159,7 +159,7 @@ export class View {
     this.place(this.frame);
   }
 
-  /** Of the sea a section has its line alone. */
+  /** A section shows only the line of the sea. */
   private showWater(): void {
     const isCut = this.camera === "section";
     this.section.visible = isCut && this.sea.isShown;
@@ -178,7 +178,7 @@ export class View {
     if (this.run) this.build(this.run, this.frame, false);
   }
 
-  /** The sea around; null where there is none to draw. */
+  /** Sets the sea; null if there is none to draw. */
   showSea(surface: Surface | null): void {
     this.sea.show(surface);
     this.showWater();
@@ -196,14 +196,14 @@ export class View {
     if (this.run) this.build(this.run, this.frame, !this.eye.isTaken);
   }
 
-  /** Points out bodies and how they move, until something else is pointed out. */
+  /** Highlights bodies and their motion, until something else is highlighted. */
   highlight(what: Highlight | null): void {
     this.highlighted = what;
     this.marks.show(what, this.fleet.bodies, this.fleet.boxes, this.eye.size(), this.palette);
     this.stale = true;
   }
 
-  /** Places where something may come to be; null for nothing. */
+  /** Shows possible future places; null for none. */
   showCloud(swarm: Swarm | null): void {
     this.cloud.show(swarm, this.eye.size(), this.palette);
     this.stale = true;
@@ -228,7 +228,7 @@ export class View {
     if (this.drawing.drew(performance.now())) this.detail();
   }
 
-  /** Drawn now, to be copied before the browser empties it. */
+  /** Draws now, so that the picture can be copied before the browser clears it. */
   picture(): HTMLCanvasElement {
     this.stale = true;
     this.draw();
@@ -248,7 +248,7 @@ export class View {
     this.stale = true;
   }
 
-  /** Under water everything that is far takes the water's colour. */
+  /** Under water, distant objects fade to the water's colour. */
   private lookFrom({ x, y, z }: { x: number; y: number; z: number }): void {
     const water_m = this.sea.heightAt(x, y);
     const isUnder = water_m !== null && z < water_m;
@@ -272,7 +272,7 @@ export class View {
     this.detail();
   }
 
-  /** Draws in the detail that the machine keeps up with. */
+  /** Draws with the level of detail that the machine can handle. */
   private detail(): void {
     const { tier } = this.drawing;
     this.sea.detail(tier.ripples);
@@ -283,7 +283,7 @@ export class View {
     this.stale = true;
   }
 
-  /** Makes everything that is drawn anew. */
+  /** Rebuilds everything. */
   repaint(): void {
     this.palette = readPalette();
     this.light();
@@ -307,7 +307,7 @@ export class View {
   }
 }
 
-/** As the depths are painted at the height of the eye. */
+/** The colour of the water at the depth of the eye. */
 function fogColour({ deep, shallow }: Palette): Color {
   return deep.clone().lerp(shallow, 0.4);
 }

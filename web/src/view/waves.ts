@@ -1,6 +1,6 @@
 import type { Surface } from "../engine/surface";
 
-/** Slope at which foam begins and at which it covers the water; the steepest wave that stands has about 0.4 on its flanks. */
+/** Slope at which foam begins, and at which it covers the water; the steepest stable wave has about 0.4 on its flanks. */
 const FOAM_BETWEEN = [0.13, 0.3] as const;
 
 /** The sea's surface on a grid of lines, ready to be drawn: row by row along the first x first. */
@@ -8,13 +8,13 @@ export interface DrawnWaves {
   x_m: Float64Array;
   y_m: Float64Array;
   height_m: Float32Array;
-  /** Two a crossing: along x and along y. */
+  /** Two slopes for each crossing: along x and along y. */
   slope: Float32Array;
   /** From 0 to 1. */
   foam: Float32Array;
 }
 
-/** The engine's elevations with a line more between each two, along a smooth curve. */
+/** The engine's elevations with one interpolated line between each two. */
 export function refined(surface: Surface): Surface {
   const { x_m, y_m, elevation_m } = surface;
   const [nx, ny] = [x_m.length, y_m.length];
@@ -26,7 +26,7 @@ export function refined(surface: Surface): Surface {
   return { x_m: fx, y_m: fy, elevation_m: out };
 }
 
-/** With `share` of each elevation: slopes by differences, foam where the water is steep near a crest. */
+/** With a `share` of each elevation: slopes by differences, and foam where the water is steep near a crest. */
 export function drawnWaves({ x_m, y_m, elevation_m }: Surface, share: (i: number, j: number) => number): DrawnWaves {
   const [nx, ny] = [x_m.length, y_m.length];
   const height_m = new Float32Array(nx * ny);
@@ -47,14 +47,14 @@ export function drawnWaves({ x_m, y_m, elevation_m }: Surface, share: (i: number
   return { x_m, y_m, height_m, slope, foam };
 }
 
-/** Share of the water that is white: steep, and not in a trough; `above_m` is the height over what is around. */
+/** Share of white water: steep, and not in a trough; `above_m` is the height above the surroundings. */
 export function foamOf(slope: number, above_m: number): number {
   if (above_m < 0) return 0;
   const t = Math.min(1, Math.max(0, (slope - FOAM_BETWEEN[0]) / (FOAM_BETWEEN[1] - FOAM_BETWEEN[0])));
   return t * t * (3 - 2 * t);
 }
 
-/** Height of the drawn surface at a place, m: 0 beyond its lines. */
+/** Height of the drawn surface at a place, m: 0 outside the grid. */
 export function heightAt({ x_m, y_m, height_m }: DrawnWaves, x: number, y: number): number {
   const [i, u] = cellOf(x_m, x);
   const [j, v] = cellOf(y_m, y);
@@ -90,7 +90,7 @@ function between(lines: Float64Array): Float64Array {
   return Float64Array.from({ length: 2 * lines.length - 1 }, (_, k) => (k % 2 ? (lines[(k - 1) / 2] + lines[(k + 1) / 2]) / 2 : lines[k / 2]));
 }
 
-/** Values on the lines and halfway between them, on a cubic with the slopes that differences give. */
+/** Values on the lines and halfway between them, by a cubic with slopes from differences. */
 function fill(lines: Float64Array, value: (k: number) => number, put: (k: number, value: number) => void): void {
   const last = lines.length - 1;
   const slopeAt = (k: number) => {

@@ -39,7 +39,7 @@ export default {
     await said(page, /Their 90 % band held \d+ % of the past minute\./);
     await page.waitForTimeout(200);
     // The same for one who does not see it.
-    await page.waitForFunction(() => /at 12[0-9.]+.s, foreseen, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
+    await page.waitForFunction(() => /at 12[0-9.]+.s, forecast, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
     assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
     // Going on from there drops them; switched off they are gone.
     await page.getByTestId("look-ahead").click();
@@ -80,7 +80,7 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });
     await stepTo(page, 1);
     await page.getByTestId("look-ahead").click();
-    await said(page, /^One future of 60 s[^]*From 1\.0 s, with the levers as they are\. There are no waves/);
+    await said(page, /^One future of 60 s[^]*From 1\.0 s, with the levers as they are\. Without waves/);
     await close();
   },
 };

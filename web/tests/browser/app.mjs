@@ -3,16 +3,16 @@ import assert from "node:assert/strict";
 
 export const PHONE = { width: 390, height: 844 };
 export const DESKTOP = { width: 1440, height: 900 };
-/** Wide enough for the desktop's layout; without a graphics card each pixel of a picture costs time. */
+/** Wide enough for the desktop's layout. Without a graphics card each pixel costs time, so tests draw one for two by two unless they ask for all. */
 export const WINDOW = { width: 1000, height: 640 };
 
 /** The paper's ship as its card opens it: with the load on, and a motor that stops by itself. */
 export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=pulse";
 
 /** Opens a scenario in the app and waits until it is there. The app is kept on the device only where that is tested: it takes time. */
-export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale } = {}) {
+export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1 } = {}) {
   const isPhone = viewport.width < 600;
-  const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale });
+  const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale });
   const page = await context.newPage();
   page.setDefaultTimeout(30_000);
   const problems = [];
@@ -127,7 +127,7 @@ export function close(actual, expected, tolerance, what) {
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected} within ${tolerance}`);
 }
 
-/** Counts pixels of a picture of the canvas, and the box around those darker than the background. */
+/** Counts pixels of a picture of the canvas, and the box, in pixels of the page, around those darker than the background. */
 export async function look(page) {
   await page.addStyleTag({ content: ".scene-tools, .scene-note, .frames-legend, .hint, .alert { visibility: hidden }" });
   const picture = (await page.getByTestId("canvas").screenshot()).toString("base64");
@@ -150,6 +150,7 @@ export async function look(page) {
       seen.top = Math.min(seen.top, y);
       seen.bottom = Math.max(seen.bottom, y);
     }
+    for (const length of ["width", "height", "left", "right", "top", "bottom"]) seen[length] /= devicePixelRatio;
     return seen;
   }, picture);
 }

@@ -84,7 +84,7 @@ export default {
   },
 
   async "draws the gray tower and the green arm, and the load when it is on"(host) {
-    const { page, close } = await openApp(host);
+    const { page, close } = await openApp(host, { scale: 1 });
     const seen = await look(page);
     assert.ok(seen.green > 1500, `green pixels: ${seen.green}`);
     assert.ok(seen.grey > 1500, `gray pixels: ${seen.grey}`);

@@ -67,7 +67,7 @@ export default {
     await item(page, "crane_x_m").blur();
     await page.getByTestId("alert-message").waitFor();
     const shown = await page.getByTestId("alert").textContent();
-    assert.match(shown, /That value is not allowed/);
+    assert.match(shown, /This value is not allowed/);
     assert.match(shown, /50 m is not a number from -10 to 10 m\./);
     assert.ok(!shown.includes("--set"));
     assert.equal(await item(page, "crane_x_m").inputValue(), "-10");

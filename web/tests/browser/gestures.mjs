@@ -61,7 +61,7 @@ export default {
       window.graphics = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
       window.graphics.loseContext();
     });
-    await page.getByText("The browser took the graphics away").waitFor();
+    await page.getByText("The browser dropped the graphics").waitFor();
     await page.evaluate(() => window.graphics.restoreContext());
     await page.locator("#scene-message").waitFor({ state: "hidden" });
     await page.waitForTimeout(1000);

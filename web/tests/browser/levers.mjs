@@ -163,10 +163,10 @@ export default {
     const lever = page.getByTestId("lever-hoist");
     await lever.focus();
     await page.keyboard.press("End");
-    assert.match(await lever.getAttribute("aria-valuetext"), /^asked 100 %/);
-    await page.getByTestId("sticks-message").getByText("The run stands still").waitFor();
+    assert.match(await lever.getAttribute("aria-valuetext"), /^command 100 %/);
+    await page.getByTestId("sticks-message").getByText("The run is paused").waitFor();
     await page.getByTestId("start").click();
-    await page.waitForFunction(() => /asked 100 %, does 2.00 rad\/s, at its greatest speed/.test(document.querySelector('[data-testid="lever-hoist"]').getAttribute("aria-valuetext")));
+    await page.waitForFunction(() => /command 100 %, rate 2.00 rad\/s, at its largest speed/.test(document.querySelector('[data-testid="lever-hoist"]').getAttribute("aria-valuetext")));
     await lever.focus();
     await page.keyboard.press("0");
     await waitAsked(page, "hoist", 0);

@@ -58,7 +58,7 @@ export default {
     await page.getByTestId("start").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0.05);
     await page.workers()[0].evaluate(() => self.close());
-    await page.waitForFunction(() => document.getElementById("alert").textContent.includes("begins anew"), null, { timeout: 120_000 });
+    await page.waitForFunction(() => document.getElementById("alert").textContent.includes("starts again"), null, { timeout: 120_000 });
     const { status, time_s } = await sample(page);
     assert.deepEqual([status, time_s], ["idle", 0]);
     assert.equal(await item(page, "crane_x_m").inputValue(), "3");

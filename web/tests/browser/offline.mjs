@@ -87,7 +87,7 @@ export default {
     build.change("scenarios/chain.yaml", retitled("A newer chain"));
     await page.reload();
     await page.getByTestId("notice-update").waitFor();
-    assert.match(await page.getByTestId("notice-update").textContent(), /A new version is there/);
+    assert.match(await page.getByTestId("notice-update").textContent(), /A new version is available/);
     await page.getByTestId("gallery").selectOption("chain");
     await page.waitForURL(/scenario=chain$/);
     await settle(page);

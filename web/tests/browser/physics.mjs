@@ -133,7 +133,7 @@ export default {
 
   async "says where nothing can be let go, and leads to the scenario that is made for it"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "loss", DESKTOP);
-    await page.getByRole("link", { name: "Open the scenario that is made for it" }).click();
+    await page.getByRole("link", { name: "Open the scenario for this lesson" }).click();
     await page.waitForFunction(() => document.title.includes("loses the load"));
     await close();
   },

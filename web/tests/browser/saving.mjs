@@ -100,7 +100,7 @@ export default {
     await moveLever(page, "hold", 1);
     await page.getByTestId("save").click();
     await page.getByTestId("alert-message").waitFor();
-    assert.match(await page.getByTestId("alert").textContent(), /The scenario cannot be saved.*drive all by hand/);
+    assert.match(await page.getByTestId("alert").textContent(), /The scenario cannot be saved.*move all levers by hand/);
     await close();
   },
 

@@ -26,7 +26,7 @@ const DATABASE = { "barge.hydro.json": readFileSync(new URL("../../../scenarios/
 const opened = (page, title) => page.waitForFunction((wanted) => document.title.endsWith(wanted), title);
 
 async function openBarge(host, options) {
-  const app = await openApp(host, options);
+  const app = await openApp(host, { scale: 1, ...options });
   await openFile(app.page, "barge.yaml", BARGE, DATABASE);
   await opened(app.page, "A barge in a regular wave");
   return app;

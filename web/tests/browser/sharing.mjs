@@ -81,7 +81,7 @@ export default {
 
     const other = await openLink(host, link);
     const notice = other.page.getByTestId("notice-link");
-    assert.match(await notice.textContent(), /The 2 changes that were made by hand are made again.*The link was made at 4\.00 s/);
+    assert.match(await notice.textContent(), /The 2 changes that were made by hand are repeated.*The link was made at 4\.00 s/);
     assert.equal(Number(await item(other.page, "load_t").inputValue()), 13.7);
     assert.match(await other.page.getByTestId("gallery").locator("option:checked").textContent(), /^From a link: /);
     await assertAccessible(other.page, "with the notice of a link");
@@ -184,9 +184,9 @@ export default {
       await page.goto(given);
       await page.getByTestId("alert-message").waitFor();
       const shown = await page.getByTestId("alert").textContent();
-      assert.match(shown, /This link does not open/);
+      assert.match(shown, /This link cannot be opened/);
       assert.match(shown, says);
-      assert.match(shown, /opened its first scenario instead/);
+      assert.match(shown, /opened its default scenario instead/);
       assert.equal(new URL(page.url()).hash, "");
       await page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
     }

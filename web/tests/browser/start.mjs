@@ -113,7 +113,7 @@ export default {
     await context.route("**/index.json", (route) => route.abort());
     const page = await context.newPage();
     await page.goto(address);
-    await page.waitForFunction(() => /did not come/.test(document.querySelector("[data-testid=start-alert]")?.textContent ?? ""));
+    await page.waitForFunction(() => /could not be loaded/.test(document.querySelector("[data-testid=start-alert]")?.textContent ?? ""));
     await context.unroute("**/index.json");
     await page.reload();
     await context.route("**/simulator-*.js", (route) => route.abort());

@@ -141,6 +141,11 @@ impl Linearizer {
         self.along.iter().filter_map(|along| if let Along::Position(i) = along { Some(*i) } else { None })
     }
 
+    /// What each state is.
+    pub(super) fn along(&self) -> &[Along] {
+        &self.along
+    }
+
     /// A and B at the present state of a simulation of the scenario.
     pub fn at(&mut self, simulation: &Simulation) -> Linearization {
         self.about(simulation.stage())

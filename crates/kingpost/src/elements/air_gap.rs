@@ -1,7 +1,8 @@
 //! The height of a point above the surface of the sea.
 
 use super::lines::place;
-use super::{Context, Declaration, Element, Output};
+use super::{Context, Declaration, Element, Output, ShownWaves};
+use crate::dynamics::Kinematics;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
@@ -31,5 +32,11 @@ impl<S: Scalar> Element<S> for AirGap<S> {
         let [x, y, z] = place(&self.point, at.model, at.links).0;
         let waves = at.world.waves.as_ref().filter(|_| at.situation.has_waves());
         out.push(z - waves.map_or(S::ZERO, |waves| waves.elevation_m([x, y], at.clock.time_s)));
+    }
+
+    fn shown_waves(&self, bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
+        let point = self.point.in_body.position;
+        let [x, y, _] = self.point.body.map_or(point, |body| bodies.world[body].point(point)).0;
+        vec![(0, ShownWaves::Elevation { place: [x, y], times: -S::ONE })]
     }
 }

@@ -1,7 +1,7 @@
 //! The contract of everything that acts on the model or reads it.
 
-use super::{AnyWatcher, Context, Declaration, RegularWaves};
-use crate::dynamics::{Clock, Loads, Restraint};
+use super::{AnyWatcher, Context, Declaration, RegularWaves, ShownWaves};
+use crate::dynamics::{Clock, Kinematics, Loads, Restraint};
 use crate::scalar::Scalar;
 use crate::world::World;
 use core::any::Any;
@@ -137,6 +137,18 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
 
     /// How it responds to regular waves about rest; `None` if waves do not act on it.
     fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {
+        None
+    }
+
+    /// Which of its outputs follow the incident waves themselves about rest, by their numbers in the order of writing, where
+    /// the bodies are; the others follow them by the motions alone.
+    fn shown_waves(&self, _bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
+        Vec::new()
+    }
+
+    /// What of it small motions about rest leave out, in words: drag that grows with the square of a speed, say; `None`
+    /// where that is nothing.
+    fn left_out_at_rest(&self) -> Option<&'static str> {
         None
     }
 

@@ -62,7 +62,7 @@ pub use mean_heading::MeanHeading;
 pub use motion_reference_unit::MotionReferenceUnit;
 pub use operation::Operation;
 pub use quadratic_damping::QuadraticDamping;
-pub use regular_waves::{RegularWaves, WavePlace};
+pub use regular_waves::{RegularWaves, ShownWaves, WavePlace};
 pub use rods::{Pendant, Rod};
 pub use ropes::{Rope, TuggerLine};
 pub use slack_tank::SlackTank;

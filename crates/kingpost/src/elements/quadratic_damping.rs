@@ -31,6 +31,10 @@ impl<S: Scalar> Element<S> for QuadraticDamping<S> {
         loads.power.outside += wrench.force.dot(stream);
         loads.wrenches.push((self.place.body, self.place.about_centre(&wrench)));
     }
+
+    fn left_out_at_rest(&self) -> Option<&'static str> {
+        Some("quadratic damping is none at rest: great motions are damped more than the response says")
+    }
 }
 
 /// `-c |rate| rate`, component by component.

@@ -36,3 +36,19 @@ pub struct WavePlace<S = f64> {
     /// From the world's x counter-clockwise, rad.
     pub heading: S,
 }
+
+/// How one of an element's outputs follows the incident waves themselves, beside what the motions make of it, about rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ShownWaves<S = f64> {
+    /// In proportion to their elevation at a place.
+    Elevation {
+        /// x and y in the world, m.
+        place: [S; 2],
+        /// What the elevation is multiplied by.
+        times: S,
+    },
+    /// As one of the forces of [`RegularWaves::amplitudes`].
+    Force(usize),
+    /// Not in proportion to them.
+    NotLinear,
+}

@@ -160,7 +160,7 @@ impl LoadedHull<'_> {
 
     /// Warnings of a hull outside the range of its linear data, and of its stability.
     fn warnings(&self, hull: &HullAfloat) -> Vec<String> {
-        let mut warnings = if self.is_linear() { self.off_the_database(hull) } else { Vec::new() };
+        let mut warnings = if self.hull.is_linear() { self.off_the_database(hull) } else { Vec::new() };
         let (body, draught) = (&hull.body, hull.draught_m);
         let [length, beam] = [self.database.hull.length_m, self.database.hull.beam_m];
         let out_at = [beam, length].map(|size| libm::atan2(2.0 * draught, size).to_degrees());
@@ -182,14 +182,6 @@ impl LoadedHull<'_> {
             warnings.push(format!("{body}: GM is {:.3} m: it is not stable", hull.metacentric_height_m[0]));
         }
         warnings
-    }
-
-    /// Whether any load on it is linear about the draught of its data, upright.
-    fn is_linear(&self) -> bool {
-        let Hull { hydrostatics, radiation, excitation, frame, .. } = self.hull;
-        let added_mass = self.model.added_inertias.iter().any(|(body, _)| *body == frame.body);
-        let linear = matches!(hydrostatics, Hydrostatics::Linear(_));
-        linear || added_mass || radiation.is_some() || excitation.is_some()
     }
 
     fn off_the_database(&self, hull: &HullAfloat) -> Vec<String> {

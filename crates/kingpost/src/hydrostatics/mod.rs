@@ -25,7 +25,7 @@ pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 use crate::dynamics::Kinematics;
 use crate::elements::{Hull, SlackTank, of_kind};
 use crate::model::Model;
-use crate::scenario::{Scenario, ScenarioError, schema};
+use crate::scenario::{Scenario, ScenarioError};
 use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
 use crate::simulation::{Setup, Simulation};
@@ -181,18 +181,9 @@ impl Scenario {
         Ok(report)
     }
 
-    fn database_of(&self, force: &str) -> Option<&Database> {
-        self.files.database(&self.hydrodynamics(force)?.database).map(|database| &**database)
-    }
-
     /// Whether the mean drift of its database acts on a hull.
     fn drifts(&self, force: &str) -> bool {
         self.hydrodynamics(force).is_some_and(|given| given.wave_drift)
-    }
-
-    fn hydrodynamics(&self, force: &str) -> Option<&schema::Hydrodynamics> {
-        let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
-        if let schema::Force::Hydrodynamics(given) = force { Some(given) } else { None }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Exact derivatives of the right-hand side, by dual numbers.
 
-use super::Plant;
+use super::{Observation, ObservedPart, Plant};
 use crate::elements::Situation;
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::model::Mode;
@@ -93,9 +93,38 @@ impl Tangent {
         self.plant.watch_loops(&self.q, &self.v);
     }
 
+    /// The plant.
+    pub fn plant(&self) -> &Plant<Number> {
+        &self.plant
+    }
+
     /// Evaluates the rates at `q = retract(base, xi)` and `at`'s v, s, d, with derivatives along at
     /// most [`DIRECTIONS`] directions; `at.q` is not read. Allocates nothing.
     pub fn evaluate(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, along: &[Along]) {
+        self.lift(base, xi, at, along);
+        self.plant.dexp_inverse(&self.xi, &self.v, &mut self.xi_dot);
+        let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
+        let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d, m: at.m };
+        self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
+    }
+
+    /// What there is to see of the plant there, with the same derivatives, as `see` takes it.
+    pub fn observe<T>(
+        &mut self,
+        base: &[f64],
+        xi: &[f64],
+        at: Stage<'_>,
+        along: &[Along],
+        see: impl FnOnce(Stage<'_, Number>, Observation<'_, Number>) -> T,
+    ) -> T {
+        self.lift(base, xi, at, along);
+        let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
+        let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d, m: at.m };
+        see(stage, self.plant.observe(stage, &ObservedPart::Everything, &mut self.v_dot))
+    }
+
+    /// The stage over dual numbers.
+    fn lift(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, along: &[Along]) {
         let lift = |from: &[f64], to: &mut [Number]| {
             to.iter_mut().zip(from).for_each(|(to, from)| *to = Number::constant(*from));
         };
@@ -114,10 +143,6 @@ impl Tangent {
             entry.derivative[k] = 1.0;
         }
         self.plant.retract(&self.base, &self.xi, &mut self.q);
-        self.plant.dexp_inverse(&self.xi, &self.v, &mut self.xi_dot);
-        let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
-        let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d, m: at.m };
-        self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
     }
 
     /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`]. Returns how many plain

@@ -75,6 +75,11 @@ impl Channels {
         self.list.iter().flat_map(|channel| &channel.columns).position(|name| name == column)
     }
 
+    /// The place in a row of a number that the elements write, in the order of writing.
+    pub fn place_of_output(&self, output: usize) -> usize {
+        self.places[output]
+    }
+
     /// Which of the elements' numbers is at a place in a row; `None` if none is.
     pub(super) fn output_at(&self, place: usize) -> Option<usize> {
         self.places.iter().position(|&of_output| of_output == place)

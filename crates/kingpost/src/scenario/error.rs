@@ -7,6 +7,10 @@ use thiserror::Error;
 
 use super::{part_names, wording};
 
+/// Characters of a name, and of what was found, that an error shows.
+const LONGEST_NAME: usize = 200;
+const LONGEST_FOUND: usize = 500;
+
 /// An error in a field whose place in the file is not known.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{field}: found {found}, allowed: {allowed}")]
@@ -24,6 +28,7 @@ impl FieldError {
     pub fn new(field: impl Into<String>, found: impl ToString, allowed: impl Into<String>) -> Self {
         let found = found.to_string();
         let found = if found.trim().is_empty() { wording::quoted(&found) } else { wording::with_powers(&found) };
+        let found = wording::beginning(&found, LONGEST_FOUND);
         Self { field: field.into(), found, allowed: wording::with_powers(&allowed.into()) }
     }
 }
@@ -49,7 +54,10 @@ pub struct ScenarioError {
 impl fmt::Display for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.file.is_empty() {
-            f.write_str(&self.file)?;
+            match self.file.strip_prefix(SET) {
+                Some(name) => write!(f, "{SET}{}", wording::beginning(name, LONGEST_NAME))?,
+                None => f.write_str(&self.file)?,
+            }
             if let (Some(line), Some(column)) = (self.line, self.column) {
                 write!(f, ":{line}:{column}")?;
             }
@@ -57,7 +65,7 @@ impl fmt::Display for ScenarioError {
         }
         let field_is_the_place = self.file.strip_prefix(SET).is_some_and(|name| name == self.field);
         if !self.field.is_empty() && !field_is_the_place {
-            write!(f, "{}: ", self.field)?;
+            write!(f, "{}: ", wording::beginning(&self.field, LONGEST_NAME))?;
         }
         write!(f, "found {}, allowed: {}", self.found, self.allowed)
     }

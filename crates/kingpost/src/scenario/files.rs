@@ -2,7 +2,7 @@
 
 use super::error::FieldError;
 use super::named_files::NamedFiles;
-use super::schema::{Force, Joint, Scenario, Waves};
+use super::schema::{Force, Hydrodynamics, Joint, Scenario, Waves};
 use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
 use crate::sea::waves::ElevationTable;
@@ -130,6 +130,17 @@ enum Kind {
 }
 
 impl Scenario {
+    /// The water on the hull of a force of this name.
+    pub(crate) fn hydrodynamics(&self, force: &str) -> Option<&Hydrodynamics> {
+        let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
+        if let Force::Hydrodynamics(given) = force { Some(given) } else { None }
+    }
+
+    /// The database of that hull.
+    pub(crate) fn database_of(&self, force: &str) -> Option<&Database> {
+        self.files.database(&self.hydrodynamics(force)?.database).map(|database| &**database)
+    }
+
     /// Names of the files that it uses, in its order, each once.
     pub fn file_names(&self) -> Vec<&str> {
         let mut names = Vec::new();

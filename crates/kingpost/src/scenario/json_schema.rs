@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 
 use super::describe::Description;
 use super::schema::Scenario;
+use super::study::Study;
 use super::units::UNIT_ALIASES;
 use crate::dynamics::moving_frame::Equations;
 use crate::elements::{DrawnLine, Input, Warning};
@@ -17,6 +18,11 @@ pub fn json_schema() -> Value {
     let mut schema = schema_for!(Scenario);
     UnitAliases.transform(&mut schema);
     schema.to_value()
+}
+
+/// The JSON Schema of a study.
+pub fn study_schema() -> Value {
+    schema_for!(Study).to_value()
 }
 
 /// What the engine says of a scenario and of its results to other languages.

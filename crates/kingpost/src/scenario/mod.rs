@@ -22,6 +22,7 @@ pub mod range;
 pub(crate) mod read;
 mod replay;
 pub mod schema;
+pub mod study;
 pub mod text;
 mod ties;
 mod together;

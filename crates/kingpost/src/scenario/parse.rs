@@ -77,14 +77,17 @@ impl<'de> Deserialize<'de> for Raw {
 
 /// The tree of a text with named fields at the top.
 pub(super) fn parse(text: &str) -> Result<ScenarioNode, Fault> {
+    parse_as(text, wording::SCENARIO)
+}
+
+/// The same of any file of ours; `allowed` says what it is.
+pub(super) fn parse_as(text: &str, allowed: &str) -> Result<ScenarioNode, Fault> {
     let raw = raw(text, DuplicateKeyPolicy::Error).map_err(|error| fault(text, &error))?;
     let node = node(raw, &mut Vec::new())?;
     match &node.content {
         Content::Fields(_) => Ok(node),
-        Content::Scalar(Value::Null) => {
-            Err(Fault::new(&SourcePlace::START, "", wording::EMPTY_FILE, wording::SCENARIO))
-        }
-        _ => Err(Fault::new(&node.place, "", wording::found(&node.to_value()), wording::SCENARIO)),
+        Content::Scalar(Value::Null) => Err(Fault::new(&SourcePlace::START, "", wording::EMPTY_FILE, allowed)),
+        _ => Err(Fault::new(&node.place, "", wording::found(&node.to_value()), allowed)),
     }
 }
 

@@ -7,7 +7,7 @@ use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::leaf::Leaf;
-use super::wording::{DIRECTION, FRACTION, NON_NEGATIVE, POSITIVE};
+use super::wording::{DIRECTION, FRACTION, NON_NEGATIVE, POSITIVE, PROBABILITY};
 
 macro_rules! ranged_number {
     ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:expr, $schema:tt) => {
@@ -94,6 +94,10 @@ ranged_number!(
 ranged_number!(
     /// A number from 0 to 1.
     Fraction, FRACTION, |x| (0.0..=1.0).contains(&x), {"type": "number", "minimum": 0, "maximum": 1}
+);
+ranged_number!(
+    /// A number between 0 and 1, neither included.
+    Probability, PROBABILITY, |x| 0.0 < x && x < 1.0, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1}
 );
 
 /// 0, the default of every leaf.

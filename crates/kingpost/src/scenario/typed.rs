@@ -4,6 +4,8 @@ use super::error::Fault;
 use super::schema::Scenario;
 use super::tree::{Content, ScenarioNode, value_at};
 use super::wording;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 use serde_path_to_error::Segment;
 
@@ -20,12 +22,16 @@ pub(super) fn check_version(tree: &ScenarioNode) -> Result<(), Fault> {
 
 /// The types of a scenario over a tree, with the place of the first error.
 pub(super) fn typed(tree: &ScenarioNode) -> Result<Scenario, Fault> {
+    typed_as(tree)
+}
+
+/// The same for the types of any file of ours.
+pub(super) fn typed_as<T: DeserializeOwned + Serialize>(tree: &ScenarioNode) -> Result<T, Fault> {
     let value = tree.to_value();
-    let scenario: Scenario =
-        serde_path_to_error::deserialize(&value).map_err(|error| type_fault(tree, &value, &error))?;
+    let read: T = serde_path_to_error::deserialize(&value).map_err(|error| type_fault::<T>(tree, &value, &error))?;
     // Serde takes the fields of a type from a list too, in the order in which the type happens to have them.
-    let whole = serde_json::to_value(&scenario).unwrap_or_default();
-    list_of_fields(tree, &whole, &mut Vec::new()).map_or(Ok(scenario), Err)
+    let whole = serde_json::to_value(&read).unwrap_or_default();
+    list_of_fields(tree, &whole, &mut Vec::new()).map_or(Ok(read), Err)
 }
 
 /// The error of the first list that stands where fields have names.
@@ -64,7 +70,7 @@ pub(super) fn path_of(error: &TypeError) -> Vec<String> {
 }
 
 /// A typed read's error in our words and with its place.
-fn type_fault(tree: &ScenarioNode, value: &Value, error: &TypeError) -> Fault {
+fn type_fault<T: DeserializeOwned>(tree: &ScenarioNode, value: &Value, error: &TypeError) -> Fault {
     let mut path = path_of(error);
     let message = error.inner().to_string();
     if let Some(rest) = message.strip_prefix("unknown field ") {
@@ -82,13 +88,13 @@ fn type_fault(tree: &ScenarioNode, value: &Value, error: &TypeError) -> Fault {
         path.extend(wording::names_in_backquotes(rest).first().map(|name| (*name).to_owned()));
     }
     let fault = name_fault(tree, &path, &message).or_else(|| kind_fault(tree, &path, &message));
-    if let Some(fault) = fault.or_else(|| list_fault(tree, value, &path)) {
+    if let Some(fault) = fault.or_else(|| list_fault::<T>(tree, value, &path)) {
         return fault;
     }
     let own = expected(&message);
     let allowed = match own {
         Some(own) if message.starts_with("invalid value") && !message.starts_with("invalid value: map") => own,
-        own => allowed_at(value, &path).or(own).unwrap_or_else(|| wording::REQUIRED.to_owned()),
+        own => allowed_at::<T>(value, &path).or(own).unwrap_or_else(|| wording::REQUIRED.to_owned()),
     };
     let node = tree.at(&path);
     let found = node.map_or_else(|| wording::NOTHING.to_owned(), |node| found_in(node, &message));
@@ -116,11 +122,11 @@ fn kind_fault(tree: &ScenarioNode, path: &[String], message: &str) -> Option<Fau
 }
 
 /// The error of a list that stands where fields have names: what is wrong inside of it tells nothing.
-fn list_fault(tree: &ScenarioNode, value: &Value, path: &[String]) -> Option<Fault> {
+fn list_fault<T: DeserializeOwned>(tree: &ScenarioNode, value: &Value, path: &[String]) -> Option<Fault> {
     let wants_fields = |path: &[String]| {
         let mut probed = value.clone();
         *slot(&mut probed, path)? = serde_json::json!({"?": null});
-        let error = serde_path_to_error::deserialize::<_, Scenario>(&probed).err()?;
+        let error = serde_path_to_error::deserialize::<_, T>(&probed).err()?;
         error.inner().to_string().starts_with("unknown field `?`").then_some(())
     };
     (1..=path.len()).map(|end| &path[..end]).find_map(|path| {
@@ -150,13 +156,13 @@ fn expected(message: &str) -> Option<String> {
 
 /// What the types allow at a path, learned by reading again with values there that nothing or only little allows. The
 /// types are the one source of these words; a message about a wrong type alone would hide a range or a list of kinds.
-fn allowed_at(value: &Value, path: &[String]) -> Option<String> {
+fn allowed_at<T: DeserializeOwned>(value: &Value, path: &[String]) -> Option<String> {
     let probes = [Value::from(-1.5), Value::from("?"), serde_json::json!({"?": null})];
     let mut of_type = None;
     for probe in probes {
         let mut probed = value.clone();
         *slot(&mut probed, path)? = probe;
-        let Err(error) = serde_path_to_error::deserialize::<_, Scenario>(&probed) else { continue };
+        let Err(error) = serde_path_to_error::deserialize::<_, T>(&probed) else { continue };
         let message = error.inner().to_string();
         if path_of(&error) != path || message.starts_with("unknown field ") {
             continue;

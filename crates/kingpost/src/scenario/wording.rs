@@ -10,6 +10,8 @@ pub const POSITIVE: &str = "a number greater than 0";
 pub const NON_NEGATIVE: &str = "a number not less than 0";
 /// What a [`Fraction`](super::range::Fraction) allows.
 pub const FRACTION: &str = "a number from 0 to 1";
+/// What a [`Probability`](super::range::Probability) allows.
+pub const PROBABILITY: &str = "a number greater than 0 and less than 1";
 /// What a [`Direction`](super::range::Direction) allows.
 pub const DIRECTION: &str = "three numbers, not all 0";
 /// What a [`Name`](super::text::Name) allows.
@@ -32,6 +34,7 @@ pub(super) const NUMBER: &str = "a number";
 pub(super) const TEXT: &str = "a text";
 pub(super) const FIELDS: &str = "named fields";
 pub(super) const SCENARIO: &str = "a scenario in YAML or JSON, which begins with version: 1";
+pub(super) const STUDY: &str = "a study in YAML or JSON, which begins with version: 1";
 pub(super) const UNKNOWN_FIELD: &str = "an unknown field";
 pub(super) const ASSIGNMENT: &str = "name=value";
 
@@ -92,7 +95,12 @@ pub(super) fn quoted(text: &str) -> String {
 
 /// A text, cut if it is long.
 pub(super) fn shortened(text: &str) -> String {
-    match text.char_indices().nth(LONGEST_QUOTE) {
+    beginning(text, LONGEST_QUOTE)
+}
+
+/// A text of at most so many characters; of a longer one what it begins with.
+pub(super) fn beginning(text: &str, longest: usize) -> String {
+    match text.char_indices().nth(longest) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
     }

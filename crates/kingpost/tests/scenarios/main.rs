@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod damaged_files;
 mod derivatives;
 mod gallery;
 mod golden;
@@ -16,3 +17,4 @@ mod scenario_errors;
 mod scenario_parameters;
 mod scenario_properties;
 mod scenario_schema;
+mod studies;

@@ -1,11 +1,12 @@
 //! The JSON Schema in the repository is the one that the types give.
 #![cfg(feature = "schema")]
 
-use kingpost::scenario::json_schema::{equations_schema, json_schema, published_schema};
+use kingpost::scenario::json_schema::{equations_schema, json_schema, published_schema, study_schema};
 use kingpost::scenario::{UNIT_ALIASES, read};
 use serde_json::Value;
 
 const WRITTEN: &str = include_str!("../../../../schema/scenario.schema.json");
+const WRITTEN_OF_STUDIES: &str = include_str!("../../../../schema/study.schema.json");
 const WRITTEN_OF_MODELS: &str = include_str!("../../../../schema/model.schema.json");
 const WRITTEN_OF_HYDROSTATICS: &str = include_str!("../../../../schema/hydrostatics.schema.json");
 const WRITTEN_OF_EQUATIONS: &str = include_str!("../../../../schema/equations.schema.json");
@@ -16,6 +17,15 @@ fn the_written_schema_is_that_of_the_types() {
     assert!(
         text == WRITTEN,
         "schema/scenario.schema.json has drifted; run: cargo run -p kingpost --features schema --example write_schema"
+    );
+}
+
+#[test]
+fn the_written_schema_of_studies_is_that_of_the_types() {
+    let text = serde_json::to_string_pretty(&study_schema()).unwrap() + "\n";
+    assert!(
+        text == WRITTEN_OF_STUDIES,
+        "schema/study.schema.json has drifted; run: cargo run -p kingpost --features schema --example write_schema"
     );
 }
 

@@ -232,9 +232,12 @@ fn a_run_does_not_begin_with_a_hull_that_has_capsized() {
 
 #[test]
 fn a_hull_that_cannot_float_is_an_error_and_what_does_not_rest_is_a_warning() {
-    let built = scenario(&[("bodies.hull.mass_kg", json!(1.2e6))]);
-    let error = built.hydrostatic_report().expect_err("it sinks").to_string();
-    assert!(error.starts_with("forces.water.hydrodynamics: the hull cannot float: 1230.000 t displace"), "{error}");
+    let sinks = [("bodies.hull.mass_kg".to_owned(), json!(1.2e6))];
+    let error = read_with(TEXT, "barge.yaml", &sinks, &files()).expect_err("it sinks").to_string();
+    assert!(
+        error.contains("forces.water.hydrodynamics: found a hull that cannot float: 1230.000 t displace"),
+        "{error}"
+    );
     let dry = scenario(&[(HYDROSTATICS, json!("none"))]).hydrostatic_report().expect("no error");
     assert!(dry.hulls.is_empty() && dry.warnings[0].starts_with("no hydrostatics"), "{dry:?}");
 }

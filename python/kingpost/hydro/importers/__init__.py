@@ -1,12 +1,16 @@
 """Databases from other programs' files: Capytaine, WAMIT, BEMIO, ShipX (VERES), AQWA, Nemoh and OrcaFlex.
 
-What a file does not say is asked for, never assumed; weight is taken out of the restoring matrix; moments
-are carried to the origin; phases become those of exp(-i w t).
+Values that a file lacks must be given; nothing is assumed. Weight is removed from the restoring matrix,
+moments are moved to the origin, and phases become those of exp(-i w t).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+
+import numpy as np
 
 from ..database import Database
 from . import aqwa, aqwa_listing, bemio, capytaine_file, nemoh, orcaflex, veres, wamit
@@ -15,6 +19,8 @@ from .foreign import ALLOWED, CHOICES, TEXTS, VECTORS, Options, reading_error
 
 __all__ = ["ALLOWED", "CHOICES", "KINDS", "TEXTS", "VECTORS", "Options", "load", "recognise"]
 
+LONGEST_REASON = 100
+"""Characters of a library's words in an error."""
 HDF5, CLASSIC = b"\x89HDF\r\n\x1a\n", b"CDF"
 READERS = {
     "bemio": bemio.read,
@@ -46,7 +52,7 @@ KINDS = (
 
 
 def recognise(path: str | Path) -> str | None:
-    """``bemio``, ``capytaine``, ``wamit`` and so on by the name's ending; `None` of any other file.
+    """``bemio``, ``capytaine``, ``wamit`` and so on, by the file's ending; `None` for any other file.
 
     >>> recognise("hull.stl") is None, recognise("out/buoy.hst"), recognise("hull.AH1")
     (True, 'wamit', 'aqwa')
@@ -66,15 +72,30 @@ def load(
     Raises
     ------
     HydrodynamicsError
-        When the file is of no known kind, cannot be read or is cut short; when something that is needed
-        is neither in it nor in the options; when the result cannot be a hull's.
+        If the file has no known format, cannot be read or is truncated; if a required value is neither in it
+        nor in the options; if the result is unphysical.
     """
     kind, name = recognise(path), str(path)
     if kind is None:
         raise reading_error("a file of another kind", KINDS, name)
     _check_signature(kind, name)
     options = options or Options()
-    return convert(READERS[kind](name, options), options, title or Path(path).stem, highest_rad_s)
+    with _told(kind, name):
+        return convert(READERS[kind](name, options), options, title or Path(path).stem, highest_rad_s)
+
+
+@contextmanager
+def _told(kind: str, name: str) -> Iterator[None]:
+    """Where a word that should be a number is none, or a number is beyond all, say so in one line."""
+    try:
+        # What overflows is found by the checks of what was read.
+        with np.errstate(all="ignore"):
+            yield
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        reason = " ".join(str(error).split())[:LONGEST_REASON]
+        raise reading_error(
+            f"a file that is damaged ({reason})", f"a file of {kind}'s, whole", name
+        ) from error
 
 
 def _check_signature(kind: str, name: str) -> None:

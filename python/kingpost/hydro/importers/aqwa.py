@@ -1,12 +1,13 @@
 """AQWA-LINE's file STEM.AH1, of version 5: a header, then named sections of numbers.
 
 The header has the numbers of structures, directions and frequencies and their values; GENERAL the depth,
-density and gravity; COG, DRAFT, COB and DISPLACEMENT the hull; HYDSTIFFNESS the restoring about the centre of
-gravity, its weight in it; ADDEDMASS and DAMPING six lines for each pair of structures and frequency,
-ADDEDMASS_HF those at 100 rad/s, which stand for infinite frequency; FORCERAO moduli and phases in degrees,
+density and gravity; COG, DRAFT, COB and DISPLACEMENT the hull; HYDSTIFFNESS the restoring matrix about the
+centre of gravity, including weight; ADDEDMASS and DAMPING six lines for each pair of structures and
+frequency,
+ADDEDMASS_HF added mass at 100 rad/s, taken as infinite frequency; FORCERAO moduli and phases in degrees,
 Froude-Krylov and diffraction together. Waves go to their directions, phases are those of exp(-i w t) and of
-the wave at the centre of gravity (readAQWA.m of WEC-Sim reads them so). The origin here is on the water plane
-above or below it.
+the wave at the centre of gravity (readAQWA.m of WEC-Sim reads them so). The origin here is on the water
+plane, vertically above or below the centre of gravity.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""AQWA-LINE's listing STEM.LIS of one structure, where its STEM.AH1 is not to be had.
+"""AQWA-LINE's listing STEM.LIS of one structure, for users without its STEM.AH1.
 
-It has what the .AH1 has, with fewer digits (five of coefficients, three of forces), the Froude-Krylov forces
-by themselves, and the depth of the lowest point. Frequencies have four decimals and periods three: the one
-that says more is taken. Coefficients and forces are about the centre of gravity, with directions and phases
+It has the contents of the .AH1 with fewer digits (five for coefficients, three for forces), and also the
+separate Froude-Krylov forces and the depth of the lowest point. Frequencies have four decimals and periods
+three: the more accurate one is taken. Coefficients and forces are about the centre of gravity, with
+directions and phases
 as in the .AH1 (`aqwa`), added mass of 100 rad/s for infinite frequency.
 """
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 ALLOWED = "a listing of AQWA-LINE of one structure, whole"
 ROWS = ("X", "Y", "Z", "RX", "RY", "RZ")
 HIGH_RAD_S = 100.0
-# From here up a frequency of four decimals says more than a period of three.
+# From here up a frequency with four decimals is more accurate than a period with three.
 BY_FREQUENCY_RAD_S = 0.8
 TOTAL = "FROUDE KRYLOV + DIFFRACTION FORCES-VARIATION WITH WAVE PERIOD/FREQUENCY"
 INCIDENT = "FROUDE KRYLOV FORCES-VARIATION WITH WAVE PERIOD/FREQUENCY"
@@ -86,7 +87,7 @@ def read(path: str, options: Options) -> Foreign:
 
 
 class _Said:
-    """Single numbers by what stands before them."""
+    """Single numbers by the text before them."""
 
     def __init__(self, text: str, path: str) -> None:
         self.text, self.path = text, path
@@ -107,7 +108,7 @@ def _float(word: str) -> float:
 
 
 def _matrices(lines: list[str], path: str) -> dict[float, dict[str, NDArray[np.float64]]]:
-    """A and B by frequency, infinity for 100 rad/s; other limits are passed over."""
+    """A and B by frequency, infinity for 100 rad/s; other limits are skipped."""
     found: dict[float, dict[str, NDArray[np.float64]]] = {}
     omega, name, rows = None, "", []
     for line in lines:

@@ -2,7 +2,7 @@
 
 Coefficients are divided: A by rho, B by rho w, C by rho g, X by rho g, unless `scaled` is 1. Phases are
 those of exp(+i w t): BEMIO takes WAMIT's as they are and conjugates Capytaine's. Moments are about `cg`.
-Whether C has weight in it depends on where BEMIO had it from, and the file does not say.
+Whether C includes weight depends on BEMIO's source, and the file does not say it.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Capytaine's NetCDF files, of its versions 2 and 3.
 
-Both name their dimensions, and are read by name, in whatever order. Real and imaginary parts stand along
-a dimension `complex`. Phases are those of exp(-i w t), directions in radians to where waves go, as here.
+Dimensions are read by name, in any order. Real and imaginary parts are along the dimension `complex`. Phases
+are those of exp(-i w t), directions in radians to where waves go, as here.
 Version 3 also writes the rotation centre, the centre of mass, the centre of buoyancy, the displaced mass
-and the draught; version 2 does not. The hydrostatic stiffness has the weight in it where a centre of mass
-stands beside it.
+and the draught; version 2 does not. The hydrostatic stiffness includes weight if the file has a centre of
+mass.
 """
 
 from __future__ import annotations
@@ -37,8 +37,6 @@ def read(path: str, options: Options) -> Foreign:
 
     with open(path, "rb") as file:
         classic = file.read(3) == CLASSIC
-    if classic:
-        _check_scipy(path)
     try:
         with xarray.open_dataset(path, engine="scipy" if classic else "h5netcdf") as dataset:
             return _read(dataset.load(), path)
@@ -46,14 +44,6 @@ def read(path: str, options: Options) -> Foreign:
         raise reading_error(f"a file that cannot be read ({error})", ALLOWED, path) from None
     except KeyError as error:
         raise reading_error(f"nothing named {error}", ALLOWED, path) from None
-
-
-def _check_scipy(path: str) -> None:
-    try:
-        import scipy  # noqa: F401
-    except ImportError:
-        allowed = "NetCDF 4; for the classic format SciPy is needed, which `pip install scipy` installs"
-        raise reading_error("NetCDF of the classic format", allowed, path) from None
 
 
 def _read(dataset: xarray.Dataset, path: str) -> Foreign:
@@ -99,7 +89,7 @@ def _read(dataset: xarray.Dataset, path: str) -> Foreign:
 
 
 def _by_frequency(dataset: xarray.Dataset, path: str) -> xarray.Dataset:
-    """With omega as dimension, increasing, whichever kind of frequency was asked of Capytaine."""
+    """The data with an increasing dimension omega, for any kind of frequency that Capytaine was run with."""
     if "omega" not in dataset.dims:
         along = dataset["omega"].dims
         if len(along) != 1:
@@ -127,7 +117,7 @@ def _waves(dataset: xarray.Dataset, name: str, path: str) -> NDArray[np.complex1
 
 
 def _alone(values: xarray.DataArray, dims: tuple[str, ...], path: str) -> NDArray:
-    """Values in this order of dimensions; others may have one value only."""
+    """Values in this order of dimensions; other dimensions may have only one value."""
     for name in values.dims:
         if name not in dims:
             if values.sizes[name] != 1:
@@ -151,7 +141,7 @@ def _number(dataset: xarray.Dataset, name: str, path: str) -> float | None:
 
 
 def _vector(dataset: xarray.Dataset, name: str, path: str) -> NDArray[np.float64] | None:
-    """`None` where there is none, and where Capytaine left it open with not-a-number."""
+    """The value; `None` if it is missing, or NaN, which Capytaine writes for unknown."""
     if name not in dataset.variables:
         return None
     found = np.atleast_1d(dataset[name].values).astype(float).ravel()

@@ -1,4 +1,5 @@
-"""From what a foreign file says to a database: about the origin, without weight, round the circle."""
+"""From the contents of a foreign file to a database: about the origin, without weight, for the whole
+circle."""
 
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ from ..checks import HASKIND, haskind_difference
 from ..database import Database, Hull, Provenance, Water, Waterplane
 from ..infinite_mass import joint_added_mass_infinite
 from .directions import Circle
-from .foreign import ASKED
+from .foreign import ALLOWED, ASKED
 from .long_waves import check_long_waves
 from .repair import at_frequencies, positive, repaired, up_to
 
@@ -24,15 +25,15 @@ if TYPE_CHECKING:
 
 
 def convert(foreign: Foreign, options: Options, title: str, highest_rad_s: float | None = None) -> Database:
-    """Cut, repair, settle what the file leaves open, move all to the origin, take the weight out, check.
+    """Cut, repair, complete missing values, move everything to the origin, remove the weight, check.
 
-    What is not as a hull's coefficients are is repaired where that is known to be right, and noted with how
-    much was changed (`repair`); only what cannot be used is refused.
+    Unphysical coefficients are repaired if the right repair is known, with a note of the change (`repair`);
+    only unusable data are refused.
 
     Raises
     ------
     HydrodynamicsError
-        When something is neither in the file nor given, or what was given cannot be right.
+        If a value is neither in the file nor given, or a given value cannot be right.
     """
     notes = ["zero forward speed", *foreign.notes]
     foreign, file = repaired(_finite(up_to(foreign, highest_rad_s, notes), notes), notes), foreign.file
@@ -73,7 +74,8 @@ def convert(foreign: Foreign, options: Options, title: str, highest_rad_s: float
 
 
 def _with_haskind(database: Database) -> Database:
-    """With a note where the excitation makes other waves than the damping takes: not to be repaired."""
+    """The contents, with a note if excitation and damping disagree by Haskind's relation: this is not
+    repaired."""
     found = haskind_difference(database)
     if found is None or found.largest <= HASKIND:
         return database
@@ -89,7 +91,7 @@ def _with_haskind(database: Database) -> Database:
 def _mean_drift(
     foreign: Foreign, circle: Circle, reference: NDArray[np.float64]
 ) -> NDArray[np.float64] | None:
-    """About the origin, round the circle: as forces mirror and turn, so does their mean."""
+    """Mean drift about the origin, for the whole circle: it is mirrored and rotated like forces."""
     if foreign.mean_drift is None:
         return None
     surge, sway, yaw = np.moveaxis(foreign.mean_drift, 2, 0)
@@ -100,7 +102,7 @@ def _mean_drift(
 
 
 def _finite(foreign: Foreign, notes: list[str]) -> Foreign:
-    """Without the frequencies at which the solver found no numbers, as Capytaine does at the lowest."""
+    """The contents without frequencies with NaN; Capytaine writes these at the lowest frequencies."""
     kept = np.isfinite(foreign.excitation).all(axis=(1, 2))
     for matrices in (foreign.added_mass, foreign.radiation_damping):
         kept &= np.isfinite(matrices).all(axis=(1, 2))
@@ -151,10 +153,11 @@ def _infinite(foreign: Foreign, options: Options, notes: list[str]) -> NDArray[n
 
 
 def _hull(foreign: Foreign, options: Options, water: Water, reference: NDArray[np.float64]) -> Hull:
-    """Waterplane moments about the origin from the restoring matrix, its weight taken out.
+    """Waterplane moments about the origin from the restoring matrix, with the weight removed.
 
-    With S the waterplane, V the volume, B its centre, G the weight's and R the reference point, for a hull
-    that floats freely (mass rho V): C_33 = rho g S, C_34 = rho g Int (y - y_R), C_35 = -rho g Int (x - x_R),
+    With S the waterplane, V the volume, B the centre of buoyancy, G the centre of gravity and R the reference
+    point, for a freely floating hull (mass rho V): C_33 = rho g S, C_34 = rho g Int (y - y_R), C_35 = -rho g
+    Int (x - x_R),
     C_44 = rho g (Int (y - y_R)^2 + V (z_B - z_R)) - rho V g (z_G - z_R), C_55 the same with x,
     C_45 = -rho g Int (x - x_R) (y - y_R) (J. N. Newman, Marine Hydrodynamics, MIT Press 1977, section 6.16).
     """
@@ -162,7 +165,7 @@ def _hull(foreign: Foreign, options: Options, water: Water, reference: NDArray[n
     volume = float(options.settled("volume_m3", foreign.volume_m3, file))
     buoyancy = np.array(options.settled("centre_of_buoyancy_m", foreign.centre_of_buoyancy_m, file), float)
     if foreign.restoring is None:
-        options.asked("restoring", file)
+        raise HydrodynamicsError("restoring", "nothing in the file", ALLOWED["restoring"], file)
     stiffness = foreign.restoring / (water.density_kg_m3 * water.gravity_m_s2)
     lever = buoyancy[2] - reference[2]
     if options.settled("restoring_includes_weight", foreign.restoring_includes_weight, file):

@@ -1,8 +1,8 @@
 """Excitation round the whole circle of wave directions, from the directions that a file has.
 
-Mirror images: in the plane y = 0 a wave to b becomes one to -b, and sway, roll and yaw change their sign;
-in x = 0 a wave to b becomes one to pi - b, and surge, pitch and yaw change theirs. A body of revolution
-answers a wave turned by an angle with its forces turned by that angle.
+Mirror images: in the plane y = 0 a wave towards b becomes one towards -b, and sway, roll and yaw change their
+sign; in x = 0 it becomes one towards pi - b, and surge, pitch and yaw change their sign. For a body of
+revolution, a wave rotated by an angle gives forces rotated by that angle.
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ TOLERANCE = 1e-4
 
 
 class Circle:
-    """The directions of a file, and the symmetry that fills the circle: as given, else as the file says."""
+    """The directions of a file, and the symmetry that fills the circle: the given one, otherwise that of the
+    file."""
 
     def __init__(self, foreign: Foreign, options: Options) -> None:
         self.directions, self.options, self.file = foreign.directions_rad, options, foreign.file
@@ -79,7 +80,7 @@ def _beside(first: NDArray[np.complex128], second: NDArray[np.complex128]) -> ND
 def _distinct(
     directions: NDArray[np.float64], values: NDArray[np.complex128]
 ) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
-    """In increasing order from 0 to 2 pi, each once: the first of equal ones."""
+    """Directions in increasing order from 0 to 2 pi, each once: the first of equal ones."""
     turned = np.mod(directions, 2.0 * np.pi)
     turned = np.where(turned > 2.0 * np.pi - TOLERANCE, 0.0, turned)
     _, first = np.unique(np.round(turned / TOLERANCE), return_index=True)

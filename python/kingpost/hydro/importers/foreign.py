@@ -1,4 +1,4 @@
-"""What a foreign file says, in SI units, and what its reader asks for beside it."""
+"""Contents of a foreign file in SI units, and the options for values that it lacks."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 ALLOWED = {
-    "restoring_includes_weight": "yes or no: does the file's restoring matrix have the hull's weight in it?",
-    "centre_of_gravity_m": "x,y,z of the weight that the restoring matrix has in it, z from the water up",
+    "restoring_includes_weight": "yes or no: does the file's restoring matrix include the hull's weight?",
+    "centre_of_gravity_m": "x,y,z of the weight in the restoring matrix, z from the water up",
     "centre_of_buoyancy_m": "x,y,z, z from the water up",
     "reference_m": "x,y,z of the point that moments are about (WAMIT: XBODY), z from the water up",
     "volume_m3": "the displaced volume, greater than 0",
@@ -42,7 +42,7 @@ CHOICES = {
     "hull_symmetry": ("none", "port_starboard", "both_planes", "revolution"),
     "added_mass_infinite": ("from_damping",),
 }
-# What every database needs; length and beam are in few files.
+# Values that every database needs; few files have length and beam.
 ASKED = ("density_kg_m3", "gravity_m_s2", "water_depth_m", "reference_m", "volume_m3", "centre_of_buoyancy_m",
          "draught_m", "length_m", "beam_m", "restoring_includes_weight")  # fmt: skip
 VECTORS = ("centre_of_gravity_m", "centre_of_buoyancy_m", "reference_m")
@@ -51,7 +51,7 @@ TEXTS = ("vessel_type", "draught_name")
 
 @dataclass(frozen=True)
 class Options:
-    """What a file may leave unsaid; nothing has a default. `ALLOWED` says what each is."""
+    """Values that a file may lack; none has a default. `ALLOWED` describes each."""
 
     restoring_includes_weight: bool | None = None
     centre_of_gravity_m: tuple[float, float, float] | None = None
@@ -79,12 +79,12 @@ class Options:
                 raise HydrodynamicsError(field.name, repr(value), ALLOWED[field.name])
 
     def asked(self, name: str, file: str) -> object:
-        """An option that the file leaves unsaid.
+        """An option for a value that the file lacks.
 
         Raises
         ------
         HydrodynamicsError
-            When it was not given either: it names the option.
+            If it was not given either; the message names the option.
         """
         value = getattr(self, name)
         if value is None:
@@ -94,12 +94,12 @@ class Options:
         return value
 
     def asked_together(self, names: Sequence[str], file: str) -> None:
-        """All that a file leaves unsaid, so that one answer does not lead to the next question.
+        """Ask for all values that a file lacks at once, and not one after the other.
 
         Raises
         ------
         HydrodynamicsError
-            When several were not given; a single one is left to `asked`.
+            If several are missing; `asked` reports a single one.
         """
         missing = [name for name in names if getattr(self, name) is None]
         if len(missing) > 1:
@@ -110,14 +110,14 @@ class Options:
             raise HydrodynamicsError("", found, allowed, file)
 
     def preferred(self, name: str, said: object, file: str) -> object:
-        """The option, or else what was measured on a file beside, which may be of another water line."""
+        """The option, otherwise the value measured on another file, which may have another water line."""
         given = getattr(self, name)
         return (
             self.asked(name, file) if given is None and said is None else given if given is not None else said
         )
 
     def settled(self, name: str, said: object, file: str) -> object:
-        """What the file says, or else the option; both only where they agree."""
+        """The value in the file, otherwise the option; if both are given they must agree."""
         given = getattr(self, name)
         if said is None:
             return self.asked(name, file)
@@ -154,7 +154,7 @@ def _same(given: object, said: object) -> bool:
 
 @dataclass(frozen=True)
 class Foreign:
-    """A file's contents in SI units; `None` where it says nothing.
+    """Contents of a file in SI units; `None` for missing values.
 
     Moments and rotations are about `reference_m`. Waves go to `directions_rad`. Excitation is for
     exp(-i w t), per metre of amplitude, of shape (frequency, direction, 6), its phase that of the
@@ -188,9 +188,9 @@ class Foreign:
     """(frequency, direction, 3): surge, sway and yaw about `reference_m` per metre squared of amplitude."""
     notes: tuple[str, ...] = ()
     others_about: bool = False
-    """Whether other bodies are held still beside it: they bend the longest waves too."""
+    """Whether other bodies are fixed beside it: they diffract even the longest waves."""
 
 
 def reading_error(found: str, allowed: str, file: str, field: str = "") -> HydrodynamicsError:
-    """The error of a file that is not what its name says, or that is cut short."""
+    """The error for a file that does not have the format of its name, or is truncated."""
     return HydrodynamicsError(field, found, allowed, file)

@@ -1,14 +1,14 @@
-"""What a file's excitation must be in its longest wave, where the water's motion about the hull is known.
+"""Check of a file's excitation in its longest wave, where the motion of the water at the hull is known.
 
-A hull that is small against the wave feels the water's level as C_33, its slope as C_44 and C_55 (of
-buoyancy alone, for the water has no weight of the hull in it), and its acceleration as inertia of the
-displaced water and added mass. With k the wave number and b the direction, in deep water,
+For a hull that is small compared with the wave, the elevation acts through C_33, its slope through C_44 and
+C_55 (buoyancy alone, without weight), and its acceleration through the inertia of the displaced water and the
+added mass. With k the wave number and b the direction, in deep water,
 
     X_1 = -i w^2 (rho V + A_11) cos b,     X_3 = C_33 - w^2 (rho V + A_33),
     Im X_4 = k (C_44 - g A_42) sin b,      Im X_5 = -k (C_55 + g A_51) cos b.
 
-So a wrong unit, a wrong sign of time and weight left in the restoring matrix show. Each error is of first
-order in k times the hull's size.
+This reveals a wrong unit, a wrong sign of time, and weight left in the restoring matrix. The relations hold
+to first order in k times the hull's size.
 """
 
 from __future__ import annotations
@@ -23,23 +23,24 @@ from ..airy import wave_number
 if TYPE_CHECKING:
     from ..database import Database
 
-# Waves are long against a hull where omega^2 L / g is at most this.
+# A wave is long compared with a hull if omega^2 L / g is at most this.
 LONGEST_COUNT = 0.4
-# Of C_33, and of the waterplane's part of C_44 and C_55: there, a centre of gravity wrong by a tenth of BM.
+# Tolerance for C_33, and for the waterplane's part of C_44 and C_55: a centre of gravity wrong by a tenth of
+# BM.
 HEAVE_ERROR, SLOPE_ERROR = 0.2, 0.1
-# Of buoyancy's and inertia's parts of a slope's moment, which are far more than the waterplane's in a spar:
-# by panels, and by the water's motion that falls off with depth, k times the draught.
+# Tolerance for the parts of buoyancy and inertia in the moment of a slope, which exceed the waterplane's for
+# a spar: # errors of panels, and the decay of the water's motion with depth, k times the draught.
 PARTS_ERROR = 0.01
 
 
 def check_long_waves(database: Database, file: str, *, alone: bool = True) -> None:
-    """Refuse what cannot be; waves that are not long against the hull say nothing, and are not looked at.
-    Roll and pitch are those of a hull alone.
+    """Refuse impossible excitation; only waves that are long compared with the hull are checked.
+    Roll and pitch are checked only for a single hull.
 
     Raises
     ------
     HydrodynamicsError
-        When heave, surge, roll or pitch is not that of a hull in a long wave.
+        If heave, surge, roll or pitch does not agree with that of a hull in a long wave.
     """
     water, hull, omega = database.water, database.hull, float(database.frequencies_rad_s[0])
     shallow = water.depth_m is not None and water.depth_m < hull.length_m

@@ -4,7 +4,7 @@ Results RadiationCoefficients.tec, ExcitationForce.tec and FKForce.tec.
 Nemoh.cal has density, gravity and depth (0 is infinite), the points that rotations are about, and the ranges
 of frequencies and directions. Coefficients are in SI units, waves go to their directions, phases are radians
 of exp(-i w t) (readNEMOH.m of WEC-Sim conjugates them for exp(+i w t)). KH is the stiffness about the centre
-of gravity that Nemoh's mesh tool was given, its weight in it. Of several bodies the first is taken. The
+of gravity that was given to Nemoh's mesh tool, including weight. Of several bodies the first is taken. These
 versions have no infinite frequency.
 """
 
@@ -74,7 +74,7 @@ def read(path: str, options: Options) -> Foreign:
 
 
 class _Case:
-    """Nemoh.cal: numbers before the remarks of each line."""
+    """Nemoh.cal: the numbers before the comment of each line."""
 
     def __init__(self, file: Path) -> None:
         self.file, self.folder = file, file.parent
@@ -136,7 +136,7 @@ def _zones(case: _Case, name: str) -> list[NDArray[np.float64]]:
 
 
 def _radiation(case: _Case) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """A zone a motion: frequency, then A and B of each force in turn."""
+    """A zone for each motion: frequency, then A and B of each force in turn."""
     zones = _zones(case, "RadiationCoefficients.tec")[:6]
     if len(zones) < 6 or zones[0].shape[1] < 13 or len({len(zone) for zone in zones}) > 1:
         found = f"{len(zones)} motions of {zones[0].shape[1]} columns"
@@ -146,7 +146,8 @@ def _radiation(case: _Case) -> tuple[NDArray[np.float64], NDArray[np.float64], N
 
 
 def _forces(case: _Case, name: str, frequencies: int) -> NDArray[np.complex128]:
-    """(frequency, direction, 6): a zone a direction, frequency, then modulus and phase of each force."""
+    """(frequency, direction, 6): a zone for each direction; frequency, then modulus and phase of each
+    force."""
     zones = _zones(case, name)[: len(case.directions)]
     if len(zones) < len(case.directions) or any(zone.shape[0] != frequencies for zone in zones):
         found = f"{len(zones)} directions of {len(zones[0])} frequencies"

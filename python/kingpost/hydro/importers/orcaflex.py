@@ -1,19 +1,21 @@
-"""OrcaFlex's vessel types, of its text data file .yml, where OrcaWave's results end up as text too.
+"""Vessel types of OrcaFlex's text data file .yml, which can also hold OrcaWave's results.
 
 A vessel type states the conventions of its numbers: period or frequency, phases that lag or lead, in degrees
-or radians, behind crest, trough or a zero crossing, the positive way of each motion, and symmetry; the ways
-of the motions hold of stiffness, added mass and damping as well (Orcina's help, "Vessel types:
-Conventions"). Directions are those that waves go to, from the bow to port. Each draught has
+or radians, behind crest, trough or a zero crossing, the positive direction of each motion, and symmetry; the
+positive directions also apply to stiffness, added mass and damping (Orcina's help, "Vessel types:
+Conventions"). Wave directions are those that waves travel towards, counted from the bow to port. Each draught
+has
 
 - `LoadRAOs`: forces of kN/m and moments of kN m/m about `RAOOrigin`, their phases those of the wave at
   `PhaseOrigin`, or at `RAOOrigin` where that is `~`;
 - `FrequencyDependentAddedMassAndDamping` and `HydrostaticStiffness` about `ReferenceOrigin`, whose height
   above the water is the first of `ReferenceOriginDatumPosition`: te, kN, m;
-- `Mass` and `CentreOfMass`: where that mass is the displaced one, its weight is in the stiffness.
+- `Mass` and `CentreOfMass`: if this mass equals the displaced mass, its weight is in the stiffness.
 
-A period of infinity is a frequency of 0, one of 0 an infinite frequency. Points are in the vessel's axes. The
+An infinite period means frequency 0, and period 0 means infinite frequency. Points are in the vessel's axes.
+The
 origin here is on the water plane above or below the load RAOs' origin; planes of symmetry go through that.
-The sea of the model need not be the one that the coefficients were computed for: its depth is not taken.
+The sea of the model may differ from that of the coefficients: its depth is not used.
 """
 
 from __future__ import annotations
@@ -42,13 +44,13 @@ COLUMNS = ["RAOPeriodOrFrequency"] + [
 
 
 def read(path: str, options: Options) -> Foreign:
-    """Read one draught of one vessel type, by name where there are several.
+    """Read one draught of one vessel type, by name if there are several.
 
     Raises
     ------
     HydrodynamicsError
-        When the file is no text data file in SI units; when a convention is unknown; when the vessel type,
-        its draught or a table is missing or not the only one.
+        If the file is not a text data file in SI units; if a convention is unknown; if the vessel type, its
+        draught or a table is missing or ambiguous.
     """
     model, program = load(path)
     model.entry("General").choice("UnitsSystem", {"SI": None})
@@ -95,12 +97,12 @@ def read(path: str, options: Options) -> Foreign:
 
 
 def refuse_binary(path: str, options: Options) -> Foreign:
-    """OrcaWave's own results are not to be read without these programs.
+    """OrcaWave's binary results cannot be read without OrcaFlex.
 
     Raises
     ------
     HydrodynamicsError
-        Always: it says how to come to a file that is read.
+        Always; the message explains how to make a readable file.
     """
     allowed = "a text data file: open the results in OrcaFlex and save the model as .yml"
     raise reading_error("OrcaWave's results file, which is binary", allowed, path)
@@ -140,7 +142,8 @@ def _matrix(block: Entry, name: str) -> NDArray[np.float64]:
 def _excitation(
     draught: Entry, conventions: Conventions, omega: NDArray[np.float64], notes: list[str]
 ) -> tuple:
-    """Directions, frequencies at which all have forces, which those are, and forces of exp(-i w t)."""
+    """Directions, frequencies at which all directions have forces, a mask of these, and forces for exp(-i w
+    t)."""
     tables = draught.entry("LoadRAOs").entries("RAOs")
     if not tables:
         raise draught.error("LoadRAOs.RAOs", "nothing", "a table for each direction")
@@ -174,7 +177,8 @@ def _excitation(
 def _mirrored_ends(
     directions: NDArray[np.float64], excitation: NDArray[np.complex128]
 ) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
-    """With the images of waves to b, which go to pi - b, in the plane x = 0 of the forces' own origin."""
+    """The forces with mirror images in the plane x = 0 of their own origin: waves towards b become waves
+    towards pi - b."""
     return np.append(directions, np.pi - directions), np.concatenate([excitation, excitation * ENDS], axis=1)
 
 
@@ -189,7 +193,7 @@ def _restoring(draught: Entry, conventions: Conventions) -> NDArray[np.float64]:
 
 
 def _density(model: Entry) -> float | None:
-    """Of the model's sea, which OrcaFlex floats the vessel in."""
+    """Density of the model's sea, in which OrcaFlex floats the vessel."""
     sea = model.entry("Environment")
     found = sea.number("Density") if sea.text("VerticalDensityVariation") in (None, "Constant") else None
     return None if found is None else THOUSAND * found
@@ -198,7 +202,8 @@ def _density(model: Entry) -> float | None:
 def _centre_of_the_weight(
     draught: Entry, density: float | None, volume: float | None, notes: list[str]
 ) -> NDArray[np.float64] | None:
-    """The centre of the mass where that is the displaced one: of another the stiffness says nothing."""
+    """The centre of mass, if the mass equals the displaced mass; otherwise it does not belong to the
+    stiffness."""
     mass, centre = draught.number("Mass"), draught.vector("CentreOfMass")
     if centre is None:
         centre = draught.vector("CentreOfGravity")
@@ -209,7 +214,7 @@ def _centre_of_the_weight(
         return centre
     notes.append(
         f"the vessel type's mass, {mass:.4g} te, is not the displaced one, {displaced / THOUSAND:.4g} te: "
-        "its centre says nothing of the weight in the stiffness"
+        "its centre is not that of the weight in the stiffness"
     )
     return None
 
@@ -222,13 +227,13 @@ def _length(vessel: Entry, options: Options, notes: list[str]) -> float | None:
 
 
 def _left_out(model: Entry, draught: Entry) -> list[str]:
-    """What a draught has beside, and is not taken."""
+    """Notes on data of a draught that are not used."""
     notes = []
     if draught.entry("WaveDrift").entries("RAOs"):
         notes.append("wave drift of the file is left out")
     other = [draught.vector(f"Other{kind}Damping", 6) for kind in ("Linear", "Quadratic")]
     if any(each is not None and each.any() for each in other):
-        notes.append("other damping of the file, which is not by waves, is left out")
+        notes.append("other damping of the file, which is not radiation damping, is left out")
     if model.entries("MultibodyGroups"):
         notes.append("the couplings of multibody groups are left out: other bodies are held still")
     return notes

@@ -1,4 +1,4 @@
-"""What the numbers of OrcaFlex's vessel types mean, by the conventions that each of them states."""
+"""Conventions of OrcaFlex's vessel types, which each vessel type states."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .foreign import Options
     from .orcaflex_file import Entry
 
-# Of OrcaFlex's SI: its samples' C_33 is rho g S with it, to the last digit.
+# g of OrcaFlex's SI system: with it C_33 of its samples is rho g S to the last digit.
 GRAVITY_M_S2 = 9.80665
 LEVEL_DEG = 1e-3
 FREQUENCIES: dict[str, Callable[[NDArray[np.float64]], NDArray[np.float64]]] = {
@@ -28,7 +28,7 @@ FREQUENCIES: dict[str, Callable[[NDArray[np.float64]], NDArray[np.float64]]] = {
     "frequency (Hz)": lambda frequency: 2.0 * np.pi * frequency,
 }
 PHASE_UNITS = {"degrees": np.pi / 180.0, "radians": 1.0}
-# What passes the phase origin this far behind the crest, rad.
+# Phase of each reference event behind the crest, at the phase origin, rad.
 BEHIND_CREST = {
     "crest": 0.0,
     "zero down-crossing": 0.5 * np.pi,
@@ -57,12 +57,12 @@ SYMMETRIES = {
 
 @dataclass(frozen=True)
 class Conventions:
-    """What the numbers of a vessel type mean."""
+    """Conventions of a vessel type."""
 
     to_rad_s: Callable[[NDArray[np.float64]], NDArray[np.float64]]
     signs: NDArray[np.float64]
     phase_factor: float
-    """From a phase to a lag, rad: times this, and then behind the crest by `behind_rad`."""
+    """Factor from a phase to a lag, rad; the lag is then shifted by `behind_rad` to be behind the crest."""
     behind_rad: float
     symmetry: str
 
@@ -84,7 +84,7 @@ class Conventions:
         )
 
     def frequencies(self, entry: Entry, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """rad/s, 0 and infinity among them."""
+        """Frequencies, rad/s; 0 and infinity are possible."""
         if (values < 0.0).any():
             raise entry.error("period or frequency", values.min(), "0 or more")
         with np.errstate(divide="ignore"):
@@ -96,7 +96,7 @@ class Place:
     """Points of a draught, in the vessel's axes."""
 
     matrices: NDArray[np.float64]
-    """Where stiffness, added mass and damping are about, at `height` above the water."""
+    """Reference point of stiffness, added mass and damping, at `height` above the water."""
     height: float
     forces: NDArray[np.float64]
     phases: NDArray[np.float64]
@@ -134,7 +134,8 @@ class Place:
         options: Options,
         file: str,
     ) -> NDArray[np.complex128]:
-        """Forces of a crest over their own origin O at t = 0, not over P: X_O = X_P exp(i k (P - O))."""
+        """Forces with the phase of a crest at their own origin O at t = 0 instead of P: X_O = X_P exp(i k (P
+        - O))."""
         x, y = (self.phases - self.forces)[:2]
         if np.hypot(x, y) < 1e-9:
             return forces
@@ -145,5 +146,5 @@ class Place:
         return forces * np.exp(1j * np.outer(numbers, ahead))[:, :, None]
 
     def carried(self, forces: NDArray[np.complex128]) -> NDArray[np.complex128]:
-        """Forces about the point that the matrices are about."""
+        """Forces about the reference point of the matrices."""
         return forces @ about_origin(self.forces - self.matrices)

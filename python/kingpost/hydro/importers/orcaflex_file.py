@@ -1,6 +1,7 @@
 """OrcaFlex's text data file: YAML, its entries by name, numbers checked as they are taken.
 
-Everything is taken as text (YAML 1.1 would read 30.8e3 as a word and Yes as a truth) and made a number here.
+All values are read as text and converted to numbers here, because YAML 1.1 would read 30.8e3 as a string and
+Yes as a boolean.
 A table's key is the list of its columns, `RAOPeriodOrFrequency, RAOSurgeAmp, ...`: they are found by name.
 """
 
@@ -19,7 +20,6 @@ from .foreign import reading_error
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
-    from types import ModuleType
 
     from numpy.typing import NDArray
 
@@ -30,23 +30,20 @@ DEEPEST = 50
 
 
 def load(path: str) -> tuple[Entry, str]:
-    """The file's entries, and the program's name of its head.
+    """The file's entries, and the name of the program in its header.
 
     Raises
     ------
     HydrodynamicsError
-        When it cannot be read, is no YAML or no mapping, or the library that reads YAML is missing.
+        If it cannot be read, is not YAML or not a mapping.
     """
-    try:
-        import yaml
-    except ImportError:
-        needed = "PyYAML, which `pip install pyyaml` installs"
-        raise reading_error("YAML", needed, path) from None
+    import yaml
+
     try:
         text = Path(path).read_text(encoding="utf-8-sig")
-        # Of texts, lists and mappings only: nothing in the file is run.
+        # Only texts, lists and mappings: nothing in the file is executed.
         loader = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
-        _check_depth(yaml, text, loader)
+        _check_depth(text, loader)
         found = yaml.load(text, Loader=loader)
     except (OSError, UnicodeDecodeError, RecursionError, yaml.YAMLError) as error:
         said = " ".join(str(error).split())
@@ -57,8 +54,10 @@ def load(path: str) -> tuple[Entry, str]:
     return Entry(found, "", path), program[1].strip() if program else "OrcaFlex"
 
 
-def _check_depth(yaml: ModuleType, text: str, loader: type) -> None:
-    """Lists in lists without end would overflow the stack of the library, which builds them by recursion."""
+def _check_depth(text: str, loader: type) -> None:
+    """Refuse deep nesting: the library is recursive and its stack would overflow."""
+    import yaml
+
     depth = 0
     for event in yaml.parse(text, Loader=loader):
         depth += isinstance(event, yaml.CollectionStartEvent)
@@ -69,7 +68,7 @@ def _check_depth(yaml: ModuleType, text: str, loader: type) -> None:
 
 @dataclass(frozen=True)
 class Entry:
-    """A mapping of the file and its place there, as `VesselTypes.Barge`."""
+    """A mapping of the file and its path, such as `VesselTypes.Barge`."""
 
     value: dict[str, Any]
     place: str
@@ -77,31 +76,31 @@ class Entry:
 
     def error(self, name: str, found: object, allowed: str) -> HydrodynamicsError:
         """An error about one of its fields."""
-        # Not all of it: lists may repeat lists.
+        # Shortened: a list can contain the same list many times.
         said = found if isinstance(found, str) else reprlib.repr(found)
         return HydrodynamicsError(
             f"{self.place}.{name}".lstrip("."), said[:80] or "nothing", allowed, self.file
         )
 
     def text(self, name: str) -> str | None:
-        """A field's text; `None` where there is none, or `~`."""
+        """Text of a field; `None` if it is missing or `~`."""
         found = self.value.get(name)
         return found if isinstance(found, str) and found not in ("", NOTHING) else None
 
     def choice(self, name: str, meanings: Mapping[str, Meaning]) -> Meaning:
-        """What one of a field's words means."""
+        """The meaning of a field's keyword."""
         found = self.text(name)
         if found not in meanings:
             raise self.error(name, found or "nothing", " or ".join(meanings))
         return meanings[found]
 
     def entry(self, name: str) -> Entry:
-        """The mapping of that name, empty where there is none."""
+        """The mapping with that name; empty if it is missing."""
         found = self.value.get(name)
         return Entry(found if isinstance(found, dict) else {}, f"{self.place}.{name}".lstrip("."), self.file)
 
     def entries(self, name: str) -> list[Entry]:
-        """The mappings of a list, none where there is none."""
+        """The mappings of a list; empty if it is missing."""
         found = self.value.get(name)
         listed = found if isinstance(found, list) else []
         place = f"{self.place}.{name}".lstrip(".")
@@ -109,7 +108,7 @@ class Entry:
                 if isinstance(each, dict)]  # fmt: skip
 
     def named(self, name: str, wanted: str | None, option: str) -> Entry:
-        """One of a list by its `Name`: that which is wanted, or the only one."""
+        """One entry of a list by its `Name`: the wanted one, or the only one."""
         listed = self.entries(name)
         names = [entry.text("Name") or "" for entry in listed]
         chosen = [n for n, each in enumerate(names) if wanted in (None, each)]
@@ -123,14 +122,14 @@ class Entry:
         return Entry(listed[chosen[0]].value, place, self.file)
 
     def number(self, name: str, *, infinite: bool = False) -> float | None:
-        """A number; `None` where there is none, or `~`."""
+        """A number; `None` if it is missing or `~`."""
         found = self.text(name)
         if found is None:
             return None
         return float((self._floats if infinite else self._finite)(name, [found])[0])
 
     def vector(self, name: str, count: int = 3) -> NDArray[np.float64] | None:
-        """Finite numbers; `None` where there are none, or all are `~`."""
+        """Finite numbers; `None` if they are missing or all are `~`."""
         found = self.value.get(name)
         if found is None or found == NOTHING or found == [NOTHING] * count:
             return None
@@ -139,14 +138,14 @@ class Entry:
         return self._finite(name, found)
 
     def needed(self, name: str, count: int = 3) -> NDArray[np.float64]:
-        """Finite numbers that must be there."""
+        """Required finite numbers."""
         found = self.vector(name, count)
         if found is None:
             raise self.error(name, "nothing", f"{count} numbers")
         return found
 
     def table(self, names: Sequence[str]) -> NDArray[np.float64]:
-        """The rows of the table that has these columns, in this order; infinities are for the caller."""
+        """The rows of the table with these columns, in this order; the caller handles infinities."""
         for key, rows in self.value.items():
             columns = [column.strip() for column in key.split(",")]
             if set(names) <= set(columns):

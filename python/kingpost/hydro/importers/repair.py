@@ -1,11 +1,11 @@
-"""Errors in another program's coefficients, repaired where physics says how, with a note
-of how much.
+"""Repairs of errors in another program's coefficients, each with a note of the change.
 
-Panel methods keep A = A^T and B = B^T only nearly, at the highest frequencies worst; damping of motions that
-make hardly any waves comes out a little negative; at irregular frequencies both jump. A and B are replaced by
-their symmetric parts, B by the nearest matrix that takes no energy from the water (its negative eigenvalues
-become 0), and single frequencies at which the coefficients jump are left out. What would change by more than
-`USELESS` of the diagonal's largest is not a hull's, but a file misread: it is refused.
+Panel methods satisfy A = A^T and B = B^T only approximately, worst at the highest frequencies; damping of
+motions that hardly radiate can be slightly negative; at irregular frequencies both jump. A and B are replaced
+by
+their symmetric parts, B by the nearest matrix without negative eigenvalues, and single frequencies at which
+the coefficients jump are left out. A change of more than `USELESS` of the largest diagonal means that the
+file was misread: it is refused.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ if TYPE_CHECKING:
     from .foreign import Foreign
 
 USELESS = 0.5
-"""Of the diagonals' largest: a matrix that is so little symmetric, or damping so negative, is no hull's."""
+"""Share of the largest diagonal: with more asymmetry or more negative damping, a matrix is unphysical."""
 WORTH_SAYING = 1e-4
 JUMP = 0.15
-"""A coefficient jumps where it is off the line between its neighbours by more than this of its range..."""
+"""A coefficient jumps if it is off the line between its neighbours by more than this share of its range..."""
 LONE = 2.0
-"""...and by this many times what they differ from each other, and from the next on either side."""
+"""...and by more than this multiple of the differences between its neighbours, and to the next points..."""
 LONE_AT_AN_END = 4.0
-"""...or, of the first and the last frequency, by this many times what the next three differ."""
+"""...or, at the first and the last frequency, of the differences between the next three points."""
 MOST_LEFT_OUT, MOST_USELESS = 0.1, 0.25
 
 
 def up_to(foreign: Foreign, highest_rad_s: float | None, notes: list[str]) -> Foreign:
-    """Without the frequencies above a limit, before anything is looked at."""
+    """The contents without the frequencies above a limit, before any check."""
     if highest_rad_s is None:
         return foreign
     kept = foreign.frequencies_rad_s <= highest_rad_s
@@ -64,12 +64,12 @@ def at_frequencies(foreign: Foreign, kept: NDArray[np.bool_]) -> Foreign:
 
 
 def repaired(foreign: Foreign, notes: list[str]) -> Foreign:
-    """Symmetric, without jumps, and with damping that takes energy; each change in the notes.
+    """Make the matrices symmetric, without jumps, and damping positive; each change is noted.
 
     Raises
     ------
     HydrodynamicsError
-        When a matrix would change by more than half of its diagonal.
+        If a matrix would change by more than half of its diagonal.
     """
     foreign = _without_jumps(_without_useless(foreign, notes), notes)
     added_mass = _symmetric(foreign.added_mass, "added_mass", foreign, notes)
@@ -83,8 +83,7 @@ def repaired(foreign: Foreign, notes: list[str]) -> Foreign:
 
 
 def _without_useless(foreign: Foreign, notes: list[str]) -> Foreign:
-    """Without frequencies at which B takes far more from the water than any hull gives it, if they
-    are few."""
+    """The contents without frequencies of strongly negative damping, if they are few."""
     lowest = _lowest_eigenvalues(foreign.radiation_damping)
     useless = lowest < -USELESS
     if not useless.any() or useless.sum() > MOST_USELESS * len(useless):
@@ -103,7 +102,7 @@ def _lowest_eigenvalues(damping: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def scale_of(matrices: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The diagonal's largest of each motion; of a motion that has next to none, what its couplings need."""
+    """The largest diagonal of each motion; for a very small diagonal, the value that its couplings need."""
     diagonal = np.abs(np.diagonal(matrices, axis1=1, axis2=2)).max(axis=0)
     coupling = np.abs(matrices).max(axis=(0, 2))
     least = np.where(diagonal > 0.0, 0.0, coupling)
@@ -117,7 +116,7 @@ def _symmetric(
     scale = scale_of(matrices if like is None else np.concatenate([matrices, like]))
     root = np.sqrt(np.outer(scale, scale))
     change = 0.5 * np.abs(matrices - matrices.transpose(0, 2, 1)) / root
-    # A motion of no size of its own has no say: a body of revolution's yaw is noise.
+    # Ignore motions of negligible size: the yaw of a body of revolution is noise.
     counted = np.outer(_counts(scale, foreign), _counts(scale, foreign))
     change = np.where(counted, change, 0.0)
     k, i, j = np.unravel_index(np.argmax(change), change.shape)
@@ -140,7 +139,7 @@ def _symmetric(
 
 
 def _counts(scale: NDArray[np.float64], foreign: Foreign) -> NDArray[np.bool_]:
-    """Motions with more than a millionth of what the largest of their kind has."""
+    """Motions with more than a millionth of the largest of their kind."""
     kinds = np.repeat([scale[:3].max(), scale[3:].max()], 3)
     return scale > 1e-6 * kinds
 
@@ -169,12 +168,12 @@ def _taking_energy(damping: NDArray[np.float64], foreign: Foreign, notes: list[s
         return damping
     kept = np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0.0), vectors)
     clipped = np.where((values[:, 0] < 0.0)[:, None, None], kept * np.outer(root, root), damping)
-    # What is zero by symmetry stays so.
+    # Entries that are zero by symmetry stay zero.
     return np.where((damping == 0.0).all(axis=0), 0.0, clipped)
 
 
 def _advice(lowest: NDArray[np.float64], omega: NDArray[np.float64]) -> list[str]:
-    """Where all large errors lie at the upper end, the frequency to stop at."""
+    """The frequency to stop at, if all large errors are at the upper end."""
     wrong = np.flatnonzero(lowest < -0.05)
     if not len(wrong) or wrong[0] < len(omega) // 3:
         return []
@@ -198,7 +197,7 @@ def positive(matrix: NDArray[np.float64], name: str, notes: list[str]) -> NDArra
 
 
 def _without_jumps(foreign: Foreign, notes: list[str]) -> Foreign:
-    """Without single frequencies at which A_ii or B_ii leaves its neighbours."""
+    """The contents without single frequencies at which A_ii or B_ii jumps."""
     omega = foreign.frequencies_rad_s
     if len(omega) < 12:
         return foreign
@@ -222,8 +221,8 @@ def _without_jumps(foreign: Foreign, notes: list[str]) -> Foreign:
 
 
 def _jumps(omega: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Where a value alone leaves its neighbours: they agree with each other, and with theirs, far better than
-    it does with them. A resonance has flanks; an irregular frequency between regular ones has none."""
+    """Whether a single value jumps: its neighbours agree with each other and with theirs far better than with
+    it. A resonance has flanks; an irregular frequency between regular ones has none."""
     near = values[:-4], values[1:-3], values[3:-1], values[4:]
     part = (omega[2:-2] - omega[1:-3]) / (omega[3:-1] - omega[1:-3])
     off = np.abs(values[2:-2] - ((1.0 - part) * near[1] + part * near[2]))
@@ -238,7 +237,7 @@ def _jumps(omega: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[n
 
 def _jumps_at_the_start(omega: NDArray[np.float64], values: NDArray[np.float64]) -> bool:
     """Whether the first value is off the straight line through the next two, which themselves are regular:
-    strip programs that sum to a given depth fail so at their longest wave."""
+    strip programs that sum to a given depth have this error at their longest wave."""
     slopes = np.diff(values[1:4]) / np.diff(omega[1:4])
     reach = omega[1] - omega[0]
     off = abs(values[0] - (values[1] - reach * slopes[0]))

@@ -3,13 +3,14 @@
 Six lines of text; density and gravity; Lpp, breadth and draught; LCG aft of Lpp/2 and VCG above the keel;
 numbers of speeds, headings, frequencies and motions; in `.re7` the mass matrix. For each speed a line with
 the speed, sinkage, trim and the point of the motions (x aft of Lpp/2, z above the keel), for each heading and
-frequency A, B and C, in version 2 each followed by what was added to it (the user's own), and a line of
-viscous roll damping; in `.re8` motion, real and imaginary part. x is aft and z up there, so y is to
+frequency A, B and C, in version 2 each followed by the user's additions, and a line of viscous roll damping;
+in `.re8` motion, real and imaginary part. x is aft and z up there, so y is to
 starboard; phases are those of exp(+i w t) and of the wave at the point of the motions, a heading of 0 is a
-head sea and one of 90 goes to +y. C has the weight in it (read_veres_ABC.m and read_veres_TF.m of the Marine
-Systems Simulator read them so). The origin here is on the water plane at the point's place along the hull.
+head sea and one of 90 goes to +y. C includes the weight (read_veres_ABC.m and read_veres_TF.m of the Marine
+Systems Simulator read them so). The origin here is on the water plane, at the position of that point along
+the hull.
 
-Strip theory gives surge no added mass and no damping, and does not keep Haskind's relation.
+Strip theory gives no added mass and damping in surge, and does not satisfy Haskind's relation.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ def read(path: str, options: Options) -> Foreign:
     Raises
     ------
     HydrodynamicsError
-        When one is missing or cut short, or has no zero speed.
+        If one is missing or truncated, or has no zero speed.
     """
     coefficients = _File(_sibling(Path(path), ".re7"))
     forces = _File(_sibling(Path(path), ".re8"))
@@ -151,8 +152,7 @@ def _sibling(path: Path, ending: str) -> Path:
 
 
 def _coefficients(file: _File) -> tuple[NDArray[np.float64], ...]:
-    """Frequencies, A, B, C and the mass matrix, of zero speed and the first heading, in axes of
-    this project."""
+    """Frequencies, A, B, C and the mass matrix, for zero speed and the first heading, in Kingpost's axes."""
     if file.version_two:
         file.take(2)
     _, headings, frequencies = file.counts()
@@ -174,7 +174,7 @@ def _coefficients(file: _File) -> tuple[NDArray[np.float64], ...]:
 
 
 def _forces(file: _File, omega: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
-    """Directions that waves go to, rad, and excitation (frequency, direction, 6) of exp(-i w t)."""
+    """Directions that waves travel towards, rad, and excitation (frequency, direction, 6) of exp(-i w t)."""
     _, headings, frequencies = file.counts()
     file.begin_speed()
     directions, found = [], np.zeros((len(omega), headings, 6), complex)

@@ -3,12 +3,12 @@
 WAMIT User Manual, version 7, chapter 4, with L = ULEN and amplitude a: A = A' rho L^k, B = B' rho L^k w,
 k = 3 between forces, 5 between moments, 4 across; X = X' rho g a L^m, m = 2 for forces, 3 for moments;
 C_33 = C' rho g L^2, L^3 across, L^4 between rotations; mean drift F' rho g a^2 L, L^2 of the moment. Phases
-are those of exp(+i w t), and moments are about XBODY. None of L, rho, g, the depth or XBODY stands in these
-files: they are taken from STEM.out or STEM.mmx beside them, else asked for. STEM.out alone is read where
-the numeric files are missing (`wamit_out`). Other programs write the numeric files too, with a frequency for
-the period or the other sign of time: what the long waves do not tell is asked for. A period of 0 is an
-infinite frequency and one of -1 frequency 0, in either order; among frequencies 0 is 0 and a negative one
-infinite.
+are those of exp(+i w t), and moments are about XBODY. These files contain none of L, rho, g, the depth or
+XBODY: they are taken from STEM.out or STEM.mmx in the same folder, otherwise they must be given. If the
+numeric files are missing, STEM.out alone is read (`wamit_out`). Other programs also write the numeric files,
+with a frequency instead of the period or the other sign of time: the long waves show which, otherwise it must
+be given. A period of 0 means infinite frequency and -1 means frequency 0, in either order; among frequencies,
+0 is 0 and a negative one infinite.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 DRIFT = (".8", ".7", ".9")
-"""Mean drift by momentum, by a control surface, by pressure: the first that is there is taken."""
+"""Mean drift by momentum, by a control surface, by pressure: the first existing file is used."""
 SECOND_ORDER = (".10", ".10d", ".10s", ".11", ".11d", ".11s", ".12", ".12d", ".12s")
 
 
@@ -38,7 +38,7 @@ def read(path: str, options: Options) -> Foreign:
     Raises
     ------
     HydrodynamicsError
-        When a file is missing, cut short or not of that form.
+        If a file is missing, truncated or of another form.
     """
     stem, notes = Path(path).with_suffix(""), []
     header = beside(stem)
@@ -48,7 +48,7 @@ def read(path: str, options: Options) -> Foreign:
     extents = size(stem, header.reference)
     if extents is not None:
         asked = [name for name in asked if name not in ("length_m", "beam_m", "draught_m")]
-        notes.append(f"length, beam and draught are those of {stem.name}.gdf where they were not given")
+        notes.append(f"length, beam and draught are those of {stem.name}.gdf if they were not given")
     column, sign = _conventions(tables, header, stem, options, notes)
     asked += [name for name, value in (("first_column", column), ("time_sign", sign)) if value is None]
     options.asked_together(asked, path)
@@ -58,7 +58,7 @@ def read(path: str, options: Options) -> Foreign:
 
 
 def _with_the_rest(foreign: Foreign, stem: Path, scale: _Scale) -> Foreign:
-    """Notes what else lies there: motions, which are compared, and forces of second order."""
+    """Notes on further files: motions, which are compared, and second-order forces."""
 
     def responses(table: NDArray[np.float64], path: str) -> wamit_motions.Responses:
         directions, found = _waves(table, scale, foreign.frequencies_rad_s, path)
@@ -127,7 +127,7 @@ def _foreign(
 
 @dataclass(frozen=True)
 class _Tables:
-    """Rows as the files have them: (PER, I, J, A, B), (PER, BETA, I, MOD, PHA, RE, IM) and C."""
+    """Rows as in the files: (PER, I, J, A, B), (PER, BETA, I, MOD, PHA, RE, IM) and C."""
 
     radiation: NDArray[np.float64]
     waves: NDArray[np.float64]
@@ -184,7 +184,8 @@ def _sum(first: NDArray[np.float64], second: NDArray[np.float64], stem: str) -> 
 def _conventions(
     tables: _Tables, header: Header, stem: Path, options: Options, notes: list[str]
 ) -> tuple[str | None, str | None]:
-    """What the first column is and the sign of time: as given, else by who wrote it and by long waves."""
+    """Meaning of the first column and sign of time: as given, otherwise from the program that wrote it and
+    from long waves."""
     column = options.first_column
     if column is None:
         column = first_column(tables.radiation, tables.waves, float(tables.restoring[2, 2]))
@@ -226,7 +227,7 @@ class _Scale:
 
     @property
     def power(self) -> NDArray[np.float64]:
-        """L of a motion: 1 of translations, L of rotations."""
+        """L of a motion: 1 for translations, L for rotations."""
         return np.repeat([1.0, self.length], 3)
 
     @property
@@ -249,8 +250,8 @@ def _index(column: NDArray[np.float64]) -> NDArray[np.intp]:
 def _by_frequency(
     table: NDArray[np.float64], omega: NDArray[np.float64], path: str
 ) -> dict[float, tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """A' and B' of each frequency. Entries that WAMIT knows to be zero by symmetry are not in the file; each
-    frequency has the same."""
+    """A' and B' of each frequency. The file leaves out entries that are zero by symmetry; each frequency has
+    the same entries."""
     i, j = _index(table[:, 1]), _index(table[:, 2])
     first = set(zip(i[omega == omega[-1]], j[omega == omega[-1]], strict=True))
     found = {}
@@ -292,12 +293,12 @@ def _check_parts(
     tables: _Tables, scale: _Scale, frequencies: NDArray[np.float64], excitation: NDArray[np.complex128],
     froude_krylov: NDArray[np.complex128], stem: Path, notes: list[str],
 ) -> None:  # fmt: skip
-    """Whether Froude-Krylov and scattered forces are together the excitation, but for three roundings."""
+    """Whether Froude-Krylov and scattered forces add up to the excitation, within three roundings."""
     if tables.scattered is None:
         return
     _, scattered = _waves(tables.scattered, scale, frequencies, f"{stem}.3sc")
     rounding = SIX_DIGITS * (np.abs(excitation) + np.abs(froude_krylov) + np.abs(scattered))
-    # Single precision knows a force no better than to its seventh digit of the largest.
+    # Single precision gives a force to seven digits of the largest force.
     floor = SIX_DIGITS * np.abs(excitation).max(axis=(0, 1))
     miss = np.abs(froude_krylov + scattered - excitation)
     if (miss > rounding + floor).any():
@@ -333,7 +334,7 @@ def _mean_drift(
 
 
 def _restoring(path: Path, header: Header, notes: list[str]) -> NDArray[np.float64]:
-    """C' of STEM.hst, else of the listing's header."""
+    """C' of STEM.hst, otherwise of the listing's header."""
     if not path.is_file() and header.restoring is not None:
         notes.append("restoring to five digits, of the .out file")
         return header.restoring

@@ -1,6 +1,6 @@
-"""What stands at the top of WAMIT's STEM.out and STEM.mmx, and a hull's size from STEM.gdf.
+"""Header of WAMIT's STEM.out and STEM.mmx, and a hull's size from STEM.gdf.
 
-Versions 6 and 7 write gravity, ULEN, depth and most often density, XBODY, volumes, centres of buoyancy and
+Versions 6 and 7 write gravity, ULEN, depth and usually density, XBODY, volumes, centres of buoyancy and
 gravity about XBODY, planes of symmetry; of several bodies the first is taken.
 """
 
@@ -26,7 +26,7 @@ _END = "Output from  WAMIT"
 
 @dataclass(frozen=True)
 class Header:
-    """In metres and SI; `None` where nothing is said."""
+    """Values in SI units; `None` if missing."""
 
     gravity: float | None = None
     length_scale: float | None = None
@@ -41,7 +41,7 @@ class Header:
 
 
 def beside(stem: Path) -> Header:
-    """The header of STEM.out, or of STEM.mmx where there is none, or nothing."""
+    """The header of STEM.out, otherwise that of STEM.mmx, otherwise an empty one."""
     for ending in (".out", ".mmx", ".OUT", ".MMX"):
         path = stem.with_suffix(ending)
         if path.is_file():
@@ -55,7 +55,7 @@ def read(path: Path) -> Header:
     Raises
     ------
     HydrodynamicsError
-        When a body is turned about the vertical: its forces are then in axes of its own.
+        If a body is rotated about the vertical: its forces are then in its own axes.
     """
     lines = []
     with open(path, encoding="latin-1") as file:
@@ -82,7 +82,7 @@ def read(path: Path) -> Header:
         if depth is None
         else float(depth[0]),
         reference=reference,
-        # The middle one of three, as WAMIT itself takes it.
+        # The middle one of three, like WAMIT itself.
         volume=None if volumes is None else float(np.median(volumes)),
         buoyancy=_centre(text, r"Center of Buoyancy", about),
         gravity_centre=_gravity_centre(text, about),
@@ -107,8 +107,8 @@ def _centre(text: str, name: str, about: NDArray[np.float64]) -> NDArray[np.floa
 
 
 def _gravity_centre(text: str, about: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """All three, or, of a hull that floats freely, its height alone: it is then over the centre of
-    buoyancy."""
+    """All three coordinates, or only the height for a freely floating hull: it is then vertically above the
+    centre of buoyancy."""
     whole = _centre(text, r"Center of Gravity", about)
     height, buoyancy = (
         _single(text, r"Center of Gravity\s*\([^)]*\)\s*:?\s*"),
@@ -120,7 +120,7 @@ def _gravity_centre(text: str, about: NDArray[np.float64]) -> NDArray[np.float64
 
 
 def _restoring(text: str) -> NDArray[np.float64] | None:
-    """C' of the header, five digits: the numeric file has more."""
+    """C' of the header with five digits; the numeric file has more."""
     found = np.zeros((6, 6))
     for label, places in (
         (r"C\(3,3\),C\(3,4\),C\(3,5\):", ((2, 2), (2, 3), (2, 4))),

@@ -1,9 +1,9 @@
-"""Motions that WAMIT computed itself, STEM.4, against those of what was read.
+"""Motions that WAMIT computed, STEM.4, compared with motions from the imported data.
 
-(-w^2 (M + A) - i w (B + B_e) + C + C_e) xi = X per metre of amplitude, with the mass of STEM.frc: where both
-agree, units, signs and phases are read as they were written. The motions themselves are of that loading and
-are not taken. STEM.frc has one of two forms (WAMIT User Manual, version 7, chapter 3): VCG and the radii of
-gyration about XBODY, of a hull that floats freely; or density, the centre of gravity and the matrices of
+(-w^2 (M + A) - i w (B + B_e) + C + C_e) xi = X per metre of amplitude, with the mass of STEM.frc: if both
+agree, units, signs and phases were read correctly. The motions belong to that loading and are not imported.
+STEM.frc has one of two forms (WAMIT User Manual, version 7, chapter 3): VCG and the radii of
+gyration about XBODY, for a freely floating hull; or density, the centre of gravity and the matrices of
 mass, damping and stiffness, each after 1 where it is there and 0 where it is not.
 """
 
@@ -28,16 +28,16 @@ Responses: TypeAlias = tuple[NDArray[np.float64], NDArray[np.complex128]]
 """Directions, rad, and motions per metre of amplitude (frequency, direction, 6), of exp(-i w t)."""
 
 WORTH_SAYING = 0.05
-"""A difference of motions, of the largest of each, that is said to be one: WAMIT may move the hull by
-forces of Haskind's relation and write those of diffraction, some percent apart where panels are large."""
+"""Differences of motions above this share of the largest are reported: WAMIT may compute motions with forces
+from Haskind's relation and write those from diffraction; with large panels they differ by some percent."""
 
 
 def notes(
     stem: Path, foreign: Foreign, density_kg_m3: float,
     responses: Callable[[NDArray[np.float64], str], Responses],
 ) -> list[str]:  # fmt: skip
-    """What is said of STEM.4; nothing where it is not there or empty. It is compared only: no fault in it
-    refuses the files that are read.
+    """Note on STEM.4; empty if it is missing or empty. It is only compared: an error in it does not refuse
+    the other files.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def notes(
 
 @dataclass(frozen=True)
 class Loading:
-    """About XBODY: mass, and what was added of damping and stiffness, (6, 6)."""
+    """Mass, added damping and added stiffness about XBODY, (6, 6)."""
 
     mass: NDArray[np.float64]
     damping: NDArray[np.float64]
@@ -70,7 +70,7 @@ class Loading:
 
 
 def loading(path: Path, foreign: Foreign) -> Loading | None:
-    """The loading of STEM.frc, or `None` where the file is not there or of another form."""
+    """The loading of STEM.frc, or `None` if the file is missing or of another form."""
     if not path.is_file() or foreign.volume_m3 is None or foreign.centre_of_buoyancy_m is None:
         return None
     lines = [_numbers(line) for line in path.read_text(encoding="latin-1").splitlines()[1:]]
@@ -83,7 +83,7 @@ def loading(path: Path, foreign: Foreign) -> Loading | None:
 
 
 def _numbers(line: str) -> list[float]:
-    """Those before the remark of a line."""
+    """The numbers before the comment of a line."""
     found = []
     for word in line.replace(",", " ").split():
         try:
@@ -123,8 +123,8 @@ def _by_matrices(lines: list[list[float]]) -> Loading:
 
 
 def difference(motions: NDArray[np.complex128], weighed: Loading, foreign: Foreign) -> NDArray[np.float64]:
-    """The largest difference of each motion from those given (frequency, direction, 6), over its largest; of
-    what hardly moves, nothing."""
+    """The largest difference of each motion from the given ones (frequency, direction, 6), over its largest;
+    zero for negligible motions."""
     omega = foreign.frequencies_rad_s[:, None, None]
     impedance = (
         -(omega**2) * (weighed.mass + foreign.added_mass)
@@ -139,17 +139,17 @@ def difference(motions: NDArray[np.complex128], weighed: Loading, foreign: Forei
 
 
 def note(name: str, motions: NDArray[np.complex128], weighed: Loading | None, foreign: Foreign) -> str:
-    """What is said of STEM.4 that was read."""
+    """Note on a STEM.4 that was read."""
     if weighed is None or foreign.restoring is None or not foreign.restoring_includes_weight:
-        return f"motions of {name} are not taken: they are of one loading, and no .frc beside says which"
+        return f"motions of {name} are not imported: they are for one loading, and no .frc file gives it"
     found = difference(motions, weighed, foreign)
     if found.max() <= WORTH_SAYING:
         return (
-            f"motions of {name} are not taken; they agree with those of what was read and the .frc file's "
+            f"motions of {name} are not imported; they agree with the imported data and the .frc file's "
             f"mass to {found.max():.2%} of the largest"
         )
     worst = ("surge", "sway", "heave", "roll", "pitch", "yaw")[int(found.argmax())]
     return (
-        f"motions of {name} are not taken; they differ by {found.max():.1%} of the largest in {worst} from "
-        "those of what was read and the .frc file's mass: look at --density-kg-m3, --reference-m, --time-sign"
+        f"motions of {name} are not imported; they differ by {found.max():.1%} of the largest, in {worst}, "
+        "from the imported data and the .frc file's mass: check --density-kg-m3, --reference-m, --time-sign"
     )

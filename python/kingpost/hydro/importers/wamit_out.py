@@ -1,4 +1,4 @@
-"""WAMIT's listing STEM.out as the rows of its numeric files, where those are missing.
+"""WAMIT's listing STEM.out as rows of numeric files, for runs without numeric files.
 
 Coefficients have seven digits there; excitation is a modulus of seven digits and a phase in whole degrees.
 """
@@ -20,7 +20,7 @@ _PERIOD = re.compile(r"Wave period(?: \(sec\))? =\s*(\S+)")
 _HEADING = re.compile(r"Wave Heading \(deg\) :\s*(\S+)")
 WAVES = ("DIFFRACTION EXCITING FORCES", "HASKIND EXCITING FORCES")
 RADIATION = "ADDED-MASS"
-# A section ends where a line of capitals names another.
+# A section ends at the next line of capitals.
 _OTHER = re.compile(r"^\s*[A-Z]{2}[A-Z,&\- ]{10,}")
 
 

@@ -1,7 +1,7 @@
 """WAMIT's numeric files as rows of numbers, and the bookkeeping of their first columns.
 
 Numbers have six or seven digits. A file of several bodies or of flexible modes has motions beyond six; they
-are passed over, and the reader says so.
+are skipped with a note.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SIX_DIGITS = 5e-6
-"""Rounding of a number of six digits, 0.100000E+01, as a part of it: half of the last of six."""
+"""Relative rounding error of a number with six digits, 0.100000E+01: half of the last digit."""
 HEADER = "WAMIT Numeric Output"
 
 
 def rows(path: Path, columns: tuple[int, ...]) -> NDArray[np.float64]:
-    """Numbers, a row a line, short rows filled with 0; a header line is passed over.
+    """Numbers, a row for each line, short rows filled with 0; a header line is skipped.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def rows(path: Path, columns: tuple[int, ...]) -> NDArray[np.float64]:
         raise reading_error(str(error.strerror), "a file of WAMIT's numeric output", str(path)) from None
     lines = text.splitlines()
     if text and not text.endswith("\n") and (len(lines) < 2 or len(lines[-1]) < len(lines[-2].rstrip())):
-        # A number that is cut short is still a number; a whole last line is as long as the one before.
+        # A truncated number is still a number; a complete last line is as long as the line before.
         raise reading_error("a last line without an end", "a whole file", str(path))
     found = []
     for number, line in enumerate(lines, 1):
@@ -67,7 +67,7 @@ def _line_error(path: Path, number: int, line: str, columns: tuple[int, ...]) ->
 def of_six_motions(
     table: NDArray[np.float64], columns: Iterable[int], path: str, notes: list[str]
 ) -> NDArray[np.float64]:
-    """Rows whose motions, in these columns, are 1 to 6; those beyond are noted, others an error."""
+    """Rows whose motions, in these columns, are 1 to 6; higher ones are noted, and others are an error."""
     motions = table[:, list(columns)]
     wrong = (motions != np.round(motions)) | (motions < 1)
     if wrong.any():
@@ -85,8 +85,8 @@ def of_six_motions(
 
 
 def first_column(radiation: NDArray[np.float64], waves: NDArray[np.float64], c33: float) -> str | None:
-    """`period_s` or `frequency_rad_s` by the heave force, whose modulus is C_33 in the longest waves and
-    nothing in the shortest; `None` where neither end is so. All as the files have them, without units."""
+    """`period_s` or `frequency_rad_s` by the heave force, whose modulus is C_33 in the longest waves and zero
+    in the shortest; `None` if neither end agrees. All numbers are dimensionless, as in the files."""
     heave = waves[(waves[:, 2] == 3) & (waves[:, 0] > 0)]
     if not len(heave) or c33 <= 0.0:
         return None
@@ -100,7 +100,7 @@ def first_column(radiation: NDArray[np.float64], waves: NDArray[np.float64], c33
 
 
 def nearest(frequencies: NDArray[np.float64], omega: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Which of increasing frequencies each of these is; -1 where none is, within two roundings."""
+    """Index of each value among increasing frequencies, within two roundings; -1 if there is none."""
     k = np.clip(np.searchsorted(frequencies, omega), 1, max(len(frequencies) - 1, 1))
     low, high = frequencies[k - 1], frequencies[np.minimum(k, len(frequencies) - 1)]
     found = np.where(np.abs(omega - low) <= np.abs(high - omega), k - 1, np.minimum(k, len(frequencies) - 1))

@@ -6,13 +6,13 @@ import { between, posesBetween } from "./between";
 import { Noted } from "./noted";
 import { Series } from "./series";
 
-/** What a recording may take, bytes; a ship in waves over half an hour has more, and its older part is thinned. */
+/** Memory limit of a recording, bytes; half an hour of a ship in waves exceeds it, and the older part is thinned. */
 export const DEPTH = { rows: 48e6, pictures: 40e6, keyframes: 8e6 };
-/** Pictures that are kept however close they are: the one that is drawn lags behind the newest. */
+/** Number of pictures that are kept even if they are close: the drawn one lags behind the newest. */
 const NEWEST_PICTURES = 3;
-/** Times that are closer are one, s. */
+/** Times that are closer count as one, s. */
 const TIME_SLACK_S = 1e-6;
-/** Of an object beside its numbers, bytes, about. */
+/** Approximate overhead of an object, bytes. */
 const OVERHEAD = 300;
 
 interface Picture {
@@ -26,23 +26,23 @@ interface PictureAtSea extends Picture {
   surface: Surface | null;
 }
 
-/** What is recorded at a recording time. */
+/** The data of a recording time. */
 export interface Recorded extends Picture {
   row: Float64Array;
 }
 
-/** All that the page shows of one time. */
+/** All data that the page shows for one time. */
 export interface Moment extends PictureAtSea {
-  /** The engine's own, of this time or of the recording time before it. */
+  /** The engine's row, of this time or of the recording time before it. */
   row: Float64Array;
 }
 
-/** A state to go on from, with the parameters that the run had there. */
+/** A state to continue from, with the parameters of the run at that time. */
 export interface Keyframe extends Snapshot {
   values: Values;
 }
 
-/** A run as it was: rows and poses of every recording time, the sea about as often, states to go on from, and what happened. */
+/** A recorded run: rows and poses of every recording time, the sea about as often, states to continue from, and events. */
 export class Recording {
   readonly rows: Series<Recorded>;
   private readonly pictures: Series<PictureAtSea>;
@@ -50,7 +50,7 @@ export class Recording {
   private readonly told = { warnings: new Noted(), events: new Noted() };
   private moves: LeverMove[] = [];
   private merged: { from: (readonly Warning[])[]; marks: readonly Warning[] } = { from: [], marks: [] };
-  /** The newest, on a recording time or not. */
+  /** The newest moment, on a recording time or not. */
   now: Moment;
 
   constructor(
@@ -70,7 +70,7 @@ export class Recording {
     this.add(frame, values);
   }
 
-  /** What a stretch of simulation produced, and the parameters that it had. */
+  /** Adds the results of a stretch of simulation, and its parameters. */
   add(frame: Frame, values: Values): void {
     const { row, poses, line_points, surface } = frame;
     const part = (all: Float64Array, of: Float64Array, i: number) => all.slice(i * of.length, (i + 1) * of.length);
@@ -86,7 +86,7 @@ export class Recording {
     this.keepPicture({ time_s: this.now.time_s, poses, line_points, surface: surface && inShort(surface) });
   }
 
-  /** Older pictures lie a recorded interval apart at least. */
+  /** Older pictures are at least a recording interval apart. */
   private keepPicture(picture: PictureAtSea): void {
     const { items } = this.pictures;
     const [before, one] = items.slice(-NEWEST_PICTURES - 1);
@@ -99,27 +99,27 @@ export class Recording {
     return this.rows.items[0].time_s;
   }
 
-  /** What the engine warned of. */
+  /** Warnings of the engine. */
   get warnings(): readonly Warning[] {
     return this.told.warnings.all;
   }
 
-  /** What happened, and what a hand set. */
+  /** Events, and inputs set by hand. */
   get events(): readonly Warning[] {
     return this.told.events.all;
   }
 
-  /** What happened, warnings among it, in order of time. */
+  /** Events and warnings, in order of time. */
   get marks(): readonly Warning[] {
     const from = [this.told.warnings.all, this.told.events.all];
-    // Asked for with every picture: put together where there is something new.
+    // Asked for with every picture: rebuilt only if there is something new.
     if (from.some((list, i) => list !== this.merged.from[i])) {
       this.merged = { from, marks: from.flat().sort((a, b) => a.time_s - b.time_s) };
     }
     return this.merged.marks;
   }
 
-  /** The moment at a time: the row is that of the recording time at or before it, bodies and sea are in between. */
+  /** The moment at a time: the row is that of the recording time at or before it; bodies and sea are interpolated. */
   at(time_s: number): Moment {
     if (time_s >= this.now.time_s) return this.now;
     const { row } = this.rows.around(time_s)[0];
@@ -134,14 +134,14 @@ export class Recording {
     return { time_s, row, poses: posesBetween(from.poses, to.poses, share), line_points, surface };
   }
 
-  /** The recorded time that is nearest, or now. */
+  /** The nearest recorded time, or now. */
   nearest(time_s: number): number {
     const [before, after] = this.rows.around(time_s);
     const times = [before.time_s, after.time_s, this.now.time_s];
     return times.reduce((so, one) => (Math.abs(one - time_s) < Math.abs(so - time_s) ? one : so));
   }
 
-  /** The recorded time so many records on or back, as far as there are any. */
+  /** The recorded time a number of records later or earlier, within the recording. */
   beside(time_s: number, records: number): number {
     const { items } = this.rows;
     const before = this.rows.indexAt(time_s);
@@ -151,34 +151,34 @@ export class Recording {
     return items[Math.max(0, at)].time_s;
   }
 
-  /** The last state at or before a time; undefined where the recording has lost it. */
+  /** The last state at or before a time; undefined if the recording has dropped it. */
   keyframeAt(time_s: number): Keyframe | undefined {
     return this.keyframes.items[this.keyframes.indexAt(time_s)];
   }
 
-  /** A hand set a lever. */
+  /** Records a lever move by hand. */
   noteMove(move: LeverMove): void {
     this.moves.push(move);
   }
 
-  /** Moves of levers from a time to another, those at both among them. */
+  /** Lever moves between two times, both included. */
   movesBetween(from_s: number, to_s: number): LeverMove[] {
     return this.moves.filter(({ time_s }) => time_s >= from_s && time_s <= to_s);
   }
 
-  /** What was recorded at a time; null where nothing was. */
+  /** The record at a time; null if there is none. */
   rowAt(time_s: number): Float64Array | null {
     const near = this.rows.around(time_s + TIME_SLACK_S)[0];
     return Math.abs(near.time_s - time_s) <= TIME_SLACK_S ? near.row : null;
   }
 
-  /** Whether a hand set something between two times. */
+  /** Whether something was set by hand between two times. */
   isSteeredBetween(from_s: number, to_s: number): boolean {
     const isBetween = ({ time_s }: { time_s: number }) => time_s >= from_s && time_s < to_s;
     return this.moves.some(isBetween) || this.keyframes.items.some((one) => one.isChange && isBetween(one));
   }
 
-  /** The run goes on from here: what came after is forgotten. */
+  /** The run continues from here: later records are dropped. */
   dropAfter(frame: Frame): void {
     this.now = this.momentOf(frame);
     const { time_s } = this.now;
@@ -196,7 +196,7 @@ export class Recording {
   }
 }
 
-/** For a picture, half the digits do. */
+/** Single precision is enough for a picture. */
 function inShort({ x_m, y_m, elevation_m }: Surface): Surface {
   return { x_m, y_m, elevation_m: Float32Array.from(elevation_m) };
 }
@@ -206,7 +206,7 @@ function shareOf(from: { time_s: number }, to: { time_s: number }, time_s: numbe
   return length_s > 0 ? Math.min(1, Math.max(0, (time_s - from.time_s) / length_s)) : 0;
 }
 
-/** The lines go along with the ship in steps: between two grids there is nothing, and the first stands. */
+/** The grid follows the ship in steps: two different grids are not interpolated, and the first is taken. */
 function surfaceBetween(from: PictureAtSea, to: PictureAtSea, time_s: number): Surface | null {
   const share = shareOf(from, to, time_s);
   const [a, b] = [from.surface, to.surface];

@@ -5,9 +5,9 @@ import type { Restored } from "../../engine/messages";
 import type { Recording } from "./recording";
 
 /**
- * Brings the engine back to a recorded time: a keyframe before it is restored, and the way from there is gone again, to the
- * same bits: the moves of levers in between are made again, and no parameter was set. `values` are the parameters that the engine has now; those that were set
- * under way are told to `set` where they go back.
+ * Brings the engine back to a recorded time: a keyframe before it is restored, and the run from there is repeated with the same lever
+ * moves, to the same bits; no parameter was set in between. `values` are the present parameters of the engine; `set` is called for each
+ * parameter that goes back to an earlier value.
  */
 export async function rewind(
   client: EngineClient,
@@ -18,7 +18,7 @@ export async function rewind(
 ): Promise<Restored> {
   const keyframe = recording.keyframeAt(time_s);
   if (!keyframe) throw { kind: "setting", message: texts.faults.no_state };
-  // The engine takes a state back only with the parameters that it was of.
+  // The engine accepts a state only with the parameters that it belongs to.
   for (const [name, value] of Object.entries(keyframe.values)) {
     if (values[name] === value) continue;
     await client.parameter(name, value);

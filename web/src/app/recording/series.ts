@@ -1,11 +1,11 @@
-/** The newest share that is never thinned. */
+/** Share of the newest items that is never thinned. */
 const UNTOUCHED = 1 / 4;
-/** Share of all that is looked at when room is made: the ones that lie closest together. Half of them go. */
+/** Share of all items that is considered when room is made: those closest together. Half of them are dropped. */
 const CLOSEST = 1 / 4;
 
 /**
- * Things in the order of their times, at most `capacity`. When there is one too many, those that lie closest together
- * lose every second one; the first and the newest quarter stay. A long run is so kept whole, and coarser where it is old.
+ * Items in order of time, at most `capacity`. When there is one too many, every second one of those closest together is dropped; the first
+ * item and the newest quarter stay. So a long run is kept from start to end, with coarser old parts.
  */
 export class Series<T extends { time_s: number }> {
   private all: T[] = [];
@@ -28,7 +28,7 @@ export class Series<T extends { time_s: number }> {
     if (this.all.length > this.capacity) this.thin();
   }
 
-  /** Takes one out, counted from the end. */
+  /** Removes one, counted from the end. */
   dropFromEnd(place: number): void {
     this.all.splice(this.all.length - place, 1);
   }
@@ -37,7 +37,7 @@ export class Series<T extends { time_s: number }> {
     this.all.length = this.indexAt(time_s) + 1;
   }
 
-  /** Place of the last one at or before a time; -1 where there is none. */
+  /** Index of the last one at or before a time; -1 if there is none. */
   indexAt(time_s: number): number {
     let [low, high] = [0, this.all.length];
     while (low < high) {
@@ -48,7 +48,7 @@ export class Series<T extends { time_s: number }> {
     return low - 1;
   }
 
-  /** Those on either side of a time, twice the same at the ends. */
+  /** The items on either side of a time; at the ends twice the same. */
   around(time_s: number): [T, T] {
     const before = Math.max(0, this.indexAt(time_s));
     return [this.all[before], this.all[Math.min(before + 1, this.all.length - 1)]];
@@ -63,9 +63,9 @@ export class Series<T extends { time_s: number }> {
     const widest = (gaps[Math.min(gaps.length - 1, Math.floor(CLOSEST * this.all.length))] ?? -Infinity) * (1 + 1e-9);
     let isKept = true;
     const goes = (i: number) => i > 0 && i < older && isKept && this.mayGo(this.all[i]) && gap(i) <= widest;
-    // The neighbours of one that goes stay.
+    // The neighbours of a dropped item stay.
     const kept = this.all.filter((_, i) => (isKept = !goes(i)));
-    // What may not go, and is too much, goes from the start.
+    // If the items that must stay are too many, the oldest are dropped.
     this.all = kept.slice(Math.max(0, kept.length - this.capacity));
   }
 }

@@ -1,6 +1,6 @@
 import { Recording, type Moment } from "./recording";
 
-/** The recording of the run in hand, and the cursor in it: it follows the newest until an earlier time is looked up. */
+/** The recording of the present run, and the cursor in it: it follows the newest moment until an earlier time is chosen. */
 export class Shown {
   recording: Recording | null = null;
   private back_s: number | null = null;
@@ -14,7 +14,7 @@ export class Shown {
     this.back_s = null;
   }
 
-  /** To the recorded time that is nearest. */
+  /** Moves the cursor to the nearest recorded time. */
   moveTo(time_s: number): void {
     const { recording } = this;
     if (!recording) return;

@@ -4,18 +4,18 @@ import { rewind } from "../recording/rewind";
 import type { Run } from "../run";
 import { Opening } from "./opening";
 
-/** Shows earlier moments of the run in hand, and brings it back to one to go on from there. */
+/** Shows earlier moments of the present run, and brings the run back to one of them. */
 export abstract class GoingBack extends Opening {
   private branching: Promise<void> | null = null;
 
-  /** Pauses, and shows the recorded moment that is nearest to a time. */
+  /** Pauses, and shows the recorded moment nearest to a time. */
   scrub(time_s: number): void {
     if (this.branching) return;
     this.pause();
     this.look(time_s);
   }
 
-  /** The run is brought back to the moment that is shown, to go on from there: what came after it is dropped. */
+  /** Brings the run back to the moment that is shown and drops everything later. */
   protected branch(): Promise<void> {
     const { run, shown } = this;
     const { time_s } = shown;
@@ -27,13 +27,13 @@ export abstract class GoingBack extends Opening {
     return this.branching;
   }
 
-  /** What is set by hand acts from the moment that is shown: false where the run cannot be brought there. */
+  /** Makes sure that inputs act from the moment that is shown; false if the run cannot be brought there. */
   private async isAtCursor(): Promise<boolean> {
     if (this.shown.isBack) await this.branch();
     return !this.shown.isBack;
   }
 
-  /** Waits for what is under way: false where another scenario is open then, or the run cannot be brought to the moment that is shown. */
+  /** Waits for pending work; false if another scenario is open then, or the run cannot be brought to the moment that is shown. */
   protected async isReady(): Promise<boolean> {
     const { source } = this;
     do {

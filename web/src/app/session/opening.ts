@@ -10,14 +10,14 @@ import { Turns } from "../turns";
 import { SetValues } from "../values";
 import { Told } from "./told";
 
-/** Opens scenarios, brings the run in hand back to its start, and begins it anew where the engine is gone. */
+/** Opens scenarios, resets the present run, and starts it again if its engine has died. */
 export abstract class Opening extends Told {
   readonly values = new SetValues();
-  /** What Reset opens. */
+  /** The scenario that Reset opens. */
   source: Source | null = null;
-  /** Openings and resets under way. */
+  /** Number of pending openings and resets. */
   protected readonly turns = new Turns(() => this.goOn());
-  /** What was asked for while one was under way, to be done after it. */
+  /** A request during an opening or reset, to be carried out after it. */
   protected due: "start" | "step" | null = null;
   private resetDue = false;
   private isRecovering = false;
@@ -26,15 +26,15 @@ export abstract class Opening extends Told {
     super();
   }
 
-  /** Whether it runs, or will as soon as a reset under way is through. */
+  /** Whether it runs, or will run when the present reset is done. */
   abstract get isGoing(): boolean;
   abstract start(): void;
   abstract pause(): void;
   abstract step(): Promise<void>;
-  /** What is on its way to the engine is meant for no other run. */
+  /** Messages already sent to the engine are not meant for another run. */
   protected abstract dropSteering(): void;
 
-  /** Opens another scenario; one that does not read leaves the run in hand as it was. */
+  /** Opens another scenario; if it cannot be read, the present run stays. */
   open(source: Source, overrides: Values): Promise<boolean> {
     this.pause();
     this.dropSteering();
@@ -50,7 +50,7 @@ export abstract class Opening extends Told {
     });
   }
 
-  /** Where the engine of a run in hand turns out to be gone, another one is asked. */
+  /** If the engine of the present run has died, another engine is asked. */
   private async read({ text, file, opened, changes }: Source, overrides: Values): Promise<Opened> {
     const answer = () => this.client.open(text, file, overrides, opened ?? null, changes);
     return answer().catch((fault: Fault) => {
@@ -59,7 +59,7 @@ export abstract class Opening extends Told {
     });
   }
 
-  /** Keeps what could not be opened for Reset where something did not come. */
+  /** Remembers a scenario that could not be loaded, so that Reset tries again. */
   private refuseOpening(source: Source, overrides: Values, fault: Fault): void {
     if (!this.run) {
       if (isOfEngine(fault) || fault.kind === "network") [this.source, this.values.wanted] = [source, { ...overrides }];
@@ -68,20 +68,20 @@ export abstract class Opening extends Told {
     this.report(fault);
   }
 
-  /** Back to the start with the values that the controls show. */
+  /** Resets the run, with the values of the controls. */
   reset(): Promise<void> {
     this.pause();
     return this.reopen();
   }
 
-  /** As a reset, and the run goes on if it went. */
+  /** Like a reset, but a running run goes on. */
   restart(): void {
     const { isGoing } = this;
     void this.reset();
     if (isGoing) this.start();
   }
 
-  /** Calls together are one. */
+  /** Several calls at once count as one. */
   protected async reopen(): Promise<void> {
     if (this.resetDue) return;
     this.resetDue = true;
@@ -113,7 +113,7 @@ export abstract class Opening extends Told {
     this.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** A value that the engine refuses: the controls go back to what the run in hand has. */
+  /** The engine has refused a value: the controls go back to the values of the present run. */
   private refuse(tried: Values, fault: Fault): void {
     if (this.due) this.intend(null);
     if (isOfEngine(fault)) {
@@ -125,7 +125,7 @@ export abstract class Opening extends Told {
     this.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** What the engine answers to something asked of the run in hand; where it is gone, the run begins anew in another. */
+  /** The engine's answer to a request about the present run; if the engine has died, the run starts again in another one. */
   protected async asked<T>(answer: Promise<T>): Promise<T> {
     return answer.catch((fault: unknown) => {
       if (isOfEngine(fault)) void this.recover(fault as Fault);

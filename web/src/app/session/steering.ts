@@ -7,13 +7,13 @@ import { Latest } from "../turns";
 import { isLive } from "../values";
 import { GoingBack } from "./going_back";
 
-/** Sets parameters and levers of the run in hand, by a hand or as the run does it again by itself. */
+/** Sets parameters and levers of the present run, by hand or when the run repeats the changes of a link. */
 export abstract class Steering extends GoingBack {
-  /** Live values on their way to the engine. */
+  /** Live values that were sent to the engine. */
   private readonly live = new Latest<Value>((name, value) => this.setLive(name, value));
   private readonly levers = new Latest<number>((name, value) => this.moveLever(name, value));
 
-  /** Sets a value; at the start the picture follows at once, under way a live one does, and another waits for the reset. */
+  /** Sets a value. At the start it acts at once; during a run a live value acts at once, and any other waits for the reset. */
   set(name: string, value: Value): void {
     this.values.want(name, value);
     this.emit((listener) => listener.valuesChanged?.());
@@ -35,17 +35,17 @@ export abstract class Steering extends GoingBack {
     this.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** Acts from the moment that is shown on. */
+  /** Sets an input from the moment that is shown. */
   setInput(name: string, value: number): Promise<void> {
     return this.levers.set(name, value);
   }
 
-  /** What an input is set to, or will be at once. */
+  /** The value of an input, or the value that was just sent. */
   input(name: string): number {
     return this.levers.due(name) ?? this.run?.inputs.find((input) => input.name === name)?.value ?? 0;
   }
 
-  /** What was meant for a run that a reset replaces is meant for the new one. */
+  /** Values for a run that a reset replaces are sent to the new run. */
   private async moveLever(name: string, value: number): Promise<void> {
     if (!(await this.isReady())) return;
     const { run } = this;
@@ -65,7 +65,7 @@ export abstract class Steering extends GoingBack {
     run.inputs = run.inputs.map((input) => (input.name === move.input ? { ...input, value: move.value } : input));
   }
 
-  /** The run set these again by itself. */
+  /** The run has repeated these changes. */
   protected follow(run: Run, changes: readonly Change[]): void {
     for (const change of changes) {
       if ("parameter" in change) this.values.follow(change.parameter, change.value);
@@ -76,12 +76,12 @@ export abstract class Steering extends GoingBack {
     this.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** What a control shows. */
+  /** The value that a control shows. */
   value(name: string): Value | undefined {
     return this.values.shown(name);
   }
 
-  /** What was set in the run in hand so far. */
+  /** The changes of the present run so far. */
   changes(): Promise<readonly Change[]> {
     return this.asked(this.client.changes());
   }

@@ -4,12 +4,12 @@ import { Listeners } from "../listeners";
 import { Shown } from "../recording/shown";
 import type { Listener, Run, Status } from "../run";
 
-/** The run in hand: how it stands, which moment of it is shown and what went wrong, and those who are told of it. */
+/** The present run: its state, the moment that is shown, its faults, and its listeners. */
 export class Told {
   run: Run | null = null;
   readonly shown = new Shown();
   status: Status = "loading";
-  /** What went wrong last, until it is dismissed or something opens. */
+  /** The last fault, until it is dismissed or something opens. */
   fault: Fault | null = null;
   private readonly listeners = new Listeners((fault) => this.report(fault));
 
@@ -25,7 +25,7 @@ export class Told {
     this.tellFault(fault);
   }
 
-  /** That the engine is gone is said once the run has begun anew. */
+  /** A dead engine is reported after the run has started again. */
   protected reportOfRun(fault: Fault): void {
     if (!isOfEngine(fault)) this.report(fault);
   }

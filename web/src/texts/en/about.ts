@@ -1,12 +1,12 @@
-/** What the fold "What is this?" says; what stands between double asterisks is strong. */
+/** Texts of the section "What is this?"; text between double asterisks is strong. */
 export const about = {
   title: "What is this?",
-  acts: "What acts",
+  acts: "Forces and drives",
   off: (element: string) => `${element}, off`,
   recording: "The recording",
   recording_text:
-    "The track under the picture has all that was computed since the start. Drag it, or use its arrow keys, to see any moment again. " +
-    "From there the run goes on with Start, with Step or with a lever, and what came after is dropped. Export, beside the plots, keeps it as a file.",
+    "The track under the picture covers everything computed since the start. Drag it, or use its arrow keys, to see any moment again. " +
+    "Start, Step or a lever continues the run from there, and everything later is dropped. Export, beside the plots, saves the recording as a file.",
   reading: "How to read it",
   signs:
     "Signs: **roll** is positive with the port side up, **pitch** with the bow down, **yaw** with the bow to port. Rates are about the " +
@@ -14,15 +14,15 @@ export const about = {
   afloat:
     "Afloat: **heel** is roll, positive to starboard; **trim** is pitch, positive by the bow; the draught is that of the hull's origin " +
     "below still water. **Fluid GM** is the metacentric height for heel, at rest with the crane as it stood when the run began or was " +
-    "paused, with hanging loads where they hang from and less what slack tanks take off. The sea in the picture is the incident wave " +
-    "that the hull feels; the waves that the hull makes or turns back are not drawn, and far off the sea is drawn level.",
+    "paused, with hanging loads at their suspension points and reduced by slack tanks. The sea in the picture is the incident wave " +
+    "that the hull feels; waves that the hull radiates or diffracts are not drawn, and far away the sea is drawn level.",
   picture:
-    "The picture: a hull with a bow is drawn as a ship, a long and slim body on a column as its boom; each is as large as the model's " +
-    "solid. What stands on them (house, cab, rails, stays, brackets) has no weight and no wind in the model. **Plain shapes** under " +
-    "Show leaves it out.",
+    "The picture: a hull with a bow is drawn as a ship, a long and slim body on a column as its boom; each has the size of the model's " +
+    "solid. Their equipment (house, cab, rails, stays, brackets) has no weight and no wind load in the model. **Plain shapes** under " +
+    "Show hides it.",
   errors:
-    "Energy error: energy gained less the work done, over the largest energy in play so far, of motion and of work; in J while that is " +
-    "less than a thousand roundings of the potential energy, as of a ship at rest. Momentum error: angular momentum less its impulse, " +
+    "Energy error: energy gained less the work done, over the largest kinetic energy or work so far; in J while that is " +
+    "less than a thousand roundings of the potential energy, as for a ship at rest. Momentum error: angular momentum less its impulse, " +
     "over the largest so far. Both should be tiny, and one alone proves little: leave the method's D matrix out (under Advanced), and " +
-    "the energy still closes while the momentum goes wrong at once.",
+    "the energy still balances, but the momentum is wrong at once.",
 };

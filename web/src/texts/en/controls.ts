@@ -1,6 +1,6 @@
 export const controls = {
   title: "Controls",
-  intro: "At the start a change shows at once. Under way some act at once, and the others at a restart.",
+  intro: "At the start every change acts at once. During a run some act at once, and the others at a restart.",
   switches: "Switches",
   choices: "Choices",
   numbers: "Numbers",
@@ -20,22 +20,22 @@ export const levers = {
   about:
     "Where a scenario has levers, two sticks stand over the picture, as in a crane's cab: towards you hoists and raises a boom, away " +
     "lowers, left and right slew. The letters W A S D and I J K L move them too, with Shift a little, and so does a gamepad. A stick " +
-    "that is let go springs back; while the run stands still, a lever is set for when it goes on. The marks on the rim show what the " +
-    "drives do: amber at their greatest speed, red where torque, force or power is at its limit.",
+    "that is released springs back. A lever that is set during a pause acts when the run continues. The marks on the rim show the " +
+    "drives: amber at their largest speed, red where torque, force or power is at its limit.",
   sides: { left: "Left stick", right: "Right stick" },
-  asked: (percent: number) => `asked ${percent} %`,
-  does: (rate: string) => `does ${rate}`,
-  limits: { speed: "at its greatest speed", effort: "torque or force at its limit", power: "power at its limit" } as Record<string, string>,
+  asked: (percent: number) => `command ${percent} %`,
+  does: (rate: string) => `rate ${rate}`,
+  limits: { speed: "at its largest speed", effort: "torque or force at its limit", power: "power at its limit" } as Record<string, string>,
   at_limit: (limit: string) => `${limit} at its limit`,
-  stands: "The run stands still: the levers act when it goes on.",
+  stands: "The run is paused: the levers act when it continues.",
   gamepad: (name: string) => `Gamepad connected: its two sticks move the levers. ${name}`,
-  gamepad_gone: "The gamepad is gone.",
+  gamepad_gone: "The gamepad was disconnected.",
   choose_axes: "Axes of the sticks…",
   axes_title: "Axes of the sticks",
   axes: { left_x: "Left, across", left_y: "Left, up and down", right_x: "Right, across", right_y: "Right, up and down" },
   none: "None",
   reverse: "Reverse",
-  standard: "As the model says",
+  standard: "Default of the model",
   close: "Close",
 };
 

@@ -7,7 +7,7 @@ export const exports = {
     `The recording is long: ${kept} of about ${of} rows are kept. Rows before ${until_s} s were thinned and are missing from these files; the others are complete.`,
   csv: "Table (CSV)",
   csv_help: "All columns in SI units, as kingpost run writes them",
-  events: "What happened (CSV)",
+  events: "Events (CSV)",
   parquet: "Parquet",
   parquet_help: "All columns with their units and the scenario, for Python",
   pictures: "Pictures",
@@ -21,18 +21,18 @@ export const exports = {
   done: (file: string) => `${file} is saved.`,
 };
 
-/** What a saved scenario says of itself. */
+/** Remarks in a saved scenario. */
 export const saved = {
   by: (time: string) => `Saved by Kingpost's app at ${time} of a run, with the parameters as they were set.`,
   moves: (count: number) => `The operation has ${count === 1 ? "the lever move" : `the ${count} lever moves`} made by hand.`,
   waiting: (names: string) => `Values that waited for a reset are not in it: ${names}.`,
   same: "A run of this file gives the same numbers.",
   implicit: "Its integrator is implicit: a run outside the browser agrees within its tolerance, not to the last bit.",
-  needs: (files: string) => `It needs these files beside it: ${files}.`,
+  needs: (files: string) => `It needs these files in the same folder: ${files}.`,
   set_at: (parameter: string, time: string) => `${parameter} at ${time}`,
   differs: (set: string) =>
-    `A run of this file differs from the one that was saved, in which parameters were set under way: ${set}. The file has their last values from the start.`,
+    `A run of this file differs from the saved one, because parameters were set during that run: ${set}. The file has their last values from the start.`,
   two_operations:
     "Levers were moved by hand while the scenario's own operation was on, and a file holds one operation. " +
-    "Switch that off (operation.enabled: false) and drive all by hand; or reset, and save without the moves.",
+    "Switch it off (operation.enabled: false) and move all levers by hand; or reset, and save without the moves.",
 };

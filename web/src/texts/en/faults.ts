@@ -1,25 +1,25 @@
 export const alert = {
   other: "Something went wrong",
   headings: {
-    scenario: "This scenario does not read",
-    database: "That is no scenario",
-    file: "That file is too large",
+    scenario: "This scenario cannot be read",
+    database: "This is not a scenario",
+    file: "This file is too large",
     diverged: "The run diverged",
-    setting: "That value is not allowed",
+    setting: "This value is not allowed",
     singular_loop: "A closed loop is at a dead centre",
     open_loop: "A closed loop does not close",
-    rope_constraint: "A constraint cannot hold",
+    rope_constraint: "A constraint cannot be kept",
     step: "The integrator cannot go on",
-    input: "That value is not allowed",
-    engine: "There is no engine",
+    input: "This value is not allowed",
+    engine: "The engine is not available",
     restarted: "The engine was started again",
-    network: "A file did not come",
+    network: "A file could not be loaded",
     page: "A part of the page failed",
     address: "The address has a value that is not allowed",
     operation: "The operation cannot go on",
     saved: "Saved, but a run of the file differs",
-    link: "This link does not open",
-    followed: "A change of the link cannot be made again",
+    link: "This link cannot be opened",
+    followed: "A change of the link cannot be repeated",
     two_operations: "The scenario cannot be saved",
     unsaved: "The scenario cannot be saved",
   } as Record<string, string>,
@@ -28,28 +28,28 @@ export const alert = {
   facts: { place: "Place", field: "Field", found: "Found", allowed: "Allowed", time: "Time", body: "Body" },
 };
 
-/** What the page says of faults, beside what the engine says. */
+/** Messages of the page about faults, in addition to those of the engine. */
 export const faults = {
   not_allowed: (label: string, found: string, allowed: string) => `${label}: ${found} is not ${allowed}.`,
   own_values: "It opened with its own values.",
-  lost_run: (why: string) => `${why} The run begins anew, with the values as they were set.`,
+  lost_run: (why: string) => `${why} The run starts again, with the same values.`,
   run_goes_on: "The run goes on.",
-  no_gallery: (why: string) => `${why} There are no scenarios to choose from; files can be opened all the same.`,
+  no_gallery: (why: string) => `${why} There are no scenarios to choose from; files can still be opened.`,
   too_large: (file: string, size: string, most: string) => `${file} holds ${size}; a scenario, and each file that it names, holds at most ${most}.`,
   is_table: (file: string) => `${file} is a table: open it together with the scenario that names it, both files at once.`,
   is_database: (file: string) => `${file} is a hydrodynamic database: open it together with the scenario that names it, both files at once.`,
   no_state: "The recording has no state left so early: Reset starts the run again.",
 };
 
-/** What goes wrong between the page and the engine. */
+/** Faults between the page and the engine. */
 export const engine = {
   unloaded: "The engine did not load. The connection may be down.",
   not_loaded: (why: string) => `The engine did not load: ${why}.`,
   silent: (silent_s: number) => `The engine gave no answer for ${silent_s} s.`,
   broke_down: (why: string) => `The engine broke down: ${why}.`,
   not_fetched: (file: string, why: string) => `${file} could not be fetched: ${why}.`,
-  no_json: "it is no JSON",
-  not_there: "it is not there",
+  no_json: "it is not JSON",
+  not_there: "it does not exist",
   too_long: "it took too long",
   no_connection: "the connection failed",
   answered: (status: string) => `the server answered ${status}`,

@@ -1,11 +1,11 @@
 export const instruments = {
   title: "Instruments",
-  ship: "How the ship lies",
+  ship: "Heel and trim",
   minute: (range: string) => `last minute ${range}`,
   dial: (name: string, angle: string, low: string, high: string) => `${name} ${angle}, from ${low} to ${high}`,
   limits: "Limits",
   readings: "Readings",
-  columns: ["Now", "Least", "Greatest"],
+  columns: ["Now", "Min", "Max"],
   height: "height",
   rise: "vertical speed",
   worst: (value: string, time_s: string) => `Worst ${value} at ${time_s} s`,

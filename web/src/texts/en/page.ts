@@ -7,12 +7,12 @@ export const page = {
   save: "Save scenario",
   save_help: "As a file, with the parameters as they are set and the lever moves as an operation",
   share: "Share",
-  share_help: "A link that opens this run with all that was set in it",
+  share_help: "A link that opens this run with all its settings",
   drop: "Drop the scenario to open it, and the databases that it names",
   title: (scenario: string) => `Kingpost – ${scenario}`,
-  panels: "What to show",
+  panels: "Panels",
   language: "Language",
-  language_help: "The page loads anew, and the run begins again.",
+  language_help: "The page is reloaded, and the run starts again.",
 };
 
 export const floating = {
@@ -21,9 +21,9 @@ export const floating = {
   trim: "Trim",
   trim_help: "Pitch: positive by the bow",
   draught: "Draught",
-  draught_help: "Of the keel under the origin of the hull's data, along the vertical, from still water",
+  draught_help: "From still water down to the keel, at the origin of the hull's data",
   wave: "Wave",
-  wave_help: "Elevation of the incident waves where the hull is on average",
+  wave_help: "Elevation of the incident waves at the hull's mean position",
   fluid_gm: "Fluid GM",
-  fluid_gm_help: "Across the ship, at rest in still water with the crane as it stands; hanging loads where they hang from",
+  fluid_gm_help: "Transverse, at rest in still water with the crane as it stands; hanging loads at their suspension points",
 };

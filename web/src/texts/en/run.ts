@@ -4,12 +4,12 @@ export const transport = {
   pause: "Pause",
   resume: "Resume",
   from_here: "From here",
-  from_here_help: "Goes on from the moment that is shown; what came after it is dropped",
+  from_here_help: "Continues from the moment that is shown; everything later is dropped",
   step: "Step",
   reset: "Reset",
   speed: "Speed",
   fastest: "Max",
-  fastest_help: "As fast as it goes",
+  fastest_help: "As fast as possible",
   reset_to_apply: "Reset to apply the changes.",
   loading: "Loading the engine…",
   try_again: "Reset tries again.",
@@ -19,7 +19,7 @@ export const transport = {
 
 export const scrubber = {
   title: "The recording",
-  happened: "What happened",
+  happened: "Events",
   moment: "Moment that is shown",
   time: (shown_s: string, newest_s: string) => `${shown_s} s of ${newest_s} s`,
   more: (count: number) => `and ${count} more`,
@@ -30,7 +30,7 @@ export const readouts = {
   title: "The run",
   time: "Time",
   pace: "Runs at",
-  pace_help: "Simulated time over the time on the clock, over the last seconds",
+  pace_help: "Simulated time over wall time, for the last seconds",
   slow: (pace: string) => `${pace} slow`,
   numerics: "Numerics",
   step: "Step",
@@ -41,7 +41,7 @@ export const readouts = {
   no_errors: "none",
 };
 
-/** What is said to those who do not see the run. */
+/** Announcements for screen readers. */
 export const announcer = {
   loading: "Loading the engine.",
   empty: "Nothing is open.",

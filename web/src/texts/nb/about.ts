@@ -2,12 +2,12 @@ import type { Texts } from "../index";
 
 export const about: Texts["about"] = {
   title: "Hva er dette?",
-  acts: "Hva som virker",
+  acts: "Krefter og drifter",
   off: (element) => `${element}, av`,
   recording: "Opptaket",
   recording_text:
-    "Sporet under bildet har alt som er beregnet siden start. Dra i det, eller bruk piltastene på det, for å se et øyeblikk igjen. " +
-    "Derfra går kjøringen videre med Start, med Steg eller med en spak, og det som kom etter, slettes. Eksport, ved siden av grafene, " +
+    "Sporet under bildet dekker alt som er beregnet siden start. Dra i det, eller bruk piltastene på det, for å se et øyeblikk igjen. " +
+    "Start, Steg eller en spak fortsetter kjøringen derfra, og alt som kom etter, slettes. Eksport, ved siden av grafene, " +
     "lagrer opptaket som fil.",
   reading: "Slik leses det",
   signs:
@@ -20,11 +20,11 @@ export const about: Texts["about"] = {
     "bildet er den innkommende bølgen som skroget kjenner; bølgene som skroget selv lager eller kaster tilbake, er ikke tegnet, og langt " +
     "unna er sjøen tegnet flat.",
   picture:
-    "Bildet: et skrog med baug er tegnet som et skip, et langt og slankt legeme på en søyle som bommen på den; hvert er så stort som " +
-    "modellens legeme. Det som står på dem (overbygg, førerhus, rekkverk, stag, braketter), har verken vekt eller vind i modellen. " +
-    "**Enkle former** under Vis tar det bort.",
+    "Bildet: et skrog med baug er tegnet som et skip, et langt og slankt legeme på en søyle som bommen på den; hvert har samme størrelse som " +
+    "modellens legeme. Utstyret på dem (overbygg, førerhus, rekkverk, stag, braketter) har verken vekt eller vindlast i modellen. " +
+    "**Enkle former** under Vis skjuler det.",
   errors:
-    "Energifeil: tilført energi minus utført arbeid, over den største energien som har vært i omløp så langt, i bevegelse og arbeid; i J " +
+    "Energifeil: tilført energi minus utført arbeid, over den største kinetiske energien eller det største arbeidet så langt; i J " +
     "så lenge den er mindre enn tusen avrundinger av den potensielle energien, som for et skip i ro. Spinnfeil: spinnet minus " +
     "impulsen av momentene, over det største så langt. Begge skal være ørsmå, og den ene alene beviser lite: utelat metodens D-matrise (under " +
     "Avansert), og energien stemmer fortsatt, mens spinnet straks blir galt.",

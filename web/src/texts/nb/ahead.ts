@@ -2,7 +2,7 @@ import type { Texts } from "../index";
 
 export const ahead: Texts["ahead"] = {
   button: "Se framover",
-  help: "Hva som kan skje det neste minuttet, med spakene som de er: forløp i sjøer som stemmer med det som er målt. Båndene på grafene holder 90 og 50 % av dem, punktene i bildet er der lasten er i dem, fra snart til sent.",
+  help: "Hva som kan skje det neste minuttet, med spakene som de er: forløp i sjøer som stemmer med målingene. Båndene i grafene holder 90 og 50 % av forløpene; punktene i bildet er steder der lasten kan være, fra snart til sent.",
   looking: "Ser framover…",
   futures: (known, of, horizon_s) => `${known < of ? `${known} av ` : ""}${of} mulige forløp over ${horizon_s} s`,
   in_short: (percent) => `90 %-båndet holdt ${percent} %`,
@@ -11,12 +11,12 @@ export const ahead: Texts["ahead"] = {
   nothing_measured: "Ingenting er målt ennå: spekteret alene sier hvilke bølger som kommer.",
   held: (percent, minutes) => `90 %-båndet deres holdt ${percent} % av ${minutes === 1 ? "det siste minuttet" : `de siste ${minutes} minuttene`}.`,
   not_judged: "90 %-båndet deres bedømmes etter hvert hele minutt av kjøringen.",
-  judged_by: "Etter hiv, rulling og stamping av det som flyter, og stedene til lastene, i 32 forløp av hvert minutt, laget av det som var målt før det.",
+  judged_by: "Etter hiv, rulling og stamping av flytende legemer og lastenes posisjoner, i 32 forløp av hvert minutt, laget av målingene før det.",
   one: (horizon_s) => `Ett forløp over ${horizon_s} s`,
-  no_waves: "Det er ingen bølger som kunne vært andre.",
+  no_waves: "Uten bølger er det bare ett forløp.",
   foreseen: (time_s) => `ved ${time_s} s, forutsett, 90 %-bånd`,
   band: (low, high) => `${low} til ${high}`,
-  gusts: "Vindkastene er kjøringens egne.",
+  gusts: "Alle forløpene har kjøringens vindkast.",
   broken: (count) => `${count} av dem kunne ikke beregnes til slutten.`,
   none: "Ser ikke framover",
 };

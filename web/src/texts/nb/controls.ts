@@ -2,7 +2,7 @@ import type { Texts } from "../index";
 
 export const controls: Texts["controls"] = {
   title: "Styring",
-  intro: "Ved start vises en endring med en gang. Underveis virker noen med en gang, og de andre ved ny start.",
+  intro: "Ved start virker alle endringer med en gang. Under kjøring virker noen med en gang, og de andre ved ny start.",
   switches: "Brytere",
   choices: "Valg",
   numbers: "Tall",
@@ -22,14 +22,14 @@ export const levers: Texts["levers"] = {
   about:
     "Der et scenario har spaker, står to styrespaker over bildet, som i førerhuset på en kran: mot deg hiver og topper bommen opp, fra " +
     "deg firer og topper ned, til venstre og høyre svinger. Bokstavene W A S D og I J K L beveger dem også, med Shift bare litt, og det " +
-    "gjør en spillkontroll med. En styrespak som slippes, går tilbake til midten; mens kjøringen står stille, settes spaken for når den går " +
-    "videre. Merkene på kanten viser hva driften gjør: gult ved største hastighet, rødt der moment, kraft eller effekt er ved grensen.",
+    "gjør en spillkontroll med. En styrespak som slippes, går tilbake til midten. En spak som settes under pause, virker når kjøringen går " +
+    "videre. Merkene på kanten viser driften: gult ved største hastighet, rødt der moment, kraft eller effekt er ved grensen.",
   sides: { left: "Venstre styrespak", right: "Høyre styrespak" },
-  asked: (percent) => `bedt om ${percent} %`,
-  does: (rate) => `gjør ${rate}`,
+  asked: (percent) => `kommando ${percent} %`,
+  does: (rate) => `hastighet ${rate}`,
   limits: { speed: "ved største hastighet", effort: "moment eller kraft ved grensen", power: "effekt ved grensen" },
   at_limit: (limit) => `${limit} ved grensen`,
-  stands: "Kjøringen står stille: spakene virker når den går videre.",
+  stands: "Kjøringen er på pause: spakene virker når den går videre.",
   gamepad: (name) => `Spillkontroll koblet til: de to styrespakene på den beveger spakene. ${name}`,
   gamepad_gone: "Spillkontrollen er koblet fra.",
   choose_axes: "Styrespakenes akser…",
@@ -37,7 +37,7 @@ export const levers: Texts["levers"] = {
   axes: { left_x: "Venstre, sideveis", left_y: "Venstre, opp og ned", right_x: "Høyre, sideveis", right_y: "Høyre, opp og ned" },
   none: "Ingen",
   reverse: "Snu",
-  standard: "Som modellen sier",
+  standard: "Modellens standard",
   close: "Lukk",
 };
 

@@ -2,7 +2,7 @@ import type { Texts } from "../index";
 
 export const equations: Texts["equations"] = {
   title: "Likninger",
-  intro: "M* q̈ + N* q̇ = F*, med tallene for øyeblikket som vises. Pek på en blokk for å se på skipet hva den gjør.",
+  intro: "M* q̈ + N* q̇ = F*, med tallene for øyeblikket som vises. Pek på en blokk for å se virkningen på skipet.",
   matrix: "Matrise",
   formula: "Formel",
   notation: "Notasjon",
@@ -21,12 +21,12 @@ export const equations: Texts["equations"] = {
     q_ddot_given: "q̈: foreskrevne akselerasjoner",
     J: "J: føringer i lukkede sløyfer",
   },
-  touch: "Pek på en blokk i matrisen: tallene vises her, og skipet viser hva den gjør.",
+  touch: "Pek på en blokk i matrisen: tallene vises her, og skipet viser virkningen.",
   block: (row, column, entries) => `${row} og ${column}: ${entries}`,
   enlarge: "Bred",
   printed: "Artikkelens likninger 43 og 46b",
   forms: { printed: "Som trykt", corrected: "Rettet" },
-  printed_help: "De trykte formene har feil i to vektorer og gir armens massesenter en annen hastighet. Kingpost regner med de rettede.",
+  printed_help: "De trykte formene har feil i to vektorer og gir feil hastighet for armens massesenter. Kingpost bruker de rettede.",
   ledger: "Hvor energien ble av, siden start",
   ledger_lines: { drives: "Driftenes arbeid", outside: "Arbeid utenfra", kinetic: "Bevegelse", potential: "Lagret", dissipated: "Blitt til varme" },
   energy_error: "Energifeil",

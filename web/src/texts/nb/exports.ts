@@ -9,7 +9,7 @@ export const exports: Texts["exports"] = {
     `Opptaket er langt: ${kept} av om lag ${of} rader er beholdt. Rader før ${until_s} s er tynnet ut og mangler i disse filene; de andre er fullstendige.`,
   csv: "Tabell (CSV)",
   csv_help: "Alle kolonner i SI-enheter, slik kingpost run skriver dem",
-  events: "Hva som skjedde (CSV)",
+  events: "Hendelser (CSV)",
   parquet: "Parquet",
   parquet_help: "Alle kolonner med enheter og scenario, for Python",
   pictures: "Bilder",
@@ -29,11 +29,11 @@ export const saved: Texts["saved"] = {
   waiting: (names) => `Verdier som ventet på en nullstilling, er ikke med: ${names}.`,
   same: "En kjøring av denne filen gir de samme tallene.",
   implicit: "Integratoren er implisitt: en kjøring utenfor nettleseren stemmer innenfor toleransen, ikke til siste bit.",
-  needs: (files) => `Den trenger disse filene ved siden av seg: ${files}.`,
+  needs: (files) => `Den trenger disse filene i samme mappe: ${files}.`,
   set_at: (parameter, time) => `${parameter} ved ${time}`,
   differs: (set) =>
-    `En kjøring av denne filen blir en annen enn den som ble lagret, der parametrer ble satt underveis: ${set}. Filen har de siste verdiene fra start.`,
+    `En kjøring av denne filen blir en annen enn den lagrede, fordi parametrer ble satt underveis i den: ${set}. Filen har de siste verdiene fra start.`,
   two_operations:
     "Spaker ble beveget for hånd mens scenarioets egen operasjon var på, og en fil har plass til én operasjon. " +
-    "Slå den av (operation.enabled: false) og kjør alt for hånd; eller nullstill, og lagre uten bevegelsene.",
+    "Slå den av (operation.enabled: false) og beveg alle spakene for hånd; eller nullstill, og lagre uten bevegelsene.",
 };

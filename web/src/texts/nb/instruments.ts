@@ -2,12 +2,12 @@ import type { Texts } from "../index";
 
 export const instruments: Texts["instruments"] = {
   title: "Instrumenter",
-  ship: "Hvordan skipet ligger",
+  ship: "Krengning og trim",
   minute: (range) => `siste min. ${range}`,
   dial: (name, angle, low, high) => `${name} ${angle}, fra ${low} til ${high}`,
   limits: "Grenser",
   readings: "Avlesninger",
-  columns: ["Nå", "Minst", "Størst"],
+  columns: ["Nå", "Min.", "Maks."],
   height: "høyde",
   rise: "vertikal hastighet",
   worst: (value, time_s) => `Verst ${value} ved ${time_s} s`,

@@ -9,12 +9,12 @@ export const page: Texts["page"] = {
   save: "Lagre scenario",
   save_help: "Som fil, med parametrene slik de er satt og spakbevegelsene som en operasjon",
   share: "Del",
-  share_help: "En lenke som åpner denne kjøringen med alt som er satt i den",
+  share_help: "En lenke som åpner denne kjøringen med alle innstillingene",
   drop: "Slipp scenarioet her for å åpne det, sammen med databasene som det viser til",
   title: (scenario) => `Kingpost – ${scenario}`,
-  panels: "Hva som vises",
+  panels: "Paneler",
   language: "Språk",
-  language_help: "Siden lastes på nytt, og kjøringen begynner forfra.",
+  language_help: "Siden lastes på nytt, og kjøringen starter på nytt.",
 };
 
 export const floating: Texts["floating"] = {
@@ -23,9 +23,9 @@ export const floating: Texts["floating"] = {
   trim: "Trim",
   trim_help: "Stamping: positiv når baugen går ned",
   draught: "Dypgang",
-  draught_help: "Til kjølen under origo for skrogets data, langs loddlinjen, fra stille vann",
+  draught_help: "Fra stille vann ned til kjølen, ved origo for skrogets data",
   wave: "Bølge",
-  wave_help: "Overflatens høyde i de innkommende bølgene der skroget er i middel",
+  wave_help: "Overflatens høyde i de innkommende bølgene ved skrogets middelposisjon",
   fluid_gm: "Korr. GM",
   fluid_gm_help:
     "Metasenterhøyde for krengning, korrigert for frie væskeoverflater, i ro i stille vann med kranen slik den står; hengende laster regnes i opphengspunktet",

@@ -5,8 +5,8 @@ export const picture: Texts["picture"] = {
   canvas: "Modellen. Piltastene dreier bildet, pluss og minus zoomer, Home tilpasser det.",
   fit: "Tilpass",
   axes: { to_port: "mot babord (y)", up: "opp (z)", forward: "forover (x)" },
-  no_graphics: "Denne nettleseren har ikke WebGL, så det er ikke noe bilde; tall og grafer går.",
-  graphics_lost: "Nettleseren tok grafikken bort: bildet kommer tilbake når den gjør det. Tall og grafer går.",
+  no_graphics: "Denne nettleseren har ikke WebGL, så det er ikke noe bilde; tall og grafer virker fortsatt.",
+  graphics_lost: "Nettleseren mistet grafikken; bildet kommer tilbake når den er gjenopprettet. Tall og grafer virker fortsatt.",
   no_water: (spacing) => `Rutenett ${spacing}. Det er ikke vann i dette scenarioet.`,
   still_water: "Stille vann.",
   waves: (count) => `Innkommende bølger, ${count} i alt.`,
@@ -19,7 +19,7 @@ export const picture: Texts["picture"] = {
     top: "Ovenfra",
     section: "Snitt",
   },
-  dive: "Kan gå under vann",
+  dive: "Tillat under vann",
   show: "Vis",
   shown: {
     frames: "Legemenes akser",
@@ -29,9 +29,9 @@ export const picture: Texts["picture"] = {
     masses: "Tyngdepunkter",
     buoyancy: "Oppdrift og metasenter",
     trace: "Lastens bane",
-    ghost: "Der det begynte",
+    ghost: "Startposisjon",
   },
   scale: { force: "Kraft", moment: "Moment" },
   shown_help:
-    "Enkle former er modellens egne legemer. Overbygg, førerhus, rekkverk, braketter og bommens stag er for øyet: modellen har verken vekten eller vinden deres.",
+    "Enkle former er modellens egne legemer. Overbygg, førerhus, rekkverk, braketter og bommens stag er pynt: modellen har verken vekten eller vindlasten deres.",
 };

@@ -6,12 +6,12 @@ export const transport: Texts["transport"] = {
   pause: "Pause",
   resume: "Fortsett",
   from_here: "Herfra",
-  from_here_help: "Kjøringen går videre fra øyeblikket som vises; det som kom etter, slettes",
+  from_here_help: "Kjøringen går videre fra øyeblikket som vises; alt som kom etter, slettes",
   step: "Steg",
   reset: "Nullstill",
   speed: "Tempo",
   fastest: "Maks",
-  fastest_help: "Så fort det går",
+  fastest_help: "Så fort som mulig",
   reset_to_apply: "Nullstill for å ta i bruk endringene.",
   loading: "Laster beregningsmotoren…",
   try_again: "Nullstill prøver igjen.",
@@ -21,7 +21,7 @@ export const transport: Texts["transport"] = {
 
 export const scrubber: Texts["scrubber"] = {
   title: "Opptaket",
-  happened: "Hva som skjedde",
+  happened: "Hendelser",
   moment: "Øyeblikket som vises",
   time: (shown_s, newest_s) => `${shown_s} s av ${newest_s} s`,
   more: (count) => `og ${count} til`,

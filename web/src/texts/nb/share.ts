@@ -1,15 +1,15 @@
 import type { Texts } from "../index";
 
-const hand = (count: number) => (count === 1 ? "Endringen som ble gjort for hånd, gjøres igjen til sin tid" : `De ${count} endringene som ble gjort for hånd, gjøres igjen til sine tider`);
+const hand = (count: number) => (count === 1 ? "Endringen som ble gjort for hånd, gjentas til sin tid" : `De ${count} endringene som ble gjort for hånd, gjentas til sine tider`);
 
 export const share: Texts["share"] = {
   title: "Del denne kjøringen",
-  holds: (title) => `Lenken åpner «${title}» med verdiene som kjøringen begynte med.`,
+  holds: (title) => `Lenken åpner «${title}» med startverdiene til kjøringen.`,
   holds_changes: (count) => `${hand(count)}.`,
   holds_moment: (time_s) => `Den tilbyr å kjøre til øyeblikket som vises, ${time_s}\u00a0s.`,
   holds_texts: "Lenken har teksten til scenarioet i seg: den som har lenken, kan lese den.",
   waiting: (names) => `Verdier som venter på en nullstilling, er ikke med: ${names}.`,
-  this_machine: "Denne adressen gjelder bare denne maskinen: en lenke til den åpner seg ikke på noen annen.",
+  this_machine: "Denne adressen gjelder bare denne maskinen: en lenke til den kan ikke åpnes på en annen.",
   link: "Lenke",
   making: "Lenken lages…",
   copy: "Kopier",
@@ -20,13 +20,13 @@ export const share: Texts["share"] = {
   qr: "QR-kode for lenken",
   qr_too_long: (length, most) => `Med ${length} tegn er lenken for lang til en QR-kode som en telefon kan lese: høyst ${most}.`,
   qr_failed: "QR-koden ble ikke lastet.",
-  too_large: (length, most) => `Denne kjøringen får ikke plass i en lenke: den tar ${length} tegn, og høyst ${most} sendes helt av de fleste programmer. Lagre scenario lager en fil av den.`,
+  too_large: (length, most) => `Denne kjøringen får ikke plass i en lenke: den tar ${length} tegn, og de fleste programmer kutter ved ${most}. Lagre scenario lager en fil av den.`,
   newer: "Lenken er laget av en nyere versjon av Kingpost. Last siden på nytt; hjelper ikke det, må denne utgaven av appen oppdateres.",
-  cut: "Lenken er kuttet: slutten mangler. Kopier den en gang til der den ble laget, hele.",
+  cut: "Lenken er kuttet: slutten mangler. Kopier hele lenken en gang til der den ble laget.",
   broken: "Lenken er skadet: innholdet lar seg ikke lese. Kopier den en gang til der den ble laget.",
   too_long: (length, most) => `Lenken har ${length} tegn, og denne appen leser høyst ${most}.`,
   too_much: (most) => `Lenken har mer enn ${most / 1e6} MB i seg, og denne appen leser ikke mer enn det.`,
-  opened_first: "Appen åpnet sitt første scenario i stedet.",
+  opened_first: "Appen åpnet standardscenarioet i stedet.",
   from_link: (title) => `Fra en lenke: ${title}`,
   notice: "Denne kjøringen kom med en lenke",
   again: (count) => `${hand(count)}, til du setter noe.`,
@@ -34,5 +34,5 @@ export const share: Texts["share"] = {
   run_to: "Kjør til det øyeblikket",
   other_files: "Galleriets filer for dette scenarioet er endret siden lenken ble laget: kjøringen kan bli en annen.",
   same: (time_s) => `Dette er øyeblikket da lenken ble laget, ${time_s} s. Tallene er de samme til siste bit.`,
-  other: (time_s) => `Dette er øyeblikket da lenken ble laget, ${time_s} s. Tallene er andre enn da: appen eller galleriet er endret.`,
+  other: (time_s) => `Dette er øyeblikket da lenken ble laget, ${time_s} s. Tallene er andre enn i lenken: appen eller galleriet er endret.`,
 };

@@ -3,14 +3,14 @@ import type { Texts } from "../index";
 export const start: Texts["start"] = {
   lead: "Skip og kraner til sjøs, simulert i nettleseren din",
   intro:
-    "Sving, topp og heis. Se hvordan lasten, skipet og sjøen svarer på hverandre, med alle tall for hånden. Også på telefonen: ingenting " +
+    "Sving, topp og heis. Se hvordan last, skip og sjø beveger hverandre, med alle tall for hånden. Også på telefonen: ingenting " +
     "installeres, og ingenting sendes noe sted.",
   open_paper: "Start med artikkelens kranskip",
   open_file: "Åpne ditt eget scenario…",
   choose: "Eller velg et",
   ungrouped: "Dine egne",
   loading: "Laster listen…",
-  failed: (why) => `Listen over scenarioer kom ikke fram. ${why}`,
+  failed: (why) => `Listen over scenarioer kunne ikke lastes. ${why}`,
   no_simulator: (why) => `Simulatoren ble ikke lastet: ${why}. Sjekk forbindelsen og prøv igjen.`,
   about:
     "Den samme beregningsmotoren går på kommandolinjen, i Python og her. Den regner med moving frame-metoden til Jardim, Rein, Haveland, " +
@@ -20,7 +20,7 @@ export const start: Texts["start"] = {
 
 export const offline: Texts["offline"] = {
   update: "Det er kommet en ny versjon",
-  update_help: "Når siden lastes på nytt, begynner kjøringen forfra. Del lager først en lenke til den, om du vil beholde den.",
+  update_help: "Når siden lastes på nytt, starter kjøringen på nytt. Lag først en lenke med Del hvis du vil beholde den.",
   reload: "Last på nytt",
   others: (count) => `Lukk først ${count === 1 ? "det andre vinduet" : `de ${count} andre vinduene`} til appen: der går den eldre versjonen.`,
 };

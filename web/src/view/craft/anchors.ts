@@ -4,21 +4,21 @@ import { edgesOf } from "../solids";
 import { distance, nearestOf, Place } from "./place";
 import type { Role } from "./roles";
 
-/** What is tied to a body and where, body axes. */
+/** An attachment of a line or link to a body, body axes. */
 export interface Anchor {
   body: number;
   point: Vec3;
-  /** Whose it is: a line's, or a link's. */
+  /** Name of the line or link. */
   kind: "line" | "tube" | "link" | "loop";
-  /** Where what is tied goes from there, body axes, not of length 1; zero where it is not known. */
+  /** Direction of the line or link from there, body axes, not normalised; zero if unknown. */
   towards: Vec3;
   /** Radius of the pin, m. */
   radius: number;
-  /** Length of what is tied, m. */
+  /** Length of the line or link, m. */
   length: number;
 }
 
-/** A wheel that a line runs over. */
+/** A sheave that a line runs over. */
 export interface Sheave {
   body: number;
   middle: Vec3;
@@ -27,7 +27,7 @@ export interface Sheave {
   axis: Vec3;
 }
 
-/** What the anchors are found from. */
+/** The data for finding anchors. */
 export interface Scene {
   model: ModelInfo;
   lines: readonly DrawnLine[];
@@ -37,11 +37,11 @@ export interface Scene {
   line_points: ArrayLike<number>;
 }
 
-/** A link's end is on a body no further away than this, as a part of the link. */
+/** Largest distance of a link's end from its body, relative to the length of the link. */
 const LINK_REACH = 0.5;
-/** A line's end that is further from a body than this part of its diagonal is on the seabed, or on land. */
+/** A line's end farther from a body than this share of its diagonal is on the seabed, or on land. */
 const REACH = 0.5;
-/** A line that turns by more than this at once runs over a wheel, rad. */
+/** A line that turns by more than this at one point runs over a sheave, rad. */
 const WRAP = 0.15;
 
 /** The ends of lines, links and loops on the bodies that carry them. */
@@ -83,7 +83,7 @@ export function pointsOf({ lines, line_points }: Pick<Scene, "lines" | "line_poi
   });
 }
 
-/** Of a tube's two styles the one that is pushed ends at its rod: only their pins are tied. */
+/** A barrel ends at its rod, and a rod at its barrel: only their pins are attached. */
 function lineAnchors(scene: Scene): Anchor[] {
   const places = pointsOf(scene);
   return scene.lines.flatMap((line, at) => {
@@ -103,7 +103,7 @@ function lineAnchors(scene: Scene): Anchor[] {
   });
 }
 
-/** Both ends of a slim link, on what is nearest and no link itself. */
+/** Both ends of a slim link, on the nearest bodies that are not links. */
 function linkAnchors(scene: Scene): Anchor[] {
   const { model, roles, poses } = scene;
   return roles.flatMap((role, i) => {
@@ -130,7 +130,7 @@ function loopAnchors({ model }: Scene): Anchor[] {
   );
 }
 
-/** The wheels that lines run over: where one turns at once, the circle that is tangent to both its parts. */
+/** The sheaves of lines: where a line turns at one point, the circle that is tangent to both parts. */
 export function sheavesOf(scene: Scene): Sheave[] {
   return pointsOf(scene).flatMap((all, at) => {
     const line = scene.lines[at];
@@ -152,7 +152,7 @@ interface Wrap {
   axis: Vec3;
 }
 
-/** Of a polyline that is straight but where it runs over wheels. */
+/** The straight parts of a polyline between sheaves. */
 function wrapsOf(places: readonly Vec3[]): Wrap[] {
   const ways = places.slice(1).map((place, i) => minus(place, places[i]).map((part) => part / distance(place, places[i])) as unknown as Vec3);
   const turns = ways.slice(1).map((way, i) => Math.acos(Math.min(1, Math.max(-1, inner(way, ways[i])))));
@@ -168,7 +168,7 @@ function wrapsOf(places: readonly Vec3[]): Wrap[] {
   return wraps;
 }
 
-/** The circle that a line touches where it comes and where it goes. */
+/** The circle that touches the line before and after the turn. */
 function tangentTo(from: Vec3, come: Vec3, to: Vec3, go: Vec3): Wrap | null {
   const along = inner(come, go);
   const normal = (of: Vec3, less: Vec3, sign: number): Vec3 => {

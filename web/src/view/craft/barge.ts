@@ -5,10 +5,10 @@ import { addStrakes } from "./ship";
 import { overlap } from "./work";
 import type { Work } from "./work";
 
-/** Frames of the deck that are drawn on it. */
+/** Number of frame lines on the deck. */
 const FRAMES = 8;
 
-/** What a barge has: a coaming, bollards, fenders, hatches, plates, and an arrow to its bow; nothing where an obstacle stands. */
+/** Equipment of a barge: a coaming, bollards, fenders, hatches, plates, and an arrow to its bow; nothing at obstacles. */
 export function addBarge(work: Work, outline: Outline, obstacles: readonly Box[]): void {
   const { box } = outline;
   const [length, beam, height] = [0, 1, 2].map((k) => box.high[k] - box.low[k]);
@@ -73,7 +73,7 @@ function addHatches({ fittings, palette }: Work, { box }: Outline, free: (x: num
   }
 }
 
-/** Where the bow is can be read from any side. */
+/** It shows the bow from any side. */
 function addArrow({ fittings, palette }: Work, { box }: Outline): void {
   const [length, beam] = [box.high[0] - box.low[0], box.high[1] - box.low[1]];
   const [cx, cy] = [(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2];

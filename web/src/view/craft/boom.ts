@@ -3,23 +3,23 @@ import type { Vec3 } from "../fit";
 import { Pieces, straight } from "./pieces";
 import type { Work } from "./work";
 
-/** More depths to its length than this, and a boom of a box's shape is a lattice. */
+/** A box-shaped boom with a larger ratio of length to depth is drawn as a lattice. */
 const LATTICE_RATIO = 15;
-/** Its foot and its head taper over so many depths, to so much of the depth. */
+/** Its foot and head taper over this multiple of the depth, to this share of the depth. */
 const TAPER = { over: 3, foot: 0.3, head: 0.55 };
 
-/** A boom along x about its middle, its foot at the lesser x. */
+/** A boom along x about its middle, its foot at the smaller x. */
 export interface BoomShape {
   length: number;
   width: number;
   height: number;
   isRound: boolean;
-  /** Whether its lesser end is hinged to what carries the crane, and its greater one carries no further boom. */
+  /** Whether its foot is hinged to the crane's support, and its head carries no further boom. */
   isFirst: boolean;
   isLast: boolean;
 }
 
-/** A lattice where it is long and slim, plates where it is stout, a tube where the model has one; its extents are the model's. */
+/** A lattice if it is long and slim, plates if it is stout, a tube if the model has one; its dimensions are those of the model. */
 export function addBoom(work: Work, shape: BoomShape, colour: Color): void {
   if (shape.isRound) addTube(work.body, shape, colour, work.palette.fitting);
   else if (isLattice(shape.length, shape.width, shape.height)) addLattice(work, shape, colour);
@@ -91,7 +91,7 @@ function addLattice({ body, fittings, palette }: Work, shape: BoomShape, colour:
   addWalkway(fittings, shape, chord, palette.fitting);
 }
 
-/** Plates at the foot and at the head, as far as the model's ends. */
+/** Plates at the foot and at the head, up to the model's ends. */
 function addEnds(body: Pieces, { length, width, height, isFirst, isLast }: BoomShape, colour: Color, dark: Color): void {
   const half = length / 2;
   const thick = 0.06 * width;

@@ -6,7 +6,7 @@ import type { Work } from "./work";
 /** Brackets shorter than this are one lug, m. */
 const LUG_M = 0.5;
 
-/** What holds a place that is off a body's solid, from the place of the solid that is nearest; `across` is where it may spread. */
+/** A bracket from the nearest point of a body's solid to a place outside it; `across` is the direction in which it may spread. */
 export function addBracket({ fittings, palette }: Work, from: Vec3, to: Vec3, across: Vec3, radius: number): void {
   const way = new Vector3(...to).sub(new Vector3(...from));
   const length = way.length();
@@ -24,7 +24,7 @@ export function addBracket({ fittings, palette }: Work, from: Vec3, to: Vec3, ac
   fittings.ball(to, 1.3 * radius, palette.pin);
 }
 
-/** A casing around a column's foot that stands below the deck and out of the hull's side. */
+/** A casing around a column's foot that is below the deck and outside the hull's side. */
 export function addSponson({ fittings, palette }: Work, [x, y, foot]: Vec3, radius: number, low: number, deck: number): void {
   const from = Math.max(low, foot - 1.6 * radius);
   fittings.turned([[0, from], [0.7 * radius, from], [1.3 * radius, Math.min(deck, from + 1.2 * radius)], [1.3 * radius, deck], [0, deck]], "z", [x, y, 0], palette.hull, 32);

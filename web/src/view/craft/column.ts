@@ -13,7 +13,7 @@ export interface ColumnShape {
   hasCab: boolean;
 }
 
-/** The slewing column: its ring on the foundation, a tapering shaft, a head for the boom's hinge; its extents are the model's. */
+/** The slewing column: its ring on the foundation, a tapering shaft, a head for the boom's hinge; its dimensions are the model's. */
 export function addColumn(work: Work, { radius, length, boom_rad, hasCab }: ColumnShape, colour: Color): void {
   const { body, fittings, palette } = work;
   const half = length / 2;
@@ -49,7 +49,7 @@ export interface Cab {
   looks_rad: number;
 }
 
-/** Beside the boom, its roof under the head, as large as a person needs where the column bears it. */
+/** Next to the boom, with its roof under the head, of a person's size if the column is large enough. */
 export function cabOf({ radius, length, boom_rad }: ColumnShape): Cab {
   const size = Math.min(1.9, 1.6 * radius, 0.3 * length);
   const away = radius + 0.42 * size;
@@ -61,7 +61,7 @@ export function cabOf({ radius, length, boom_rad }: ColumnShape): Cab {
 
 function addCab({ fittings, lit, palette }: Work, { middle, size, looks_rad }: Cab): void {
   const [u, v] = [Math.cos(looks_rad), Math.sin(looks_rad)];
-  // Of x forward, y to the side, z up in the cab.
+  // Axes of the cab: x forward, y to the side, z up.
   const at = (x: number, y: number, z: number): Vec3 => [middle[0] + size * (x * u - y * v), middle[1] + size * (x * v + y * u), middle[2] + size * z];
   const plan = (grow: number, front: number) => [[-0.5, -0.4], [front, -0.4], [front, 0.4], [-0.5, 0.4]].map(([x, y]) => at(x * grow, y * grow, 0)).map(([x, y]) => [x, y] as const);
   const level = (z: number) => middle[2] + size * z;

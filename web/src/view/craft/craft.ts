@@ -26,11 +26,11 @@ import { boxAround, Work } from "./work";
 export interface Post {
   body: number;
   point: Vec3;
-  /** Where it looks at, in plan, rad. */
+  /** Direction of view in plan, rad. */
   looks_rad: number;
 }
 
-/** The bodies as ships and cranes, and from where people on them look. */
+/** The bodies as ships and cranes, and the viewpoints of people on them. */
 export interface Craft {
   works: Work[];
   cab: Post | null;
@@ -40,18 +40,18 @@ export interface Craft {
   stays: Stay[];
 }
 
-/** The water line of a hull without data, as a part of its height from the keel. */
+/** The water line of a hull without data, as a share of its height from the keel. */
 const WATER = 0.42;
-/** A place that is off a solid by less than this needs no bracket, m. */
+/** A place nearer to a solid than this needs no bracket, m. */
 const NEAR_M = 0.02;
 
-/** What of a run, and of how it stands at its start, the bodies are drawn by. */
+/** The data of a run, and of its start, for drawing the bodies. */
 export function sceneOf({ model, lines }: { model: ModelInfo; lines: readonly DrawnLine[] }, { poses, line_points }: Pick<Scene, "poses" | "line_points">): Scene {
   const boxes = model.bodies.map((body) => boxOf(body, shapedHullOf(model, body.name)));
   return { model, lines, boxes, roles: rolesOf(model), poses, line_points };
 }
 
-/** What is drawn of a run: its bodies by their shapes and by how they stand at the start. */
+/** Draws the bodies of a run from their shapes and their poses at the start. */
 export function craftOf(run: Pick<Scene, "model" | "lines">, start: Pick<Scene, "poses" | "line_points">, palette: Palette): Craft {
   return new Builder(sceneOf(run, start), palette).build();
 }
@@ -172,7 +172,7 @@ class Builder {
     this.works[i].fittings.take(work.fittings);
   }
 
-  /** From a boom along x with its foot at the lesser end to the body's axes. */
+  /** Transform from a boom along x, with its foot at the smaller end, to the body's axes. */
   private turnOfBoom(i: number, parent: number, axis: number): Matrix4 {
     const turn = new Matrix4();
     if (axis === 1) turn.makeRotationZ(Math.PI / 2);
@@ -180,7 +180,7 @@ class Builder {
     return this.footSide(i, parent, axis) > 0 ? turn.multiply(new Matrix4().makeRotationZ(Math.PI)) : turn;
   }
 
-  /** A slim boom on a column that nothing else holds up has stays. */
+  /** A slim boom on a column gets stays if nothing else supports it. */
   private addStays(i: number): void {
     const { model, roles, boxes } = this.scene;
     const { parent, shape } = model.bodies[i];
@@ -196,14 +196,14 @@ class Builder {
     this.stays.push(...stays);
   }
 
-  /** Where a boom points in plan, in the axes of what carries it, rad. */
+  /** Direction of a boom in plan, in the axes of its carrier, rad. */
   private boomCourse(boom: number, column: number): number {
     const { poses } = this.scene;
     const [x, y] = new Place(poses, column).toBody(new Place(poses, boom).toWorld([0, 0, 0]));
     return Math.atan2(y, x);
   }
 
-  /** The side of a body along an axis that is nearer to what carries it. */
+  /** The side of a body along an axis that is nearer to its carrier. */
   private footSide(i: number, parent: number, axis: number): number {
     const { boxes, poses, model } = this.scene;
     const away = [boxes[i].low[axis], boxes[i].high[axis]].map((end) => {
@@ -214,7 +214,7 @@ class Builder {
     return away[1] < away[0] ? 1 : -1;
   }
 
-  /** Where what carries a boom or a column ends short of it: plates between. */
+  /** Plates between a boom or a column and a carrier that does not reach it. */
   private addHinge(i: number): void {
     const { model, roles, boxes, poses } = this.scene;
     const parent = model.bodies.findIndex(({ name }) => name === model.bodies[i].parent);
@@ -231,7 +231,7 @@ class Builder {
     this.hold(body, point, radius);
   }
 
-  /** A bracket to a place that is off a body's solid. */
+  /** A bracket to a place outside a body's solid. */
   private hold(body: number, point: Vec3, radius: number): void {
     const { model, boxes } = this.scene;
     const outline = this.outlines[body];
@@ -242,14 +242,14 @@ class Builder {
     addBracket(this.works[body], nearest, point, outline || x < y ? [1, 0, 0] : [0, 1, 0], size);
   }
 
-  /** What a boom carries that is no boom itself; null where there is none. */
+  /** The first body at the end of a boom that is not a boom; null if there is none. */
   private lastCarried(): number | null {
     const { model, roles } = this.scene;
     const isOnBoom = (i: number) => roles[model.bodies.findIndex(({ name }) => name === model.bodies[i].parent)] === "boom";
     return roles.flatMap((role, i) => (role !== "boom" && role !== "drum" && isOnBoom(i) ? [i] : [])).pop() ?? null;
   }
 
-  /** A hook on each load where a single line from above takes it. */
+  /** A hook on each load that hangs on a single line. */
   private addHooks(anchors: readonly Anchor[]): void {
     const { roles, boxes, model, poses } = this.scene;
     roles.forEach((role, i) => {
@@ -267,7 +267,7 @@ class Builder {
   }
 }
 
-/** The place itself where it lies in the hull. */
+/** The place itself if it is inside the hull. */
 function nearestOnHull({ box, halfAt }: Outline, [x, y, z]: Vec3): Vec3 {
   const along = Math.min(box.high[0], Math.max(box.low[0], x));
   const half = halfAt(along);

@@ -12,7 +12,7 @@ export function addDrum({ body, fittings, palette }: Work, radius: number, lengt
   body.turned(straight(radius, -half, half), axis, [0, 0, 0], palette.line, 32);
   const flange = 0.08 * length;
   for (const from of [-half, half - flange]) fittings.turned(straight(1.35 * radius, from, from + flange), axis, [0, 0, 0], colour, 32);
-  // Laid turns of what is wound on it.
+  // Turns of the wound rope.
   const turns = 9;
   for (let k = 1; k < turns; k++) {
     const at = -half + flange + (k / turns) * (length - 2 * flange);
@@ -22,7 +22,7 @@ export function addDrum({ body, fittings, palette }: Work, radius: number, lengt
   for (const from of [-end, half]) fittings.turned(straight(0.3 * radius, from, from + end - half), axis, [0, 0, 0], palette.pin, 14);
 }
 
-/** A sheave that turns about an axis, with its cheeks, around a middle. */
+/** A sheave with its cheeks, about an axis and a centre. */
 export function addSheave({ fittings, palette }: Work, middle: Vec3, axis: Axis, radius: number): void {
   const wide = 0.16 * radius;
   const rim = [[0, -wide], [radius, -wide], [0.9 * radius, 0], [radius, wide], [0, wide]] as const;
@@ -30,7 +30,7 @@ export function addSheave({ fittings, palette }: Work, middle: Vec3, axis: Axis,
   fittings.turned(straight(0.22 * radius, -3.2 * wide, 3.2 * wide), axis, middle, palette.fitting, 12);
 }
 
-/** A block with sheaves and a hook, hanging: its hook's eye at a place, `up` away from it. */
+/** A hanging block with sheaves and a hook: the eye of its hook at a place, the block `up` from it. */
 export function addHook({ fittings, palette }: Work, eye: Vec3, size: number): void {
   const [x, y, z] = eye;
   const at = (height: number): Vec3 => [x, y, z + size * height];
@@ -45,7 +45,7 @@ export function addHook({ fittings, palette }: Work, eye: Vec3, size: number): v
   fittings.turned(straight(0.09 * size, -0.34 * size, 0.34 * size), "y", [x, y, z + 1.05 * size], palette.fitting, 10);
 }
 
-/** A crate, a module or a container as large as the model's box: posts and beams, panels a little inside of them. */
+/** A crate, a module or a container of the size of the model's box: posts and beams, with panels slightly inside. */
 export function addCargo({ body }: Work, { low, high }: Box, colour: Color): void {
   const size = [0, 1, 2].map((k) => high[k] - low[k]) as unknown as [number, number, number];
   const [x, y, z] = size;

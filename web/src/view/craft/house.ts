@@ -6,13 +6,13 @@ import { lofted } from "./pieces";
 import type { Plan } from "./pieces";
 import type { Work } from "./work";
 
-/** Where a deckhouse stands: from and to along the hull, the deck under it, and the height of one storey, m. */
+/** Position of a deckhouse: from and to along the hull, the deck under it, and the height of one storey, m. */
 export interface Site {
   from: number;
   to: number;
   deck: number;
   storey: number;
-  /** 1 where its front looks forward along x. */
+  /** 1 if its front faces forward along x. */
   looks: 1 | -1;
 }
 
@@ -21,7 +21,7 @@ const STOREYS = 3;
 /** Side lights. */
 export const LAMPS = { port: new Color(0xd93a35), starboard: new Color(0x1f9d55) };
 
-/** Accommodation, wheelhouse with its wings, mast and funnels; where the officer's eyes are. */
+/** Accommodation, wheelhouse with wings, mast and funnels; returns the officer's viewpoint. */
 export function addHouse(work: Work, outline: Outline, site: Site): Vec3 {
   const { storey, from, to } = site;
   const length = to - from;
@@ -31,7 +31,7 @@ export function addHouse(work: Work, outline: Outline, site: Site): Vec3 {
     const plan = planBetween(outline, aft, fore, (0.1 + 0.03 * k) * most, 0.84 * most);
     const low = site.deck + k * storey;
     work.fittings.prism(plan, low, low + storey, work.palette.house);
-    // A walkway around each storey but the lowest.
+    // A walkway around each storey except the lowest.
     if (k > 0) work.fittings.prism(grown(plan, 0.32 * storey), low - 0.03 * storey, low + 0.03 * storey, work.palette.fitting);
     addWindows(work, plan, low + 0.5 * storey, storey);
   }
@@ -42,7 +42,7 @@ export function addHouse(work: Work, outline: Outline, site: Site): Vec3 {
   return [site.looks > 0 ? to - 0.1 * length : from + 0.1 * length, 0, bridge + 0.62 * storey];
 }
 
-/** A plan pushed outward from its middle by so much on each side. */
+/** A plan, enlarged outward from its middle on each side. */
 export function grown(plan: Plan, by: number): Plan {
   const ends = [0, 1].map((k) => plan.map((place) => place[k])).map((values) => [Math.min(...values), Math.max(...values)]);
   const share = ends.map(([low, high]) => ({ middle: (low + high) / 2, factor: 1 + (2 * by) / Math.max(1e-6, high - low) }));

@@ -2,31 +2,31 @@ import type { HullInfo, MeshInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
 import type { Plan } from "./pieces";
 
-/** Stations along a hull at which its breadth is taken. */
+/** Number of stations along a hull for its breadth. */
 const STATIONS = 48;
-/** The bow of a hull that a box stands for begins so far from its end, as parts of its length. */
+/** Length of the bow of a box-shaped hull, as a share of its length. */
 const BOW_SHARE = 0.24;
-/** A box with more lengths than this to its beam is taken for a ship's hull. */
+/** A box with a larger ratio of length to beam is drawn as a ship's hull. */
 const SHIP_RATIO = 3.5;
-/** A hull is pointed where at this share of its length from an end it has less than this share of its beam. */
+/** A hull is pointed if, at this share of its length from an end, it has less than this share of its beam. */
 const POINTED = { at: 0.03, below: 0.5 };
 
-/** A hull as what stands on its deck needs it: body axes, bow at the greater x, m. */
+/** A hull's outline for deck equipment: body axes, bow at the larger x, m. */
 export interface Outline {
   box: Box;
-  /** Height of the water that it is painted for. */
+  /** Height of the painted water line. */
   water_m: number;
   /** Whether it has a bow. */
   isShip: boolean;
   /** Whether it has a deck: a sphere has none. */
   hasDeck: boolean;
-  /** Half of its breadth at deck, by x. */
+  /** Half breadth at the deck, by x. */
   halfAt(x: number): number;
   /** Both sides, at the x of its stations. */
   stations: readonly { x: number; half: number }[];
 }
 
-/** Of a hull with a shape. */
+/** Outline of a hull with a mesh. */
 export function outlineOfMesh(mesh: MeshInfo, box: Box, { origin_m }: HullInfo): Outline {
   const z = box.high[2] - 1e-3 * (box.high[2] - box.low[2]);
   const sides = crossings(mesh, z);
@@ -35,7 +35,7 @@ export function outlineOfMesh(mesh: MeshInfo, box: Box, { origin_m }: HullInfo):
   return { ...outline, hasDeck: mesh.triangles.some(areOnTop) };
 }
 
-/** Of a box: pointed where it is as slender as a ship. */
+/** Outline of a box: pointed if it is as slender as a ship. */
 export function outlineOfBox(box: Box, water_m: number): Outline {
   const [length, beam] = [box.high[0] - box.low[0], box.high[1] - box.low[1]];
   const isShip = length >= SHIP_RATIO * beam;
@@ -87,7 +87,7 @@ function halfBreadth(sides: readonly Segment[], x: number): number {
   return half;
 }
 
-/** The deck between two x, so far inside of its edge, counter-clockwise. */
+/** The deck between two x, at a distance inside its edge, counter-clockwise. */
 export function planBetween({ stations, halfAt }: Outline, from: number, to: number, inset = 0, most = Infinity): Plan {
   const ends = [from, to].map((x) => ({ x, half: halfAt(x) }));
   const between = [ends[0], ...stations.filter(({ x }) => x > from + 1e-6 && x < to - 1e-6), ends[1]];

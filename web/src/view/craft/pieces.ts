@@ -11,7 +11,7 @@ const ALONG = new Vector3(0, 1, 0);
 /** Faces that meet at less than this look round, rad. */
 const CREASE = 0.5;
 
-/** Painted solids that become one mesh: a picture costs by its draw calls more than by its triangles. */
+/** Painted solids that become one mesh: draw calls cost more than triangles. */
 export class Pieces {
   private readonly parts: BufferGeometry[] = [];
 
@@ -31,7 +31,7 @@ export class Pieces {
     return this;
   }
 
-  /** One that has its colours. */
+  /** A solid with its own colours. */
   addPainted(geometry: BufferGeometry): this {
     this.parts.push(geometry);
     return this;
@@ -41,7 +41,7 @@ export class Pieces {
     return this.add(new BoxGeometry(x, y, z).translate(...middle), colour);
   }
 
-  /** A round bar from one place to another, thinner at its end where a second radius is given. */
+  /** A round bar between two places, tapered if a second radius is given. */
   rod(from: Vec3, to: Vec3, radius: number, colour: Color, sides = 8, endRadius = radius): this {
     const [start, way] = [new Vector3(...from), new Vector3(...to).sub(new Vector3(...from))];
     const length = way.length();
@@ -62,13 +62,13 @@ export class Pieces {
     return this.add(toCreasedNormals(geometry, CREASE), colour);
   }
 
-  /** Walls along the y axis over a closed line of x and z, as wide as is said. */
+  /** Walls along the y axis over a closed line of x and z, of a given width. */
   profile(line: Plan, width: number, y: number, colour: Color): this {
     const geometry = new ExtrudeGeometry(shapeOf(line), { depth: width, bevelEnabled: false });
     return this.add(geometry.rotateX(Math.PI / 2).translate(0, y + width / 2, 0), colour);
   }
 
-  /** A body of revolution about an axis through its middle; the line is of radius and height, from below. */
+  /** A body of revolution about an axis through its middle; the line gives radius and height, from below. */
   turned(line: readonly (readonly [number, number])[], axis: "x" | "y" | "z", middle: Vec3, colour: Color, sides = 28): this {
     const geometry = new LatheGeometry(line.map(([radius, height]) => new Vector2(radius, height)), sides);
     if (axis === "x") geometry.rotateZ(-Math.PI / 2);
@@ -76,25 +76,25 @@ export class Pieces {
     return this.add(toCreasedNormals(geometry.toNonIndexed(), CREASE).translate(...middle), colour);
   }
 
-  /** Moves all that is in it. */
+  /** Moves its content. */
   move(by: Matrix4): this {
     for (const part of this.parts) part.applyMatrix4(by);
     return this;
   }
 
-  /** Takes over what another has. */
+  /** Takes over the content of another. */
   take(other: Pieces): this {
     this.parts.push(...other.parts);
     return this;
   }
 
-  /** All of them as one; null where there are none. */
+  /** All of them as one; null if there are none. */
   geometry(): BufferGeometry | null {
     return this.isEmpty ? null : mergeGeometries(this.parts);
   }
 }
 
-/** Over four corners, the short way: windows are many. */
+/** A quadrangle from four corners, kept cheap because there are many windows. */
 function blockOf(plan: Plan, low: number, high: number): BufferGeometry {
   const area = plan.reduce((sum, [x, y], i) => sum + x * plan[(i + 1) % 4][1] - plan[(i + 1) % 4][0] * y, 0);
   const [a, b, c, d] = area > 0 ? plan : [...plan].reverse();

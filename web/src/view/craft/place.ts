@@ -2,13 +2,13 @@ import { Quaternion, Vector3 } from "three";
 import type { BodyInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
 
-/** Where a body stands: of places in its axes to the world's, and back. */
+/** The pose of a body: transforms places from its axes to the world and back. */
 export class Place {
   private readonly at: Vector3;
   private readonly turn: Quaternion;
   private readonly back: Quaternion;
 
-  /** Of the body with this number among poses x y z qw qx qy qz. */
+  /** Pose of the body with this index among poses x y z qw qx qy qz. */
   constructor(poses: ArrayLike<number>, body: number) {
     const from = 7 * body;
     const [x, y, z, qw, qx, qy, qz] = [0, 1, 2, 3, 4, 5, 6].map((k) => poses[from + k]);
@@ -26,7 +26,7 @@ export class Place {
   }
 }
 
-/** The place of a body's solid that is nearest to a place, body axes; the place itself where it lies in it. */
+/** The point of a body's solid nearest to a place, body axes; the place itself if it is inside. */
 export function nearestOf({ shape }: BodyInfo, { low, high }: Box, point: Vec3): Vec3 {
   const clamped = [0, 1, 2].map((k) => Math.min(high[k], Math.max(low[k], point[k]))) as unknown as [number, number, number];
   if (shape?.kind === "sphere") {

@@ -1,13 +1,13 @@
 import type { BodyInfo, ModelInfo } from "../../engine/engine";
 
-/** What a body is taken for, by its shape and by what carries it. */
+/** The role of a body, from its shape and its carrier. */
 export type Role = "hull" | "column" | "boom" | "link" | "drum" | "cargo" | "quay" | "tank" | "other";
 
-/** Lengths over radii, or over depths, from which a body is a boom, or a slim link. */
+/** Ratios of length to radius, or to depth, from which a body is a boom, or a slim link. */
 const SLIM = { boom: 5, link: 40 };
-/** A drum is no longer than so many radii. */
+/** Largest ratio of length to radius of a drum. */
 const DRUM = 4;
-/** Booms turn or slide on what carries them, or are fixed to another boom. */
+/** Booms turn or slide on their carrier, or are fixed to another boom. */
 const SWINGS = new Set(["universal", "spherical", "floating"]);
 
 /** The role of each body. */
@@ -33,7 +33,7 @@ function roleOf(model: ModelInfo, body: BodyInfo, known: readonly Role[]): Role 
   return shape?.kind === "box" && known[parent] !== "other" ? "cargo" : "other";
 }
 
-/** What floats and carries something that moves, or has the water's data, or is moved by the waves. */
+/** A body that floats and carries a moving body, or has hydrodynamic data, or is moved by the waves. */
 function isHull(model: ModelInfo, { name, floats, shape }: BodyInfo): boolean {
   if (model.hulls.some((hull) => hull.body === name)) return true;
   if (!floats || shape?.kind !== "box") return false;

@@ -12,14 +12,14 @@ import type { Pieces, Plan } from "./pieces";
 const CREASE = 0.5;
 /** Upward part of the normal of what is painted as deck. */
 const LEVEL = 0.9;
-/** Places of a mesh that lie on a sphere to so much of its radius are of one: its panels are only flat. */
+/** A mesh whose points lie on a sphere within this share of its radius is drawn as a sphere. */
 const ROUND = 0.02;
-/** The boot-top, from and to, as parts of the hull's height from the water line. */
+/** The boot-top, from and to, as shares of the hull's height from the water line. */
 const BOOT_TOP = [-0.015, 0.055] as const;
-/** The stem of a box that stands for a ship is so far back at the keel, as a part of its height. */
+/** Rake of the stem of a box-shaped ship: setback at the keel, as a share of its height. */
 const RAKE = 0.55;
 
-/** A plate of the hull's side that is painted alike, and its colour. */
+/** A part of the hull's side with one colour. */
 interface Strake {
   low: number;
   high: number;
@@ -35,7 +35,7 @@ function strakesOf({ box, water_m }: Outline, palette: Palette): Strake[] {
   return colours.map((colour, k) => ({ low: heights[k], high: heights[k + 1], colour })).filter((one) => one.high - one.low > 1e-6);
 }
 
-/** The hull of a box: corners rounded, or a raked bow; its extents are the box's. */
+/** The hull of a box: corners rounded, or a raked bow; its dimensions are those of the box. */
 export function addBoxShell(pieces: Pieces, outline: Outline, palette: Palette): void {
   const { box } = outline;
   for (const { low, high, colour } of strakesOf(outline, palette)) {
@@ -52,7 +52,7 @@ function bilgeOf({ low, high }: Box): number {
   return 0.09 * Math.min(high[1] - low[1], high[2] - low[2]);
 }
 
-/** What the bilge takes off the half breadth at a height, m. */
+/** Reduction of the half breadth by the bilge at a height, m. */
 function bilgeInset(box: Box, z: number): number {
   const radius = bilgeOf(box);
   const down = Math.max(0, box.low[2] + radius - z);
@@ -73,7 +73,7 @@ function rounded(box: Box, z: number): Plan {
   );
 }
 
-/** The outline with its stem the further back the lower it is. */
+/** The outline at a height, with the stem set back more the lower it is. */
 function bowed({ box, stations }: Outline, z: number): Plan {
   const height = box.high[2] - box.low[2];
   const back = RAKE * (box.high[2] - z);
@@ -84,12 +84,12 @@ function bowed({ box, stations }: Outline, z: number): Plan {
   return [...sides.map(({ x, y }) => [x, -y] as const), ...sides.reverse().map(({ x, y }) => [x, y] as const)];
 }
 
-/** Thin enough that nobody measures it, thick enough that the side under it does not flicker through. */
+/** Thin enough to be invisible, thick enough to avoid flicker with the side under it. */
 function addDeck(pieces: Pieces, plan: Plan, z: number, palette: Palette): void {
   pieces.prism(plan, z - 0.02, z + 0.002, palette.deck);
 }
 
-/** The hull as the hydrodynamic data have it, cut where its paint changes. */
+/** The hull mesh of the hydrodynamic database, cut where its paint changes. */
 export function addMeshShell(pieces: Pieces, mesh: MeshInfo, outline: Outline, palette: Palette): void {
   const ball = ballOf(mesh);
   const faces = mesh.triangles.map((triangle) => triangle.map((i): Vec3 => mesh.vertices_m[i]));
@@ -112,7 +112,7 @@ export function addMeshShell(pieces: Pieces, mesh: MeshInfo, outline: Outline, p
   pieces.addPainted(painted(positions, colours, ball));
 }
 
-/** What of a polygon is below a height, or above it where the sign is -1. */
+/** The part of a polygon below a height, or above it if the sign is -1. */
 function below(corners: readonly Vec3[], z: number, sign: number): Vec3[] {
   if (!Number.isFinite(z)) return [...corners];
   const depth = (corner: Vec3) => sign * (z - corner[2]);
@@ -138,7 +138,7 @@ function painted(positions: number[], colours: number[], ball: Vec3 | null): Buf
   return geometry;
 }
 
-/** The middle of the sphere that a mesh stands for; null for any other. */
+/** The centre of the sphere that a mesh approximates; null for any other mesh. */
 function ballOf({ vertices_m }: MeshInfo): Vec3 | null {
   const ends = [0, 1, 2].map((k) => vertices_m.map((vertex) => vertex[k])).map((values) => [Math.min(...values), Math.max(...values)]);
   const middle = ends.map(([low, high]) => (low + high) / 2) as unknown as Vec3;
@@ -147,7 +147,7 @@ function ballOf({ vertices_m }: MeshInfo): Vec3 | null {
   return most - least < ROUND * most ? middle : null;
 }
 
-/** Each face as sixteen, their corners as far from the middle as those that they lie between. */
+/** Divides each face into sixteen, with all corners at the distance of the face's corners from the centre. */
 function finer(faces: Vec3[][], middle: Vec3): Vec3[][] {
   const between = (a: Vec3, b: Vec3): Vec3 => {
     const from = (p: Vec3) => new Vector3(...p).sub(new Vector3(...middle));

@@ -6,19 +6,19 @@ import type { Outline } from "./outline";
 import { overlap } from "./work";
 import type { Work } from "./work";
 
-/** A storey is this part of the hull's length, and at most so high, m. */
+/** Height of a storey, as a share of the hull's length, and its upper bound, m. */
 const STOREY = { share: 1 / 30, most_m: 2.8 };
-/** Where a deckhouse may stand, as parts of the length from the stern: forward, else aft. */
+/** Positions of a deckhouse, as shares of the length from the stern: forward, otherwise aft. */
 const SITES = [
   { from: 0.6, to: 0.82, looks: 1 },
   { from: 0.05, to: 0.25, looks: 1 },
 ] as const;
-/** The forecastle begins so far from the stern. */
+/** Start of the forecastle, as a share of the length from the stern. */
 const FORECASTLE = 0.57;
-/** Room that a deckhouse needs above the deck, storeys. */
+/** Space that a deckhouse needs above the deck, storeys. */
 const ROOM = 8;
 
-/** What stands on a ship's deck and along her side, and from where she is steered; nothing where one of the obstacles stands, hull axes. */
+/** Equipment on a ship's deck and side, and the viewpoint of her bridge; nothing at the obstacles, hull axes. */
 export function addShip(work: Work, outline: Outline, obstacles: readonly Box[]): Vec3 | null {
   const { box } = outline;
   const length = box.high[0] - box.low[0];

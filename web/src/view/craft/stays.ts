@@ -1,7 +1,7 @@
 import type { Vec3 } from "../fit";
 import type { Work } from "./work";
 
-/** Height of a gantry over its column, as a part of the boom's length; how far along the boom its stays reach. */
+/** Height of a gantry over its column, as a share of the boom's length; attachment of its stays along the boom. */
 const GANTRY = 0.13;
 const REACH = 0.93;
 
@@ -12,7 +12,7 @@ export interface Stay {
   radius: number;
 }
 
-/** The column that a boom luffs on: its radius, its head's height and where the boom points in plan, column axes. */
+/** The column that a boom luffs on: its radius, the height of its head and the boom's direction in plan, column axes. */
 interface Column {
   body: number;
   radius: number;
@@ -20,7 +20,7 @@ interface Column {
   boom_rad: number;
 }
 
-/** The boom: `toBody` is from its own along, across and up to its body's axes, its foot at the lesser end. */
+/** The boom: `toBody` transforms from its own axes (along, across, up) to its body's axes; its foot is at the smaller end. */
 interface Boom {
   body: number;
   length: number;
@@ -29,7 +29,7 @@ interface Boom {
   toBody(along: number, across: number, up: number): Vec3;
 }
 
-/** What holds a slim boom up where the model holds its hinge: a gantry on the column and two stays to the boom's head. */
+/** The supports of a slim boom whose hinge the model holds: a gantry on the column and two stays to the boom's head. */
 export function addStays({ fittings, palette }: Work, column: Column, boom: Boom): Stay[] {
   const { radius, head, boom_rad } = column;
   const [c, s] = [Math.cos(boom_rad), Math.sin(boom_rad)];

@@ -4,23 +4,23 @@ import type { Box, Vec3 } from "../fit";
 import type { Palette } from "../palette";
 import { Pieces } from "./pieces";
 
-/** What one body is drawn of: solids, and what shines by itself in the dark. */
+/** The drawing of one body: solids, and parts that shine in the dark. */
 export class Work {
-  /** What has the model's extents. */
+  /** The part with the model's dimensions. */
   readonly body = new Pieces();
-  /** What stands on it beyond them. */
+  /** Equipment beyond these. */
   readonly fittings = new Pieces();
   /** Windows and lamps. */
   readonly lit = new Pieces();
 
   constructor(readonly palette: Palette) {}
 
-  /** Moves all that is in it. */
+  /** Moves its content. */
   move(by: Matrix4): void {
     for (const part of [this.body, this.fittings, this.lit]) part.move(by);
   }
 
-  /** At most two meshes: opaque, and what shines. */
+  /** At most two meshes: opaque, and shining. */
   object(): Group {
     const group = new Group();
     const solid = new Pieces().take(this.body).take(this.fittings);

@@ -2,9 +2,9 @@ import { ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasi
 import type { BufferGeometry, Color } from "three";
 import type { Vec3 } from "../fit";
 
-/** Arrows at a time, at most. */
+/** Most arrows at a time. */
 const MOST = 96;
-/** Head and thickness, as parts of the size of the model. */
+/** Head and thickness, relative to the size of the model. */
 const HEAD = 0.028;
 const SHAFT = 0.0035;
 const ALONG = new Vector3(0, 1, 0);

@@ -2,16 +2,16 @@ import type { Hydrostatics, ModelInfo } from "../../engine/engine";
 import { Place } from "../craft/place";
 import type { Vec3 } from "../fit";
 
-/** Heights over the keel that decide how a hull floats, in the world. */
+/** Points over the keel that decide the stability of a hull, in the world. */
 export interface FloatingSigns {
   letters: { text: string; at: Vec3 }[];
   /** From the keel to the metacentre. */
   line: readonly [Vec3, Vec3];
-  /** Where the water carries, and its force, N. */
+  /** The centre of buoyancy, and the buoyancy, N. */
   buoyancy: { at: Vec3; force_N: number };
 }
 
-/** Keel, centres of buoyancy and of mass, and metacentre across the ship, of each hull at rest with the crane as it stands. */
+/** Keel, centres of buoyancy and mass, and transverse metacentre of each hull at rest with the crane as it stands. */
 export function floatingSignsOf(model: ModelInfo, { hulls }: Hydrostatics, poses: ArrayLike<number>): FloatingSigns[] {
   return hulls.flatMap((hull): FloatingSigns[] => {
     const described = model.hulls.find(({ name }) => name === hull.force);
@@ -28,7 +28,7 @@ export function floatingSignsOf(model: ModelInfo, { hulls }: Hydrostatics, poses
   });
 }
 
-/** The centre of mass of a body and of all that its joints carry, in the body's axes: over it is the centre of buoyancy. */
+/** The centre of mass of a body and all bodies that it carries, in the body's axes: at rest it is above the centre of buoyancy. */
 function centreOf(model: ModelInfo, poses: ArrayLike<number>, body: number): Vec3 {
   const carried = new Set([model.bodies[body].name]);
   const place = new Place(poses, body);

@@ -16,14 +16,14 @@ export interface Load {
 const AXES = ["x", "y", "z"] as const;
 
 /**
- * What can be drawn where it acts: weights of what ships carry, tensions along lines, the push of tubes, what the water does to a
- * hull, and force and moment in the joint under a crane's column.
+ * The forces that can be drawn at their points of action: weights of the bodies that ships carry, tensions along lines, thrust of tubes,
+ * forces of the water on a hull, and force and moment in the joint under a crane's column.
  */
 export function loadsAt(run: Run, moment: Moment): Load[] {
   return [...weights(run, moment), ...tensions(run, moment), ...onHulls(run, moment), ...underColumns(run, moment)].filter(({ vector }) => vector.every(Number.isFinite));
 }
 
-/** A ship's own weight is beside her buoyancy: it would dwarf what hangs on the crane. */
+/** A ship's own weight is left out: it would dwarf the weights on the crane. */
 function weights({ model }: Run, { poses }: Moment): Load[] {
   const roles = rolesOf(model);
   return model.bodies.flatMap(({ mass_kg }, i): Load[] => {
@@ -32,7 +32,7 @@ function weights({ model }: Run, { poses }: Moment): Load[] {
   });
 }
 
-/** A single number in newtons under the name of a line pulls at both its ends; of a tube it pushes. */
+/** A single number in newtons with the name of a line pulls at both ends; with the name of a tube it pushes. */
 function tensions({ lines, channels }: Run, { row, line_points }: Moment): Load[] {
   const places = pointsOf({ lines, line_points });
   return lines.flatMap((line, i): Load[] => {
@@ -48,7 +48,7 @@ function tensions({ lines, channels }: Run, { row, line_points }: Moment): Load[
   });
 }
 
-/** The column with the force of a thing: one that has no components. */
+/** The column with the scalar force of an element. */
 function forceOf(channels: readonly Channel[], name: string): number {
   const channel = channels.find(({ unit, labels }) => unit === "N" && labels.length === 1 && labels[0].includes(name));
   return channel ? channel.offset + channel.labels[0].indexOf(name) : -1;
@@ -60,7 +60,7 @@ function along(from: Vec3, to: Vec3, length: number): Vec3 {
   return way.map((part) => (part * length) / distance) as unknown as Vec3;
 }
 
-/** Forces with components on things that are hulls in the water, at the hull's origin. */
+/** Forces with components on hulls in the water, at the hull's origin. */
 function onHulls({ model, channels }: Run, { row, poses }: Moment): Load[] {
   return model.hulls.flatMap((hull) => {
     const body = model.bodies.findIndex(({ name }) => name === hull.body);
@@ -98,7 +98,7 @@ function vectorIn({ labels, offset }: Channel, thing: number, prefix: string, ro
   return places.map((at) => row[offset + thing * components.length + at]) as unknown as Vec3;
 }
 
-/** Of a body's axes all are turned; of a slow frame or a heading the ship's course alone. */
+/** Body axes have the full rotation; a slow frame or a heading only the ship's course. */
 function inWorld(vector: Vec3, frame: Channel["frame"], poses: ArrayLike<number>, body: number): Vec3 {
   if (frame === "world") return vector;
   const place = new Place(poses, body);

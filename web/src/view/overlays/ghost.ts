@@ -2,10 +2,10 @@ import { Group, Mesh, MeshBasicMaterial } from "three";
 import type { Object3D } from "three";
 import type { Palette } from "../palette";
 
-/** From when on a body is elsewhere: by so much of the size of the model, or so far turned. */
+/** A body has moved if it is displaced by this share of the size of the model, or rotated by this angle. */
 const MOVED = { part: 0.01, turn_rad: 0.04 };
 
-/** The bodies once more, as they stood at the start. */
+/** The bodies a second time, in their poses at the start. */
 export class Ghost extends Group {
   private readonly material = new MeshBasicMaterial({ transparent: true, opacity: 0.2, depthWrite: false });
 
@@ -28,7 +28,7 @@ export class Ghost extends Group {
     });
   }
 
-  /** Bodies that are where they were cast no ghost: it would only dull them. */
+  /** Bodies that have not moved get no ghost: it would only blur them. */
   compare(bodies: readonly Object3D[], size: number): void {
     this.children.forEach((ghost, i) => {
       const { position, quaternion } = bodies[i];

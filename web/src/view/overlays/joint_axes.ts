@@ -10,7 +10,7 @@ export interface JointAxis {
   direction: Vec3;
 }
 
-/** The axes of the joints that move freely, from what B says of them at the moment of these poses. */
+/** The axes of the free joints, from B at the moment of these poses. */
 export function jointAxesOf(model: ModelInfo, { matrices }: Equations, poses: ArrayLike<number>): JointAxis[] {
   const b = matrices.find(({ name }) => name === "B");
   if (!b) return [];
@@ -27,7 +27,7 @@ export function jointAxesOf(model: ModelInfo, { matrices }: Equations, poses: Ar
   });
 }
 
-/** Of a body that turns, what stands still is w x v / w^2 away from its centre. */
+/** The axis of rotation of a body is at w x v / w^2 from its centre. */
 function axisOf(body: number, linear: Vec3, angular: Vec3, poses: ArrayLike<number>): JointAxis {
   const from = 7 * body;
   const back = new Quaternion(poses[from + 4], poses[from + 5], poses[from + 6], poses[from + 3]).invert();

@@ -21,20 +21,20 @@ import { CentreSigns, Letters, Strokes } from "./signs";
 export const OVERLAYS = ["forces", "axes", "masses", "buoyancy", "trace", "ghost"] as const;
 export type Overlay = (typeof OVERLAYS)[number];
 
-/** Half of a joint's axis, and a buoyancy's arrow, as parts of the size of the model. */
+/** Half length of a joint's axis, and length of a buoyancy arrow, relative to the size of the model. */
 const AXIS = 0.06;
 const UP = 0.16;
 
-/** What is drawn over the bodies on demand. */
+/** Overlays over the bodies, on demand. */
 export class Overlays extends Group {
   readonly on = new Set<Overlay>();
-  /** Metres in the picture to a newton and to a newton metre; 0 where no arrow is drawn. */
+  /** Metres in the picture per newton and per newton metre; 0 if no arrow is drawn. */
   metresPer = { force: 0, moment: 0 };
   private readonly parts = { arrows: new Arrows(), axes: new Strokes(), masses: new CentreSigns(), heights: new Strokes(), letters: new Letters(), path: new Strokes(false), ghost: new Ghost() };
   private readonly scales = { force: new ArrowScale(), moment: new ArrowScale() };
   private isBlank = false;
   private jointAxes: JointAxis[] = [];
-  /** The bodies that the ghost shares its shapes with. */
+  /** The bodies whose shapes the ghost shares. */
   private ghostOf: unknown = null;
   private floating: { at: Hydrostatics; signs: FloatingSigns[] } | null = null;
 
@@ -43,14 +43,14 @@ export class Overlays extends Group {
     this.add(...Object.values(this.parts));
   }
 
-  /** Another run, or the same one from its start. */
+  /** Another run, or a reset. */
   begin(): void {
     this.jointAxes = [];
     this.floating = null;
     for (const scale of Object.values(this.scales)) scale.reset();
   }
 
-  /** What the engine beside says of the run at these poses. */
+  /** Results of the second engine for the run at these poses. */
   hearEquations(run: Run, equations: Equations, poses: ArrayLike<number>): void {
     this.jointAxes = jointAxesOf(run.model, equations, poses);
   }
@@ -59,11 +59,11 @@ export class Overlays extends Group {
     this.floating = { at: found, signs: [] };
   }
 
-  /** At a moment; `path` are the places of the load before it. */
+  /** Shows a moment; `path` holds the earlier places of the load. */
   show(run: Run, moment: Moment, start: ArrayLike<number>, path: () => readonly Vec3[], palette: Palette): void {
     const { parts, on, fleet } = this;
     const { poses } = moment;
-    // Sixty times a second nothing is made for nothing.
+    // This runs sixty times a second: allocate nothing needlessly.
     if (on.size === 0 && this.isBlank) return;
     this.isBlank = on.size === 0;
     if (on.has("buoyancy") && this.floating) this.floating.signs = floatingSignsOf(run.model, this.floating.at, poses);

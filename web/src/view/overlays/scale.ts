@@ -1,10 +1,10 @@
 import type { Load } from "./forces";
 
-/** The longest arrow, as a part of the size of the model, and how much longer one may grow before the scale is changed. */
+/** The longest arrow, relative to the size of the model, and the factor by which it may grow before the scale changes. */
 const LONGEST = 0.4;
 const GROWN = 1.5;
 
-/** Length of the arrows: metres in the picture to a newton; it changes only where an arrow would be too long. */
+/** Scale of the arrows: metres in the picture per newton; it changes only if an arrow would be too long. */
 export class ArrowScale {
   private m_per_unit = 0;
 
@@ -21,7 +21,7 @@ export class ArrowScale {
   }
 }
 
-/** A round number whose bar is at most so long: 1, 2 or 5 and a power of ten. */
+/** A round number whose bar has at most a given length: 1, 2 or 5 times a power of ten. */
 export function barOf(px_per_unit: number, most_px: number): { value: number; px: number } | null {
   if (!(px_per_unit > 0) || !Number.isFinite(px_per_unit)) return null;
   const most = most_px / px_per_unit;
@@ -32,7 +32,7 @@ export function barOf(px_per_unit: number, most_px: number): { value: number; px
 
 const PREFIXES = [["G", 1e9], ["M", 1e6], ["k", 1e3], ["", 1]] as const;
 
-/** As `200 kN`. */
+/** A text such as `200 kN`. */
 export function written(value: number, unit: string): string {
   const [prefix, factor] = PREFIXES.find(([, one]) => value >= one) ?? ["", 1];
   return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;

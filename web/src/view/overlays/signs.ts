@@ -4,7 +4,7 @@ import type { Vec3 } from "../fit";
 
 /** Size of a sign of a centre of mass, pixels. */
 const SIGN_PX = 20;
-/** Height of a letter, as a part of the picture's. */
+/** Height of a letter, as a share of the picture's. */
 const LETTER = 0.05;
 
 /** Places that are marked with the sign of a centre of mass: a circle in black and white quarters. One draw call. */
@@ -38,7 +38,7 @@ export class Strokes extends LineSegments<BufferGeometry, LineBasicMaterial> {
   }
 }
 
-/** Letters at places; what they say is written anew only where it is other. */
+/** Letters at places; a text is redrawn only if it changed. */
 export class Letters extends Group {
   private said = "";
 
@@ -58,7 +58,7 @@ export class Letters extends Group {
     this.clear();
     for (const [i, text] of texts.entries()) {
       const sprite = new Sprite(new SpriteMaterial({ map: written(text, ink, halo), depthTest: false, sizeAttenuation: false }));
-      // In turn to the right and to the left: some lie close together.
+      // Alternately to the right and to the left, because some are close together.
       sprite.center.set(i % 2 === 0 ? -0.1 : 1.1, 0.5);
       sprite.scale.setScalar(LETTER);
       sprite.renderOrder = 14;

@@ -8,14 +8,14 @@ import type { View } from "../view";
 import type { Overlay } from "./overlays";
 import { barOf, written } from "./scale";
 
-/** What the engine beside is asked for, once the run has rested so long, ms. */
+/** Pause of the run after which the second engine computes, ms. */
 const CALM_MS = 300;
-/** Places of the load's path that are drawn, at most. */
+/** Most drawn places of the load's path. */
 const PATH = 800;
-/** Length of the bar of the scale, pixels, at most. */
+/** Largest length of the scale bar, pixels. */
 const BAR_PX = 90;
 
-/** Feeds the overlays with the run: its moments, its recording, and what the engine beside says of it. */
+/** Feeds the overlays with the run: its moments, its recording, and results of the second engine. */
 export class Watched {
   private readonly box = byId("arrow-scale");
   private timer = 0;
@@ -55,7 +55,7 @@ export class Watched {
     if (this.moment) this.show(this.moment);
   }
 
-  /** Where the load was up to a time. */
+  /** The path of the load up to a time. */
   private path(until_s: number): Vec3[] {
     const { load } = this.view;
     const rows = this.session.shown.recording?.rows.items ?? [];
@@ -88,7 +88,7 @@ export class Watched {
     this.refresh();
   }
 
-  /** How long an arrow of a round force is in the middle of the picture. */
+  /** Length of the arrow of a round force in the middle of the picture. */
   showScale(): void {
     const { metresPer, on } = this.view.overlays;
     this.box.hidden = !on.has("forces");

@@ -1,12 +1,13 @@
 //! Effect of regular waves of unit amplitude on the free coordinates.
 
 use super::ResponseError;
+use super::wave_forces::WaveForces;
 use crate::dynamics::Kinematics;
 use crate::elements::{AnyElement, RegularWaves, WavePlace};
 use crate::model::Model;
 use crate::sea::waves::wave_number;
 use crate::simulation::Simulation;
-use crate::spatial::Twist;
+use crate::spatial::{Twist, Vector3, Wrench};
 use nalgebra::{Complex, DMatrix};
 
 /// The wave loads on all elements that waves act on.
@@ -14,9 +15,14 @@ pub(super) struct WaveLoads<'a> {
     loaded: Vec<Loaded<'a>>,
 }
 
+/// Forces of an element in regular waves, of which some may be none.
+pub(super) const FORCES: usize = 6;
+
 /// One element, and the response of the free coordinates to its forces.
 struct Loaded<'a> {
     element: Box<dyn RegularWaves + 'a>,
+    /// Its index among all elements.
+    index: usize,
     /// Its position and heading at rest.
     place: WavePlace,
     /// Accelerations of the free coordinates per force: M*^-1 J^T.
@@ -35,13 +41,14 @@ impl<'a> WaveLoads<'a> {
         let matrices = rest.moving_frame();
         let bordered = bordered(&matrices.m_star, &matrices.j).lu();
         let mut loaded = Vec::new();
-        for element in elements.iter().filter_map(|element| element.regular_waves()) {
+        let in_waves = elements.iter().enumerate().filter_map(|(i, element)| Some((i, element.regular_waves()?)));
+        for (index, element) in in_waves {
             let rows: Vec<[f64; 6]> = twists.iter().map(|twists| element.along(&at_rest, twists)).collect();
-            let forces = DMatrix::from_fn(rows.len(), 6, |row, mode| rows[row][mode]);
+            let forces = DMatrix::from_fn(rows.len(), FORCES, |row, mode| rows[row][mode]);
             let right = forces.resize_vertically(free.len() + matrices.j.nrows(), 0.0);
             let mobility = bordered.solve(&right).ok_or(ResponseError::NoHull)?;
             let mobility = mobility.rows(0, free.len()).into_owned();
-            loaded.push(Loaded { place: element.place(&at_rest), element, mobility });
+            loaded.push(Loaded { place: element.place(&at_rest), element, index, mobility });
         }
         if loaded.is_empty() { Err(ResponseError::NoHull) } else { Ok(Self { loaded }) }
     }
@@ -72,28 +79,78 @@ impl<'a> WaveLoads<'a> {
 
     /// Accelerations of the free coordinates under waves of unit amplitude, a column for each direction.
     pub(super) fn accelerations(&self, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
-        let reference = self.reference_m();
-        let each = self.loaded.iter().map(|loaded| loaded.accelerations(omega, directions, reference));
+        let of = |loaded: &Loaded<'_>| {
+            loaded.mobility.map(|entry| Complex::new(entry, 0.0)) * self.forces_on(loaded, omega, directions)
+        };
+        let each = self.loaded.iter().map(of);
         each.reduce(|sum, next| sum + next).unwrap_or_else(|| DMatrix::zeros(0, directions.len()))
     }
-}
 
-impl Loaded<'_> {
-    fn accelerations(&self, omega: f64, directions: &[f64], reference: [f64; 2]) -> DMatrix<Complex<f64>> {
-        let k = wave_number(omega, &self.element.water());
-        let [x, y] = [0, 1].map(|axis| self.place.position[axis] - reference[axis]);
-        let amplitudes = self.element.amplitudes(omega, directions, self.place.heading);
-        let mut force = DMatrix::from_fn(6, directions.len(), |mode, wave| {
+    /// All forces of waves of unit amplitude, [`FORCES`] rows for each element, a column for each direction.
+    pub(super) fn forces(&self, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
+        let mut all = DMatrix::zeros(FORCES * self.loaded.len(), directions.len());
+        for (i, loaded) in self.loaded.iter().enumerate() {
+            all.rows_mut(FORCES * i, FORCES).copy_from(&self.forces_on(loaded, omega, directions));
+        }
+        all
+    }
+
+    /// Of an element among all the first of these rows; `None` where waves do not act on it.
+    pub(super) fn first_force_on(&self, element: usize) -> Option<usize> {
+        Some(FORCES * self.loaded.iter().position(|loaded| loaded.index == element)?)
+    }
+
+    /// The elevation at a place, world, m, of waves that are 1 at the reference point.
+    pub(super) fn elevation(&self, omega: f64, direction: f64, place: [f64; 2]) -> Complex<f64> {
+        let k = wave_number(omega, &self.loaded[0].element.water());
+        phase(k, direction, [0, 1].map(|axis| place[axis] - self.reference_m()[axis]))
+    }
+
+    fn forces_on(&self, loaded: &Loaded<'_>, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
+        let k = wave_number(omega, &loaded.element.water());
+        let off = [0, 1].map(|axis| loaded.place.position[axis] - self.reference_m()[axis]);
+        let amplitudes = loaded.element.amplitudes(omega, directions, loaded.place.heading);
+        let mut force = DMatrix::from_fn(FORCES, directions.len(), |mode, wave| {
             let [re, im] = amplitudes[wave][mode];
             Complex::new(re, im)
         });
         for (mut column, &direction) in force.column_iter_mut().zip(directions) {
-            let (sin, cos) = libm::sincos(direction);
-            let (sin, cos) = libm::sincos(k * (x * cos + y * sin));
-            column *= Complex::new(cos, sin);
+            column *= phase(k, direction, off);
         }
-        self.mobility.map(|entry| Complex::new(entry, 0.0)) * force
+        force
     }
+
+    /// The same forces as elements of a model at rest, whose inputs they are.
+    pub(super) fn as_inputs(&self, rest: &Simulation) -> Vec<WaveForces> {
+        let bodies = rest.model().bodies.len();
+        let at_rest = kinematics(rest.model(), &rest.state().q);
+        let unit = |body: usize, entry: usize| {
+            let mut twists = vec![Twist::zero(); bodies];
+            let of = if entry < 3 { &mut twists[body].linear } else { &mut twists[body].angular };
+            of.0[entry % 3] = 1.0;
+            twists
+        };
+        let of = |loaded: &Loaded<'_>| {
+            let on = |body: usize| {
+                let along: [[f64; FORCES]; 6] =
+                    core::array::from_fn(|entry| loaded.element.along(&at_rest, &unit(body, entry)));
+                let wrench = |mode: usize| {
+                    let part = |first: usize| core::array::from_fn(|axis| along[first + axis][mode]);
+                    Wrench { force: Vector3(part(0)), moment: Vector3(part(3)) }
+                };
+                (body, core::array::from_fn(wrench))
+            };
+            WaveForces::new((0..bodies).map(on))
+        };
+        self.loaded.iter().map(of).collect()
+    }
+}
+
+/// What waves of this direction lag or lead by so far off, m.
+fn phase(k: f64, direction: f64, [x, y]: [f64; 2]) -> Complex<f64> {
+    let (sin, cos) = libm::sincos(direction);
+    let (sin, cos) = libm::sincos(k * (x * cos + y * sin));
+    Complex::new(cos, sin)
 }
 
 /// A grid with three more points in each interval.

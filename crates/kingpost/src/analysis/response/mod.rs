@@ -1,9 +1,19 @@
 //! The response of ship and crane to small regular waves: response amplitude operators.
 
+mod columns;
 mod excitation;
 mod output;
+mod resonances;
+mod rows;
+mod smoothness;
+mod wave_forces;
 
-use super::Linearizer;
+pub use columns::{ColumnResponse, NotLinear};
+pub use resonances::Resonance;
+
+use super::{Linearization, Linearizer};
+use crate::elements::AnyElement;
+use crate::plant::Along;
 use crate::scenario::{Scenario, ScenarioError};
 use crate::simulation::{NoEquilibrium, Simulation};
 use excitation::WaveLoads;
@@ -71,6 +81,9 @@ pub enum ResponseError {
     /// No waves act.
     #[error("forces: found no hull that waves act on, allowed: a hydrodynamics force with excitation on")]
     NoHull,
+    /// A column that no row of the results has.
+    #[error("columns: found {0:?}, allowed: columns of the results")]
+    Column(String),
     /// A direction or frequency.
     #[error("{quantity}: found {found}, allowed: {allowed}")]
     Wave {
@@ -101,19 +114,13 @@ impl Scenario {
     /// # Errors
     /// No equilibrium, no hull, a frequency that a database does not cover.
     pub fn wave_response(&self, simulation: &Simulation, waves: &WaveGrid) -> Result<WaveResponse, ResponseError> {
-        let elements = self.setup()?.elements;
-        if elements.iter().all(|element| element.regular_waves().is_none()) {
-            return Err(ResponseError::NoHull);
-        }
-        let mut rest = simulation.clone();
-        rest.settle()?;
-        let mut linearizer = Linearizer::new(self)?.at_rest();
-        let free: Vec<usize> = linearizer.positions().collect();
-        let linear = linearizer.at(&rest);
-        let loads = WaveLoads::new(&elements, &mut rest, &free)?;
+        let elements = self.elements_in_waves()?;
+        let mut at_rest = AtRest::new(self, simulation)?;
+        let loads = WaveLoads::new(&elements, &mut at_rest.rest, &at_rest.free)?;
         let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
         check_directions(&waves.directions_rad)?;
-        let outputs = Outputs::new(&rest, &free);
+        let AtRest { rest, free, linear, .. } = &at_rest;
+        let outputs = Outputs::new(rest, free);
 
         let (states, directions) = (linear.states.len(), waves.directions_rad.len());
         let width = outputs.rows();
@@ -121,13 +128,7 @@ impl Scenario {
         let (mut real, mut imaginary) = (vec![0.0; numbers * width], vec![0.0; numbers * width]);
         let mut of_states = vec![[0.0; 2]; numbers * states];
         for (k, &omega) in frequencies_rad_s.iter().enumerate() {
-            let mut right = DMatrix::<Complex<f64>>::zeros(states, directions);
-            let pushed = loads.accelerations(omega, &waves.directions_rad);
-            right.view_mut((free.len(), 0), (free.len(), directions)).copy_from(&pushed);
-            let system = DMatrix::from_fn(states, states, |i, j| {
-                Complex::new(-linear.a[(i, j)], if i == j { -omega } else { 0.0 })
-            });
-            let x = system.lu().solve(&right).ok_or(ResponseError::Resonance { found: omega })?;
+            let x = at_rest.states(&loads, omega, &waves.directions_rad)?;
             for direction in 0..directions {
                 let at = direction * frequencies_rad_s.len() + k;
                 let x = x.column(direction);
@@ -149,12 +150,56 @@ impl Scenario {
             places_m: outputs.places_m,
             bodies: outputs.bodies,
             coordinates: rest.coordinates(),
-            states: linear.states,
+            states: linear.states.clone(),
             real,
             imaginary,
             of_states,
-            warnings: self.hydrostatic_report_at(&rest).map_or_else(|_| Vec::new(), |report| report.warnings),
+            warnings: self.hydrostatic_report_at(rest).map_or_else(|_| Vec::new(), |report| report.warnings),
         })
+    }
+
+    /// Its elements, among which are some that waves act on.
+    fn elements_in_waves(&self) -> Result<Vec<AnyElement>, ResponseError> {
+        let elements = self.setup()?.elements;
+        let in_waves = elements.iter().any(|element| element.regular_waves().is_some());
+        if in_waves { Ok(elements) } else { Err(ResponseError::NoHull) }
+    }
+}
+
+/// A simulation at rest in still water, linearised there.
+struct AtRest {
+    rest: Simulation,
+    linear: Linearization,
+    /// Indices in v of the free coordinates.
+    free: Vec<usize>,
+    /// What each state is.
+    along: Vec<Along>,
+}
+
+impl AtRest {
+    fn new(scenario: &Scenario, simulation: &Simulation) -> Result<Self, ResponseError> {
+        let mut rest = simulation.clone();
+        rest.settle()?;
+        let mut linearizer = Linearizer::new(scenario)?.at_rest();
+        let free: Vec<usize> = linearizer.positions().collect();
+        let linear = linearizer.at(&rest);
+        Ok(Self { rest, linear, free, along: linearizer.along().to_vec() })
+    }
+
+    /// Amplitudes of the states in waves of 1 m, a column for each direction: `(-i w - A) x = b`.
+    fn states(
+        &self,
+        loads: &WaveLoads<'_>,
+        omega: f64,
+        directions: &[f64],
+    ) -> Result<DMatrix<Complex<f64>>, ResponseError> {
+        let (states, free) = (self.linear.states.len(), self.free.len());
+        let mut right = DMatrix::<Complex<f64>>::zeros(states, directions.len());
+        right.view_mut((free, 0), (free, directions.len())).copy_from(&loads.accelerations(omega, directions));
+        let system = DMatrix::from_fn(states, states, |i, j| {
+            Complex::new(-self.linear.a[(i, j)], if i == j { -omega } else { 0.0 })
+        });
+        system.lu().solve(&right).ok_or(ResponseError::Resonance { found: omega })
     }
 }
 

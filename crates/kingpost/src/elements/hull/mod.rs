@@ -30,8 +30,8 @@ pub use place::{CoefficientFrame, HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
-use super::{AnyWatcher, Context, Declaration, Element, Output, Own, RegularWaves, Situation, VectorFrame};
-use crate::dynamics::Loads;
+use super::{AnyWatcher, Context, Declaration, Element, Output, Own, RegularWaves, ShownWaves, Situation, VectorFrame};
+use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
@@ -115,6 +115,15 @@ pub struct Hull<S = f64> {
     pub quadratic_terms: QuadraticTerms,
     /// Cut-off of the filter of the slow frame, rad/s.
     pub cutoff_rad_s: f64,
+}
+
+impl<S: Scalar> Hull<S> {
+    /// Whether any load on it is about the draught of its data, upright.
+    pub fn is_linear(&self) -> bool {
+        let Self { hydrostatics, added_mass, radiation, excitation, .. } = self;
+        let linear = matches!(hydrostatics, Hydrostatics::Linear(_));
+        linear || added_mass.is_some() || radiation.is_some() || excitation.is_some()
+    }
 }
 
 impl<S: Scalar> Element<S> for Hull<S> {
@@ -236,10 +245,23 @@ impl<S: Scalar> Element<S> for Hull<S> {
         Some(Box::new(InRegularWaves::new(self, database)))
     }
 
+    fn shown_waves(&self, bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
+        let Some(waves) = self.regular_waves() else { return Vec::new() };
+        let elevation = ShownWaves::Elevation { place: waves.place(bodies).position, times: S::ONE };
+        let forces = (0..MODES).map(|mode| (ELEVATIONS + mode, ShownWaves::Force(mode)));
+        let drift = (0..MODES).map(|mode| (ELEVATIONS + MODES + mode, ShownWaves::NotLinear));
+        [(0, elevation)].into_iter().chain(forces).chain(drift).collect()
+    }
+
     fn keeps_afloat(&self) -> Option<usize> {
         Some(self.frame.body)
     }
 }
+
+/// How many numbers [`Hull::outputs`](Element::outputs) begins with, before forces of [`MODES`] each.
+const ELEVATIONS: usize = 1;
+/// Surge, sway, heave, roll, pitch and yaw.
+const MODES: usize = 6;
 
 /// The outputs of a hull, in the order of [`Hull::outputs`](Element::outputs).
 fn outputs(name: &str) -> Vec<Output> {

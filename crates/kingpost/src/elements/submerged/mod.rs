@@ -12,9 +12,10 @@ pub use loads::{AddedMassOf, Drag, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
-    Components, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, Situation, VectorFrame,
+    Components, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, ShownWaves, Situation,
+    VectorFrame,
 };
-use crate::dynamics::Loads;
+use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
 use crate::sea::hull::Solid;
 use crate::spatial::{Frame, Vector3, Wrench};
@@ -183,6 +184,15 @@ impl<S: Scalar> Element<S> for Submerged<S> {
             IS_UNDER => Phase::Wet,
             _ => Phase::Dry,
         } as i64;
+    }
+
+    fn shown_waves(&self, _bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
+        let written = self.declare().outputs.iter().map(Output::len).sum();
+        (0..written).map(|number| (number, ShownWaves::NotLinear)).collect()
+    }
+
+    fn left_out_at_rest(&self) -> Option<&'static str> {
+        Some("waves and the drag of the water act on it in runs alone: where it is wet the response is not whole")
     }
 
     fn ties(&self) -> Vec<[Option<usize>; 2]> {

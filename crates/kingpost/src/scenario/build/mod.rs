@@ -2,6 +2,7 @@
 
 mod axes;
 mod bodies;
+mod capacity;
 mod clearances;
 mod columns;
 mod contacts;
@@ -22,6 +23,7 @@ mod positioning;
 mod positioning_loop;
 mod ropes;
 mod ropes_at_start;
+mod sea_spectra;
 mod sensors;
 mod soft_hold;
 mod station;
@@ -30,7 +32,7 @@ mod submerged;
 mod tanks;
 mod watchers;
 mod water;
-mod wave_motion;
+pub(super) mod wave_motion;
 pub(super) mod waves;
 mod wind_and_current;
 mod world;
@@ -50,6 +52,7 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::{SchemeName, Settings, Setup, Simulation};
 use crate::spatial::Frame;
 use crate::world::World;
+pub use sea_spectra::{SeaSpectrum, SeaWaves};
 
 /// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;
@@ -69,6 +72,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
     contacts::begin(&mut setup)?;
+    capacity::check(scenario, &setup)?;
     equilibrium::settle(scenario, &mut setup)?;
     ropes_at_start::check_loads(&setup)?;
     contacts::check_rest(&setup)?;

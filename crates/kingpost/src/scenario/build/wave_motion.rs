@@ -6,9 +6,10 @@ use super::still_water;
 use super::water::check_coverage;
 use crate::elements::drives::WaveMotion;
 use crate::model::Model;
+use crate::scalar::Scalar;
 use crate::scenario::leaf::Quantity;
-use crate::sea::raos::{MotionResponse, RaoTable};
-use crate::sea::waves::{WaveComponent, WaveField};
+use crate::sea::raos::{MotionResponse, OtherUnit, RaoTable};
+use crate::sea::waves::{Water, WaveComponent, WaveField, wave_number};
 use crate::world::World;
 
 /// Mode of each coordinate of the joint: x, y, z, yaw, pitch, roll.
@@ -30,6 +31,9 @@ pub fn build<S: Quantity>(
         })?;
         still_water::gravity(scenario)?;
         check_coverage(&format!("{field}.raos"), table.band_rad_s(), world)?;
+        if let Some(OtherUnit { found, allowed, .. }) = other_unit(&table, world).filter(|unit| unit.is_sure) {
+            return Err(FieldError::new(format!("{field}.raos"), found, allowed));
+        }
         let waves = world.waves.iter().flat_map(WaveField::components);
         let node = &model.tree.nodes[index];
         motions.push(WaveMotion {
@@ -39,6 +43,16 @@ pub fn build<S: Quantity>(
         });
     }
     Ok(motions)
+}
+
+/// Whether rotations of a table are likely in the other unit than its file says, by the longest waves on the world's water.
+pub fn other_unit<S: Quantity>(table: &RaoTable, world: &World<S>) -> Option<OtherUnit> {
+    let water = Water {
+        density_kg_m3: world.water_density.value(),
+        gravity_m_s2: world.gravity.value(),
+        depth_m: world.depth.map(Scalar::value),
+    };
+    table.other_unit(wave_number(table.band_rad_s()[0], &water))
 }
 
 /// X a of each coordinate in a wave, at the origin of the vessel's axes: the motion at the RAOs' own origin r is

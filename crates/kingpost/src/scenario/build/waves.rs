@@ -55,21 +55,26 @@ fn constant<S: Quantity>(waves: Vec<WaveComponent>, scale: S) -> Vec<Wave<S>> {
 }
 
 /// The path of a wave system.
-struct SystemField {
+pub(super) struct SystemField {
     path: String,
 }
 
 impl SystemField {
+    /// Of waves without a name.
+    pub(super) fn of(waves: &Waves) -> Self {
+        Self { path: format!("sea.waves.{}", waves.kind()) }
+    }
+
     fn field(&self, name: &str) -> String {
         format!("{}.{name}", self.path)
     }
 
-    fn error(&self, error: WaveError) -> FieldError {
+    pub(super) fn error(&self, error: WaveError) -> FieldError {
         FieldError::new(self.field(&error.field), error.found, error.allowed)
     }
 
     /// The same for the waves of a spectrum, where some fields belong to the realisation.
-    fn of_realisation(&self, error: WaveError) -> FieldError {
+    pub(super) fn of_realisation(&self, error: WaveError) -> FieldError {
         let of_realisation = OF_REALISATION.iter().any(|part| error.field.starts_with(part));
         let field = if of_realisation { format!("realisation.{}", error.field) } else { error.field };
         FieldError::new(self.field(&field), error.found, error.allowed)
@@ -94,7 +99,7 @@ pub fn cut_off(scenario: &Scenario) -> Vec<(String, f64, f64)> {
     cut.collect()
 }
 
-fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<Vec<Wave<S>>, WaveError> {
+pub(super) fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<Vec<Wave<S>>, WaveError> {
     let schema::RegularWave { height_m, period_s, direction_rad, phase_rad, .. } = wave;
     let height_m = height_m.get();
     let of = |height: f64| WaveComponent::regular(height, period_s.get(), *direction_rad, *phase_rad, water);
@@ -108,7 +113,7 @@ fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<
     }
 }
 
-fn record<S: Quantity>(
+pub(super) fn record<S: Quantity>(
     scenario: &Scenario<S>,
     given: &schema::ElevationRecord,
     water: &Water,
@@ -122,7 +127,7 @@ fn record<S: Quantity>(
 /// The random sea of a spectrum, and the factor 1 that carries the derivatives of its amplitudes; `None` for other
 /// kinds of waves. The amplitudes of a spectrum with one peak are proportional to the significant height. Those with
 /// two peaks are not: their frequencies change with the heights.
-fn of_spectrum<S: Quantity>(
+pub(super) fn of_spectrum<S: Quantity>(
     waves: &Waves<S>,
     water: &Water,
     at: &SystemField,

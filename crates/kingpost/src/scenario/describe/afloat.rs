@@ -89,18 +89,12 @@ fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {
 /// The hulls, in the order of results.
 pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
     let described = of_kind(&setup.elements).filter_map(|hull: &Hull| {
-        let water = water(scenario, &hull.name)?;
+        let water = scenario.hydrodynamics(&hull.name)?;
         let at_rest = &scenario.files.database(&water.database)?.hull;
         let is_linear = water.hydrostatics != schema::Hydrostatics::Mesh;
         Some(hull_description(hull, &setup.model.bodies[hull.frame.body].name, at_rest, is_linear))
     });
     described.collect()
-}
-
-/// The water on the hull of a force.
-fn water<'a>(scenario: &'a Scenario, force: &str) -> Option<&'a schema::Hydrodynamics> {
-    let (_, force) = scenario.forces.iter().find(|(name, _)| name.as_str() == force)?;
-    if let schema::Force::Hydrodynamics(water) = force { Some(water) } else { None }
 }
 
 /// Whether a body with this joint is a ship or floats like one.

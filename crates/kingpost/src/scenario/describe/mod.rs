@@ -231,7 +231,7 @@ impl Scenario {
             limits: limits.into_iter().map(describe_limit).collect(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
-            warnings: warnings::of(&model, &world, &elements),
+            warnings: warnings::of(self, &model, &world, &elements),
         })
     }
 }

@@ -1,14 +1,69 @@
 //! Warnings about a model before it runs.
 
-use crate::elements::AnyElement;
+use crate::elements::hull::Hydrostatics;
+use crate::elements::{AnyElement, Hull, of_kind};
 use crate::model::Model;
+use crate::scenario::build::wave_motion::other_unit;
+use crate::scenario::schema::{Joint, Scenario};
 use crate::scenario::ties::{floats_freely, tied_to_the_world};
+use crate::sea::database::Database;
+use crate::sea::raos::OtherUnit;
 use crate::world::World;
 
+/// A hull whose mass differs by more than this share from what its data displace is warned of.
+const LARGEST_CHANGE_OF_MASS: f64 = 0.25;
+
 /// All warnings.
-pub fn of(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
+pub fn of(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let falls = |body: usize| format!("gravity acts and nothing carries {}: it falls", model.bodies[body].name);
-    falling(model, world, elements).into_iter().map(falls).collect()
+    let falling = falling(model, world, elements).into_iter().map(falls);
+    falling.chain(of_databases(scenario, model, world, elements)).chain(of_raos(scenario, model, world)).collect()
+}
+
+/// Of the numbers of hulls in the water.
+fn of_databases(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for hull in of_kind::<f64, Hull>(elements) {
+        let (Some(given), Some(database)) = (scenario.hydrodynamics(&hull.name), scenario.database_of(&hull.name))
+        else {
+            continue;
+        };
+        let (body, file) = (&model.bodies[hull.frame.body].name, &given.database);
+        warnings.extend(database.doubts().into_iter().map(|doubt| format!("{body}: {file}: {doubt}")));
+        let afloat = world.gravity > 0.0 && floats_freely(model, hull.frame.body);
+        let counts = afloat && hull.is_linear() && !matches!(hull.hydrostatics, Hydrostatics::None);
+        warnings.extend(of_mass(model, hull, database).filter(|_| counts));
+    }
+    warnings
+}
+
+/// Of a hull that floats far from the draught of its data.
+fn of_mass(model: &Model, hull: &Hull, database: &Database) -> Option<String> {
+    let of_data = database.water.density_kg_m3 * database.hull.volume_m3;
+    let mass: f64 = model.carried(hull.frame.body).iter().map(|&body| model.bodies[body].mass).sum();
+    ((mass / of_data - 1.0).abs() > LARGEST_CHANGE_OF_MASS).then(|| {
+        format!(
+            "{}: {:.3} t with what its joints carry, its database is of {:.3} t displaced: {:.1} % apart (warned of beyond {:.0} %)",
+            model.bodies[hull.frame.body].name,
+            mass / 1000.0,
+            of_data / 1000.0,
+            100.0 * (mass / of_data - 1.0).abs(),
+            100.0 * LARGEST_CHANGE_OF_MASS
+        )
+    })
+}
+
+/// Of displacement RAOs whose rotations look like another unit's.
+fn of_raos(scenario: &Scenario, model: &Model, world: &World) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for (name, body) in &scenario.bodies {
+        let (Joint::MovedByWaves(given), Some(_)) = (&body.joint, model.body(name)) else { continue };
+        let whole = scenario.files.raos(&given.raos).and_then(|table| table.whole_circle(given.symmetric).ok());
+        if let Some(OtherUnit { found, allowed, .. }) = whole.and_then(|table| other_unit(&table, world)) {
+            warnings.push(format!("{name}: {}: {found}, where it is {allowed}", given.raos));
+        }
+    }
+    warnings
 }
 
 /// Floating bodies under gravity that nothing connects to the world: no joint, no closed loop and no element that can

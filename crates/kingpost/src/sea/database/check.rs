@@ -1,7 +1,7 @@
 //! Checks that every database must pass.
 
 use super::error::{Checked, unless};
-use super::{Attitude, Database, ExcitationTable, RadiationModel, SixBySix, physical};
+use super::{Attitude, Database, ExcitationTable, RadiationModel, SixBySix, physical, plausible};
 
 /// How far a direction may be from the regular grid, rad: the rounding of seven digits.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
@@ -17,6 +17,7 @@ pub(super) fn check(database: &Database) -> Checked {
     check_excitation("diffraction", database, &database.diffraction)?;
     check_mean_drift(database)?;
     physical::check_matrices(database)?;
+    plausible::check(database)?;
     database.radiation.as_ref().map_or(Ok(()), |model| {
         check_radiation(model)?;
         physical::check_radiation(model, &database.frequencies_rad_s)

@@ -9,6 +9,7 @@ mod check;
 mod drift;
 mod error;
 mod physical;
+mod plausible;
 
 pub use error::DatabaseError;
 
@@ -179,6 +180,12 @@ pub struct RadiationMode {
     pub residues: Vec<[[f64; 2]; 6]>,
 }
 
+/// What the reader of JSON says, without the place, which stands before it, and without the names of Rust's types.
+fn in_words(message: &str) -> String {
+    let message = message.rsplit_once(" at line ").map_or(message, |(words, _)| words);
+    message.replace("expected f64", "expected a number").replace("invalid type: ", "").replace("invalid length ", "")
+}
+
 impl Database {
     /// Reads and checks a database's text.
     ///
@@ -187,7 +194,7 @@ impl Database {
     pub fn read(text: &str) -> Result<Self, DatabaseError> {
         let database: Self = serde_json::from_str(text).map_err(|error| DatabaseError {
             field: format!("line {}, column {}", error.line(), error.column()),
-            found: error.to_string(),
+            found: in_words(&error.to_string()),
             allowed: "a whole hydrodynamic database, as kingpost hydro writes it".to_owned(),
         })?;
         check::check(&database)?;

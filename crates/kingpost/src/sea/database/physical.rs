@@ -36,6 +36,11 @@ fn scale(first: &[SixBySix], second: &[SixBySix], displaced: [f64; 6]) -> [f64; 
     core::array::from_fn(largest)
 }
 
+/// Diagonals of B below this count as no damping.
+pub(super) fn damping_scale(database: &Database) -> [f64; 6] {
+    displaced(database).map(|inertia| SMALL * inertia * rate(database))
+}
+
 /// Mass and inertia of the displaced water, as of a block of the hull's length and beam.
 fn displaced(database: &Database) -> [f64; 6] {
     let (hull, mass) = (&database.hull, database.water.density_kg_m3 * database.hull.volume_m3);

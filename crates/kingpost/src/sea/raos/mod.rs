@@ -2,7 +2,10 @@
 //! conventions.
 
 mod csv;
+mod long_waves;
 mod orcaflex;
+
+pub use long_waves::OtherUnit;
 
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};

@@ -84,6 +84,17 @@ impl WaveSystem {
         Ok((0..count).zip(&bins).map(of_bin).collect())
     }
 
+    /// The band that the waves lie in, and the factor on the spectrum's density there by which they have all of its energy,
+    /// or of what the given band leaves of it.
+    ///
+    /// # Errors
+    /// As [`Self::components`].
+    pub fn kept_band(&self) -> Result<(Band, f64), WaveError> {
+        let band = self.checked_band()?;
+        let [kept, whole] = self.energies(&Ladder::new(&self.spectrum, band), band)?;
+        Ok((band, whole / kept))
+    }
+
     /// Share of the spectrum's energy that the given band cuts off.
     pub fn energy_cut_off(&self) -> f64 {
         let whole = self.spectrum.moment(0, self.spectrum.whole_band());
@@ -118,12 +129,7 @@ impl WaveSystem {
     /// Bins of equal blended mass, with the energy of the whole spectrum within the given ends.
     fn bins(&self, band: Band) -> Result<Vec<Bin>, WaveError> {
         let ladder = Ladder::new(&self.spectrum, band);
-        let kept = ladder.kept();
-        if kept.is_nan() || kept <= 0.0 {
-            let found = format!("no energy from {} to {} rad/s", band.lowest_rad_s, band.highest_rad_s);
-            return Err(WaveError::new("lowest_rad_s, highest_rad_s", found, "a band in which S(w) is above 0"));
-        }
-        let whole = self.spectrum.moment(0, self.within(self.spectrum.whole_band()));
+        let [kept, whole] = self.energies(&ladder, band)?;
         let ends = (0..=self.components).map(|i| ladder.at_mass(i as f64 / self.components as f64));
         let ends: Vec<(f64, f64)> = ends.collect();
         let bin = |ends: &[(f64, f64)]| Bin {
@@ -132,6 +138,16 @@ impl WaveSystem {
             variance_m2: (ends[1].1 - ends[0].1) * whole / kept,
         };
         Ok(ends.windows(2).map(bin).collect())
+    }
+
+    /// The energy in the band, and all of the spectrum within the given ends, m^2.
+    fn energies(&self, ladder: &Ladder, band: Band) -> Result<[f64; 2], WaveError> {
+        let kept = ladder.kept();
+        if kept.is_nan() || kept <= 0.0 {
+            let found = format!("no energy from {} to {} rad/s", band.lowest_rad_s, band.highest_rad_s);
+            return Err(WaveError::new("lowest_rad_s, highest_rad_s", found, "a band in which S(w) is above 0"));
+        }
+        Ok([kept, self.spectrum.moment(0, self.within(self.spectrum.whole_band()))])
     }
 }
 

@@ -1,0 +1,244 @@
+//! How every column of the results answers small regular waves.
+
+use super::excitation::WaveLoads;
+use super::resonances::{Resonance, resolved, resonances};
+use super::rows::Rows;
+use super::{AtRest, ResponseError, WaveGrid, check_directions, smoothness};
+use crate::elements::{AnyElement, ShownWaves};
+use crate::scenario::Scenario;
+use crate::simulation::Simulation;
+use nalgebra::{Complex, DMatrix};
+use serde::Serialize;
+
+/// Columns of the results for each metre of wave amplitude, as complex amplitudes H about their values at rest: as
+/// [`WaveResponse`](super::WaveResponse) has it, a column is `mean + Re{a H e^(-i w t)}`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ColumnResponse {
+    /// Directions that the waves go to, rad.
+    pub directions_rad: Vec<f64>,
+    /// Angular frequencies, rad/s.
+    pub frequencies_rad_s: Vec<f64>,
+    /// Reference point of the phases, world, m.
+    pub reference_m: [f64; 2],
+    /// Heading of the first hull at rest, from the world's x counter-clockwise, rad.
+    pub heading_rad: f64,
+    /// Names of the columns.
+    pub columns: Vec<String>,
+    /// SI unit of each.
+    pub units: Vec<&'static str>,
+    /// The value of each at rest.
+    pub mean: Vec<f64>,
+    /// Why a column has no H; absent where it has one.
+    pub not_linear: Vec<Option<NotLinear>>,
+    /// Real and imaginary part of H by direction, frequency and column; not a number where there is none.
+    #[serde(skip)]
+    pub amplitudes: Vec<[f64; 2]>,
+    /// Natural frequencies that waves may excite, the lowest first.
+    pub resonances: Vec<Resonance>,
+    /// What a user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Why a column does not follow small waves in proportion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum NotLinear {
+    /// It has no slope at rest, or another one to either side.
+    NotSmooth,
+    /// At rest it changes with the square of the motions, or of the waves.
+    SecondOrder,
+    /// It is an integral over the run, or its time.
+    OverTime,
+    /// It is held between the samples of its element.
+    Sampled,
+}
+
+/// The amplitude of waves by which columns are tried, m: far above rounding, far below what bends a curve.
+const PROBED_M: f64 = 1e-3;
+/// Directions of those waves beside the heading, rad, and their places among the frequencies.
+const PROBED: [[f64; 2]; 6] = [[0.7, 0.1], [0.7, 0.3], [0.7, 0.6], [2.3, 0.1], [2.3, 0.3], [2.3, 0.6]];
+
+impl Scenario {
+    /// How columns of the results of a simulation answer regular waves, as [`wave_response`](Self::wave_response) has its
+    /// motions; all columns where none are named. `about_resonances` adds frequencies about each that is narrower than the
+    /// steps between those asked for.
+    ///
+    /// With the states' amplitudes x and the forces f of waves of 1 m, `H = C x + D f + E`: C and D are the exact
+    /// derivatives of a row of results at rest by the states and by forces at the hulls (accelerations and what joints
+    /// carry follow the forces at once), E is what a column shows of the waves themselves, as their elevation. A column
+    /// that has no such derivative has no H, and the reason.
+    ///
+    /// # Errors
+    /// As [`wave_response`](Self::wave_response), and a column that is not there.
+    pub fn column_response(
+        &self,
+        simulation: &Simulation,
+        waves: &WaveGrid,
+        columns: &[String],
+        about_resonances: bool,
+    ) -> Result<ColumnResponse, ResponseError> {
+        let elements = self.elements_in_waves()?;
+        let mut at = AtRest::new(self, simulation)?;
+        let loads = WaveLoads::new(&elements, &mut at.rest, &at.free)?;
+        let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
+        check_directions(&waves.directions_rad)?;
+        let resonances = resonances(&at.linear.a);
+        let frequencies_rad_s =
+            if about_resonances { resolved(&frequencies_rad_s, &resonances) } else { frequencies_rad_s };
+        let mut rows = Rows::new(self, &at, &loads)?;
+        let shown = Shown::new(&elements, &at, &loads, &mut rows);
+        smoothness::mark(&mut rows, &probes(&at, &loads, &frequencies_rad_s)?);
+        let chosen = chosen(&rows, columns)?;
+
+        let count = waves.directions_rad.len() * frequencies_rad_s.len();
+        let mut amplitudes = vec![[f64::NAN; 2]; count * chosen.len()];
+        let of_chosen = DMatrix::from_fn(chosen.len(), rows.derivatives.ncols(), |row, by| {
+            Complex::new(rows.derivatives[(chosen[row].place, by)], 0.0)
+        });
+        for (k, &omega) in frequencies_rad_s.iter().enumerate() {
+            let moved = moved(&at, &loads, omega, &waves.directions_rad)?;
+            let mut h = &of_chosen * moved;
+            shown.add(&loads, omega, &waves.directions_rad, &chosen, &mut h);
+            for direction in 0..waves.directions_rad.len() {
+                let first = (direction * frequencies_rad_s.len() + k) * chosen.len();
+                for (row, _) in chosen.iter().enumerate().filter(|(_, column)| column.not_linear.is_none()) {
+                    let Complex { re, im } = h[(row, direction)];
+                    amplitudes[first + row] = [re, im];
+                }
+            }
+        }
+        Ok(ColumnResponse {
+            directions_rad: waves.directions_rad.clone(),
+            frequencies_rad_s,
+            reference_m: loads.reference_m(),
+            heading_rad: loads.heading_rad(),
+            columns: chosen.iter().map(|column| column.name.clone()).collect(),
+            units: chosen.iter().map(|column| column.unit).collect(),
+            mean: chosen.iter().map(|column| rows.mean[column.place]).collect(),
+            not_linear: chosen.iter().map(|column| column.not_linear).collect(),
+            amplitudes,
+            resonances,
+            warnings: self.warnings_of_response(&at, &elements, &rows),
+        })
+    }
+
+    /// What stands still or is left out about rest.
+    fn warnings_of_response(&self, at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
+        let mut warnings = self.hydrostatic_report_at(&at.rest).map_or_else(|_| Vec::new(), |report| report.warnings);
+        for element in elements {
+            let Some(left_out) = element.left_out_at_rest() else { continue };
+            let name = element.name();
+            let text = if name.is_empty() { left_out.to_owned() } else { format!("{name}: {left_out}") };
+            if !warnings.contains(&text) {
+                warnings.push(text);
+            }
+        }
+        for input in &rows.layout().inputs {
+            if let Some(signal) = &input.signal {
+                warnings
+                    .push(format!("{}: held as it stands, though it takes the signal {signal} in a run", input.name));
+            }
+        }
+        warnings
+    }
+}
+
+/// A column of the response.
+struct Chosen {
+    place: usize,
+    name: String,
+    unit: &'static str,
+    not_linear: Option<NotLinear>,
+}
+
+fn chosen(rows: &Rows, names: &[String]) -> Result<Vec<Chosen>, ResponseError> {
+    let all = rows.channels().list.iter().flat_map(|channel| {
+        let each = channel.columns.iter().zip(&channel.units).enumerate();
+        each.map(|(k, (name, unit))| (channel.offset + k, name, *unit))
+    });
+    let all: Vec<Chosen> = all
+        .map(|(place, name, unit)| Chosen { place, name: name.clone(), unit, not_linear: rows.not_linear[place] })
+        .collect();
+    if names.is_empty() {
+        return Ok(all);
+    }
+    let place = |name: &String| rows.channels().place(name).ok_or_else(|| ResponseError::Column(name.clone()));
+    let places = names.iter().map(place).collect::<Result<Vec<_>, _>>()?;
+    Ok(places.into_iter().map(|place| Chosen { name: all[place].name.clone(), ..all[place] }).collect())
+}
+
+/// Amplitudes of the states, then of the forces of the waves, a column for each direction.
+fn moved(
+    at: &AtRest,
+    loads: &WaveLoads<'_>,
+    omega: f64,
+    directions: &[f64],
+) -> Result<DMatrix<Complex<f64>>, ResponseError> {
+    let (x, f) = (at.states(loads, omega, directions)?, loads.forces(omega, directions));
+    let (states, forces) = (x.nrows(), f.nrows());
+    let mut all = x.resize_vertically(states + forces, Complex::ZERO);
+    all.rows_mut(states, forces).copy_from(&f);
+    Ok(all)
+}
+
+/// Changes of the states and forces by small waves, a quarter of a period apart.
+fn probes(at: &AtRest, loads: &WaveLoads<'_>, frequencies: &[f64]) -> Result<Vec<Vec<f64>>, ResponseError> {
+    let mut probes = Vec::new();
+    for [beside, share] in PROBED {
+        let omega = frequencies[(share * frequencies.len() as f64) as usize];
+        let moved = moved(at, loads, omega, &[loads.heading_rad() + beside])?;
+        probes.push(moved.iter().map(|x| PROBED_M * x.re).collect());
+        probes.push(moved.iter().map(|x| PROBED_M * x.im).collect());
+    }
+    Ok(probes)
+}
+
+/// What columns show of the waves themselves.
+struct Shown {
+    /// Place in a row, the first force on its element, and what.
+    each: Vec<(usize, Option<usize>, ShownWaves)>,
+}
+
+impl Shown {
+    /// Of elements at rest; marks what is not in proportion to the waves.
+    fn new(elements: &[AnyElement], at: &AtRest, loads: &WaveLoads<'_>, rows: &mut Rows) -> Self {
+        let bodies = super::excitation::kinematics(at.rest.model(), &at.rest.state().q);
+        let (mut each, mut first) = (Vec::new(), 0);
+        for (index, element) in elements.iter().enumerate() {
+            for (number, shown) in element.shown_waves(&bodies) {
+                let place = rows.channels().place_of_output(first + number);
+                match shown {
+                    ShownWaves::NotLinear => rows.not_linear[place] = Some(NotLinear::SecondOrder),
+                    shown => each.push((place, loads.first_force_on(index), shown)),
+                }
+            }
+            first += rows.layout().written_by(index);
+        }
+        Self { each }
+    }
+
+    /// Adds it to amplitudes, a row for each chosen column, a column for each direction.
+    fn add(
+        &self,
+        loads: &WaveLoads<'_>,
+        omega: f64,
+        directions: &[f64],
+        chosen: &[Chosen],
+        h: &mut DMatrix<Complex<f64>>,
+    ) {
+        let forces = loads.forces(omega, directions);
+        for (row, column) in chosen.iter().enumerate() {
+            for (_, first, shown) in self.each.iter().filter(|(place, ..)| *place == column.place) {
+                for (wave, &direction) in directions.iter().enumerate() {
+                    h[(row, wave)] += match (shown, first) {
+                        (ShownWaves::Elevation { place, times }, _) => {
+                            loads.elevation(omega, direction, *place) * *times
+                        }
+                        (ShownWaves::Force(mode), Some(first)) => forces[(first + mode, wave)],
+                        _ => Complex::ZERO,
+                    };
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,256 @@
+//! The file of a study: many runs of one scenario, what they differ in and what is kept of them. The types are the one
+//! schema, as those of a scenario are; who runs a study resolves its names against the scenario.
+
+mod check;
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::error::{Fault, ScenarioError, SourcePlace};
+use super::range::{NonNegative, Positive, Probability};
+use super::schema::{Limit, Name, ParameterValue, Version};
+use super::tree::{Content, ScenarioNode};
+use super::typed::{check_version, typed_as};
+use super::{parse, wording};
+
+/// Runs of one study: more is a mistake.
+pub const MOST_RUNS: u64 = 1_000_000;
+/// Seeds of one study.
+pub const MOST_SEEDS: u64 = 100_000;
+/// Peaks that are kept of a column in a run.
+pub const MOST_PEAKS: u64 = 1_000;
+
+/// Many runs of one scenario: every case of the axes with every seed, and what is kept of each run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Study {
+    /// The version of the file format: 1.
+    pub version: Version,
+    /// One line that says what this is.
+    pub title: String,
+    /// What a reader should know.
+    #[serde(default)]
+    pub description: String,
+    /// The scenario: a file beside the study, or a name of the gallery.
+    pub scenario: String,
+    /// What is set over the scenario in all runs: parameters, or fields by their dotted paths.
+    #[serde(default)]
+    pub set: IndexMap<String, Value>,
+    /// What the cases differ in: a parameter of the scenario, or a field by its dotted path. The cases are every combination,
+    /// the last axis fastest; axes that are drawn together, of a Latin hypercube or of a scatter table, count as one.
+    #[serde(default)]
+    pub axes: IndexMap<String, Axis>,
+    /// How axes `latin_hypercube` are drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub samples: Option<Samples>,
+    /// The seeds of every case, the same in all.
+    #[serde(default)]
+    pub seeds: Seeds,
+    /// Start of each run that statistics, limits and extremes leave out, s.
+    #[serde(default)]
+    pub after_s: NonNegative,
+    /// Columns whose statistics are kept, besides those of the limits: `hull.roll`; `*` stands for any text, as in `hull.*`.
+    #[serde(default)]
+    pub record: Vec<String>,
+    /// Cycles that are counted for fatigue.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rainflow: Option<Rainflow>,
+    /// The largest independent peaks of each run that are kept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peaks: Option<Peaks>,
+    /// Limits, over those of the scenario: one of the same name replaces it.
+    #[serde(default)]
+    pub limits: IndexMap<Name, Limit>,
+    /// How long the operation lasts that extremes are of, s. Without it: as long as a run without its start.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub operation_s: Option<Positive>,
+    /// Probability, chosen by the user, with which a limit may be exceeded in the operation.
+    #[serde(default = "acceptance")]
+    pub acceptance: Probability,
+    /// A scatter table, a file beside the study: how often which sea occurs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scatter: Option<String>,
+    /// Which axis is what of the sea. Without it, the axes that write these fields of the sea are.
+    #[serde(default)]
+    pub sea: SeaAxes,
+}
+
+/// The values of an axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// These values.
+    Values(Vec<ParameterValue>),
+    /// Numbers at even distances.
+    Range(EvenRange),
+    /// Numbers drawn together with those of the other axes of this kind, as many as `samples` says.
+    LatinHypercube(Interval),
+    /// The seas of the scatter table that occur, together with the other axis of this kind.
+    Scatter(ScatterQuantity),
+}
+
+/// Numbers at even distances, the first and the last included.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct EvenRange {
+    /// The first.
+    pub from: f64,
+    /// The last.
+    pub to: f64,
+    /// How many, 2 or more.
+    pub count: u64,
+}
+
+/// An interval that numbers are drawn from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Interval {
+    /// Its lower end.
+    pub from: f64,
+    /// Its upper end.
+    pub to: f64,
+}
+
+/// What an axis takes from the scatter table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ScatterQuantity {
+    /// The significant wave height, m.
+    SignificantHeight,
+    /// The peak period, s.
+    PeakPeriod,
+}
+
+/// How axes `latin_hypercube` are drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Samples {
+    /// How many samples.
+    pub count: u64,
+    /// What they are drawn from.
+    #[serde(default = "one")]
+    pub seed: u64,
+}
+
+/// The seeds of every case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct Seeds {
+    /// The first.
+    pub first: u64,
+    /// How many.
+    pub count: u64,
+}
+
+impl Default for Seeds {
+    fn default() -> Self {
+        Self { first: 1, count: 1 }
+    }
+}
+
+/// Cycles that are counted by rainflow (ASTM E1049), and sums of their ranges to a power: the damage of an S-N curve of that
+/// slope, but for its constant.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Rainflow {
+    /// Columns, `*` as in `record`.
+    pub columns: Vec<String>,
+    /// The powers.
+    pub slopes: Vec<Positive>,
+}
+
+/// The largest independent peaks: of those between two up-crossings of the mean the largest.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Peaks {
+    /// Columns, `*` as in `record`.
+    pub columns: Vec<String>,
+    /// How many of them are kept of each run.
+    #[serde(default = "peaks_kept")]
+    pub keep: u64,
+}
+
+/// Which axis is what of the sea.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct SeaAxes {
+    /// The axis of the significant wave height, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub significant_height: Option<String>,
+    /// The axis of the peak period, s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_period: Option<String>,
+    /// The axis of the direction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction: Option<String>,
+}
+
+fn acceptance() -> Probability {
+    Probability::literal(0.1)
+}
+
+const fn one() -> u64 {
+    1
+}
+
+const fn peaks_kept() -> u64 {
+    32
+}
+
+/// Places of the values in a study's text, line and column from 1, by their dotted paths.
+pub type Places = IndexMap<String, [usize; 2]>;
+
+/// Reads a study from YAML or JSON, with the places of its values. `file` is the name that errors carry.
+///
+/// ```
+/// use kingpost::scenario::study;
+/// let text = "{version: 1, title: Slew, scenario: paper, axes: {crane_x_m: {values: [-10, 0]}}, seeds: {count: 3}}";
+/// let (read, places) = study::read(text, "slew.yaml")?;
+/// assert_eq!((read.axes.len(), read.seeds.count), (1, 3));
+/// assert_eq!(places["axes.crane_x_m"], [1, 65]);
+/// # Ok::<(), kingpost::scenario::ScenarioError>(())
+/// ```
+///
+/// # Errors
+/// The first thing that is wrong, with its place: syntax, an unknown field, a wrong type, a value out of range, axes that do
+/// not fit together. Names that only the scenario knows are not looked at.
+pub fn read(text: &str, file: &str) -> Result<(Study, Places), ScenarioError> {
+    let typed = || {
+        let tree = parse::parse_as(text, wording::STUDY)?;
+        check_version(&tree)?;
+        let study: Study = typed_as(&tree)?;
+        check::all(&study).map_err(|(path, error)| Fault { place: tree.place_of(&path), error })?;
+        let mut places = Places::new();
+        list_places(&tree, "", &mut places);
+        Ok((study, places))
+    };
+    typed().map_err(|fault: Fault| fault.in_file(file))
+}
+
+/// Notes the place of a node and of all below it.
+fn list_places(node: &ScenarioNode, path: &str, places: &mut Places) {
+    if let SourcePlace::File { line, column } = node.place {
+        places.insert(path.to_owned(), [line, column]);
+    }
+    let below = |name: &str| if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") };
+    match &node.content {
+        Content::Scalar(_) => {}
+        Content::List(entries) => {
+            entries.iter().enumerate().for_each(|(k, entry)| list_places(entry, &below(&k.to_string()), places));
+        }
+        Content::Fields(fields) => {
+            fields.iter().for_each(|(name, field)| list_places(&field.node, &below(name), places))
+        }
+    }
+}

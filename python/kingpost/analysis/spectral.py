@@ -1,0 +1,375 @@
+"""Response in a random sea by its spectrum, of what answers small waves in proportion.
+
+A sea and what answers it in proportion are stationary and Gaussian: of a column with the amplitude H for
+each metre of wave amplitude the moments are ``m_n = Int Int w^n S(w) D(b) |H(w, b)|^2 db dw`` (Faltinsen,
+*Sea Loads on Ships and Offshore Structures*, 1990, sec. 2.3). With them come the standard deviation
+``sqrt(m0)``, the zero up-crossing period ``Tz = 2 pi sqrt(m0 / m2)``, and by Rice's rate of up-crossings
+the extremes in a stated time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import results
+from ..errors import KingpostError
+from ..scenario import Overrides, Scenario
+from ..simulation.simulate import Simulation
+from .response import frequencies_that_all_cover
+from .statistics import EULER
+from .wave_response import REASONS, as_simulation, matching
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import ArrayLike, NDArray
+
+    Numbers = NDArray[np.float64]
+
+HALF_HOUR_S = 1800.0
+SPREAD = 24
+"""Directions of equal energy that stand for a sea that is spread."""
+PARTS = 8
+"""Steps of the integral between two frequencies of the response."""
+BESIDE = 1e-9
+"""How far beside an end of a band, as a share of it, the density is taken to either side."""
+HARDLY_DAMPED = 1e-3
+"""Damping ratios below this make a peak that a run takes hundreds of periods to follow."""
+LEFT_OUT = 0.01
+"""Share of a sea's energy beyond what the databases cover from which it is said."""
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """The response of columns on a grid for integrals.
+
+    Attributes
+    ----------
+    columns, units
+        Of the results.
+    mean
+        Of each column, at rest in still water.
+    not_linear
+        The reason, by column, of those that have no response.
+    directions_rad
+        That the waves go to.
+    omega_rad_s
+        The grid, rad/s.
+    squares
+        |H|^2, shape (directions, frequencies, columns); NaN for a column without response.
+    halved
+        The same by every second frequency of the response.
+    warnings
+        What one should know.
+    """
+
+    columns: list[str]
+    units: list[str]
+    mean: Numbers
+    not_linear: dict[str, str]
+    directions_rad: Numbers
+    omega_rad_s: Numbers
+    squares: Numbers
+    halved: Numbers
+    warnings: list[str]
+
+    @property
+    def weights(self) -> Numbers:
+        """Of the trapezoidal rule."""
+        steps = np.diff(self.omega_rad_s)
+        return 0.5 * (np.append(steps, 0.0) + np.append(0.0, steps))
+
+
+def spectral_response(
+    scenario_or_simulation: Scenario | Simulation | str | Path,
+    columns: Sequence[str] | None = None,
+    duration_s: float = HALF_HOUR_S,
+    overrides: Overrides | None = None,
+    **parameters: Any,
+) -> xarray.Dataset:
+    """Standard deviations, periods and extremes of columns in the scenario's own sea, without a run.
+
+    The energy of the sea is that by which runs draw their waves (`Simulation.sea_spectra`), the response
+    that of `kingpost.wave_response`. The largest value in `duration_s` is expected at ``mean + sigma (c +
+    0.577 / c)``, ``c = sqrt(2 ln(T / Tz))`` (Davenport, *Proc. ICE* 28(2), 1964), and a limit L is exceeded
+    in it with the probability ``1 - exp(-(T / Tz) exp(-(L - mean)^2 / (2 sigma^2)))`` (Rice, *Bell Syst.
+    Tech. J.* 24, 1945).
+
+    Parameters
+    ----------
+    scenario_or_simulation
+        With waves; its crane as a run begins, or as the simulation stands.
+    columns
+        Names of columns, with ``*`` for any letters, beside those of the scenario's limits; all unless given.
+    duration_s
+        Time of the extremes, s.
+    overrides, parameters
+        Set over a scenario.
+
+    Returns
+    -------
+    xarray.Dataset
+        By ``column``: ``mean``, ``standard_deviation``, ``significant_amplitude``,
+        ``zero_up_crossing_period`` (s), ``expected_maximum``, ``expected_minimum``, ``linear`` and
+        ``reason``, and ``interpolation_error``, the share by which the deviation changes where every second
+        frequency of the response is left out. By ``limit``: ``limit_column`` and ``probability`` that it is
+        exceeded in `duration_s`.
+
+    Raises
+    ------
+    KingpostError
+        When no waves run, nothing comes to rest, there is no such column, or the time is not greater than 0.
+
+    >>> found = spectral_response("offshore_vessel", ["hull.pitch"], waves=True)
+    >>> 0.1 < float(np.rad2deg(found.standard_deviation[0])) < 1.0
+    True
+    """
+    import xarray
+
+    if not (duration_s > 0 and np.isfinite(duration_s)):
+        raise KingpostError(f"duration_s: found {duration_s:g}, allowed: finite and greater than 0")
+    simulation = as_simulation(scenario_or_simulation, overrides, parameters)
+    bounds = simulation.limit_bounds
+    chosen = None if columns is None else matching(simulation, [*columns, *(one.column for one in bounds)])
+    (systems,) = simulation.sea_spectra([], SPREAD)
+    if not systems:
+        raise KingpostError("sea.waves: found none that run, allowed: a wave system with enabled: true")
+    found = transfer(simulation, chosen, directions_of(systems), nodes_of(systems))
+    (systems,) = simulation.sea_spectra(found.omega_rad_s, SPREAD)
+    m0, m2, halved = moments_in(found, systems)
+    sigma, period = deviation_and_period(m0, m2)
+    largest = expected_largest(sigma, period, duration_s)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        error = np.where(m0 > 0, np.abs(np.sqrt(halved / m0) - 1), 0.0)
+    at = {name: k for k, name in enumerate(found.columns)}
+    probability = [
+        exceedance((one.at_least, one.at_most), found.mean[k], sigma[k], period[k], duration_s)
+        for one in bounds
+        for k in [at[one.column]]
+    ]
+    units = ("column", np.array(found.units, str))
+    own = {results.unit_coordinate(name): units for name in OF_UNIT}
+    variables = {
+        "mean": ("column", found.mean),
+        "standard_deviation": ("column", sigma),
+        "significant_amplitude": ("column", 2 * sigma),
+        "zero_up_crossing_period": ("column", period, {"units": "s"}),
+        "expected_maximum": ("column", found.mean + largest),
+        "expected_minimum": ("column", found.mean - largest),
+        "interpolation_error": ("column", error, {"units": "1"}),
+        "linear": ("column", [name not in found.not_linear for name in found.columns]),
+        "reason": ("column", np.array([found.not_linear.get(name, "") for name in found.columns], str)),
+        "limit_column": ("limit", np.array([one.column for one in bounds], str)),
+        "probability": ("limit", np.array(probability, float), {"units": "1"}),
+    }
+    coordinates = {
+        "column": np.array(found.columns, str),
+        "limit": np.array([one.name for one in bounds], str),
+        **own,
+    }
+    attributes = results.attributes(simulation.scenario, "about rest, by the spectrum of the sea")
+    attributes["duration_s"] = duration_s
+    if warnings := [*found.warnings, *beyond_the_data(found, systems)]:
+        attributes["warning"] = "; ".join(warnings)
+    return xarray.Dataset(variables, coordinates, attributes)
+
+
+OF_UNIT = ("mean", "standard_deviation", "significant_amplitude", "expected_maximum", "expected_minimum")
+
+
+def transfer(
+    simulation: Simulation, columns: Sequence[str] | None, directions_rad: ArrayLike, nodes_rad_s: ArrayLike
+) -> Transfer:
+    """The response of columns, squared, on a grid between the frequencies that all databases cover.
+
+    Real and imaginary parts go through those of the engine's frequencies, about each resonance closer than
+    the peak is wide, by cubic splines.
+
+    Parameters
+    ----------
+    simulation
+        As it stands.
+    columns
+        Their names; all unless given.
+    directions_rad
+        That the waves go to, rad.
+    nodes_rad_s
+        Frequencies that the grid has too, rad/s.
+
+    Returns
+    -------
+    Transfer
+        On the grid.
+
+    >>> found = transfer(Simulation("barge"), ["ship.roll"], [0.5], [1.0])
+    >>> found.squares.shape == (1, len(found.omega_rad_s), 1)
+    True
+    """
+    covered = frequencies_that_all_cover(simulation.scenario)
+    found = simulation.column_response(directions_rad, covered, columns or (), about_resonances=True)
+    omega = np.array(found["frequencies_rad_s"])
+    nodes = np.asarray(nodes_rad_s, float)
+    cut = omega[:-1, None] + np.arange(PARTS) / PARTS * np.diff(omega)[:, None]
+    grid = np.unique(
+        np.concatenate([cut.ravel(), omega[-1:], nodes[(nodes > omega[0]) & (nodes < omega[-1])]])
+    )
+    not_linear = {
+        name: REASONS[reason]
+        for name, reason in zip(found["columns"], found["not_linear"], strict=True)
+        if reason
+    }
+    every_second = np.unique(np.append(np.arange(0, len(omega), 2), len(omega) - 1))
+    return Transfer(
+        columns=found["columns"],
+        units=found["units"],
+        mean=np.array(found["mean"]),
+        not_linear=not_linear,
+        directions_rad=np.array(found["directions_rad"]),
+        omega_rad_s=grid,
+        squares=_squares(omega, found["amplitudes"], grid),
+        halved=_squares(omega[every_second], found["amplitudes"][:, every_second], grid),
+        warnings=[*found["warnings"], *_peaks(found["resonances"], omega)],
+    )
+
+
+def _squares(omega: Numbers, amplitudes: NDArray[np.complex128], grid: Numbers) -> Numbers:
+    from scipy.interpolate import CubicSpline
+
+    none = np.isnan(amplitudes[0, 0])
+    known = np.where(none, 0.0, amplitudes)
+    h = CubicSpline(omega, known, axis=1)(grid)
+    squares = h.real**2 + h.imag**2
+    squares[..., none] = np.nan
+    return squares
+
+
+def _peaks(resonances: list[dict[str, float]], omega: Numbers) -> list[str]:
+    """Of motions that are hardly damped, or not at all, among the frequencies."""
+    return [
+        f"a motion of {one['frequency_rad_s']:.4g} rad/s has a damping ratio of {ratio:.1e}: a run sees "
+        "its peak only after hundreds of periods"
+        for one in resonances
+        if omega[0] <= one["frequency_rad_s"] <= omega[-1]
+        if (ratio := one["decay_per_s"] / one["frequency_rad_s"]) < HARDLY_DAMPED
+    ]
+
+
+def directions_of(systems: Sequence[dict[str, Any]]) -> Numbers:
+    """Every direction of the wave systems of a sea, rad, each once."""
+    every = [one["directions_rad"] + [line[1] for line in one["lines"]] for one in systems]
+    return np.unique(np.concatenate([np.asarray(one, float) for one in every]))
+
+
+def nodes_of(systems: Sequence[dict[str, Any]]) -> Numbers:
+    """Frequencies where the density of the systems changes its form, and beside the ends of bands, rad/s."""
+    ends = [
+        end * (1 + side) for one in systems for end in one["band_rad_s"] or () for side in (-BESIDE, BESIDE)
+    ]
+    lines = [line[0] for one in systems for line in one["lines"]]
+    return np.unique([*ends, *(node for one in systems for node in one["nodes_rad_s"]), *lines])
+
+
+def moments_in(found: Transfer, systems: Sequence[dict[str, Any]]) -> tuple[Numbers, Numbers, Numbers]:
+    """m0 and m2 of each column in a sea with its density on the grid, and m0 by `Transfer.halved`."""
+    parts = np.zeros((3, len(found.columns)))
+    for one in systems:
+        at = np.searchsorted(found.directions_rad, np.asarray(one["directions_rad"]) - BESIDE)
+        if len(at):
+            density = np.asarray(one["density_m2_s"]) * found.weights
+            parts += moments_of(found, density)[:, at].mean(axis=1)
+        for omega, direction, variance in one["lines"]:
+            toward = np.searchsorted(found.directions_rad, direction - BESIDE)
+            k = np.argmin(np.abs(found.omega_rad_s - omega))
+            if np.isclose(found.omega_rad_s[k], omega):
+                square, half = found.squares[toward, k], found.halved[toward, k]
+                parts += variance * np.stack([square, omega**2 * square, half])
+    m0, m2, halved = parts
+    return m0, m2, halved
+
+
+def moments_of(found: Transfer, weighted: Numbers) -> Numbers:
+    """m0, m2 and m0 by `Transfer.halved`, by direction and column, of densities times the weights.
+
+    More dimensions of the densities, before that of the frequency, follow the first.
+    """
+    m0 = np.einsum("...k,dkc->...dc", weighted, found.squares)
+    m2 = np.einsum("...k,dkc->...dc", weighted * found.omega_rad_s**2, found.squares)
+    halved = np.einsum("...k,dkc->...dc", weighted, found.halved)
+    return np.stack([m0, m2, halved])
+
+
+def deviation_and_period(m0: Numbers, m2: Numbers) -> tuple[Numbers, Numbers]:
+    """Standard deviation and zero up-crossing period, s; NaN for the period of what stays."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.sqrt(m0), 2 * np.pi * np.sqrt(m0 / m2)
+
+
+def expected_largest(sigma: ArrayLike, period_s: ArrayLike, duration_s: float) -> Numbers:
+    """How far the largest value in a time is expected to be above the mean (Davenport 1964).
+
+    >>> round(float(expected_largest(1.0, 8.0, 10800.0)), 2)
+    3.95
+    """
+    sigma, period = np.asarray(sigma, float), np.asarray(period_s, float)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        c = np.sqrt(2 * np.log(np.maximum(duration_s / period, np.e)))
+    return np.where(sigma == 0, 0.0, sigma * (c + EULER / c))
+
+
+def exceedance(
+    bounds: tuple[float | None, float | None],
+    mean: ArrayLike,
+    sigma: ArrayLike,
+    period_s: ArrayLike,
+    duration_s: float,
+) -> Numbers:
+    """Probability that a Gaussian process leaves its bounds in a time, by Rice's rate of crossings.
+
+    Parameters
+    ----------
+    bounds
+        The smallest and the largest value allowed; None where there is none.
+    mean, sigma
+        Of the process.
+    period_s
+        Its zero up-crossing period, s.
+    duration_s
+        The time, s.
+
+    Returns
+    -------
+    numpy.ndarray
+        1 where the mean is beyond a bound.
+
+    >>> round(float(exceedance((None, 4.0), 0.0, 1.0, 8.0, 10800.0)), 3)
+    0.364
+    """
+    mean, sigma, period = (np.asarray(x, float) for x in (mean, sigma, period_s))
+    crossings = np.zeros(np.broadcast_shapes(mean.shape, sigma.shape, period.shape))
+    beyond = np.zeros(crossings.shape, bool)
+    for bound, side in zip(bounds, (-1.0, 1.0), strict=True):
+        if bound is not None:
+            margin = side * (bound - mean)
+            beyond = beyond | (margin < 0)
+            with np.errstate(invalid="ignore", divide="ignore"):
+                rate = duration_s / period * np.exp(-0.5 * (margin / sigma) ** 2)
+            crossings = crossings + np.where(sigma == 0, 0.0, rate)
+    return np.where(beyond, 1.0, -np.expm1(-crossings))
+
+
+def beyond_the_data(found: Transfer, systems: Sequence[dict[str, Any]]) -> list[str]:
+    """Of wave systems with energy at frequencies that no database covers: there no waves act."""
+    said = []
+    for one in systems:
+        within = float(np.asarray(one["density_m2_s"]) @ found.weights)
+        whole = float(one["variance_m2"])
+        if whole > 0 and 1 - within / whole > LEFT_OUT:
+            said.append(
+                f"sea.waves.{one['name']}: {1 - within / whole:.1%} of its energy is beyond the frequencies "
+                "that the databases cover, and moves nothing"
+            )
+    return said

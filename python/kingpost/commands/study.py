@@ -1,0 +1,141 @@
+"""`kingpost study`: many runs of one scenario, into a folder that lasts."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import KingpostError, OutputError
+from .common import DONE, FAILED, INTERRUPTED, WARNING, add_output, fail, note, show, warn
+
+if TYPE_CHECKING:
+    from ..study.study import Study
+
+HELP = "run every case of a study with every seed, and keep what came of them"
+CONNECT_S = 20
+"""How long the scheduler of a cluster may take to answer."""
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The command's options."""
+    command.add_argument("study", metavar="FILE", help="the file of a study")
+    command.add_argument("-o", "--output", metavar="DIR",
+                         help="folder of the results (default: say what would run)")  # fmt: skip
+    command.add_argument("--resume", action="store_true", help="go on with the study in the folder")
+    command.add_argument("--workers", type=int, metavar="N",
+                         help="processes (default: as many as there are processors)")  # fmt: skip
+    command.add_argument("--scheduler", metavar="ADDRESS",
+                         help="of a Dask cluster that computes instead, as tcp://host:8786")  # fmt: skip
+    command.add_argument("--part", metavar="K/N",
+                         help="every Nth unit from the Kth on: one task of an array of N")  # fmt: skip
+    add_output(command)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run what is missing, and print what came of it."""
+    from ..study.study import Study
+    from ..study.summary import of_plan, plan_lines
+
+    part = _part(options.part)
+    _check(options)
+    study = Study(options.study)
+    warn(f"{WARNING}{words}" for words in study.scenario.model["warnings"])
+    if options.output is None:
+        about = of_plan(study.plan)
+        show(options, lambda: "\n".join(plan_lines(about)), lambda: about)
+        note(options, f"\nto run it       kingpost study {options.study} -o DIR")
+        return DONE
+    folder = Path(options.output)
+    again = f"kingpost study {options.study} -o {folder} --resume goes on"
+    try:
+        with ExitStack() as held:
+            executor = held.enter_context(_cluster(options.scheduler)) if options.scheduler else None
+            _run(study, folder, options, executor, part)
+    except OutputError as error:
+        kept = f"; what is finished is kept: {again}" if (folder / "study.json").exists() else ""
+        return fail(f"{error}{kept}", FAILED)
+    except KeyboardInterrupt:
+        return fail(f"interrupted, what is finished is kept: {again}", INTERRUPTED)
+    return _report(study, folder, options)
+
+
+def _run(
+    study: Study,
+    folder: Path,
+    options: argparse.Namespace,
+    executor: Executor | None,
+    part: tuple[int, int] | None,
+) -> None:
+    from .. import progress
+    from ..study.run import run
+
+    with ExitStack() as shown:
+
+        def begin(runs: int) -> Callable[[float], None]:
+            return shown.enter_context(progress.bar(runs, "runs"))
+
+        run(study.plan, folder, executor, options.workers, options.resume, part, begin)
+
+
+def _report(study: Study, folder: Path, options: argparse.Namespace) -> int:
+    from ..study.summary import of_plan, of_results, plan_lines, result_lines, warning_lines
+
+    about, found = of_plan(study.plan), of_results(folder, study.plan)
+    runs = about["runs"]
+    show(
+        options,
+        lambda: "\n".join([*plan_lines(about), "", *result_lines(found, runs)]),
+        lambda: {**about, **found},
+    )
+    warn(warning_lines(found, runs))
+    note(options, f"\nwritten         {folder}")
+    if found["not_run"]:
+        note(options, f"to go on        kingpost study {options.study} -o {folder} --resume")
+    failed = found["finished"] == 0 and found["not_run"] < runs
+    return fail("no run finished", FAILED) if failed else DONE
+
+
+def _check(options: argparse.Namespace) -> None:
+    """An error for options that would have no effect, before anything is computed."""
+    for name in ("resume", "workers", "scheduler", "part"):
+        if options.output is None and getattr(options, name):
+            raise KingpostError(f"--{name}: found no -o, allowed: with -o DIR alone")
+
+
+def _part(given: str | None) -> tuple[int, int] | None:
+    if given is None:
+        return None
+    found = re.fullmatch(r"(\d{1,6})/(\d{1,6})", given)
+    part = (int(found[1]), int(found[2])) if found else (0, 0)
+    if not 1 <= part[0] <= part[1]:
+        raise KingpostError(f"--part: found {given!r}, allowed: K/N, K from 1 to N")
+    return part
+
+
+@contextmanager
+def _cluster(address: str) -> Iterator[Executor]:
+    """The executor of a Dask cluster."""
+    try:
+        from distributed import Client
+    except ModuleNotFoundError:
+        raise KingpostError(
+            "--scheduler: found no package distributed; install it with: pip install 'kingpost[cluster]'"
+        ) from None
+    try:
+        client = Client(address, timeout=CONNECT_S)
+    except (OSError, ValueError, TypeError) as error:
+        raise KingpostError(
+            f"--scheduler: found no scheduler at {address} ({error}), allowed: an address as tcp://host:8786"
+        ) from None
+    with client:
+        threads = sum(client.ncores().values())
+        if not threads:
+            raise KingpostError(f"--scheduler: found no worker at {address}, allowed: one worker or more")
+        executor = client.get_executor()
+        executor._max_workers = threads  # type: ignore[attr-defined]
+        yield executor

@@ -1,0 +1,82 @@
+"""A run as an address that opens it in the app: the scenario is in it, nothing is on a server."""
+
+from __future__ import annotations
+
+import base64
+import json
+import zlib
+from typing import TYPE_CHECKING, Any
+
+from .errors import KingpostError
+
+if TYPE_CHECKING:
+    from .scenario import Scenario
+
+VERSION = 1
+"""Of the form: what stands behind the ``#k`` of an address."""
+LONGEST = 64_000
+"""Characters of a link: browsers take more, messengers and mails cut."""
+LARGEST = 2_000_000
+"""Bytes that a link may unfold to: the app reads no more."""
+GALLERY = "gallery:"
+FNV_OFFSET, FNV_PRIME = 0x811C9DC5, 0x01000193
+
+
+def fragment(scenario: Scenario) -> str:
+    """What stands behind the address of the app for it to open a scenario as it is resolved, with its seed.
+
+    The form is that of the app's *Share*: JSON, deflated, in base64url, then a point and the FNV-1a digest of
+    the JSON (docs/decisions/links.md). Files of the gallery are named, others are in the link.
+
+    Parameters
+    ----------
+    scenario
+        With all that is set over it.
+
+    Returns
+    -------
+    str
+        ``#k1=`` and what follows.
+
+    Raises
+    ------
+    KingpostError
+        When the link would be longer than 64,000 characters.
+
+    >>> from kingpost import load
+    >>> fragment(load("paper"))[:4]
+    '#k1='
+    """
+    own = {name: text for name, text in scenario.files.items() if not name.startswith(GALLERY)}
+    file = scenario.file.replace("\\", "/").rpartition("/")[2]
+    given = {"file": file, "text": scenario.json, "opened": own}
+    return packed({"scenario": given, "values": {}, "changes": [], "moment": None})
+
+
+def packed(run: dict[str, Any]) -> str:
+    """A run, as the app's `SharedRun` has it, in the form of a link.
+
+    >>> packed({"moment": None})[-8:]
+    '82665658'
+    """
+    content = json.dumps(run, ensure_ascii=False, separators=(",", ":")).encode()
+    deflate = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
+    text = base64.urlsafe_b64encode(deflate.compress(content) + deflate.flush()).decode().rstrip("=")
+    found = f"#k{VERSION}={text}.{digest(content)}"
+    if len(found) > LONGEST or len(content) > LARGEST:
+        raise KingpostError(
+            f"link: found {len(found)} characters, allowed: {LONGEST}; the scenario's own files make it long"
+        )
+    return found
+
+
+def digest(content: bytes) -> str:
+    """FNV-1a over bytes, 32 bits, in hexadecimal (Fowler, Noll & Vo; draft-eastlake-fnv).
+
+    >>> digest(b"foobar")
+    'bf9cf968'
+    """
+    found = FNV_OFFSET
+    for byte in content:
+        found = (found ^ byte) * FNV_PRIME & 0xFFFFFFFF
+    return f"{found:08x}"

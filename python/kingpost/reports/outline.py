@@ -1,0 +1,127 @@
+"""A model as it stands, from three sides: the outlines of its solids, its hulls and its lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..simulation.simulate import Simulation
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    Points = NDArray[np.float64]
+
+X, Y, Z = range(3)
+VIEWS = (("from the side", (X, Z)), ("from ahead", (Y, Z)), ("from above", (X, Y)))
+ROUND = 24
+"""Corners that a circle is drawn with."""
+WATER, GREY = "#4a90b8", "#6b7280"
+
+
+def figure(simulation: Simulation) -> Figure:
+    """The model as it stands, to scale: world axes, m; the still water is a line at z = 0.
+
+    Parameters
+    ----------
+    simulation
+        Where it stands: at its start, at rest or under way.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Three views: x and z, y and z, x and y.
+
+    >>> from kingpost import Simulation, load
+    >>> [axes.get_title() for axes in figure(Simulation(load("paper"))).axes]
+    ['from the side', 'from ahead', 'from above']
+    """
+    from matplotlib.figure import Figure
+
+    model = simulation.scenario.model
+    solids = list(_solids(model, simulation.poses()))
+    lines = [np.asarray(line.points_m) for line in simulation.lines()]
+    spans = np.ptp(np.vstack([*(points for points, _ in solids), *lines]), axis=0)
+    drawn = Figure(figsize=(10, 7), layout="constrained")
+    side, ahead, above, _ = drawn.subplots(
+        2, 2, width_ratios=[spans[X], spans[Y]], height_ratios=[spans[Z], spans[Y]]
+    ).ravel()
+    drawn.delaxes(drawn.axes[-1])
+    for axes, (title, across) in zip((side, ahead, above), VIEWS, strict=True):
+        for points, colour in sorted(solids, key=lambda solid: _depth(solid[0], across)):
+            _draw(axes, points[:, across], colour)
+        for points in lines:
+            axes.plot(*points[:, across].T, color="black", lw=0.8)
+        if Z in across and model["hulls"]:
+            axes.axhline(0.0, color=WATER, lw=1.2)
+        right, up = ("xyz"[axis] for axis in across)
+        axes.set(xlabel=f"{right}, m", ylabel=f"{up}, m", aspect="equal")
+        axes.set_title(title, fontsize=10)
+        axes.grid(alpha=0.25)
+    return drawn
+
+
+def _solids(model: dict[str, Any], poses: Points) -> Iterator[tuple[Points, str]]:
+    """Corners of each solid in the world, with its colour: those of bodies, and the meshes of hulls."""
+    places = {body["name"]: pose for body, pose in zip(model["bodies"], poses, strict=True)}
+    for hull in model["hulls"]:
+        vertices = (hull["mesh"] or {}).get("vertices_m")
+        if vertices is not None:
+            yield _placed(np.asarray(vertices, float), places[hull["body"]]), _colour(model, hull["body"])
+    for body in model["bodies"]:
+        corners = _corners(body["shape"] or {})
+        if len(corners):
+            yield _placed(corners, places[body["name"]]), body["colour"] or GREY
+
+
+def _colour(model: dict[str, Any], name: str) -> str:
+    return next(body["colour"] for body in model["bodies"] if body["name"] == name) or GREY
+
+
+def _corners(shape: dict[str, Any]) -> Points:
+    """Corners of a solid in its body's axes; of a ball and of a cylinder points on them."""
+    signs = np.stack(np.meshgrid([-1, 1], [-1, 1], [-1, 1], indexing="ij"), axis=-1).reshape(-1, 3)
+    angles = np.linspace(0, 2 * np.pi, ROUND, endpoint=False)
+    circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    if box := shape.get("box"):
+        return signs * [box["length_m"] / 2, box["width_m"] / 2, box["height_m"] / 2]
+    if cylinder := shape.get("cylinder"):
+        along = "xyz".index(cylinder["axis"])
+        ends = [np.insert(cylinder["radius_m"] * circle, along, end * cylinder["length_m"] / 2, axis=1)
+                for end in (-1, 1)]  # fmt: skip
+        return np.vstack(ends)
+    if sphere := shape.get("sphere"):
+        return np.vstack([np.insert(sphere["radius_m"] * circle, axis, 0.0, axis=1) for axis in (X, Y, Z)])
+    return np.empty((0, 3))
+
+
+def _placed(points: Points, pose: Points) -> Points:
+    """Points of a body in the world: its place, m, and its unit quaternion (w, x, y, z)."""
+    from scipy.spatial.transform import Rotation
+
+    position, (w, *xyz) = pose[:3], pose[3:]
+    return Rotation.from_quat([*xyz, w]).apply(points) + position
+
+
+def _depth(points: Points, across: tuple[int, int]) -> float:
+    """How near a solid is to who looks: from starboard, from ahead, from above."""
+    (along,) = {X, Y, Z} - set(across)
+    nearer = -1.0 if along == Y else 1.0
+    return float(nearer * points[:, along].mean())
+
+
+def _draw(axes: Axes, points: Points, colour: str) -> None:
+    """The outline of a convex solid: the hull of its corners as they are seen."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        outline = points[ConvexHull(points).vertices]
+    except QhullError:
+        # A plate that is seen from its edge.
+        axes.plot(*points.T, color=colour, lw=1.0)
+        return
+    axes.fill(*outline.T, facecolor=colour, edgecolor="black", lw=0.6, alpha=0.75)

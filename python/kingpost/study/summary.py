@@ -1,0 +1,135 @@
+"""What came of a study so far, in numbers and in words."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..simulation.outcomes import NUMBER
+from . import store
+from .plan import Plan
+from .reduce import ENDED_EARLY, EXCEEDED, FINISHED, HELD, NOT_BUILT, NOT_RUN, UNKNOWN
+
+WARNED = 10
+"""Kinds of warnings that are told."""
+
+
+def of_plan(plan: Plan) -> dict[str, Any]:
+    """What a study will run."""
+    settings = plan.scenario.resolved["simulation"]
+    return {
+        "title": plan.file.content["title"],
+        "scenario": plan.scenario.title,
+        "axes": {name: list(dict.fromkeys(plan.cases.values[name])) for name in plan.cases.names},
+        "cases": plan.cases.count,
+        "seeds": [plan.seeds[0], plan.seeds[-1]],
+        "runs": plan.runs,
+        "duration_s": settings["duration_s"],
+        "after_s": plan.kept.after_s,
+        "columns": len(plan.columns),
+        "limits": [limit["name"] for limit in plan.limits],
+    }
+
+
+def of_results(folder: Path, plan: Plan) -> dict[str, Any]:
+    """How the runs ended, how limits held, and what the engine warned of."""
+    found = store.open_results(folder)
+    status = found["status"].values
+    ends = {int(run): text for marker in store.markers(folder) for run, text in marker["ends"].items()}
+    names = {"finished": FINISHED, "ended_early": ENDED_EARLY, "not_built": NOT_BUILT, "not_run": NOT_RUN}
+    return {
+        **{name: int((status == code).sum()) for name, code in names.items()},
+        "ends": [{"run": run, "text": ends[run]} for run in sorted(ends)],
+        "limits": [_limit(found, k, plan) for k in range(len(plan.limits))],
+        "warnings": _warnings(folder),
+    }
+
+
+def _limit(found: Any, k: int, plan: Plan) -> dict[str, Any]:
+    held, worst = found["limit_held"].values[:, k], found["limit_worst"].values[:, k]
+    least, most = (float(found[name].values[k]) for name in ("at_least", "at_most"))
+    margin = np.fmin(worst - least, most - worst)
+    known = bool(np.isfinite(margin).any())
+    run = int(np.nanargmin(margin)) if known else None
+    return {
+        "name": plan.limits[k]["name"],
+        "column": plan.limits[k]["column"],
+        "unit": plan.limits[k]["unit"],
+        "held": int((held == HELD).sum()),
+        "exceeded": int((held == EXCEEDED).sum()),
+        "unknown": int((held == UNKNOWN).sum()),
+        "worst": None if run is None else float(worst[run]),
+        "worst_run": run,
+        "worst_in": {} if run is None else dict(plan.overrides(run)),
+    }
+
+
+def _warnings(folder: Path) -> list[dict[str, Any]]:
+    alike: dict[tuple[str, str], dict[str, Any]] = {}
+    for marker in store.markers(folder):
+        for one in marker["warnings"]:
+            entry = alike.setdefault((one["name"], NUMBER.sub("#", one["text"])), one | {"runs": 0})
+            entry["runs"] += one["runs"]
+    return sorted(alike.values(), key=lambda one: (-one["runs"], one["name"]))
+
+
+def plan_lines(about: dict[str, Any]) -> Iterator[str]:
+    """What will run, a line each."""
+    yield about["title"]
+    yield f"scenario        {about['scenario']}"
+    first, last = about["seeds"]
+    seeds = f"seeds {first} to {last}" if last > first else f"seed {first}"
+    after = f", statistics after {about['after_s']:g} s" if about["after_s"] else ""
+    of = f"{about['duration_s']:g} s{after}: {about['cases']} cases, {seeds}"
+    yield f"runs            {about['runs']} of {of}"
+    for name, values in about["axes"].items():
+        yield f"axis            {name}: {_listed(values)}"
+    limits = f"; limits: {', '.join(about['limits'])}" if about["limits"] else ""
+    yield f"columns         {about['columns']}{limits}"
+
+
+def result_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
+    """What came of it, a line each."""
+    yield f"finished        {found['finished']} of {runs} runs"
+    for name, words in (("ended_early", "ended early"), ("not_built", "are no scenario")):
+        if found[name]:
+            yield f"                {found[name]} {words}"
+    if found["not_run"]:
+        yield f"                {found['not_run']} are left"
+    for limit in found["limits"]:
+        yield f"limit           {_limit_words(limit)}"
+
+
+def warning_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
+    """What one should not miss, a line each."""
+    if found["ends"]:
+        first = found["ends"][0]
+        yield f"warning, in {len(found['ends'])} of {runs} runs, first run {first['run']}: {first['text']}"
+    for one in found["warnings"][:WARNED]:
+        yield f"warning, in {one['runs']} of {runs} runs, first: {one['name']}: {one['text']}"
+    if (more := len(found["warnings"]) - WARNED) > 0:
+        yield f"warning, {more} more kinds of warnings: {store.UNITS}/*.json have them"
+
+
+def _limit_words(limit: dict[str, Any]) -> str:
+    judged = limit["held"] + limit["exceeded"]
+    words = f"{limit['name']} held in {limit['held']} of {judged} runs"
+    if limit["worst_run"] is None:
+        return words
+    where = ", ".join(f"{name} {_shown(value)}" for name, value in limit["worst_in"].items())
+    return f"{words}, worst {limit['worst']:.4g} {limit['unit']} in run {limit['worst_run']} ({where})"
+
+
+def _listed(values: list[Any]) -> str:
+    shown = [_shown(value) for value in values]
+    return ", ".join(shown) if len(shown) <= 8 else f"{len(shown)} values, {shown[0]} to {shown[-1]}"
+
+
+def _shown(value: Any) -> str:
+    return (
+        f"{value:g}" if isinstance(value, float) else value if isinstance(value, str) else json.dumps(value)
+    )

@@ -1,0 +1,132 @@
+"""A process that judges cases: one that dies, hangs or takes too much memory takes only this process
+along."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import multiprocessing
+import os
+import signal
+import tempfile
+import time
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
+from pathlib import Path
+
+from .contract import LONGEST_CASE_S, MEMORY_BYTES, Case, judge
+
+LONGEST_WAIT_S = 300.0
+"""Of the clock, where the machine is busy with other things or its system knows no such signal."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a case came to, the processor's time for it, and the most memory that the process had."""
+
+    says: str
+    processor_s: float = 0.0
+    peak_bytes: int = 0
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether it is what must not be."""
+        return self.says.startswith("WRONG")
+
+
+class Apart:
+    """Cases are handed to a process; another replaces it when it dies of its case."""
+
+    def __init__(self) -> None:
+        self.process: BaseProcess | None = None
+
+    def ask(self, case: Case) -> Verdict:
+        """Judge a case there."""
+        if self.process is None:
+            self.begin()
+        try:
+            self.ends.send(case)
+            return self.ends.recv() if self.ends.poll(LONGEST_WAIT_S) else self.lost("it hangs")
+        except (EOFError, OSError):
+            return self.lost("the process died")
+
+    def begin(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        self.ends, theirs = context.Pipe()
+        self.process = context.Process(target=answer, args=(theirs,), daemon=True)
+        self.process.start()
+        theirs.close()
+        assert self.ends.recv() == "ready"
+
+    def lost(self, what: str) -> Verdict:
+        assert self.process is not None
+        self.process.kill()
+        self.process.join()
+        code = self.process.exitcode
+        self.process = None
+        hung = code == -int(getattr(signal, "SIGPROF", 0))
+        found = f"more than {LONGEST_CASE_S:g} s" if hung else f"{what}, exit code {code}"
+        return Verdict(f"WRONG: {found}", LONGEST_CASE_S if hung else 0.0)
+
+    def end(self) -> None:
+        """No more cases."""
+        if self.process is not None:
+            with contextlib.suppress(OSError):
+                self.ends.send(None)
+            self.process.join()
+            self.process = None
+
+
+def answer(ends: Connection) -> None:
+    """Judge what comes, until nothing does."""
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    import xarray  # noqa: F401  # It takes seconds, and no case is to be blamed for them.
+
+    _limit_memory()
+    ends.send("ready")
+    with tempfile.TemporaryDirectory() as name:
+        while (case := ends.recv()) is not None:
+            ends.send(_timed(case, Path(name)))
+
+
+def _timed(case: Case, folder: Path) -> Verdict:
+    # Its module and what that makes once are not the case's.
+    use = importlib.import_module(f"fuzz.kinds.{case.kind}").use
+    _forget_peak()
+    began = time.process_time()
+    # Of the processor, whatever else the machine does; the signal ends a process in compiled code too.
+    _alarm(LONGEST_CASE_S)
+    says = judge(use, case, folder)
+    _alarm(0)
+    return Verdict(says, time.process_time() - began, _peak_bytes())
+
+
+def _alarm(seconds: float) -> None:
+    if hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_PROF, seconds)
+
+
+def _limit_memory() -> None:
+    """Of what the process writes: its libraries are not counted."""
+    with contextlib.suppress(ImportError, AttributeError, ValueError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_BYTES, MEMORY_BYTES))
+
+
+def _forget_peak() -> None:
+    """So that the peak of memory is the next case's own (proc(5), Linux)."""
+    with contextlib.suppress(OSError):
+        Path("/proc/self/clear_refs").write_text("5")
+
+
+def _peak_bytes() -> int:
+    with contextlib.suppress(OSError):
+        status = Path("/proc/self/status").read_text()
+        return 1024 * int(status.partition("VmHWM:")[2].split()[0])
+    with contextlib.suppress(ImportError):
+        import resource
+
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    return 0

@@ -1,0 +1,42 @@
+"""Cases that were found once, as small files: `corpus/KIND/NAME.json`."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from .contract import Case
+
+FOLDER = Path(__file__).parent / "corpus"
+
+
+def load(path: Path) -> Case:
+    """A case from its file."""
+    tree: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    files = {name: _content(held) for name, held in tree["files"].items()}
+    return Case(path.parent.name, files, tuple(tree["arguments"]))
+
+
+def save(case: Case, folder: Path, says: str, name: str | None = None) -> Path:
+    """Write a case, with what it came to."""
+    digest = hashlib.sha256(repr((case.files, case.arguments)).encode()).hexdigest()[:10]
+    path = folder / case.kind / f"{name or digest}.json"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    files = {file: _held(content) for file, content in case.files.items()}
+    tree = {"found": says[:600], "arguments": list(case.arguments), "files": files}
+    path.write_text(json.dumps(tree, indent=1, ensure_ascii=True) + "\n", encoding="utf-8")
+    return path
+
+
+def _held(content: bytes) -> str | dict[str, str]:
+    try:
+        return content.decode()
+    except UnicodeDecodeError:
+        return {"base64": base64.b64encode(content).decode()}
+
+
+def _content(held: str | dict[str, str]) -> bytes:
+    return held.encode() if isinstance(held, str) else base64.b64decode(held["base64"])

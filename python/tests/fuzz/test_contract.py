@@ -1,0 +1,64 @@
+"""The contract itself: what it lets through, and what it finds."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from kingpost.errors import KingpostError
+
+from .contract import Case, judge
+from .corpus import load, save
+from .kinds import command_line, records
+
+CASE = Case("records", {"record.csv": b"time_s\n", "below/x.csv": b"\xff\x00"}, ("decay", "python"))
+
+
+def refused(*_: object) -> str:
+    raise KingpostError("record.csv: found no roll, allowed: a column roll_deg")
+
+
+def broken(*_: object) -> str:
+    raise ZeroDivisionError("by 0")
+
+
+def panicked(*_: object) -> str:
+    raise KingpostError("the engine failed: index out of bounds; this is a defect of Kingpost")
+
+
+def loud(*_: object) -> str:
+    print("a\x1b[31mred")
+    return "taken"
+
+
+def endless(*_: object) -> str:
+    print(10**300)
+    return "taken"
+
+
+@pytest.mark.parametrize(
+    ("use", "says"),
+    [
+        (refused, "refused: record.csv: found no roll"),
+        (broken, "WRONG: ZeroDivisionError at test_contract.py:"),
+        (panicked, "WRONG: a panic"),
+        (loud, "WRONG: a control character"),
+        (endless, "WRONG: a number of 301 digits"),
+    ],
+)
+def test_a_case_is_judged_by_what_a_user_would_see(use, says, tmp_path) -> None:
+    """Source: the public contract."""
+    assert judge(use, CASE, tmp_path).startswith(says)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_case_comes_back_from_its_file(tmp_path) -> None:
+    """Source: what is saved is replayed."""
+    assert load(save(CASE, tmp_path, "WRONG")) == CASE
+
+
+def test_the_same_seed_draws_the_same_case() -> None:
+    """Source: a failure that cannot be repeated cannot be mended."""
+    for kind in (command_line, records):
+        drawn = [[kind.drawn(random.Random(seed)) for seed in range(20)] for _ in range(2)]
+        assert drawn[0] == drawn[1]

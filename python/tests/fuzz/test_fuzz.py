@@ -1,0 +1,69 @@
+"""Inputs of every kind with something wrong: each is taken, or refused in words.
+
+A short run, the same each time. A long one: `tools/attack.py`. What either finds is put into `corpus/`,
+where a
+test replays it.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from .apart import Apart
+from .corpus import FOLDER, load
+
+# Cases of the short run, by what one takes.
+CASES = {
+    "scenario_text": 60,
+    "command_line": 100,
+    "databases": 80,
+    "rao_tables": 120,
+    "records": 60,
+    "meshes": 80,
+    "netcdf": 30,
+    "foreign": 60,
+    "requests": 120,
+}
+TIMES = int(os.environ.get("KINGPOST_FUZZ_TIMES", "1"))
+"""So many times the cases, and then others each time."""
+
+
+@pytest.fixture(scope="module")
+def apart():
+    """One process for all kinds: what it loads, it loads once."""
+    process = Apart()
+    yield process
+    process.end()
+
+
+@pytest.mark.parametrize("kind", CASES)
+def test_what_has_something_wrong_is_taken_or_refused_in_words(kind, apart):
+    """Source: the public contract: `contract` says what is allowed."""
+    drawn = importlib.import_module(f"fuzz.kinds.{kind}").drawn
+
+    @settings(
+        max_examples=CASES[kind] * TIMES,
+        derandomize=TIMES == 1,
+        database=None,
+        deadline=None,
+        suppress_health_check=list(HealthCheck),
+    )
+    @given(st.randoms(use_true_random=False))
+    def holds(draw) -> None:
+        case = drawn(draw)
+        says = apart.ask(case).says
+        assert not says.startswith("WRONG"), f"{says}\n{case}"[:5000]
+
+    holds()
+
+
+def test_what_was_found_once_holds(apart):
+    """Source: the corpus: each of its cases came to what must not be."""
+    paths = sorted(FOLDER.glob("*/*.json"))
+    said = {path.relative_to(FOLDER).as_posix(): apart.ask(load(path)).says for path in paths}
+    assert {name: says for name, says in said.items() if says.startswith("WRONG")} == {}

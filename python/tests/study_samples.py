@@ -1,0 +1,38 @@
+"""What the tests of studies share: a fast study, and how two folders compare."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+RUNS = 24
+SLEWING: dict[str, Any] = {
+    "version": 1,
+    "title": "Slewing",
+    "scenario": "paper",
+    "set": {"simulation.duration_s": 0.2, "simulation.step_s": 0.002, "simulation.record_every_s": 0.01},
+    "axes": {
+        "crane_x_m": {"range": {"from": -10, "to": 0, "count": 6}},
+        "motor_2": {"values": [True, False]},
+    },
+    "seeds": {"count": 2},
+    "after_s": 0.05,
+    "record": ["ship.roll", "ship.position.*"],
+    "limits": {"roll": {"column": "ship.roll", "within": 0.1, "unit": "deg"}},
+    "peaks": {"columns": ["ship.roll"], "keep": 3},
+    "rainflow": {"columns": ["ship.roll"], "slopes": [3]},
+}
+"""24 runs of the paper's crane ship, 0.2 s each."""
+
+
+def numbers(folder: Path) -> dict[str, bytes]:
+    """All that stands in the results of a study, and its markers, by file."""
+    paths = [*(folder / "results.zarr").rglob("*"), *(folder / "units").glob("[0-9]*.json")]
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths if path.is_file()}
+
+
+def written(study: dict[str, Any], path: Path) -> Path:
+    """A study as a file: JSON is YAML."""
+    path.write_text(json.dumps(study, indent=1), encoding="utf-8")
+    return path

@@ -1,0 +1,163 @@
+"""Series of sea states: what is read of them, and what is said of wrong ones."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+from kingpost import KingpostError
+from kingpost.study import series
+from kingpost.study.sea_states import Series, SeriesError
+
+PLAIN = "time,hs,tp,mwd\n2026-05-01T00:00,1.5,8,350\n2026-05-01T03:00,1.6,8.5,10\n"
+
+
+def written(folder: Path, text: str, name: str = "sea.csv") -> Path:
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_plain_file_is_read_in_utc(tmp_path: Path) -> None:
+    found = series.read(written(tmp_path, PLAIN))
+    assert [str(time) for time in found.time] == ["2026-05-01T00:00:00", "2026-05-01T03:00:00"]
+    assert found.height_m.tolist() == [1.5, 1.6]
+    assert found.period_s.tolist() == [8.0, 8.5]
+    assert found.period == "peak"
+    assert found.direction_from_deg is not None
+    assert found.direction_from_deg.tolist() == [350, 10]
+    assert found.step_hours == 3
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "# a buoy\nTime;Hs (m);Tp (s);MWD [deg]\n2026-05-01T00:00Z;1,5;8;350\n2026-05-01T03Z;1,6;8,5;10\n",
+        "valid_time\tVHM0\tVTPK\tVMDR\n2026-05-01 02:00+02:00\t1.5\t8\t350\n2026-05-01 03:00\t1.6\t8.5\t10\n",
+        "date,swh,mwp,pp1d,direction_to_deg,wind\n2026-05-01,1.5,6,8,170,3\n2026-05-01T03,1.6,6,8.5,190,nan\n",
+    ],
+)
+def test_names_units_zones_and_separators_say_the_same(tmp_path: Path, text: str) -> None:
+    found, plain = series.read(written(tmp_path, text)), series.read(written(tmp_path, PLAIN, "plain.csv"))
+    assert (found.time == plain.time).all()
+    assert found.height_m.tolist() == plain.height_m.tolist()
+    assert found.period_s.tolist() == plain.period_s.tolist()
+    assert found.direction_from_deg is not None
+    assert plain.direction_from_deg is not None
+    assert found.direction_from_deg.tolist() == plain.direction_from_deg.tolist()
+
+
+def test_gaps_and_uneven_steps_stay(tmp_path: Path) -> None:
+    text = "time,hs,tp\n2026-05-01T00,1,8\n2026-05-01T01,,8\n2026-05-01T02,1,nan\n2026-05-01T09,1,0\n"
+    found = series.read(written(tmp_path, text))
+    assert found.hours.tolist() == [0, 1, 2, 9]
+    assert np.isnan(found.height_m).tolist() == [False, True, False, False]
+    assert np.isnan(found.period_s).tolist() == [False, False, True, True]
+    assert found.direction_from_deg is None
+
+
+def test_mean_periods_become_peak_periods() -> None:
+    time = np.array(["2026-05-01"], "datetime64[s]")
+    found = Series(time, np.ones(1), np.array([7.104]), "zero_up_crossing").with_peak_periods(1.0)
+    # Pierson-Moskowitz: Tz = (4 / (5 pi))^(1/4) ... of Tp, 0.7104 of it.
+    assert found.period_s.tolist() == pytest.approx([10.0], rel=1e-3)
+    assert found.period == "peak"
+
+
+@pytest.mark.parametrize(
+    ("heading", "came_from", "goes_to"),
+    [(0, 0, 180), (0, 180, 0), (0, 90, 90), (0, 270, 270), (90, 90, 180), (30, 75, 135), (350, 10, 160)],
+)
+def test_waves_from_ahead_go_astern_and_from_starboard_to_port(
+    heading: float, came_from: float, goes_to: float
+) -> None:
+    """Source: geometry. Directions of a scenario go from x, forward, to port; a compass the other way."""
+    time = np.array(["2026-05-01"], "datetime64[s]")
+    found = Series(time, np.ones(1), np.ones(1), direction_from_deg=np.array([float(came_from)]))
+    assert np.degrees(found.directions_rad(heading)).tolist() == pytest.approx([goes_to])
+
+
+def era5(points: tuple[int, int] = (1, 1)) -> xarray.Dataset:
+    """As the Climate Data Store writes it since 2024, made up."""
+    time = np.array(["2026-05-01T00", "2026-05-01T01"], "datetime64[ns]")
+    shape = (2, *points)
+    values = np.arange(np.prod(shape), dtype=float).reshape(shape)
+    about = {"swh": ("m", 1.0), "pp1d": ("s", 7.0), "mwp": ("s", 6.0), "mwd": ("Degree true", 90.0)}
+    return xarray.Dataset(
+        {name: (("valid_time", "latitude", "longitude"), start + 0.1 * values, {"units": unit})
+         for name, (unit, start) in about.items()},
+        {"valid_time": time, "latitude": 60.0 - 0.5 * np.arange(points[0]),
+         "longitude": 3.0 + 0.5 * np.arange(points[1]), "number": 0,
+         "expver": ("valid_time", ["0001", "0001"])},
+    )  # fmt: skip
+
+
+def test_era5_of_one_point_and_of_the_nearest_of_several(tmp_path: Path) -> None:
+    era5().to_netcdf(tmp_path / "one.nc", engine="h5netcdf")
+    one = series.read(tmp_path / "one.nc")
+    assert one.height_m.tolist() == pytest.approx([1.0, 1.1])
+    assert one.period_s.tolist() == pytest.approx([7.0, 7.1])
+    assert one.direction_from_deg is not None
+    assert one.direction_from_deg.tolist() == pytest.approx([90.0, 90.1])
+    assert str(one.time[1]) == "2026-05-01T01:00:00"
+    era5((3, 4)).to_netcdf(tmp_path / "many.nc", engine="h5netcdf")
+    near = series.read(tmp_path / "many.nc", at=(59.6, -356.1))
+    # Row 1 and column 2 of 3 x 4: number 6, a step of 12 in time.
+    assert near.height_m.tolist() == pytest.approx([1.6, 2.8])
+    assert near.place == "latitude 59.5, longitude 4"
+    with pytest.raises(SeriesError, match="latitude: found 3 values from 59 to 60, allowed: one point"):
+        series.read(tmp_path / "many.nc")
+    with pytest.raises(SeriesError, match="latitude: found 40, outside of 59 to 60, allowed"):
+        series.read(tmp_path / "many.nc", at=(40.0, 4.0))
+
+
+def test_other_names_are_given(tmp_path: Path) -> None:
+    text = PLAIN.replace("hs", "H_sig").replace("mwd", "wave_dir").replace("tp", "T")
+    path = written(tmp_path, text)
+    with pytest.raises(
+        SeriesError, match=r"sea.csv:1: Hs: found time, H_sig, T, wave_dir, allowed: a column"
+    ):
+        series.read(path)
+    columns = {"height": "H_sig", "period": "T", "direction": "wave_dir"}
+    with pytest.raises(SeriesError, match="direction: found the column wave_dir, allowed: from or to"):
+        series.read(path, columns)
+    found = series.read(path, columns, "to")
+    assert found.direction_from_deg is not None
+    assert found.direction_from_deg.tolist() == [170, 190]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (PLAIN.replace("1.6", "high"), "sea.csv:3: hs: found 'high', allowed: a number, or nothing in a gap"),
+        (PLAIN.replace("1.6", "-1"), "sea.csv:3: hs: found -1 at 2026-05-01T03:00:00, allowed: 0 or more"),
+        (PLAIN.replace("T03", "T00"), "sea.csv:3: time: found 2026-05-01T00:00:00 after 2026-05-01T00"),
+        (
+            PLAIN.replace("2026-05-01T03:00", "1 May"),
+            "sea.csv:3: time: found '1 May', allowed: a time in ISO",
+        ),
+        (PLAIN.replace(",10\n", "\n"), "sea.csv:3: cells: found 3, allowed: 4, as the header has"),
+        (PLAIN.replace("hs", "hs (ft)"), r"sea.csv:1: unit of hs \(ft\): found 'ft', allowed: m"),
+        (PLAIN.replace("tp", "hm0"), "sea.csv:1: Hs: found hs, hm0, allowed: one column"),
+        (PLAIN.replace("tp", "power"), "sea.csv:1: period: found time, hs, power, mwd, allowed: a column"),
+        ("time,hs,tp\n2026-05-01,,8\n", "sea.csv: hs: found gaps alone"),
+        ("time,hs,tp\n", "sea.csv: rows: found 0"),
+    ],
+)
+def test_a_wrong_series_is_said_with_its_line(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(SeriesError, match=message) as caught:
+        series.read(written(tmp_path, text))
+    assert isinstance(caught.value, KingpostError)
+
+
+def test_files_that_are_none_are_said(tmp_path: Path) -> None:
+    with pytest.raises(SeriesError, match=r"no\.csv: file: found none"):
+        series.read(tmp_path / "no.csv")
+    with pytest.raises(SeriesError, match=r"bad\.nc: file: found what xarray cannot open"):
+        series.read(written(tmp_path, "no NetCDF", "bad.nc"))
+    with pytest.raises(SeriesError, match="columns: found 'wind', allowed: time, height"):
+        series.read(written(tmp_path, PLAIN), {"wind": "u10"})
+    with pytest.raises(SeriesError, match="columns: found 'u10', allowed: time, hs, tp, mwd"):
+        series.read(written(tmp_path, PLAIN), {"height": "u10"})

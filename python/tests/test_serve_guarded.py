@@ -1,0 +1,134 @@
+"""`kingpost serve`: what it does not answer: other names and files, bodies, connections that say nothing."""
+
+from __future__ import annotations
+
+import socket
+import threading
+import time
+from contextlib import closing
+from http.client import HTTPConnection
+from urllib.error import HTTPError
+from urllib.parse import urlsplit
+from urllib.request import urlopen
+
+import pytest
+from kingpost.server import listening, serve
+from served import ask, fetch
+
+
+@pytest.mark.parametrize("path", ["assets/", "no/such/file", "../conftest.py", "scenarios/none.yaml"])
+def test_nothing_else_is_served(address, path):
+    """Source: folders are not listed, and files outside of the app are not reachable."""
+    with pytest.raises(HTTPError) as refused:
+        urlopen(address + path)
+    assert refused.value.code == 404
+
+
+@pytest.mark.parametrize("path", ["%00", "a%00b", "%0d%0aX:1", "%7f"])
+def test_an_address_with_characters_that_no_file_has_is_not_found(address, path):
+    """Source: a path with a zero byte raises in the operating system's calls, and was a traceback."""
+    assert fetch(address, path).status == 404
+
+
+@pytest.mark.parametrize(
+    ("host", "status"),
+    [
+        ("localhost:1", 200),
+        ("[::1]:80", 200),
+        ("192.168.1.7", 200),
+        ("evil.example", 421),
+        ("[x", 421),
+        ("", 421),
+    ],
+)
+def test_another_name_that_leads_to_this_machine_reads_nothing(address, host, status):
+    """Source: DNS rebinding: a web page whose name is made to lead here would read a private scenario."""
+    with closing(HTTPConnection(urlsplit(address).netloc, timeout=20)) as connection:
+        connection.putrequest("GET", "/scenarios/index.json", skip_host=True)
+        connection.putheader("Host", host)
+        connection.endheaders()
+        assert connection.getresponse().status == status
+
+
+def test_every_answer_tells_the_browser_to_load_nothing_from_elsewhere(address):
+    """Source: OWASP's secure headers."""
+    for path in ("", "scenarios/index.json", "nonesuch"):
+        headers = fetch(address, path).headers
+        assert headers["X-Content-Type-Options"] == "nosniff"
+        assert "default-src 'self'" in headers["Content-Security-Policy"]
+
+
+def test_a_body_is_not_read_as_the_next_request(address):
+    """Source: RFC 9112, section 6: what follows the head of a request with a length is its body."""
+    inner = b"GET /scenarios/index.json HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
+    outer = b"GET /nonesuch HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: %d\r\n\r\n"
+    answer = ask(address, outer % len(inner) + inner)
+    assert answer.count(b"HTTP/1.1 ") == 1
+    assert answer.startswith(b"HTTP/1.1 404 ")
+
+
+def test_the_answer_to_head_has_no_body_on_errors_either(address):
+    """Source: RFC 9110, section 9.3.2: else its bytes would be read as the start of the next answer."""
+    answer = ask(address, b"HEAD /nonesuch HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+    assert answer.startswith(b"HTTP/1.1 404 ")
+    assert answer.endswith(b"\r\n\r\n")
+
+
+def test_nothing_can_be_sent_to_it(address):
+    answer = ask(address, b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 2\r\n\r\n{}")
+    assert answer.startswith(b"HTTP/1.1 405 ")
+    assert b"Allow: GET, HEAD" in answer
+
+
+def test_an_aborted_download_says_nothing(app, capfd):
+    """Source: a phone that leaves in the middle of the engine; the next one is served."""
+    (app / "assets" / "engine.wasm").write_bytes(bytes(20_000_000))
+    with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        place = f"http://127.0.0.1:{server.server_port}/"
+        for _ in range(3):
+            with socket.create_connection((serve.LOOPBACK, server.server_port)) as line:
+                line.sendall(b"GET /assets/engine.wasm HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                line.recv(1000)
+                # Closed with data that are not read: the other side gets a reset.
+                line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
+        assert fetch(place, "").status == 200
+        server.shutdown()
+        thread.join()
+    assert capfd.readouterr().err == ""
+
+
+def test_connections_that_say_nothing_are_limited_in_number(app, monkeypatch):
+    monkeypatch.setattr(listening, "CONNECTIONS", 5)
+    with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        lines = [socket.create_connection((serve.LOOPBACK, server.server_port)) for _ in range(12)]
+        deadline = time.monotonic() + 2
+        while time.monotonic() < deadline and len(server._waitress.active_channels) < 4:
+            time.sleep(0.01)
+        time.sleep(0.1)
+        assert 1 <= len(server._waitress.active_channels) <= 5
+        for line in lines:
+            line.close()
+        server.shutdown()
+        thread.join()
+
+
+def test_a_client_that_is_slower_than_the_time_it_has_is_let_go(app, monkeypatch):
+    """Source: RFC 9112, section 9.5: a server may close a connection that is idle; one that has sent half a
+    head of a request is idle too."""
+    monkeypatch.setattr(listening, "IDLE_S", 0.2)
+    with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
+        # How often it looks for them, s.
+        server._waitress.adj.cleanup_interval = 0.1
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        try:
+            with socket.create_connection((serve.LOOPBACK, server.server_port), timeout=30) as line:
+                line.sendall(b"GET / HTTP/1.1\r\nHost: loc")
+                assert line.recv(1000) == b""
+        finally:
+            server.shutdown()
+            thread.join()
