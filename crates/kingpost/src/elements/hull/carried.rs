@@ -20,7 +20,7 @@ pub struct Carried<S = f64> {
 /// `(w / omega)^3`.
 #[derive(Clone, Copy, Debug)]
 pub struct CarriedFilter<S> {
-    /// Along the level axes of the slow frame behind each filter, m.
+    /// Along the level axes of the slow frame after each filter, m.
     stages: [[S; 2]; ORDER],
 }
 

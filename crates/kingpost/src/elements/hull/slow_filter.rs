@@ -18,7 +18,7 @@ const COUNT: usize = 5;
 /// free ship: within an hour a thousandth of the drift would turn it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowFilter<S = f64> {
-    /// x, y (m), heading, roll and pitch (rad) behind each filter.
+    /// x, y (m), heading, roll and pitch (rad) after each filter.
     stages: [[S; COUNT]; ORDER],
 }
 
