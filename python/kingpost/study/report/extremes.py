@@ -100,8 +100,8 @@ def _fatigue(runs: xarray.Dataset) -> list[Block]:
                          f"{equivalent / size:.4g} {unit}", str(at)))  # fmt: skip
     head = ("column", "slope m", "sum of n S^m, SI units", "cycles", "equivalent range", "in run")
     origin = (
-        f"File: {STORE}, variables damage and cycles: rainflow by ASTM E1049-85. The sum over a of the S-N curve "
-        "N = a S^-m is the damage."
+        f"File: {STORE}, variables damage and cycles: rainflow by ASTM E1049-85. The damage is the sum "
+        "over a of the S-N curve N = a S^-m."
     )
     return (
         [Table("Fatigue: the run with the largest damage", head, rows, origin, (1, 2, 3, 4, 5))]

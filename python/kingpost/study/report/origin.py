@@ -12,6 +12,14 @@ from .blocks import Block, Command, Paragraph, Section, Table
 VERIFICATION = "verification.json"
 """What `kingpost verify --json` wrote, in the study's folder."""
 VERIFY = "kingpost verify --json"
+FINGERPRINT = (
+    "It is the SHA-256 of all that decides the numbers: the scenario, the files that it names, axes, seeds, "
+    "the recorded columns, the engine."
+)
+CHECKED = (
+    "The engine is checked against closed forms, published values, other programs and model tests. It is not "
+    "validated against a measurement of a whole ship with a crane at sea: no usable one was found."
+)
 
 
 def section(folder: Path, about: Mapping[str, Any], digests: Mapping[str, str]) -> Section:
@@ -27,8 +35,7 @@ def section(folder: Path, about: Mapping[str, Any], digests: Mapping[str, str]) 
         SHA-256 of the files that are named, by name.
     """
     blocks: list[Block] = [
-        Paragraph(f"Fingerprint of the study: {about['fingerprint']}. It is the SHA-256 of all that decides the "
-                  "numbers: the scenario, the files that it names, axes, seeds, what is kept, the engine."),
+        Paragraph(f"Fingerprint of the study: {about['fingerprint']}. {FINGERPRINT}"),
         Table("Files of the study", ("file", "SHA-256"), list(digests.items()), "Command: sha256sum DIR/*."),
         Table("Files that the scenario names", ("file", "SHA-256"), list(about["files"].items()),
               "File: study.json, field files."),
@@ -39,18 +46,14 @@ def section(folder: Path, about: Mapping[str, Any], digests: Mapping[str, str]) 
         Paragraph("The study and this report again; what is finished is not computed a second time:"),
         Command("kingpost study study.yaml -o DIR --resume --report report.html"),
         Paragraph("Every number of the runs, in Python:"),
-        Command('import kingpost\n\nruns = kingpost.open_study("DIR")   # an xarray.Dataset, read as it is needed'),
+        Command('import kingpost\n\nruns = kingpost.open_study("DIR")   # an xarray.Dataset'),
     ]  # fmt: skip
     return Section("origin", "Where the numbers come from", blocks)
 
 
 def verification_section(folder: Path) -> Section:
     """What `kingpost verify` measured on this machine, where its file is in the folder."""
-    what = (
-        "The engine is checked against closed forms, published values, other programs and model tests. It is not "
-        "validated against a measurement of a whole ship with a crane at sea: none was found that may be used."
-    )
-    blocks: list[Block] = [Paragraph(what)]
+    blocks: list[Block] = [Paragraph(CHECKED)]
     path = folder / VERIFICATION
     if not path.is_file():
         blocks.append(Paragraph("The checks were not run for this report. To include them, run first:"))

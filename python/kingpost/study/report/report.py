@@ -35,8 +35,8 @@ def write(plan: Plan, folder: str | Path, path: str | Path, app: str = APP) -> P
     """Write the report of a study by the file's ending.
 
     What was modelled, the sea, the limiting sea by runs and by linear response, operability, how the limits
-    held, the worst runs with a link that opens each in the app, statistics, extremes, fatigue, verification, and
-    the origin of each number. The page needs no network.
+    held, the worst runs with a link that opens each in the app, statistics, extremes, fatigue, verification,
+    and the origin of each number. The page needs no network.
 
     Parameters
     ----------
@@ -137,7 +137,8 @@ def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str)
         most = "above " if finite.max() >= largest else ""
         yield (
             f"The limiting significant height, at an accepted probability of {accepted}, is "
-            f"{finite.min():.2f} m to {most}{finite.max():.2f} m; {governs[counts.argmax()]} governs most often."
+            f"{finite.min():.2f} m to {most}{finite.max():.2f} m; {governs[counts.argmax()]} governs most "
+            "often."
         )
 
 
@@ -152,8 +153,8 @@ def _doubts(results: xarray.Dataset) -> Iterator[str]:
     if missing:
         yield f"The study is not complete: {missing} of {status.size} runs have not run."
     yield (
-        "The numbers hold for the model described here; no measurement of this ship with her crane was compared. "
-        "Inputs, limits and the accepted probability are the user's."
+        "The numbers hold for the model described here; no measurement of this ship with her crane was "
+        "compared. Inputs, limits and the accepted probability are the user's."
     )
 
 

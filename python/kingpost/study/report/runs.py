@@ -121,9 +121,7 @@ def status_blocks(runs: xarray.Dataset, ends: Sequence[str]) -> list[Block]:
     if len(ends):
         texts, counts = np.unique(np.array([NUMBER.sub("#", text) for text in ends]), return_counts=True)
         rows = [(text, str(count)) for text, count in zip(texts, counts, strict=True)]
-        origin = (
-            "Files: units/*.json, field ends. These runs have no statistics; their limits count until then."
-        )
+        origin = "Files: units/*.json, field ends. These runs have no statistics."
         blocks.append(Table("Runs that did not finish", ("why", "runs"), rows, origin, (1,)))
     return blocks
 
