@@ -90,7 +90,7 @@ class TailExtreme:
         many groups; for the Weibull distribution those of Student's t with one degree of freedom less than
         groups.
 
-        >>> from kingpost.extremes import weibull
+        >>> from kingpost.analysis.extremes import weibull
         >>> rng = np.random.default_rng(1)
         >>> runs = [rng.rayleigh(1.0, 75) for _ in range(10)]
         >>> found = weibull(runs, record_s=600.0, duration_s=1800.0)
