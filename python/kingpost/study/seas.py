@@ -123,7 +123,8 @@ def moments(
     turned = [_turned(shapes[keys[sea.key]], running[keys[sea.key]], sea) for sea in seas]
     directions = np.unique(np.concatenate([spectral.directions_of(one) for one in turned]))
     nodes = np.unique(np.concatenate([spectral.nodes_of(one) for one in shapes]))
-    found = spectral.transfer(simulation, columns, directions, nodes)
+    lines = np.unique(np.concatenate([spectral.lines_of(one) for one in shapes]))
+    found = spectral.transfer(simulation, columns, directions, nodes, lines)
     densities = simulation.sea_spectra(found.omega_rad_s, spectral.SPREAD, trees)
     # By key and system: by direction and column, whatever direction a case takes.
     every = [[_weighted(found, one) for one in one_sea] for one_sea in densities]
