@@ -73,7 +73,8 @@ class Axis:
     @property
     def is_of_the_height(self) -> bool:
         """Whether it changes the significant height of waves and nothing else."""
-        return self.is_of_the_sea and all(path[-1] == HEIGHT for change in self.changes for path in change)
+        paths = [path for change in self.changes for path in change]
+        return self.is_of_the_sea and bool(paths) and all(path[-1] == HEIGHT for path in paths)
 
 
 def _flat(tree: Any, path: tuple[str, ...] = ()) -> dict[tuple[str, ...], Any]:
