@@ -13,6 +13,7 @@ from .accessor import Accessor
 from .analysis import extremes, fatigue, lift_rules, statistics
 from .analysis.gradients import gradient
 from .analysis.response import rao
+from .analysis.spectral import spectral_response
 from .analysis.stable_step import stable_step
 from .analysis.vibration import equilibrium, modes
 from .analysis.wave_response import wave_response
@@ -56,6 +57,7 @@ __all__ = [
     "rao",
     "results",
     "run",
+    "spectral_response",
     "stable_step",
     "statistics",
     "verify",

@@ -97,9 +97,7 @@ def test_derivatives_agree_with_central_differences_to_their_error(name, paramet
 @pytest.mark.parametrize(("name", "parameter"), REDRAWN)
 def test_a_sea_of_other_waves_has_no_derivative(name, parameter):
     """Source: the public contract: one realisation of a sea changes continuously by its height alone."""
-    with pytest.raises(
-        kingpost.ScenarioError, match=f"^{parameter}: found a number without a derivative"
-    ):
+    with pytest.raises(kingpost.ScenarioError, match=f"^{parameter}: found a number without a derivative"):
         kingpost.gradient(kingpost.load(name, in_waves(name)), parameter)
 
 

@@ -33,8 +33,10 @@ PERIOD_S, DIRECTION_DEG, HEIGHT_M = 7.0, 120.0, 0.02
 def test_every_column_of_a_run_in_a_small_regular_wave_has_its_amplitude_phase_and_mean(
     name, still, least
 ) -> None:
-    """Source: the engine in time, over whole periods when all else has died away; a least-squares sine. At 1 cm
-    what is of second order is a thousandth; it is all that some energies have."""
+    """Source: the engine in time, over whole periods when all else has died away; a least-squares sine.
+
+    At 1 cm what is of second order is a thousandth; it is all that some energies have.
+    """
     swell = {"height_m": HEIGHT_M, "period_s": PERIOD_S, "direction_deg": DIRECTION_DEG}
     sea = {"sea.waves": {"swell": {"regular": swell}}, "sea.ramp_s": 60, "simulation.duration_s": 200}
     omega = 2 * np.pi / PERIOD_S

@@ -35,6 +35,8 @@ SPREAD = 24
 """Directions of equal energy that stand for a sea that is spread."""
 PARTS = 8
 """Steps of the integral between two frequencies of the response."""
+MOST_LINES = 400
+"""Waves of single frequencies at each of which the response is solved for."""
 BESIDE = 1e-9
 """How far beside an end of a band, as a share of it, the density is taken to either side."""
 HARDLY_DAMPED = 1e-3
@@ -138,7 +140,7 @@ def spectral_response(
     (systems,) = simulation.sea_spectra([], SPREAD)
     if not systems:
         raise KingpostError("sea.waves: found none that run, allowed: a wave system with enabled: true")
-    found = transfer(simulation, chosen, directions_of(systems), nodes_of(systems))
+    found = transfer(simulation, chosen, directions_of(systems), nodes_of(systems), lines_of(systems))
     (systems,) = simulation.sea_spectra(found.omega_rad_s, SPREAD)
     m0, m2, halved = moments_in(found, systems)
     sigma, period = deviation_and_period(m0, m2)
@@ -182,7 +184,11 @@ OF_UNIT = ("mean", "standard_deviation", "significant_amplitude", "expected_maxi
 
 
 def transfer(
-    simulation: Simulation, columns: Sequence[str] | None, directions_rad: ArrayLike, nodes_rad_s: ArrayLike
+    simulation: Simulation,
+    columns: Sequence[str] | None,
+    directions_rad: ArrayLike,
+    nodes_rad_s: ArrayLike,
+    lines_rad_s: ArrayLike = (),
 ) -> Transfer:
     """The response of columns, squared, on a grid between the frequencies that all databases cover.
 
@@ -199,6 +205,9 @@ def transfer(
         That the waves go to, rad.
     nodes_rad_s
         Frequencies that the grid has too, rad/s.
+    lines_rad_s
+        Frequencies of single waves, rad/s: there the response is exact, where they are no more than some
+        hundreds.
 
     Returns
     -------
@@ -210,9 +219,13 @@ def transfer(
     True
     """
     covered = frequencies_that_all_cover(simulation.scenario)
+    lines = np.asarray(lines_rad_s, float)
+    if len(covered) and len(lines) <= MOST_LINES:
+        within = lines[(lines > covered[0]) & (lines < covered[-1])]
+        covered = np.unique(np.concatenate([covered, within]))
     found = simulation.column_response(directions_rad, covered, columns or (), about_resonances=True)
     omega = np.array(found["frequencies_rad_s"])
-    nodes = np.asarray(nodes_rad_s, float)
+    nodes = np.concatenate([np.asarray(nodes_rad_s, float), lines])
     cut = omega[:-1, None] + np.arange(PARTS) / PARTS * np.diff(omega)[:, None]
     grid = np.unique(
         np.concatenate([cut.ravel(), omega[-1:], nodes[(nodes > omega[0]) & (nodes < omega[-1])]])
@@ -269,8 +282,12 @@ def nodes_of(systems: Sequence[dict[str, Any]]) -> Numbers:
     ends = [
         end * (1 + side) for one in systems for end in one["band_rad_s"] or () for side in (-BESIDE, BESIDE)
     ]
-    lines = [line[0] for one in systems for line in one["lines"]]
-    return np.unique([*ends, *(node for one in systems for node in one["nodes_rad_s"]), *lines])
+    return np.unique([*ends, *(node for one in systems for node in one["nodes_rad_s"])])
+
+
+def lines_of(systems: Sequence[dict[str, Any]]) -> Numbers:
+    """Frequencies of the waves that have a single one, rad/s, each once."""
+    return np.unique([line[0] for one in systems for line in one["lines"]])
 
 
 def moments_in(found: Transfer, systems: Sequence[dict[str, Any]]) -> tuple[Numbers, Numbers, Numbers]:

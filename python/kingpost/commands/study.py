@@ -41,7 +41,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--report", metavar="FILE", help="write the report: .html, or .pdf by a browser at hand"
     )
     command.add_argument("--app", metavar="ADDRESS",
-                         help="of an app, for the links of the report (default: that of kingpost serve)")  # fmt: skip
+                         help="of an app, for the report's links (default: kingpost serve's)")  # fmt: skip
     command.add_argument("--repeat", type=int, metavar="RUN",
                          help="run one run again and write it whole, as run_RUN.nc, in -o")  # fmt: skip
     add_output(command)

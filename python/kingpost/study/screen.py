@@ -6,7 +6,7 @@ summed over it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -19,6 +19,7 @@ from ..analysis import spectral
 from ..analysis.wave_response import matching
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario
+from ..simulation.records import LimitBounds
 from ..simulation.simulate import Simulation
 from .limiting import limiting_height
 from .seas import HEIGHT, Axis, moments, sea_of
@@ -85,7 +86,7 @@ def screen(
     Raises
     ------
     KingpostError
-        When a case has no waves, nothing comes to rest, or an axis or a number is not allowed.
+        When no case has waves and comes to rest, or an axis or a number is not allowed.
 
     >>> axes = {"significant_height_m": [1.0, 2.0], "peak_period_s": [7.0, 9.0]}
     >>> limits = {"pitch": {"column": "hull.pitch", "within": 1, "unit": "deg"}}
@@ -117,7 +118,7 @@ class Statistics:
     columns: list[str]
     units: list[str]
     not_linear: dict[str, str]
-    bounds: list[Any]
+    bounds: list[LimitBounds]
     mean: Numbers
     m0: Numbers
     m2: Numbers
@@ -126,36 +127,52 @@ class Statistics:
 
 
 def _statistics(base: Scenario, axes: Sequence[Axis], columns: Sequence[str]) -> Statistics:
-    of_model = [axis for axis in axes if not axis.is_of_the_sea]
     shape = tuple(len(axis.values) for axis in axes)
-    parts: Numbers | None = None
-    first: spectral.Transfer | None = None
-    bounds: list[Any] = []
+    solved: list[tuple[list[tuple[int, ...]], spectral.Transfer, Numbers]] = []
+    bounds: list[LimitBounds] = []
     warnings: dict[str, None] = {}
-    for chosen in product(*(range(len(axis.values)) for axis in of_model)):
-        fixed = dict(zip((axis.name for axis in of_model), chosen, strict=True))
-        overrides = {k: v for axis in of_model for k, v in axis.overrides[fixed[axis.name]].items()}
-        simulation = Simulation(base.with_overrides(overrides) if overrides else base)
-        bounds = simulation.limit_bounds
-        names = matching(simulation, [*columns, *(one.column for one in bounds)])
-        free = [range(len(axis.values)) if axis.name not in fixed else [fixed[axis.name]] for axis in axes]
-        cases = list(product(*free))
+    failed: KingpostError | None = None
+    for overrides, cases in _cases_by_model(axes):
         seas = [sea_of(base.resolved, axes, case) for case in cases]
-        found, of_seas, said = moments(simulation, names, seas)
-        if parts is None:
-            first, parts = found, np.full((4, *shape, len(found.columns)), np.nan)
-        at = tuple(np.array(cases).T)
-        parts[(slice(None), *at)] = np.concatenate([np.broadcast_to(found.mean, of_seas[:1].shape), of_seas])
+        try:
+            simulation = Simulation(base.with_overrides(overrides) if overrides else base)
+            bounds = simulation.limit_bounds
+            names = matching(simulation, [*columns, *(one.column for one in bounds)])
+            found, of_seas, said = moments(simulation, names, seas)
+        except KingpostError as error:
+            failed = failed or error
+            warnings[f"{_in_words(overrides)}: {error}"] = None
+            continue
+        solved.append((cases, found, of_seas))
         warnings |= dict.fromkeys(said)
-    if parts is None or first is None:
-        raise KingpostError("axes: found no case, allowed: one or more values of each")
+    if not solved:
+        raise failed or KingpostError("axes: found no case, allowed: one or more values of each")
+    first = solved[0][1]
+    parts = np.full((4, *shape, len(first.columns)), np.nan)
+    not_linear: dict[str, str] = {}
+    for cases, found, of_seas in solved:
+        at = (slice(None), *np.array(cases, int).reshape(len(cases), len(axes)).T)
+        parts[at] = np.concatenate([np.broadcast_to(found.mean, of_seas[:1].shape), of_seas])
+        not_linear |= found.not_linear
     mean, m0, m2, halved = parts
     with np.errstate(invalid="ignore", divide="ignore"):
         error = np.abs(np.sqrt(halved / m0) - 1)
     worst = float(np.max(error, initial=0.0, where=np.isfinite(error) & (m0 > 0)))
-    return Statistics(
-        first.columns, first.units, first.not_linear, bounds, mean, m0, m2, worst, list(warnings)
-    )
+    return Statistics(first.columns, first.units, not_linear, bounds, mean, m0, m2, worst, list(warnings))
+
+
+def _cases_by_model(axes: Sequence[Axis]) -> Iterator[tuple[dict[str, Any], list[tuple[int, ...]]]]:
+    """What is set over the scenario in cases of one model, and these, by the number of each axis' value."""
+    of_model = [axis for axis in axes if not axis.is_of_the_sea]
+    for chosen in product(*(range(len(axis.values)) for axis in of_model)):
+        fixed = dict(zip((axis.name for axis in of_model), chosen, strict=True))
+        overrides = {k: v for axis in of_model for k, v in axis.overrides[fixed[axis.name]].items()}
+        numbers = [[fixed[axis.name]] if axis.name in fixed else range(len(axis.values)) for axis in axes]
+        yield overrides, list(product(*numbers))
+
+
+def _in_words(overrides: Mapping[str, Any]) -> str:
+    return ", ".join(f"{name} {value}" for name, value in overrides.items()) or "the scenario"
 
 
 def _height_axis(axes: Sequence[Axis], given: str | None) -> int | None:
@@ -211,7 +228,7 @@ def _dataset(
         ], axis=-1)  # fmt: skip
         names = np.array([one.name for one in found.bounds], str)
         known = np.where(np.isnan(limiting), np.inf, limiting)
-        smallest = known.min(axis=-1)
+        smallest = np.where(np.isnan(limiting).all(axis=-1), np.nan, known.min(axis=-1))
         governs = np.where(np.isfinite(smallest), names[known.argmin(axis=-1)], "")
         metre = {"units": "m", "long_name": "largest significant height that keeps the limit"}
         variables["limiting_height"] = ([*over, "limit"], limiting, metre)

@@ -73,7 +73,8 @@ class Axis:
     @property
     def is_of_the_height(self) -> bool:
         """Whether it changes the significant height of waves and nothing else."""
-        return self.is_of_the_sea and all(path[-1] == HEIGHT for change in self.changes for path in change)
+        paths = [path for change in self.changes for path in change]
+        return self.is_of_the_sea and bool(paths) and all(path[-1] == HEIGHT for path in paths)
 
 
 def _flat(tree: Any, path: tuple[str, ...] = ()) -> dict[tuple[str, ...], Any]:
@@ -123,7 +124,8 @@ def moments(
     turned = [_turned(shapes[keys[sea.key]], running[keys[sea.key]], sea) for sea in seas]
     directions = np.unique(np.concatenate([spectral.directions_of(one) for one in turned]))
     nodes = np.unique(np.concatenate([spectral.nodes_of(one) for one in shapes]))
-    found = spectral.transfer(simulation, columns, directions, nodes)
+    lines = np.unique(np.concatenate([spectral.lines_of(one) for one in shapes]))
+    found = spectral.transfer(simulation, columns, directions, nodes, lines)
     densities = simulation.sea_spectra(found.omega_rad_s, spectral.SPREAD, trees)
     # By key and system: by direction and column, whatever direction a case takes.
     every = [[_weighted(found, one) for one in one_sea] for one_sea in densities]

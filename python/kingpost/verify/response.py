@@ -7,6 +7,8 @@ import math
 import numpy as np
 
 from ..analysis import response
+from ..analysis.spectral import spectral_response
+from ..analysis.wave_response import wave_response
 from ..hydro.memory import smooth
 from .hydrodynamics import HULME
 from .measured import decay
@@ -117,6 +119,53 @@ def long_roll() -> Compared:
 def long_phase() -> Compared:
     found = _barge(0.0, "rotation").sel(body="ship", angle="pitch")
     return Compared(abs(float(np.angle(found.values[0, 0]))), math.pi / 2)
+
+
+ROPE_M, LOAD_KG = 20.0, 20e3
+LOAD_ABOUT_X_KG_M2 = LOAD_KG / 12 * (3.0**2 + 2.5**2)
+FREE_TO_SWING = {
+    "bodies.pedestal.joint.revolute.mode": "held",
+    "bodies.load.joint.universal.first.damping_N_m_s": 0,
+    "bodies.load.joint.universal.second.damping_N_m_s": 0,
+}
+
+
+def _add_swing(omega: float) -> None:
+    def swing() -> Compared:
+        columns = ["load.roll", "boom.tip.point_position.y"]
+        found = wave_response("offshore_vessel", columns, [2.0], [omega], FREE_TO_SWING)
+        roll, tip = found.response.values[:, 0, 0]
+        inertia = LOAD_ABOUT_X_KG_M2 + LOAD_KG * ROPE_M**2
+        moment = LOAD_KG * ROPE_M * omega**2
+        return Compared(roll / tip, abs(moment / (LOAD_KG * G * ROPE_M - inertia * omega**2)))
+
+    check(
+        f"swing-below-a-tip-{omega:g}",
+        f"swing of a load for each metre of the boom's tip, at {omega:g} rad/s",
+        area=AREA,
+        unit="rad/m",
+        source="a pendulum on a base that moves: m L w^2 / (m g L - (I + m L^2) w^2)",
+        tolerance=1e-8,
+        why="rounding, some ten digits of the matrix of accelerations",
+    )(swing)
+
+
+for _omega in (0.4, 0.9):
+    _add_swing(_omega)
+
+
+@check(
+    "deviation-of-a-sea",
+    "standard deviation of the waves at a vessel, by the spectrum",
+    area=AREA,
+    unit="m",
+    source="a quarter of the significant height, which is 2.5 m",
+    tolerance=0.005,
+    why="1 % of the energy at most lies beyond the frequencies of the database",
+)
+def deviation_of_a_sea() -> Compared:
+    found = spectral_response("offshore_vessel", ["water.wave_elevation"], waves=True)
+    return Compared(float(found.standard_deviation[0]), 2.5 / 4)
 
 
 def convolved(drop: int) -> float:

@@ -82,7 +82,7 @@ def _picture(known: dict[str, xarray.Dataset]) -> Picture | None:
             if k >= MOST_CURVES:
                 break
             of = heights[at]
-            values = np.where(np.isfinite(of.values), of.values, np.nan)
+            values = np.where(np.isfinite(of.values) & (of.values > 0), of.values, np.nan)
             label = f"{what}, {_case(of, others)}" if others else what
             axes.plot(found[period], values, styles[what], color=f"C{k}", ms=4, lw=1.2, label=label)
             _interval(axes, found, at, others, period, f"C{k}")
@@ -111,7 +111,8 @@ def _interval(
         .min(axis=0)
         for end in ("low", "high")
     ]
-    axes.vlines(found[period], *ends, color=colour, lw=0.8, alpha=0.6)
+    known = ends[0] > 0
+    axes.vlines(found[period].values[known], *(end[known] for end in ends), color=colour, lw=0.8, alpha=0.6)
 
 
 def _case(of: xarray.DataArray, names: Sequence[str]) -> str:

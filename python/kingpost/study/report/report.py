@@ -131,19 +131,18 @@ def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str)
     heights = by_runs["limiting_height_of_all"].values
     governs, counts = np.unique(by_runs["governs"].values, return_counts=True)
     finite = heights[np.isfinite(heights)]
-    if finite.size:
-        accepted = f"{100 * by_runs.attrs['acceptance']:g} % in {by_runs.attrs['operation_s']:g} s"
-        largest = float(by_runs[_height_axis(plan)].max())
-        most = "above " if finite.max() >= largest else ""
+    axis = by_runs[plan.sea["significant_height"]]
+    smallest, largest = float(axis.min()), float(axis.max())
+    accepted = f"{100 * by_runs.attrs['acceptance']:g} % in {by_runs.attrs['operation_s']:g} s"
+    if finite.size and not finite.any():
+        yield f"In every case a limit fails at {smallest:g} m, the smallest significant height of the study."
+    elif finite.size:
+        least = f"{finite.min():.2f} m" if finite.min() > 0 else f"below {smallest:g} m"
+        most = f"{finite.max():.2f} m" if finite.max() < largest else f"above {largest:g} m"
         yield (
-            f"The limiting significant height, at an accepted probability of {accepted}, is "
-            f"{finite.min():.2f} m to {most}{finite.max():.2f} m; {governs[counts.argmax()]} governs most "
-            "often."
+            f"The limiting significant height, at an accepted probability of {accepted}, is {least} to "
+            f"{most}; {governs[counts.argmax()]} governs most often."
         )
-
-
-def _height_axis(plan: Plan) -> str:
-    return plan.sea["significant_height"]
 
 
 def _doubts(results: xarray.Dataset) -> Iterator[str]:

@@ -118,29 +118,29 @@ impl Scenario {
             not_linear: chosen.iter().map(|column| column.not_linear).collect(),
             amplitudes,
             resonances,
-            warnings: self.warnings_of_response(&at, &elements, &rows),
+            warnings: warnings(&at, &elements, &rows),
         })
     }
+}
 
-    /// What stands still or is left out about rest.
-    fn warnings_of_response(&self, at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
-        let mut warnings = self.hydrostatic_report_at(&at.rest).map_or_else(|_| Vec::new(), |report| report.warnings);
-        for element in elements {
-            let Some(left_out) = element.left_out_at_rest() else { continue };
-            let name = element.name();
-            let text = if name.is_empty() { left_out.to_owned() } else { format!("{name}: {left_out}") };
-            if !warnings.contains(&text) {
-                warnings.push(text);
-            }
+/// What does not stay at rest, is left out there, or stands still.
+fn warnings(at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
+    let unstable = at.instability.as_ref().map(|why| format!("the equilibrium is not stable: {why}"));
+    let left_out = elements.iter().filter_map(|element| {
+        let (name, text) = (element.name(), element.left_out_at_rest()?);
+        Some(if name.is_empty() { text.to_owned() } else { format!("{name}: {text}") })
+    });
+    let held = rows.layout().inputs.iter().filter_map(|input| {
+        let signal = input.signal.as_ref()?;
+        Some(format!("{}: held as it stands, though it takes the signal {signal} in a run", input.name))
+    });
+    let mut all: Vec<String> = Vec::new();
+    for warning in unstable.into_iter().chain(left_out).chain(held) {
+        if !all.contains(&warning) {
+            all.push(warning);
         }
-        for input in &rows.layout().inputs {
-            if let Some(signal) = &input.signal {
-                warnings
-                    .push(format!("{}: held as it stands, though it takes the signal {signal} in a run", input.name));
-            }
-        }
-        warnings
     }
+    all
 }
 
 /// A column of the response.

@@ -15,7 +15,7 @@ use super::{Linearization, Linearizer};
 use crate::elements::AnyElement;
 use crate::plant::Along;
 use crate::scenario::{Scenario, ScenarioError};
-use crate::simulation::{NoEquilibrium, Simulation};
+use crate::simulation::{Instability, NoEquilibrium, Simulation};
 use excitation::WaveLoads;
 use nalgebra::{Complex, DMatrix};
 use output::Outputs;
@@ -174,16 +174,18 @@ struct AtRest {
     free: Vec<usize>,
     /// What each state is.
     along: Vec<Along>,
+    /// Why nothing stays there, if it does not.
+    instability: Option<Instability>,
 }
 
 impl AtRest {
     fn new(scenario: &Scenario, simulation: &Simulation) -> Result<Self, ResponseError> {
         let mut rest = simulation.clone();
-        rest.settle()?;
+        let instability = rest.settle()?.instability;
         let mut linearizer = Linearizer::new(scenario)?.at_rest();
         let free: Vec<usize> = linearizer.positions().collect();
         let linear = linearizer.at(&rest);
-        Ok(Self { rest, linear, free, along: linearizer.along().to_vec() })
+        Ok(Self { rest, linear, free, along: linearizer.along().to_vec(), instability })
     }
 
     /// Amplitudes of the states in waves of 1 m, a column for each direction: `(-i w - A) x = b`.
