@@ -60,8 +60,7 @@ def run(
     with ExitStack() as held:
         if part is None:
             held.enter_context(locks.alone(folder))
-            store.clean()
-            store.begin(resume)
+            store.begin(resume, alone=True)
         else:
             held.enter_context(locks.beside_other_parts(folder, part))
             with locks.first_of_parts(folder):

@@ -56,8 +56,10 @@ class Store:
         self.variables = variables(plan.kept)
         self._arrays: dict[str, Any] = {}
 
-    def begin(self, resume: bool) -> None:
+    def begin(self, resume: bool, alone: bool = False) -> None:
         """Lay out the folder, or find the same study in it; what of its frame is damaged is written anew.
+
+        Where nobody else is at work, `alone`, what a process that was killed left half written is removed.
 
         Raises
         ------
@@ -75,6 +77,8 @@ class Store:
         if found is not None:
             self._check_same(found)
         with _written(self.folder):
+            if alone:
+                self._clean()
             (self.folder / UNITS).mkdir(parents=True, exist_ok=True)
             _replace(self.folder / STUDY, self.plan.file.text.encode())
             _replace(self.folder / SCENARIO, self.plan.scenario.json.encode())
@@ -83,19 +87,12 @@ class Store:
                 write_text(self.folder / ABOUT, json.dumps(about, indent=1))
             self._lay_out()
 
-    def clean(self) -> None:
-        """Remove what a process that was killed left half written; nobody else may be at work."""
-        with _written(self.folder):
-            for path in self.folder.glob(f"{BEGINNING}*"):
-                shutil.rmtree(path, ignore_errors=True)
-            for pattern in (
-                f".*{PARTIAL}",
-                f".{ABOUT}.*",
-                f"{UNITS}/.*{PARTIAL}",
-                f"{RESULTS}/**/*{PARTIAL}",
-            ):
-                for path in self.folder.glob(pattern):
-                    path.unlink(missing_ok=True)
+    def _clean(self) -> None:
+        for path in self.folder.glob(f"{BEGINNING}*"):
+            shutil.rmtree(path, ignore_errors=True)
+        for below in (f".*{PARTIAL}", f".{ABOUT}.*", f"{UNITS}/.*{PARTIAL}", f"{RESULTS}/**/*{PARTIAL}"):
+            for path in self.folder.glob(below):
+                path.unlink(missing_ok=True)
 
     def _about(self) -> dict[str, Any]:
         plan = self.plan
