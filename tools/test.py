@@ -51,6 +51,7 @@ class Result:
     passed: int = 0
     failed: int = 0
     seconds: float = 0.0
+    processor_s: float = 0.0
     output: str = ""
 
     def add(self, line: str) -> None:
@@ -66,7 +67,7 @@ def run(part: Part) -> Result:
     """Runs a part. One that breaks counts as one failure."""
     print(f"{part.name} begins", flush=True)
     start = time.monotonic()
-    done = subprocess.run(
+    process = subprocess.Popen(
         [MAKE, *part.target.split()],
         env=ENVIRONMENT,
         stdin=subprocess.DEVNULL,
@@ -74,14 +75,18 @@ def run(part: Part) -> Result:
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-        check=False,
     )
-    result = Result(output=done.stdout, seconds=time.monotonic() - start)
-    for line in done.stdout.splitlines():
+    with process.stdout as lines:
+        output = lines.read()
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    processor_s = used.ru_utime + used.ru_stime
+    result = Result(seconds=time.monotonic() - start, processor_s=processor_s, output=output)
+    for line in output.splitlines():
         plain = COLOUR.sub("", line)
         if part.summary and re.match(part.summary, plain):
             result.add(plain)
-    if done.returncode != 0 and result.failed == 0:
+    if process.returncode != 0 and result.failed == 0:
         result.failed = 1
     return result
 
@@ -108,7 +113,8 @@ def main() -> int:
     results = run_together([BUILD]) | run_together(PARTS)
     print("\n--- all ---")
     for name, result in results.items():
-        print(f"{name:8} {result.passed:5} passed {result.failed:4} failed {result.seconds:6.0f} s")
+        counts = f"{result.passed:5} passed {result.failed:4} failed"
+        print(f"{name:8} {counts} {result.seconds:6.0f} s {result.processor_s:6.0f} s of a processor")
     passed = sum(result.passed for result in results.values())
     failed = sum(result.failed for result in results.values())
     print(f"{passed} passed, {failed} failed", flush=True)
