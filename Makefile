@@ -47,7 +47,8 @@ demo: need-rust need-node need-python $(APP) $(DONE)/run ## run the paper's cran
 
 compile: need-rust need-node need-python $(WASM) $(DONE)/develop compile-tests ## all that is compiled: the engine for the browser, for Python and for its tests
 
-compile-tests: | need-rust
+# After the Python module, so that what is compiled beside it is the engine for the browser: the longest first.
+compile-tests: | need-rust $(DONE)/run
 	cargo test --locked $(TESTED) --no-run
 	$(PLAIN)
 

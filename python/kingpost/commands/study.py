@@ -11,12 +11,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import KingpostError, OutputError
+from ..output import check as check_output
 from .common import DONE, FAILED, INTERRUPTED, WARNING, add_output, fail, note, show, warn
 
 if TYPE_CHECKING:
     from ..study.study import Study
 
 HELP = "run every case of a study with every seed, and keep what came of them"
+REPORTS = (".html", ".pdf")
 CONNECT_S = 20
 """How long the scheduler of a cluster may take to answer."""
 
@@ -33,6 +35,15 @@ def add_options(command: argparse.ArgumentParser) -> None:
                          help="of a Dask cluster that computes instead, as tcp://host:8786")  # fmt: skip
     command.add_argument("--part", metavar="K/N",
                          help="every Nth unit from the Kth on: one task of an array of N")  # fmt: skip
+    command.add_argument("--screen", action="store_true",
+                         help="the limits by linear response instead of runs, in seconds")  # fmt: skip
+    command.add_argument(
+        "--report", metavar="FILE", help="write the report: .html, or .pdf by a browser at hand"
+    )
+    command.add_argument("--app", metavar="ADDRESS",
+                         help="of an app, for the links of the report (default: that of kingpost serve)")  # fmt: skip
+    command.add_argument("--repeat", type=int, metavar="RUN",
+                         help="run one run again and write it whole, as run_RUN.nc, in -o")  # fmt: skip
     add_output(command)
 
 
@@ -43,8 +54,14 @@ def run(options: argparse.Namespace) -> int:
 
     part = _part(options.part)
     _check(options)
+    if options.report is not None:
+        check_output(options.report, REPORTS)
     study = Study(options.study)
     warn(f"{WARNING}{words}" for words in study.scenario.model["warnings"])
+    if options.screen:
+        return _screen(study, options)
+    if options.repeat is not None:
+        return _repeat(study, options)
     if options.output is None:
         about = of_plan(study.plan)
         show(options, lambda: "\n".join(plan_lines(about)), lambda: about)
@@ -61,7 +78,39 @@ def run(options: argparse.Namespace) -> int:
         return fail(f"{error}{kept}", FAILED)
     except KeyboardInterrupt:
         return fail(f"interrupted, what is finished is kept: {again}", INTERRUPTED)
-    return _report(study, folder, options)
+    done = _report(study, folder, options)
+    if options.report and not part:
+        note(options, f"written         {_write_report(study, folder, options)}")
+    return done
+
+
+def _screen(study: Study, options: argparse.Namespace) -> int:
+    """The limiting sea by linear response, printed."""
+    from ..reports.screen import text
+    from ..study.screened import of_plan
+
+    found = of_plan(study.plan)
+    show(options, lambda: text(found), found.to_dict)
+    return DONE
+
+
+def _repeat(study: Study, options: argparse.Namespace) -> int:
+    """One run of the study again, whole."""
+    from .. import results
+    from ..simulation.simulate import run
+
+    if not 0 <= options.repeat < len(study):
+        raise KingpostError(f"--repeat: found {options.repeat}, allowed: a run from 0 to {len(study) - 1}")
+    path = check_output(Path(options.output) / f"run_{options.repeat}.nc", results.ENDINGS)
+    recorded = run(study.scenario.with_overrides(study.overrides(options.repeat)))
+    note(options, f"written         {results.write(recorded, path)}")
+    return DONE
+
+
+def _write_report(study: Study, folder: Path, options: argparse.Namespace) -> Path:
+    from ..study.report import report
+
+    return report.write(study.plan, folder, options.report, options.app or report.APP)
 
 
 def _run(
@@ -102,8 +151,8 @@ def _report(study: Study, folder: Path, options: argparse.Namespace) -> int:
 
 def _check(options: argparse.Namespace) -> None:
     """An error for options that would have no effect, before anything is computed."""
-    for name in ("resume", "workers", "scheduler", "part"):
-        if options.output is None and getattr(options, name):
+    for name in ("resume", "workers", "scheduler", "part", "report", "repeat"):
+        if options.output is None and getattr(options, name) not in (None, False):
             raise KingpostError(f"--{name}: found no -o, allowed: with -o DIR alone")
 
 

@@ -1,0 +1,235 @@
+"""The limiting sea, by runs in time and by linear response, and the operable share of a scatter table."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...errors import KingpostError
+from ..limiting_sea import LimitingSea
+from ..operability import Operability, operability
+from .blocks import Block, Paragraph, Picture, Section, Table
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+    from ..scatter import ScatterTable
+
+WHAT_IT_IS = (
+    "The limiting significant height is the largest at which each limit is exceeded in the operation with at "
+    "most the accepted probability. By runs: a Gumbel distribution of the worst values over the seeds. By "
+    "linear response: Rice's rate of crossings about rest in still water, without the operation, slack "
+    "ropes, contact and quadratic damping."
+)
+MOST_CURVES = 8
+BY_RUNS = "Command: kingpost study study.yaml -o DIR --resume; in Python kingpost.study.limiting_runs."
+BY_SCREEN = "Command: kingpost study study.yaml --screen."
+MONTHS = ("January", "February", "March", "April", "May", "June", "July", "August", "September", "October",
+          "November", "December")  # fmt: skip
+
+
+def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> Section:
+    """Limiting heights over the axes, both ways, with the limit that governs.
+
+    Parameters
+    ----------
+    by_runs, by_screen
+        Data sets with ``limiting_height_of_all`` and ``governs``, or the reason why there is none.
+    """
+    blocks: list[Block] = [
+        Paragraph(WHAT_IT_IS),
+    ]
+    for found, what in ((by_runs, "by runs"), (by_screen, "by linear response")):
+        if isinstance(found, str):
+            blocks.append(Paragraph(f"None {what}: {found}."))
+    known = {what: found for found, what in ((by_runs, "by runs"), (by_screen, "by linear response"))
+             if not isinstance(found, str)}  # fmt: skip
+    if known:
+        picture = _picture(known)
+        blocks += [picture] if picture else []
+        blocks += [_table(found, what) for what, found in known.items()]
+    if len(known) == 2:
+        blocks.append(Paragraph(_difference(known["by runs"], known["by linear response"])))
+    return Section("limiting", "The limiting sea", blocks)
+
+
+def _sea(found: xarray.Dataset) -> dict[str, str]:
+    return dict(json.loads(found.attrs.get("sea", "{}")))
+
+
+def _axes(found: xarray.Dataset) -> list[str]:
+    return [str(dim) for dim in found["limiting_height_of_all"].dims]
+
+
+def _picture(known: dict[str, xarray.Dataset]) -> Picture | None:
+    """Heights over the peak period, a colour for each combination of the other axes."""
+    first = next(iter(known.values()))
+    period = _sea(first).get("peak_period")
+    if period is None or period not in _axes(first):
+        return None
+    figure = _figure()
+    axes = figure.subplots()
+    styles = {"by runs": "o-", "by linear response": "s--"}
+    curves = 0
+    for what, found in known.items():
+        others = [name for name in _axes(found) if name != period]
+        heights = found["limiting_height_of_all"].transpose(*others, period)
+        for k, at in enumerate(np.ndindex(heights.shape[:-1])):
+            if k >= MOST_CURVES:
+                break
+            of = heights[at]
+            values = np.where(np.isfinite(of.values), of.values, np.nan)
+            label = f"{what}, {_case(of, others)}" if others else what
+            axes.plot(found[period], values, styles[what], color=f"C{k}", ms=4, lw=1.2, label=label)
+            _interval(axes, found, at, others, period, f"C{k}")
+            curves += 1
+    axes.set(xlabel=f"{period}", ylabel="limiting significant height, m")
+    axes.set_ylim(bottom=0)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=7)
+    return Picture.of(
+        figure,
+        f"Limiting significant height over the peak period, {curves} curves",
+        "Limiting significant height over the peak period; bars: intervals over the seeds.",
+        BY_RUNS if "by runs" in known else BY_SCREEN,
+    )
+
+
+def _interval(
+    axes: Any, found: xarray.Dataset, at: tuple[int, ...], others: Sequence[str], period: str, colour: str
+) -> None:
+    if "limiting_height_low" not in found:
+        return
+    ends = [
+        found[f"limiting_height_{end}"]
+        .transpose("limit", *others, period)
+        .values[(slice(None), *at)]
+        .min(axis=0)
+        for end in ("low", "high")
+    ]
+    axes.vlines(found[period], *ends, color=colour, lw=0.8, alpha=0.6)
+
+
+def _case(of: xarray.DataArray, names: Sequence[str]) -> str:
+    return ", ".join(f"{name} {of[name].item():g}" if isinstance(of[name].item(), float)
+                     else f"{name} {of[name].item()}" for name in names)  # fmt: skip
+
+
+def _table(found: xarray.Dataset, what: str) -> Table:
+    names = _axes(found)
+    heights, governs = found["limiting_height_of_all"], found["governs"].transpose(*names)
+    rows = []
+    for at in np.ndindex(heights.shape):
+        height = heights[at]
+        values = [_value(height[name].item()) for name in names]
+        rows.append((*values, *_height(found, at, float(height)), str(governs[at].item()) or "-"))
+    head = (*names, "limiting Hs, m", "interval, m", "governs")
+    origin = BY_RUNS if what == "by runs" else BY_SCREEN
+    if "confidence" in found.attrs:
+        origin += f" Intervals hold {100 * found.attrs['confidence']:g} % of what other seeds would give."
+    accepted = f"accepted probability {found.attrs['acceptance']:g} in {found.attrs['operation_s']:g} s"
+    numbers = range(len(names) + 2)
+    return Table(f"Limiting significant height {what}, {accepted}", head, rows, origin, tuple(numbers))
+
+
+def _value(value: Any) -> str:
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def _height(found: xarray.Dataset, at: tuple[int, ...], height: float) -> tuple[str, str]:
+    """The height in words where the study does not reach it, and its interval."""
+    if "limiting_height_state" not in found:
+        return ("no limit" if np.isinf(height) else f"{height:.2f}" if np.isfinite(height) else "-"), "-"
+    names = _axes(found)
+    of_all = {key: found[key].transpose("limit", *names).values[(slice(None), *at)]
+              for key in ("limiting_height", "limiting_height_state", "limiting_height_low",
+                          "limiting_height_high")}  # fmt: skip
+    known = np.where(np.isnan(of_all["limiting_height"]), np.inf, of_all["limiting_height"])
+    k = int(known.argmin())
+    state = str(of_all["limiting_height_state"][k])
+    words = {"above": f"above {height:g}", "below": "below the smallest Hs", "not known": "not known"}
+    low, high = of_all["limiting_height_low"][k], of_all["limiting_height_high"][k]
+    return words.get(state, f"{height:.2f}"), f"{low:.2f} to {high:.2f}" if state == "found" else "-"
+
+
+def _difference(by_runs: xarray.Dataset, by_screen: xarray.Dataset) -> str:
+    """How far the two are apart where both are known."""
+    runs, linear = by_runs["limiting_height_of_all"], by_screen["limiting_height_of_all"]
+    runs, linear = runs.broadcast_like(linear), linear.broadcast_like(runs)
+    state = by_runs["limiting_height_state"].values
+    if not (state == "found").any() or runs.dims != linear.transpose(*runs.dims).dims:
+        return "The two cannot be compared: no height by runs lies between those of the study."
+    ratio = (linear.transpose(*runs.dims) / runs).values
+    top = float(by_runs[_sea(by_runs)["significant_height"]].max())
+    ratio = ratio[np.isfinite(ratio) & (runs.values > 0) & (runs.values < top)]
+    if not ratio.size:
+        return "The two cannot be compared: no height by runs lies between those of the study."
+    return (
+        f"Where the runs bracket it, linear response gives {ratio.min():.2f} to {ratio.max():.2f} times the "
+        f"height by runs (median {np.median(ratio):.2f}, {ratio.size} cases)."
+    )
+
+
+def operability_section(
+    table: ScatterTable | None, by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str
+) -> Section:
+    """The share of the place's seas in which work can go on."""
+    if table is None:
+        text = "No scatter table is given (field scatter of the study): no operability."
+        return Section("operability", "Operability", [Paragraph(text)])
+    blocks: list[Block] = []
+    for found, what in ((by_runs, "by runs"), (by_screen, "by linear response")):
+        if isinstance(found, str):
+            continue
+        try:
+            blocks += _operable(table, found, what)
+        except KingpostError as error:
+            blocks.append(Paragraph(f"None {what}: {error}."))
+    return Section(
+        "operability", "Operability", blocks or [Paragraph("No limiting heights: no operability.")]
+    )
+
+
+def _operable(table: ScatterTable, found: xarray.Dataset, what: str) -> list[Block]:
+    limiting, direction = LimitingSea.of(found), _sea(found).get("direction")
+    if table.direction_rad is not None or direction not in _axes(found):
+        return [_shares(operability(table, limiting, 0.0), what)]
+    # A table without directions: each studied direction by itself, as if all waves came so.
+    rows = []
+    for radians, value in zip(
+        limiting.directions_rad.tolist(), np.sort(found[direction].values), strict=True
+    ):
+        share = operability(table, limiting, radians)
+        worst = max(share.by_limit, key=lambda name: share.by_limit[name], default="-")
+        rows.append((f"{value:g}", f"{100 * share.share:.1f} %", f"{100 * share.outside:.1f} %", worst))
+    head = (f"all waves with {direction}", "operable", "outside of the study", "limit that takes most")
+    title = f"Share of the scatter table's {table.total:g} occurrences, {what}"
+    return [Table(title, head, rows, _origin(what), (0, 1, 2))]
+
+
+def _shares(share: Operability, what: str) -> Table:
+    rows = [
+        ("operable", f"{100 * share.share:.1f} %"),
+        (
+            "outside of the studied periods and directions, counted as not operable",
+            f"{100 * share.outside:.1f} %",
+        ),
+        *((f"taken by {name}", f"{100 * part:.1f} %") for name, part in share.by_limit.items()),
+        *((MONTHS[month - 1], f"{100 * part:.1f} %") for month, part in share.by_month.items()),
+    ]
+    title = f"Share of the scatter table's {share.total:g} occurrences, {what}"
+    return Table(title, ("what", "share"), rows, _origin(what), (1,))
+
+
+def _origin(what: str) -> str:
+    return f"Files: study.yaml (field scatter), results.zarr. {BY_RUNS if what == 'by runs' else BY_SCREEN}"
+
+
+def _figure() -> Figure:
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(9, 4.2), layout="constrained")

@@ -1,0 +1,164 @@
+"""The report of a study: one file of HTML, or a PDF by a browser that is at hand."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import output
+from ...engine import engine
+from ...errors import KingpostError
+from .. import scatter, store
+from ..limiting_runs import limiting_heights
+from ..plan import Plan
+from ..screened import of_plan
+from ..summary import of_results
+from . import extremes, limiting, model, origin, pdf, runs
+from .blocks import Report, html
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ...scenario import Scenario
+
+ENDINGS = (".html", ".pdf")
+APP = "http://127.0.0.1:8000/"
+"""Where `kingpost serve` serves the app, unless another address is given."""
+
+
+def write(plan: Plan, folder: str | Path, path: str | Path, app: str = APP) -> Path:
+    """Write the report of a study by the file's ending.
+
+    What was modelled, the sea, the limiting sea by runs and by linear response, operability, how the limits
+    held, the worst runs with a link that opens each in the app, statistics, extremes, fatigue, verification,
+    and the origin of each number. The page needs no network.
+
+    Parameters
+    ----------
+    plan
+        Of the study.
+    folder
+        Of its results; they may be incomplete.
+    path
+        The file, ``.html`` or ``.pdf``.
+    app
+        The address of an app, for the links to runs.
+
+    Returns
+    -------
+    pathlib.Path
+        `path`.
+
+    Raises
+    ------
+    KingpostError
+        When there are no results, the ending is another, or there is no browser for a PDF.
+    """
+    path = output.check(path, ENDINGS)
+    page = html(of_study(plan, Path(folder), app), engine.__version__)
+    if path.suffix.lower() == ".html":
+        return output.write_text(path, page)
+    with tempfile.TemporaryDirectory() as beside:
+        written = output.write_text(Path(beside) / "report.html", page)
+        return pdf.write(written, path)
+
+
+def of_study(plan: Plan, folder: Path, app: str = APP) -> Report:
+    """The report as blocks."""
+    results, about = store.open_results(folder), store.about_of(folder)
+    if about is None:
+        raise KingpostError(f"{folder}: found no study, allowed: the folder of a study")
+    content, names = plan.file.content, list(plan.cases.names)
+    by_runs, by_screen = _by_runs(results), _by_screen(plan)
+    table = scatter.read(plan.file.beside(content["scatter"])) if content.get("scatter") else None
+
+    def scenario_of(run: int) -> Scenario:
+        return plan.scenario.with_overrides(dict(plan.overrides(run)))
+
+    sections = [
+        limiting.section(by_runs, by_screen),
+        limiting.operability_section(table, by_runs, by_screen),
+        runs.section(results, names, of_results(folder, plan), scenario_of, app),
+        extremes.section(results),
+        model.section(plan.scenario),
+        model.sea_section(plan.scenario),
+        origin.verification_section(folder),
+        origin.section(folder, about, dict(_digests(folder))),
+    ]
+    lead = (
+        f"{content.get('description') or plan.scenario.title}. {plan.runs} runs: {plan.cases.count} cases, "
+        f"{len(plan.seeds)} seeds of each."
+    )
+    return Report(
+        content["title"], lead, list(_verdict(plan, results, by_runs)), sections, list(_doubts(results))
+    )
+
+
+def _by_runs(results: xarray.Dataset) -> xarray.Dataset | str:
+    try:
+        return limiting_heights(results)
+    except KingpostError as error:
+        return str(error)
+
+
+def _by_screen(plan: Plan) -> xarray.Dataset | str:
+    try:
+        found = of_plan(plan)
+    except KingpostError as error:
+        return str(error)
+    return (
+        found
+        if "limiting_height_of_all" in found
+        else "the study has no axis of the significant height or no limits"
+    )
+
+
+def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str) -> Iterator[str]:
+    """What the study says, in a sentence or two."""
+    if "limit" not in results.sizes:
+        yield "The study has no limits: it says what the runs came to, not whether to go."
+        return
+    held = results["limit_held"].values
+    whole = (held == 1).all(axis=1)
+    yield f"All limits hold in {int(whole.sum())} of {len(whole)} runs."
+    if isinstance(by_runs, str):
+        return
+    heights = by_runs["limiting_height_of_all"].values
+    governs, counts = np.unique(by_runs["governs"].values, return_counts=True)
+    finite = heights[np.isfinite(heights)]
+    if finite.size:
+        accepted = f"{100 * by_runs.attrs['acceptance']:g} % in {by_runs.attrs['operation_s']:g} s"
+        largest = float(by_runs[_height_axis(plan)].max())
+        most = "above " if finite.max() >= largest else ""
+        yield (
+            f"The limiting significant height, at an accepted probability of {accepted}, is "
+            f"{finite.min():.2f} m to {most}{finite.max():.2f} m; {governs[counts.argmax()]} governs most "
+            "often."
+        )
+
+
+def _height_axis(plan: Plan) -> str:
+    return plan.sea["significant_height"]
+
+
+def _doubts(results: xarray.Dataset) -> Iterator[str]:
+    """What a reader has to know before any number."""
+    status = results["status"].values
+    missing = int((status == -1).sum())
+    if missing:
+        yield f"The study is not complete: {missing} of {status.size} runs have not run."
+    yield (
+        "The numbers hold for the model described here; no measurement of this ship with her crane was "
+        "compared. Inputs, limits and the accepted probability are the user's."
+    )
+
+
+def _digests(folder: Path) -> Iterator[tuple[str, str]]:
+    for name in (store.STUDY, store.SCENARIO, store.ABOUT):
+        with open(folder / name, "rb") as file:
+            yield name, hashlib.file_digest(file, "sha256").hexdigest()

@@ -1,0 +1,186 @@
+"""What the runs of a study came to: how limits held, the worst run of each, as plots with what opens them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ... import link
+from ...errors import KingpostError
+from ...reports import plot
+from ...results.units import engineering
+from ...simulation.outcomes import NUMBER
+from ...simulation.simulate import run
+from ..reduce import FINISHED, HELD, UNKNOWN
+from .blocks import Block, Command, Heading, Link, Paragraph, Picture, Section, Table
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+    from ...scenario import Scenario
+
+STORE = "results.zarr"
+MOST_WORST = 6
+"""Worst runs that are drawn: those of the limits with the least margin."""
+
+
+@dataclass(frozen=True)
+class Worst:
+    """The run in which a limit has its least margin."""
+
+    limit: str
+    column: str
+    run: int
+    value: float
+    unit: str
+    time_s: float
+    margin: float
+
+
+def bounds_text(least: float, most: float, unit: str) -> str:
+    """The bounds of a limit in words; a bound that is not there is infinite or NaN.
+
+    >>> bounds_text(-5.0, 5.0, "deg"), bounds_text(float("nan"), 1.3, "1")
+    ('-5 to 5 deg', 'at most 1.3')
+    """
+    of_unit = "" if unit in ("1", "") else f" {unit}"
+    has_least, has_most = np.isfinite(least), np.isfinite(most)
+    if has_least and has_most:
+        return f"{least:g} to {most:g}{of_unit}"
+    return f"at most {most:g}{of_unit}" if has_most else f"at least {least:g}{of_unit}"
+
+
+def worst_runs(runs: xarray.Dataset) -> list[Worst]:
+    """The worst run of each limit, the least margin first; a margin is a share of the bound."""
+    found = []
+    for name in runs["limit"].values if "limit" in runs.sizes else ():
+        of = runs.sel(limit=name)
+        values = of["limit_worst"].values
+        least, most = (float(of[key]) for key in ("at_least", "at_most"))
+        margins = _margins(values, least, most)
+        if np.isfinite(margins).any():
+            at = int(np.nanargmin(margins))
+            scale = max(abs(bound) for bound in (least, most) if np.isfinite(bound)) or 1.0
+            found.append(
+                Worst(str(name), str(of["limit_column"].item()), at, float(values[at]),
+                      str(of["limit_unit"].item()), float(of["limit_time"].values[at]),
+                      float(margins[at]) / scale)
+            )  # fmt: skip
+    return sorted(found, key=lambda one: one.margin)
+
+
+def _margins(values: NDArray[np.float64], least: float, most: float) -> NDArray[np.float64]:
+    """How far values are inside of their bounds; negative beyond one, NaN where there is no value."""
+    lower = least if np.isfinite(least) else -inf
+    upper = most if np.isfinite(most) else inf
+    return np.minimum(values - lower, upper - values)
+
+
+def limits_table(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
+    """Each limit: what is allowed, in how many runs it held, the worst value and the run that has it."""
+    rows = []
+    worst = {one.limit: one for one in worst_runs(runs)}
+    for name in runs["limit"].values:
+        of = runs.sel(limit=name)
+        judged = of["limit_held"].values != UNKNOWN
+        held = int((of["limit_held"].values == HELD).sum())
+        one = worst.get(str(name))
+        where = "-" if one is None else f"run {one.run}: {case_text(runs, one.run, axes)}"
+        value = "-" if one is None else f"{one.value:.4g}"
+        allowed = bounds_text(float(of["at_least"]), float(of["at_most"]), str(of["limit_unit"].item()))
+        column = str(of["limit_column"].item())
+        rows.append((str(name), column, allowed, f"{held} of {int(judged.sum())}", value, where))
+    head = ("limit", "column", "allowed", "held in runs", "worst", "in")
+    origin = f"File: {STORE}, variables limit_held, limit_worst, limit_time. Values are in the limit's unit."
+    return Table("Limits over all runs", head, rows, origin, (3, 4))
+
+
+def case_text(runs: xarray.Dataset, at: int, axes: Sequence[str]) -> str:
+    """What a run was of: the values of the axes and its seed.
+
+    >>> import xarray
+    >>> of = {"peak_period_s": ("run", [8.0]), "seed": ("run", [3])}
+    >>> case_text(xarray.Dataset(coords=of), 0, ["peak_period_s"])
+    'peak_period_s 8, seed 3'
+    """
+    one = runs.isel(run=at)
+    values = [(name, one[name].item()) for name in (*axes, "seed")]
+    return ", ".join(f"{name} {value:.6g}" if isinstance(value, float) else f"{name} {value}"
+                     for name, value in values)  # fmt: skip
+
+
+def status_blocks(runs: xarray.Dataset, ends: Sequence[str]) -> list[Block]:
+    """How many runs finished, and why the others did not."""
+    status = runs["status"].values
+    blocks: list[Block] = [Paragraph(f"{int((status == FINISHED).sum())} of {status.size} runs finished.")]
+    if len(ends):
+        texts, counts = np.unique(np.array([NUMBER.sub("#", text) for text in ends]), return_counts=True)
+        rows = [(text, str(count)) for text, count in zip(texts, counts, strict=True)]
+        origin = "Files: units/*.json, field ends. These runs have no statistics."
+        blocks.append(Table("Runs that did not finish", ("why", "runs"), rows, origin, (1,)))
+    return blocks
+
+
+def warnings_table(warnings: Sequence[Mapping[str, Any]], count: int) -> list[Block]:
+    """The warnings of the engine, each kind once."""
+    rows = [(f"{one['name']}: {one['text']}", f"{one['runs']} of {count}") for one in warnings]
+    origin = "Files: units/*.json, field warnings. Texts that differ in their numbers alone count as one."
+    return [Table("Warnings of the runs", ("first text", "runs"), rows, origin, (1,))] if rows else []
+
+
+def section(
+    runs: xarray.Dataset,
+    axes: Sequence[str],
+    came_of: Mapping[str, Any],
+    scenario_of: Callable[[int], Scenario],
+    app: str,
+) -> Section:
+    """How the limits held, and the worst runs.
+
+    Parameters
+    ----------
+    runs
+        The results of the study.
+    axes
+        Names of its axes.
+    came_of
+        The numbers of `kingpost.study.summary.of_results`.
+    scenario_of
+        The scenario of a run by its number.
+    app
+        The address of an app, for the links.
+    """
+    blocks = status_blocks(runs, [one["text"] for one in came_of["ends"]])
+    blocks += [limits_table(runs, axes)] if "limit" in runs.sizes else []
+    blocks += warnings_table(came_of["warnings"], runs.sizes["run"])
+    for one in worst_runs(runs)[:MOST_WORST]:
+        blocks += _worst(one, case_text(runs, one.run, axes), scenario_of(one.run), app)
+    return Section("runs", "Limits and the worst runs", blocks)
+
+
+def _worst(one: Worst, case: str, scenario: Scenario, app: str) -> Iterator[Block]:
+    """A worst run, run again and drawn, with what opens it."""
+    of_unit = "" if one.unit in ("1", "") else f" {one.unit}"
+    again = f"kingpost study study.yaml -o DIR --repeat {one.run}"
+    yield Heading(f"Worst for {one.limit}: {one.value:.4g}{of_unit} at {one.time_s:.1f} s")
+    yield Paragraph(f"Run {one.run}: {case}.")
+    recorded = run(scenario)
+    found = recorded.kingpost[one.column]
+    unit, size = engineering(str(found.attrs.get("units", "")))
+    extremes = f"from {float(found.min()) / size:.4g} to {float(found.max()) / size:.4g} {unit}"
+    yield Picture.of(
+        plot.figure(recorded, [one.column]),
+        f"{one.column} over time in run {one.run}",
+        f"{one.column}, {extremes}; dashed: the limit.",
+        f"Command: {again}, which writes run_{one.run}.nc.",
+    )
+    try:
+        yield Link("Open this run in the app", f"{app}{link.fragment(scenario)}")
+    except KingpostError as error:
+        yield Paragraph(f"No link to the app: {error}.")
+    yield Command(again)
