@@ -255,9 +255,14 @@ fn named_paths(module: &ModulePath, code: &str) -> [Vec<ModulePath>; 2] {
     let code = code.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
     let lines: Vec<&str> = code.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
     let code = lines.join("\n");
-    let uses = code.split('\n').map(str::trim_start).collect::<Vec<_>>().join("\n");
-    let uses =
-        uses.split("use ").skip(1).filter_map(|rest| rest.split_once(';')).flat_map(|(tree, _)| paths_of_use(tree));
+    let begins = |at: usize| {
+        code[..at]
+            .rsplit('\n')
+            .next()
+            .is_some_and(|line| ["", "pub"].contains(&line.trim().split('(').next().unwrap_or_default()))
+    };
+    let uses = code.match_indices("use ").filter(|(at, _)| begins(*at));
+    let uses = uses.filter_map(|(at, _)| code[at + 4..].split_once(';')).flat_map(|(tree, _)| paths_of_use(tree));
     let is_path = |c: &char| c.is_alphanumeric() || *c == '_' || *c == ':';
     let within = ["crate::", "super::"].into_iter().flat_map(|start| code.match_indices(start));
     let within = within.filter(|(at, _)| !code[..*at].chars().next_back().is_some_and(|c| is_path(&c)));

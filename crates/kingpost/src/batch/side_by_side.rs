@@ -10,7 +10,7 @@ use crate::state::State;
 /// each continues alone from its last row; a run with a row that is not finite ends before it.
 pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let mut recording = Recording::new(*alone[0].settings(), alone[0].time_s());
-    let mut rows = vec![Rows { written: Vec::new(), status: Ok(()) }; alone.len()];
+    let mut rows = vec![RunRows { written: Vec::new(), status: Ok(()) }; alone.len()];
     write_rows(&mut alone, &mut rows);
     let mut together = Simulation::recursive(setup);
     while !recording.is_over(together.state().steps) {
@@ -27,18 +27,18 @@ pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn F
             return None;
         }
     }
-    let run = |(rows, simulation): (Rows, &Simulation)| simulation.ended(rows.written, rows.status);
+    let run = |(rows, simulation): (RunRows, &Simulation)| simulation.ended(rows.written, rows.status);
     Some(rows.into_iter().zip(&alone).map(run).collect())
 }
 
 /// The rest of each run by itself, from its last row on.
 fn one_by_one(
     alone: Vec<Simulation>,
-    rows: Vec<Rows>,
+    rows: Vec<RunRows>,
     recording: &Recording,
     go_on: &dyn Fn() -> bool,
 ) -> Option<Vec<Run>> {
-    let finish = |(mut simulation, rows): (Simulation, Rows)| {
+    let finish = |(mut simulation, rows): (Simulation, RunRows)| {
         if rows.status.is_err() {
             return Some(simulation.ended(rows.written, rows.status));
         }
@@ -54,12 +54,12 @@ fn one_by_one(
 
 /// The rows of a run, and why it ended.
 #[derive(Clone)]
-struct Rows {
+struct RunRows {
     written: Vec<f64>,
     status: Result<(), RunError>,
 }
 
-fn write_rows(simulations: &mut [Simulation], rows: &mut [Rows]) {
+fn write_rows(simulations: &mut [Simulation], rows: &mut [RunRows]) {
     for (simulation, rows) in simulations.iter_mut().zip(rows).filter(|(_, rows)| rows.status.is_ok()) {
         let there = rows.written.len();
         simulation.write_row(&mut rows.written);

@@ -1,7 +1,7 @@
 //! Warnings of effects of a current on the waves that the loads on a hull neglect.
 
 use super::floating::LoadedHull;
-use crate::elements::hull::{HullVelocity, SlowFrame, WaveExcitation, WaveForces};
+use crate::elements::hull::{HullVelocity, SlowFrame, WaveExcitation, WaveForceSwitches};
 use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
 
 /// A warning is given if a current would change the wave lengths or the mean drift by more than this share.
@@ -55,7 +55,7 @@ impl LoadedHull<'_> {
         let [x, y] = self.current();
         let slow = SlowFrame::of(&self.frame());
         let [along, across, _] = slow.rotation().transpose_times(self.world.surface_current()).0;
-        let parts = WaveForces { froude_krylov: true, drift: true, drift_damping: true };
+        let parts = WaveForceSwitches { froude_krylov: true, drift: true, drift_damping: true };
         let mut excitation = WaveExcitation::new(self.database, waves, parts);
         let mut mean = |through_water: [f64; 2]| {
             let velocity = HullVelocity { through_water, over_ground: [0.0; 2] };

@@ -1,7 +1,7 @@
 //! The file of a study: its defaults, and what is wrong in it with its place.
 
 use kingpost::scenario::schema::ParameterValue;
-use kingpost::scenario::study::{self, Axis, Study};
+use kingpost::scenario::study::{self, Study, StudyAxis};
 
 const HEAD: &str = "version: 1\ntitle: Slewing\nscenario: paper\n";
 
@@ -27,7 +27,7 @@ fn a_study_reads_back_from_what_it_is_written_as() {
     .unwrap();
     let text = serde_json::to_string(&study).unwrap();
     assert_eq!(study::read(&text, "again.json").unwrap().0, study);
-    assert_eq!(study.axes["load"], Axis::Values([true, false].map(ParameterValue::Boolean).to_vec()));
+    assert_eq!(study.axes["load"], StudyAxis::Values([true, false].map(ParameterValue::Boolean).to_vec()));
     assert_eq!((study.samples.unwrap().seed, study.peaks.unwrap().keep), (1, 32));
 }
 

@@ -1,6 +1,7 @@
 //! How every column of the results answers small regular waves.
 
 use super::excitation::WaveLoads;
+use super::not_linear::NotLinear;
 use super::resonances::{Resonance, resolved, resonances};
 use super::rows::Rows;
 use super::{AtRest, ResponseError, WaveGrid, check_directions, smoothness};
@@ -37,20 +38,6 @@ pub struct ColumnResponse {
     pub resonances: Vec<Resonance>,
     /// What a user should know.
     pub warnings: Vec<String>,
-}
-
-/// Why a column does not follow small waves in proportion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum NotLinear {
-    /// It has no slope at rest, or another one to either side.
-    NotSmooth,
-    /// At rest it changes with the square of the motions, or of the waves.
-    SecondOrder,
-    /// It is an integral over the run, or its time.
-    OverTime,
-    /// It is held between the samples of its element.
-    Sampled,
 }
 
 /// The amplitude of waves by which columns are tried, m: far above rounding, far below what bends a curve.

@@ -1,7 +1,7 @@
 //! Effect of regular waves of unit amplitude on the free coordinates.
 
 use super::ResponseError;
-use super::wave_forces::WaveForces;
+use super::wave_forces::{FORCES, WaveForces};
 use crate::dynamics::Kinematics;
 use crate::elements::{AnyElement, RegularWaves, WavePlace};
 use crate::model::Model;
@@ -14,9 +14,6 @@ use nalgebra::{Complex, DMatrix};
 pub(super) struct WaveLoads<'a> {
     loaded: Vec<Loaded<'a>>,
 }
-
-/// Forces of an element in regular waves, of which some may be none.
-pub(super) const FORCES: usize = 6;
 
 /// One element, and the response of the free coordinates to its forces.
 struct Loaded<'a> {

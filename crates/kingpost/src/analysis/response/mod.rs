@@ -2,13 +2,15 @@
 
 mod columns;
 mod excitation;
+mod not_linear;
 mod output;
 mod resonances;
 mod rows;
 mod smoothness;
 mod wave_forces;
 
-pub use columns::{ColumnResponse, NotLinear};
+pub use columns::ColumnResponse;
+pub use not_linear::NotLinear;
 pub use resonances::Resonance;
 
 use super::{Linearization, Linearizer};

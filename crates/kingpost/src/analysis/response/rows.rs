@@ -1,8 +1,9 @@
 //! Rows of results about rest: their values, and their derivatives by the states and by the forces of waves.
 
 use super::AtRest;
-use super::columns::NotLinear;
-use super::excitation::{FORCES, WaveLoads};
+use super::excitation::WaveLoads;
+use super::not_linear::NotLinear;
+use super::wave_forces::FORCES;
 use crate::elements::AnyElement;
 use crate::integrate::Stage;
 use crate::ledger;

@@ -1,6 +1,6 @@
 //! Which columns follow small motions in proportion.
 
-use super::columns::NotLinear;
+use super::not_linear::NotLinear;
 use super::rows::Rows;
 use crate::results::Channel;
 use nalgebra::DVector;

@@ -1,10 +1,12 @@
 //! The forces of regular waves on an element, as inputs of the model.
 
-use super::excitation::FORCES;
 use crate::dynamics::Loads;
 use crate::elements::{Context, Declaration, Element, Input};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
+
+/// Forces of an element in regular waves, of which some may be none.
+pub(super) const FORCES: usize = 6;
 
 /// Forces on bodies that are set from outside: along them rows of results are differentiated.
 #[derive(Clone, Debug)]

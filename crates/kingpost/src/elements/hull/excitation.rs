@@ -54,7 +54,7 @@ pub struct HullVelocity<S = f64> {
 
 /// Which forces of the incident waves act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct WaveForces {
+pub struct WaveForceSwitches {
     /// Whether the first-order Froude-Krylov force acts; otherwise only diffraction.
     pub froude_krylov: bool,
     /// Whether the mean and slowly varying drift acts, from the database's mean drift.
@@ -71,7 +71,7 @@ const DRIFTING: [usize; 3] = [0, 1, 5];
 impl<S: Scalar> WaveExcitation<S> {
     /// From a hull's data, in these waves; every later call must have the same waves. Components outside the data's
     /// frequencies make no force.
-    pub fn new(database: &Database, field: &WaveField<S>, parts: WaveForces) -> Self {
+    pub fn new(database: &Database, field: &WaveField<S>, parts: WaveForceSwitches) -> Self {
         let drifts = parts.drift && database.mean_drift.is_some();
         let by_velocity = drifts && parts.drift_damping;
         let of_wave = |omega: f64| {

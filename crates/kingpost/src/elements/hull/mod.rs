@@ -21,7 +21,7 @@ pub use added_mass::{AddedMass, QuadraticTerms, added_inertia};
 use by_heading::ByHeading;
 pub use carried::Carried;
 use carried::CarriedFilter;
-pub use excitation::{HullVelocity, WaveExcitation, WaveForces};
+pub use excitation::{HullVelocity, WaveExcitation, WaveForceSwitches};
 pub use gap::{HullGap, Plan};
 pub use linear_limits::LinearLimits;
 pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};

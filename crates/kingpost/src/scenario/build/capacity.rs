@@ -26,7 +26,7 @@ pub fn check(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     if world.gravity == 0.0 || in_water.is_empty() {
         return Ok(());
     }
-    let afloat = Afloat::of(model, elements);
+    let afloat = FloatingGroups::of(model, elements);
     for first in &in_water {
         let group = afloat.group[first.hull.frame.body];
         let hulls: Vec<&InWater> =
@@ -65,7 +65,7 @@ impl<'a> InWater<'a> {
 }
 
 /// Bodies that float, in groups that something ties together.
-struct Afloat {
+struct FloatingGroups {
     /// By body the group that it is of; `None` for what stands on the world.
     group: Vec<Option<usize>>,
     /// By body whether something but water and moorings ties its tree to the world.
@@ -74,7 +74,7 @@ struct Afloat {
     has_hull: Vec<bool>,
 }
 
-impl Afloat {
+impl FloatingGroups {
     fn of(model: &Model, elements: &[AnyElement]) -> Self {
         let roots: Vec<Option<usize>> = (0..model.bodies.len()).map(|body| floating_root(model, body)).collect();
         let root = |end: Option<usize>| end.and_then(|body| roots[body]);

@@ -5,7 +5,7 @@ use super::damping::from_centre;
 use super::{FieldError, known, still_water};
 use crate::elements::hull::{
     AddedMass, Carried, CoefficientFrame, FloatingMesh, HullFrame, Hydrostatics, LinearLimits, MeanAttitude,
-    MeshInWaves, Plan, QuadraticTerms, Radiation, WaveExcitation, WaveForces, added_inertia,
+    MeshInWaves, Plan, QuadraticTerms, Radiation, WaveExcitation, WaveForceSwitches, added_inertia,
 };
 use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
@@ -238,7 +238,7 @@ fn excitation<S: Quantity>(
     }
     let Some(waves) = world.waves.as_ref().filter(|_| given.excitation) else { return Ok(None) };
     check_coverage(&field("database"), database.band_rad_s(), world)?;
-    let parts = WaveForces {
+    let parts = WaveForceSwitches {
         froude_krylov: !given.wave_pressure,
         drift: given.wave_drift,
         drift_damping: given.wave_drift_damping,

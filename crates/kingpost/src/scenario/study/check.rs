@@ -1,6 +1,6 @@
 //! What the types of a study do not say: values that are there once, kinds that go together, how many runs there may be.
 
-use super::{Axis, EvenRange, Interval, MOST_PEAKS, MOST_RUNS, MOST_SEEDS, ScatterQuantity, Study};
+use super::{DrawnInterval, EvenRange, MOST_PEAKS, MOST_RUNS, MOST_SEEDS, ScatterQuantity, Study, StudyAxis};
 use crate::scenario::error::FieldError;
 use crate::scenario::schema::ParameterValue;
 use crate::scenario::wording;
@@ -40,21 +40,21 @@ fn axes(study: &Study) -> Result<(), Wrong> {
             return wrong(&["axes", name], "a name that is in set too", "a name in axes or in set");
         }
         match axis {
-            Axis::Values(given) => values(name, given)?,
-            Axis::Range(EvenRange { count, .. }) if !(2..=MOST_RUNS).contains(count) => {
+            StudyAxis::Values(given) => values(name, given)?,
+            StudyAxis::Range(EvenRange { count, .. }) if !(2..=MOST_RUNS).contains(count) => {
                 return wrong(&["axes", name, "range", "count"], count, whole(2, MOST_RUNS));
             }
-            Axis::Range(EvenRange { from, to, .. }) if from == to => {
+            StudyAxis::Range(EvenRange { from, to, .. }) if from == to => {
                 return wrong(&["axes", name, "range", "to"], to, format!("a number other than from, {from}"));
             }
-            Axis::LatinHypercube(Interval { from, to }) if from >= to => {
+            StudyAxis::LatinHypercube(DrawnInterval { from, to }) if from >= to => {
                 return wrong(
                     &["axes", name, "latin_hypercube", "to"],
                     to,
                     format!("a number greater than from, {from}"),
                 );
             }
-            Axis::Range(_) | Axis::LatinHypercube(_) | Axis::Scatter(_) => {}
+            StudyAxis::Range(_) | StudyAxis::LatinHypercube(_) | StudyAxis::Scatter(_) => {}
         }
     }
     Ok(())
@@ -80,8 +80,9 @@ fn values(name: &str, given: &[ParameterValue]) -> Result<(), Wrong> {
 
 /// Axes of a Latin hypercube and of a scatter table with what they are drawn from.
 fn drawn_together(study: &Study) -> Result<(), Wrong> {
-    let named = |test: fn(&Axis) -> bool| study.axes.iter().find(|(_, axis)| test(axis)).map(|(name, _)| name.as_str());
-    match (named(|axis| matches!(axis, Axis::LatinHypercube(_))), &study.samples) {
+    let named =
+        |test: fn(&StudyAxis) -> bool| study.axes.iter().find(|(_, axis)| test(axis)).map(|(name, _)| name.as_str());
+    match (named(|axis| matches!(axis, StudyAxis::LatinHypercube(_))), &study.samples) {
         (Some(name), None) => {
             return wrong(&["axes", name], "no samples", "samples: {count: 200, seed: 1} beside axes");
         }
@@ -94,7 +95,7 @@ fn drawn_together(study: &Study) -> Result<(), Wrong> {
         study
             .axes
             .iter()
-            .filter(move |(_, axis)| matches!(axis, Axis::Scatter(of) if *of == wanted))
+            .filter(move |(_, axis)| matches!(axis, StudyAxis::Scatter(of) if *of == wanted))
             .map(|(name, _)| name)
     };
     let mut heights = scattered(ScatterQuantity::SignificantHeight);
@@ -127,10 +128,10 @@ fn counts(study: &Study) -> Result<(), Wrong> {
     if !(1..=MOST_RUNS).contains(&samples) {
         return wrong(&["samples", "count"], samples, whole(1, MOST_RUNS));
     }
-    let of_axis = |axis: &Axis| match axis {
-        Axis::Values(values) => values.len() as u64,
-        Axis::Range(range) => range.count,
-        Axis::LatinHypercube(_) | Axis::Scatter(_) => 1,
+    let of_axis = |axis: &StudyAxis| match axis {
+        StudyAxis::Values(values) => values.len() as u64,
+        StudyAxis::Range(range) => range.count,
+        StudyAxis::LatinHypercube(_) | StudyAxis::Scatter(_) => 1,
     };
     let runs = study.axes.values().map(of_axis).fold(samples * seeds.count, u64::saturating_mul);
     if runs > MOST_RUNS {

@@ -41,7 +41,7 @@ pub struct Study {
     /// What the cases differ in: a parameter of the scenario, or a field by its dotted path. The cases are every combination,
     /// the last axis fastest; axes that are drawn together, of a Latin hypercube or of a scatter table, count as one.
     #[serde(default)]
-    pub axes: IndexMap<String, Axis>,
+    pub axes: IndexMap<String, StudyAxis>,
     /// How axes `latin_hypercube` are drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub samples: Option<Samples>,
@@ -74,20 +74,20 @@ pub struct Study {
     pub scatter: Option<String>,
     /// Which axis is what of the sea. Without it, the axes that write these fields of the sea are.
     #[serde(default)]
-    pub sea: SeaAxes,
+    pub sea: StudySea,
 }
 
 /// The values of an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Axis"))]
 #[serde(rename_all = "snake_case")]
-pub enum Axis {
+pub enum StudyAxis {
     /// These values.
     Values(Vec<ParameterValue>),
     /// Numbers at even distances.
     Range(EvenRange),
     /// Numbers drawn together with those of the other axes of this kind, as many as `samples` says.
-    LatinHypercube(Interval),
+    LatinHypercube(DrawnInterval),
     /// The seas of the scatter table that occur, together with the other axis of this kind.
     Scatter(ScatterQuantity),
 }
@@ -107,9 +107,9 @@ pub struct EvenRange {
 
 /// An interval that numbers are drawn from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Interval"))]
 #[serde(deny_unknown_fields)]
-pub struct Interval {
+pub struct DrawnInterval {
     /// Its lower end.
     pub from: f64,
     /// Its upper end.
@@ -182,9 +182,9 @@ pub struct Peaks {
 
 /// Which axis is what of the sea.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SeaAxes"))]
 #[serde(deny_unknown_fields, default)]
-pub struct SeaAxes {
+pub struct StudySea {
     /// The axis of the significant wave height, m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub significant_height: Option<String>,
