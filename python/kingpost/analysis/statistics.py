@@ -64,7 +64,7 @@ def summary(
     Returns
     -------
     xarray.DataArray or xarray.Dataset
-        As given, along ``statistic`` instead of ``time``.
+        The same type as the input, along ``statistic`` instead of ``time``.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def spectrum(
     The record, less its mean, is cut into segments that overlap by half; each is multiplied by a Hann
     window and transformed, and the squares are averaged (Welch, *IEEE Trans. Audio Electroacoust.*
     15(2), 1967). The density is one-sided and divided by the mean square of the window, so that its
-    integral is the variance but for sampling error.
+    integral is the variance except for sampling error.
 
     Parameters
     ----------
@@ -329,7 +329,7 @@ def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.D
     Returns
     -------
     xarray.Dataset or xarray.DataArray
-        As given.
+        The same type as the input.
 
     Raises
     ------

@@ -4342,7 +4342,7 @@ export interface SlackTank {
 }
 /**
  * The water on an object that is lowered through the surface of the sea, small beside the waves: buoyancy, drag, added
- * mass that grows as it goes under, slamming. Several may stand on one body, for a long or a composed one.
+ * mass that grows with immersion, slamming. Several may stand on one body, for a long or a composed one.
  */
 export interface Submerged {
   /**
