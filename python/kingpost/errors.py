@@ -33,11 +33,11 @@ class ScenarioError(KingpostError):
     Attributes
     ----------
     file, line, column
-        Where the value stands; `None` where there is no such place.
+        Place of the value; `None` if it has none.
     field
         Dotted path of the value, such as ``bodies.ship.mass_kg``.
     found, allowed
-        What stands there and what may stand there.
+        The value found and the allowed values.
     """
 
     def __init__(
@@ -116,11 +116,11 @@ class HydrodynamicsError(KingpostError):
     Attributes
     ----------
     file
-        The file it was read from; `None` where there is none.
+        The file it was read from; `None` if there is none.
     field
         The wrong field, option or quantity, such as ``hull.volume_m3``.
     found, allowed
-        What stands there and what may stand there.
+        The value found and the allowed values.
     """
 
     def __init__(

@@ -255,7 +255,7 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
     Raises
     ------
     ScenarioError
-        With file, line, column, field, what was found and what is allowed.
+        With file, line, column, field, the value found and the allowed values.
 
     >>> load("paper", {"simulation.duration_s": 0.5}, damping=True).title
     'Crane ship of Jardim et al. (2019)'

@@ -1,4 +1,4 @@
-"""What is printed of what happened in a run."""
+"""The report of the events of a run."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ def test_important_events_come_first_in_order_of_time_and_repeating_ones_are_cou
         (67.29, "hoist_rope", "parts"),
         (68.0, "load", "is under water"),
     ) == [
-        "at, s what happened",
+        "at, s event",
         '0.00 operation begins "hoist"',
         "67.29 hoist_rope parts",
         "68.00 load is under water",
         "",
-        "what repeats first at, s last at, s",
+        "repeating events first at, s last at, s",
         "deck touches once, slides 2 times 5.00 7.00",
         "sling goes slack 26 times, comes taut 25 times 10.00 60.00",
     ]

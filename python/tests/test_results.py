@@ -124,6 +124,6 @@ def test_parquet_without_pyarrow_is_refused_before_a_run_with_the_extra_that_bri
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     assert main(["run", "paper", "-o", str(tmp_path / "run.parquet")]) == 2
     shown = capsys.readouterr()
-    assert 'found no pyarrow, allowed: after pip install "kingpost[parquet]"' in shown.err
+    assert 'found no pyarrow, allowed: Parquet with pyarrow: pip install "kingpost[parquet]"' in shown.err
     assert shown.out == ""
     assert list(tmp_path.iterdir()) == []

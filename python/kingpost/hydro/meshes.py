@@ -37,7 +37,7 @@ class HullMeshes:
     panels
         The wetted part, or a half or a quarter of it.
     particulars
-        Of the whole wetted hull.
+        Particulars of the whole wetted hull.
     hull
         The closed hull with its deck, or `None` if the mesh ends at the water line or has too many triangles.
     why_no_hull

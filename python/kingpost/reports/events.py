@@ -36,7 +36,7 @@ def events(results: xarray.Dataset) -> list[str]:
 
 def _in_order(events: list[Event]) -> list[str]:
     rows = [(f"{event['time_s']:.2f}", event["element"], event["what"]) for event in events]
-    return table([("at, s", "", "what happened"), *rows], "><<") if rows else []
+    return table([("at, s", "", "event"), *rows], "><<") if rows else []
 
 
 def _counted(events: list[Event]) -> list[str]:
@@ -44,7 +44,7 @@ def _counted(events: list[Event]) -> list[str]:
     of_things: dict[str, list[Event]] = {}
     for event in events:
         of_things.setdefault(event["element"], []).append(event)
-    rows = [("what repeats", "", "first at, s", "last at, s")]
+    rows = [("repeating events", "", "first at, s", "last at, s")]
     for thing, own in of_things.items():
         often = Counter(event["what"] for event in own)
         words = ", ".join(f"{what} {_times(count)}" for what, count in often.items())

@@ -113,7 +113,9 @@ def _panels(
     for name, unit in names.items():
         panels.setdefault(engineering(unit)[0], []).append(name)
     if not panels:
-        raise KingpostError("--channels: found no column to show, allowed: columns as ship.roll, or ship.*")
+        raise KingpostError(
+            "--channels: found no column to show, allowed: columns such as ship.roll, or ship.*"
+        )
     for unit, found in panels.items():
         if len(found) > MOST_LINES and patterns:
             of = f"{len(found)} columns in {unit or '1'}"

@@ -42,7 +42,7 @@ def chosen(results: xarray.Dataset, patterns: Sequence[str], option: str = "--ch
     for pattern in patterns:
         if not any(fnmatchcase(name, pattern) for name in every):
             raise KingpostError(
-                f"{option}: found {pattern!r}, allowed: columns as ship.roll, or patterns as ship.*"
+                f"{option}: found {pattern!r}, allowed: columns such as ship.roll, or patterns such as ship.*"
             )
     return {name: unit_of(every[name].of(results)) for name in names}
 

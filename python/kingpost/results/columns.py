@@ -232,7 +232,7 @@ def floating_bodies(results: xarray.Dataset) -> list[str]:
     Returns
     -------
     list of str
-        In the order of the model.
+        The names, in the order of the model.
 
     >>> from kingpost import run
     >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))

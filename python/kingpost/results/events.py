@@ -37,7 +37,7 @@ def events(results: xarray.Dataset) -> xarray.Dataset:
     about = {
         "event_time": {"units": "s", "long_name": "time", "description": "time of the event"},
         "event_element": {"long_name": "element", "description": "element that watches for it, or parameter"},
-        "event_what": {"long_name": "event", "description": "what happened"},
+        "event_what": {"long_name": "event", "description": "name of the event"},
     }
     values = [np.array([row["time_s"] for row in rows], dtype=float), texts["element"], texts["what"]]
     columns = {name: ("event", value, about[name]) for name, value in zip(about, values, strict=True)}

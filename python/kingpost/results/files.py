@@ -77,7 +77,9 @@ def check_parquet(path: Path) -> None:
     >>> check_parquet(Path("run.nc"))
     """
     if path.suffix.lower() == PARQUET and importlib.util.find_spec("pyarrow") is None:
-        raise KingpostError(f'{path}: found no pyarrow, allowed: after pip install "kingpost[parquet]"')
+        raise KingpostError(
+            f'{path}: found no pyarrow, allowed: Parquet with pyarrow: pip install "kingpost[parquet]"'
+        )
 
 
 def write(
@@ -141,7 +143,7 @@ def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
     names = list(places(results))
     for pattern in patterns:
         if not any(fnmatchcase(name, pattern) for name in names):
-            raise KingpostError(f"--record: found {pattern!r}, allowed: columns as ship.roll, or ship.*")
+            raise KingpostError(f"--record: found {pattern!r}, allowed: columns such as ship.roll, or ship.*")
 
 
 def _variables(results: xarray.Dataset, patterns: Sequence[str]) -> xarray.Dataset:

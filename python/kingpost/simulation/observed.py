@@ -164,7 +164,7 @@ class Observed:
         Returns
         -------
         numpy.ndarray
-            Shape (bodies, 12): position (m, world) and rotation matrix by rows.
+            Shape (bodies, 7).
 
         >>> from kingpost import Simulation, load
         >>> Simulation(load("paper")).poses().shape[0]

@@ -30,7 +30,7 @@ class Outcome:
     seed
         Its seed; or its number in a `Batch` whose runs differ in something else.
     limits, warnings
-        As dictionaries.
+        The limits and warnings, as dictionaries.
     counted_by
         The meaning of `seed`: ``seed`` or ``run``.
     """

@@ -91,7 +91,7 @@ class Event:
     element
         The element that watched for it.
     what
-        What happened.
+        Name of the event.
     """
 
     time_s: float

@@ -94,7 +94,7 @@ def cantilever_3() -> Compared:
     unit="m",
     source="W l^3 / 3 E I; Gere & Timoshenko, Mechanics of Materials, app. G",
     tolerance=1e-6,
-    why="exact for a chain of such joints but for the square of the slope, 1e-7; the equilibrium to 1e-8",
+    why="exact for a chain of such joints except for the square of the slope, 1e-7; the equilibrium to 1e-8",
 )
 def cantilever_tip_weight() -> Compared:
     gravity = 1e-2

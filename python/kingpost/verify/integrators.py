@@ -16,7 +16,7 @@ OMEGA = np.sqrt(3 * G / 4.0)
 
 
 def _exact() -> float:
-    """The angle of a rod of 2 m, let go at 2 rad, after 2 s."""
+    """The angle of a rod of 2 m, released at 2 rad, after 2 s."""
     m = np.sin(START / 2) ** 2
     return 2 * np.arcsin(np.sqrt(m) * jacobi(complete_elliptic(m) - OMEGA * SECONDS, m)[0])
 

@@ -13,11 +13,11 @@ from .rows import Compared, check
 AREA = "multibody"
 RK4 = "RK4 errs by (omega h)^4 / 120 a radian: 1e-12 at these steps; the rest is rounding over the run"
 EIGEN = "exact A by dual numbers; eigenvalues to rounding"
-ROUNDING = "exact for this scheme but for rounding"
+ROUNDING = "exact for this scheme except for rounding"
 
 
 def _swing(angle: float, seconds: float, step: float = 0.002):
-    """A uniform rod of 2 m let go at an angle; its angle and rate over time."""
+    """A uniform rod of 2 m released at an angle; its angle and rate over time."""
     simulation = settings(step, seconds, integrator="rk4")
     found = run(scenario({"rod": rod(2.0, 3.0, initial_angle_rad=angle)}, GRAVITY, simulation=simulation))
     return found.time.values, found.joint_position.values[:, 0], found.joint_velocity.values[:, 0]
@@ -29,7 +29,7 @@ ROD_OMEGA = np.sqrt(3 * G / (2 * 2.0))
 
 @check(
     "pendulum-period",
-    "period of a rod let go at 2 rad",
+    "period of a rod released at 2 rad",
     area=AREA,
     unit="s",
     tolerance=1e-9,
@@ -43,7 +43,7 @@ def pendulum_period() -> Compared:
 
 @check(
     "pendulum-angle",
-    "angle of a rod let go at 3 rad, 5 s after",
+    "angle of a rod released at 3 rad, after 5 s",
     area=AREA,
     unit="rad",
     tolerance=1e-8,

@@ -18,7 +18,8 @@ AREA = "measured"
 
 SCALE = 68.0
 KVLCC2 = {"kg": 18.6, "gm": 5.73, "gyration": 23.2, "volume": 312653.0, "viscosity": 1.14e-6}
-"""Full scale in fresh water but for the viscosity, m2/s; m and m3."""
+"""Full-scale dimensions of the ship, m and m3, in fresh water; the viscosity, m2/s, is that of the model
+test."""
 SECTIONS = (
     (-5.495, 11.6386, 2.0, 13.827),
     (10.160, 27.8935, 18.25, 123.851),

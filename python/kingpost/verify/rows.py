@@ -128,7 +128,7 @@ def check(
     name
         Name of the row; it must be unique.
     what
-        What is measured.
+        Description of the measured quantity.
     area
         One of `AREAS`.
     unit

@@ -48,7 +48,7 @@ export class PhysicsPanel {
     onPanelOpened("physics", () => this.look());
   }
 
-  /** Called with a picture, if something is new and the panel is visible. */
+  /** Called for each picture, if something is new and the panel is visible. */
   draw(): void {
     if (!this.isStale || !isPanelOpen("physics") || !this.session.run) return;
     this.isStale = false;

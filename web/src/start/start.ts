@@ -39,7 +39,7 @@ export class StartPage {
     return make("header", { class: "hero" }, picture, words, languageChoice("language"));
   }
 
-  /** The cards; they need the gallery's list and nothing of the engine. */
+  /** The cards; they need the list of the gallery but not the engine. */
   offer(gallery: Gallery): void {
     this.groups.replaceChildren(...gallery.groups.map((group, k) => section(group, k)));
   }

@@ -42,7 +42,7 @@ def notes(
     Parameters
     ----------
     responses
-        Of the file's rows and its name, in SI units.
+        Converts the file's rows and its name to responses in SI units.
     """
     four, said = stem.with_suffix(".4"), list(foreign.notes)
     if not four.is_file() or not four.stat().st_size:

@@ -104,11 +104,9 @@ def _interval(
 ) -> None:
     if "limiting_height_low" not in found:
         return
+    place: Any = (slice(None), *at)
     ends = [
-        found[f"limiting_height_{end}"]
-        .transpose("limit", *others, period)
-        .values[(slice(None), *at)]
-        .min(axis=0)
+        found[f"limiting_height_{end}"].transpose("limit", *others, period).values[place].min(axis=0)
         for end in ("low", "high")
     ]
     known = ends[0] > 0
@@ -146,7 +144,8 @@ def _height(found: xarray.Dataset, at: tuple[int, ...], height: float) -> tuple[
     if "limiting_height_state" not in found:
         return ("no limit" if np.isinf(height) else f"{height:.2f}" if np.isfinite(height) else "-"), "-"
     names = _axes(found)
-    of_all = {key: found[key].transpose("limit", *names).values[(slice(None), *at)]
+    place: Any = (slice(None), *at)
+    of_all = {key: found[key].transpose("limit", *names).values[place]
               for key in ("limiting_height", "limiting_height_state", "limiting_height_low",
                           "limiting_height_high")}  # fmt: skip
     known = np.where(np.isnan(of_all["limiting_height"]), np.inf, of_all["limiting_height"])
