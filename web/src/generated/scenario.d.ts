@@ -4359,13 +4359,8 @@ export interface SlackTank {
   density_kg_m3?: number | null;
 }
 /**
-<<<<<<< HEAD
  * The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,
  * slamming, and added mass that grows with immersion. A long or composed body may have several.
-=======
- * The water on an object that is lowered through the surface of the sea, small beside the waves: buoyancy, drag, added
- * mass that grows with immersion, slamming. Several may stand on one body, for a long or a composed one.
->>>>>>> words-views
  */
 export interface Submerged {
   /**
