@@ -20,10 +20,10 @@ RECORD = "time_s,elevation_m\n" + "\n".join(f"{i},{(-1) ** i * 0.2}" for i in ra
 
 
 def merged(whole: Any, piece: Any) -> Any:
-    """A piece added to what is there: fields under the same keys, items at the end of a list."""
+    """A piece added to what is there: fields under the same keys, items with fields behind the others."""
     if isinstance(whole, dict) and isinstance(piece, dict):
         return whole | {key: merged(whole.get(key), value) for key, value in piece.items()}
-    if isinstance(whole, list) and isinstance(piece, list):
+    if isinstance(whole, list) and all(isinstance(item, dict) for item in piece):
         return [*whole, *(item for item in piece if item not in whole)]
     return piece
 

@@ -68,7 +68,9 @@ fn haskinds_relation_takes_the_group_velocity_of_the_depth() {
     let expected = k / (8.0 * PI * barge::DENSITY * GRAVITY * group) * 2.0 * PI * heave * heave;
     let found = database.haskind_damping()[0].expect("long waves are resolved")[2];
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
-    assert!((group / libm::sqrt(3.0 * GRAVITY) - 1.0).abs() < 1e-3, "long waves");
+    // Long waves: sqrt(g h) (1 - (k h)^2 / 2), up to the next order.
+    let ratio = group / libm::sqrt(3.0 * GRAVITY);
+    assert!((ratio - 1.0 + 0.5 * (3.0 * k).powi(2)).abs() < (3.0 * k).powi(4), "{ratio}");
 }
 
 /// Panels keep the relation to some percent; the median of a mode that makes waves is far within a factor of 2.
@@ -89,8 +91,11 @@ fn an_excitation_a_thousand_times_too_large_or_too_small_is_refused() {
     }
     // Without long waves the damping alone contradicts.
     let beyond_long_waves = |all: &mut Value, factor: f64| {
+        // k L above 0.4, L = 20 m.
+        let frequencies = all["frequencies_rad_s"].as_array().expect("a list");
+        let long = frequencies.iter().filter(|omega| omega.as_f64().expect("a number") < 0.45).count();
         for field in ["frequencies_rad_s", "added_mass", "radiation_damping"] {
-            all[field].as_array_mut().expect("a list").drain(..8);
+            all[field].as_array_mut().expect("a list").drain(..long);
         }
         for (part, which) in [
             ("froude_krylov", "real"),
@@ -98,7 +103,7 @@ fn an_excitation_a_thousand_times_too_large_or_too_small_is_refused() {
             ("diffraction", "real"),
             ("diffraction", "imaginary"),
         ] {
-            all[part][which].as_array_mut().expect("a list").drain(..8);
+            all[part][which].as_array_mut().expect("a list").drain(..long);
         }
         all.as_object_mut().expect("an object").remove("mean_drift");
         scale_excitation(all, factor);
