@@ -27,7 +27,7 @@ from fuzz.apart import Apart, Verdict  # noqa: E402
 from fuzz.contract import Case  # noqa: E402
 from fuzz.corpus import save  # noqa: E402
 
-TURN_S = 20.0
+TURN_S = 15.0
 """Of the clock, for one kind before the next has its turn."""
 SHARES = {
     "scenario_text": 3.0,

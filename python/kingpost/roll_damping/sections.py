@@ -22,7 +22,13 @@ Array = NDArray[np.float64]
 
 COLUMNS = "x_m,beam_m,draught_m and area_m2 or area_coefficient; bilge_radius_m is optional"
 FEWEST_STATIONS = 3
+<<<<<<< HEAD
 # The straight edges of a mesh, and rounded tables, may give slightly more area than the rectangle.
+=======
+SMALLEST, LARGEST = 1e-9, 1e9
+"""Of what a hull is made of, m and m2: powers of less and of more are no numbers."""
+# A mesh's chords, and tables that are rounded, may give a little more than a rectangle.
+>>>>>>> attack
 FULLEST = 1.0 + 1e-3
 
 
@@ -178,6 +184,13 @@ def _check(given: Mapping[str, Array], file: str | None) -> None:
     for name in ("beam_m", "draught_m", "area_m2", "area_coefficient"):
         if name in given and not (given[name] > 0).all():
             raise RollDampingError(name, f"{given[name].min():g}", "numbers greater than 0", file)
+    for name, values in given.items():
+        sizes = np.abs(values[values != 0])
+        wrong = sizes[(sizes < SMALLEST) | (sizes > LARGEST)]
+        if len(wrong):
+            raise RollDampingError(
+                name, f"{wrong[0]:g}", f"0, or sizes from {SMALLEST:g} to {LARGEST:g}", file
+            )
     if "bilge_radius_m" in given and not (given["bilge_radius_m"] >= 0).all():
         raise RollDampingError("bilge_radius_m", f"{given['bilge_radius_m'].min():g}", "0 or more", file)
     sigma = given.get("area_coefficient")

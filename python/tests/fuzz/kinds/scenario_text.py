@@ -24,7 +24,7 @@ SMALL = ("paper", "chain", "tennis_racket", "flexible_boom", "knuckle_boom_crane
 """Scenarios that are built and stepped in milliseconds."""
 LEAVES = Path(__file__).resolve().parents[4] / "crates" / "kingpost" / "tests"
 RUN_S = 0.03
-"""Of the clock: then a run is stopped as by Ctrl-C."""
+"""Of the processor: then a run is stopped as by Ctrl-C."""
 
 
 @cache
