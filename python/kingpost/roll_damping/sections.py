@@ -22,13 +22,9 @@ Array = NDArray[np.float64]
 
 COLUMNS = "x_m,beam_m,draught_m and area_m2 or area_coefficient; bilge_radius_m is optional"
 FEWEST_STATIONS = 3
-<<<<<<< HEAD
-# The straight edges of a mesh, and rounded tables, may give slightly more area than the rectangle.
-=======
 SMALLEST, LARGEST = 1e-9, 1e9
-"""Of what a hull is made of, m and m2: powers of less and of more are no numbers."""
-# A mesh's chords, and tables that are rounded, may give a little more than a rectangle.
->>>>>>> attack
+"""Bounds of a hull's dimensions, m and m2: powers of smaller and of larger numbers overflow."""
+# The straight edges of a mesh, and rounded tables, may give slightly more area than the rectangle.
 FULLEST = 1.0 + 1e-3
 
 
