@@ -108,7 +108,7 @@ def _turn(kind: str, tally: Tally, apart: Apart, until: float, seed: int, folder
 
 
 def main() -> int:
-    """Attack, and print what came of it."""
+    """Attack, and print the results."""
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     options.add_argument("--minutes", type=float, default=60.0)
     options.add_argument("--kinds", nargs="+", choices=SHARES, default=list(SHARES))

@@ -8,6 +8,7 @@ import hydro_samples as samples
 import hydro_writers as writers
 import numpy as np
 import pytest
+from fuzz.kinds import foreign
 from kingpost.cli import main
 from kingpost.errors import HydrodynamicsError, flag
 from kingpost.hydro import importers, read
@@ -317,3 +318,38 @@ def test_an_option_of_a_hull_is_refused_for_a_file(tmp_path, capsys, option) -> 
     assert main(["hydro", str(source), "-o", str(tmp_path / "a.hydro.json"), *option]) != 0
     name = option[0].removeprefix("--").removeprefix("no-")
     assert f"{flag(name)}: found {source}, allowed: a hull that is computed" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("kind", "file", "old", "new"),
+    [
+        ("aqwa_listing", "hull.LIS", "E+", "Ex+"),
+        ("shipx", "hull.hyd", "*", "x*"),
+        ("nemoh", "Mesh/KH.dat", "0.00000000E+00\n", "\n"),
+        ("orcaflex", "hull.yml", "AddedMassMatrix", "AddedMass"),
+        ("wamit", "hull.hst", "3 3 ", "3 x "),
+    ],
+)
+def test_a_word_that_is_no_number_is_refused_in_one_line(tmp_path, kind, file, old, new) -> None:
+    """Source: found by damaging the files; each ended in a traceback of the library that reads it."""
+    sample = foreign.samples()[kind]
+    for name, content in sample.files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_bytes(content)
+    text = (tmp_path / file).read_text(encoding="latin-1")
+    assert old in text
+    (tmp_path / file).write_text(text.replace(old, new, 1), encoding="latin-1")
+    with pytest.raises(HydrodynamicsError) as refused:
+        importers.load(tmp_path / sample.named, Options(**foreign.GIVEN[kind]))
+    assert len(str(refused.value)) < 500
+
+
+@pytest.mark.parametrize(("kind", "name"), [("bemio", "hull.h5"), ("capytaine", "hull.nc")])
+def test_a_file_whose_end_is_lost_is_refused_and_says_nothing_else(tmp_path, capfd, kind, name) -> None:
+    """Source: found by damaging the files; the library's own complaints reached the terminal."""
+    content = foreign.samples()[kind].files[name]
+    path = tmp_path / name
+    path.write_bytes(content[: len(content) // 2])
+    with pytest.raises(HydrodynamicsError, match="found a file that is damaged"):
+        importers.load(path, Options(**foreign.GIVEN[kind]))
+    assert capfd.readouterr().err == ""

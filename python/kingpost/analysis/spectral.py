@@ -66,7 +66,7 @@ class Transfer:
     halved
         The same by every second frequency of the response.
     warnings
-        What one should know.
+        Warnings.
     """
 
     columns: list[str]

@@ -17,7 +17,7 @@ from .common import DONE, FAILED, INTERRUPTED, WARNING, add_output, fail, note, 
 if TYPE_CHECKING:
     from ..study.study import Study
 
-HELP = "run every case of a study with every seed, and keep what came of them"
+HELP = "run every case of a study with every seed, and keep the results"
 REPORTS = (".html", ".pdf")
 CONNECT_S = 20
 """How long the scheduler of a cluster may take to answer."""
@@ -48,7 +48,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run what is missing, and print what came of it."""
+    """Run what is missing, and print the results."""
     from ..study.study import Study
     from ..study.summary import of_plan, plan_lines
 

@@ -244,6 +244,34 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
     return found
 
 
+def is_whole(path: str | Path, time_limit_s: float = TIME_LIMIT_S) -> bool:
+    """Whether a file of HDF5, of any program, can be read to its end: tried in a process of its own.
+
+    Parameters
+    ----------
+    path
+        NetCDF, or other HDF5 where the name ends with ``.h5``.
+    time_limit_s
+        What reading it may take, s.
+
+    Returns
+    -------
+    bool
+        False where the library fails, crashes or does not end.
+
+    >>> import tempfile
+    >>> path = Path(tempfile.mkdtemp()) / "cut.nc"
+    >>> _ = path.write_bytes(HDF5)
+    >>> is_whole(path)
+    False
+    """
+    try:
+        _probe([str(path)], time_limit_s)
+    except KingpostError:
+        return False
+    return True
+
+
 def _probe(paths: Sequence[str], time_limit_s: float) -> None:
     command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py"))]
     try:

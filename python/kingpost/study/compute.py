@@ -51,7 +51,7 @@ class Job:
 
 @dataclass(frozen=True)
 class Result:
-    """What came of a unit.
+    """The results of a unit.
 
     Attributes
     ----------

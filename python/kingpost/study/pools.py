@@ -98,7 +98,7 @@ class _Spread:
         return self.again.pop() if self.again else next(self.left, None)
 
     def _result(self, future: Future[Result]) -> Result | None:
-        """What came of a unit; None where it is asked for again."""
+        """The result of a unit; None if the unit runs again."""
         job = self.waiting.pop(future, None)
         if job is None:
             # It was asked for again with all others.

@@ -149,7 +149,7 @@ class Study:
 
 
 def open_study(folder: str | Path) -> xarray.Dataset:
-    """The results of a study, whole or not, by `xarray.open_zarr`: numbers are read when they are asked for.
+    """The results of a study, complete or not, by `xarray.open_zarr`: numbers are read when needed.
 
     Parameters
     ----------

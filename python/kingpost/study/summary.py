@@ -1,4 +1,4 @@
-"""What came of a study so far, in numbers and in words."""
+"""The results of a study so far, in numbers and in words."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def plan_lines(about: dict[str, Any]) -> Iterator[str]:
 
 
 def result_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
-    """What came of it, a line each."""
+    """The results, a line each."""
     yield f"finished        {found['finished']} of {runs} runs"
     for name, words in (("ended_early", "ended early"), ("not_built", "are no scenario")):
         if found[name]:

@@ -76,7 +76,7 @@ pub enum RunError {
         /// What is allowed.
         allowed: f64,
     },
-    /// An element responds to events without end at one time.
+    /// An element responds to infinitely many events at one time.
     #[error(
         "stuck at {} s: {element} had {what} more than {allowed} times in one step, allowed: {allowed}",
         shown(*time_s)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ...results.files import is_whole
 from ..database import Database
 from . import aqwa, aqwa_listing, bemio, capytaine_file, nemoh, orcaflex, veres, wamit
 from .convert import convert
@@ -88,7 +89,7 @@ def load(
 def _told(kind: str, name: str) -> Iterator[None]:
     """Where a word that should be a number is none, or a number is beyond all, say so in one line."""
     try:
-        # What overflows is found by the checks of what was read.
+        # Overflow is found by the checks of the imported numbers.
         with np.errstate(all="ignore"):
             yield
     except (ArithmeticError, LookupError, TypeError, ValueError) as error:
@@ -107,3 +108,5 @@ def _check_signature(kind: str, name: str) -> None:
     signatures = {"bemio": (HDF5,), "capytaine": (HDF5, CLASSIC)}.get(kind, (b"",))
     if not head.startswith(signatures) or not head:
         raise reading_error("a file that is empty or of another kind", f"a file of {kind}'s", name)
+    if head.startswith(HDF5) and not is_whole(name):
+        raise reading_error("a file that is damaged", f"a file of {kind}'s, whole", name)

@@ -18,6 +18,7 @@ from kingpost.hydro.importers import Options
 
 from ..contract import Case, check_exit
 from ..mutations import TEXT_WAYS, damaged, damaged_bytes, encoded
+from .netcdf import quick_probe
 
 SIZE = {"length_m": 12.0, "beam_m": 10.0}
 HULL = {**SIZE, "draught_m": 5.0}
@@ -113,10 +114,12 @@ def use(case: Case, folder: Path) -> str:
     """Read it; without the fit of the memory, which takes long, unless by the command line."""
     kind, named, how = case.arguments
     if how == "load":
-        importers.load(folder / named, Options(**GIVEN[kind]))
+        with quick_probe():
+            importers.load(folder / named, Options(**GIVEN[kind]))
         return "taken"
     words = [f"--{name.replace('_', '-')}={_word(value)}" for name, value in GIVEN[kind].items()]
-    code = main(["hydro", str(folder / named), "-o", str(folder / "x.hydro.json"), *words])
+    with quick_probe():
+        code = main(["hydro", str(folder / named), "-o", str(folder / "x.hydro.json"), *words])
     check_exit(code)
     return f"exit {code}"
 

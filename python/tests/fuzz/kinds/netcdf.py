@@ -8,7 +8,8 @@ import os
 import random
 import tempfile
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
@@ -138,6 +139,17 @@ def _of_variable(draw: random.Random, run: xarray.Dataset) -> xarray.Dataset:
     return run
 
 
+@contextmanager
+def quick_probe() -> Iterator[None]:
+    """Files are tried in a copy of this process, where the system can make one."""
+    before = files._probe
+    files._probe = _probe_in_a_child if hasattr(os, "fork") else before
+    try:
+        yield
+    finally:
+        files._probe = before
+
+
 def _probe_in_a_child(paths: Sequence[str], time_limit_s: float) -> None:
     """As the package reads files first in a process of its own: here a copy of this one, at once at work."""
     for path in paths:
@@ -157,7 +169,7 @@ def _read_and_leave(path: str) -> None:
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     code = 1
     try:
-        xarray.load_dataset(path, engine="h5netcdf")
+        probe.read(path)
         code = 0
     finally:
         os._exit(code)
@@ -165,16 +177,12 @@ def _read_and_leave(path: str) -> None:
 
 def use(case: Case, folder: Path) -> str:
     """Statistics, a picture, or the data set itself."""
-    assert probe.main
-    files._probe, before = (_probe_in_a_child if hasattr(os, "fork") else files._probe), files._probe
-    try:
+    with quick_probe():
         if case.arguments[0] == "read":
             with files.open_all([folder / "run.nc"])[0] as found:
                 found.kingpost.statistics()
             return "taken"
         picture = ["-o", str(folder / "run.svg")] if case.arguments[0] == "plot" else []
         code = main([case.arguments[0], str(folder / "run.nc"), *picture])
-    finally:
-        files._probe = before
     check_exit(code)
     return f"exit {code}"
