@@ -20,5 +20,8 @@ export default defineConfig({
   test: {
     include: ["tests/*.test.ts"],
     environment: "node",
+    // Files share what they import: the engine's module is compiled once for each process, not once for each file.
+    isolate: false,
+    testTimeout: 30_000,
   },
 });
