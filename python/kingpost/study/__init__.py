@@ -1,1 +1,1 @@
-"""Studies: many cases of one scenario, screened, run, reduced and reported."""
+"""Studies: many runs of one scenario, reduced to numbers that last, on one machine or many."""
