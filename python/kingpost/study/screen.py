@@ -156,8 +156,8 @@ def _statistics(base: Scenario, axes: Sequence[Axis], columns: Sequence[str]) ->
         not_linear |= found.not_linear
     mean, m0, m2, halved = parts
     with np.errstate(invalid="ignore", divide="ignore"):
-        error = np.abs(np.sqrt(halved / m0) - 1)
-    worst = float(np.max(error, initial=0.0, where=np.isfinite(error) & (m0 > 0)))
+        off = np.abs(np.sqrt(halved / m0) - 1)
+    worst = float(np.max(off, initial=0.0, where=np.isfinite(off) & (m0 > 0)))
     return Statistics(first.columns, first.units, not_linear, bounds, mean, m0, m2, worst, list(warnings))
 
 
