@@ -9,6 +9,7 @@ the extremes in a stated time.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -333,7 +334,7 @@ def expected_largest(sigma: ArrayLike, period_s: ArrayLike, duration_s: float) -
     """
     sigma, period = np.asarray(sigma, float), np.asarray(period_s, float)
     with np.errstate(invalid="ignore", divide="ignore"):
-        c = np.sqrt(2 * np.log(np.maximum(duration_s / period, np.e)))
+        c = np.sqrt(2 * np.log(np.maximum(duration_s / period, math.e)))
     return np.where(sigma == 0, 0.0, sigma * (c + EULER / c))
 
 

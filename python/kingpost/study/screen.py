@@ -216,18 +216,20 @@ def _dataset(
     if height is not None and found.bounds:
         heights = np.asarray(axes[height].values, float)
         over = [dim for k, dim in enumerate(dims) if k != height]
-        limiting = np.stack([
+        first = [np.moveaxis(of, height, 0) for of in (found.mean, found.m0, found.m2)]
+        each = [
             limiting_height(
                 heights,
                 (one.at_least, one.at_most),
-                np.moveaxis(found.mean[..., k], height, 0),
-                np.moveaxis(found.m0[..., k], height, 0),
-                np.moveaxis(found.m2[..., k], height, 0),
+                first[0][..., k],
+                first[1][..., k],
+                first[2][..., k],
                 operation_s,
                 acceptance,
             )
             for one, k in zip(found.bounds, at, strict=True)
-        ], axis=-1)  # fmt: skip
+        ]
+        limiting = np.stack(each, axis=-1)
         names = np.array([one.name for one in found.bounds], str)
         known = np.where(np.isnan(limiting), np.inf, limiting)
         smallest = np.where(np.isnan(limiting).all(axis=-1), np.nan, known.min(axis=-1))
