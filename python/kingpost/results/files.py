@@ -245,7 +245,7 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
 
 
 def is_whole(path: str | Path, time_limit_s: float = TIME_LIMIT_S) -> bool:
-    """Whether a file of HDF5, of any program, can be read to its end: tried in a process of its own.
+    """Whether a file of HDF5, of any program, can be read to its end: tried in a separate process.
 
     Parameters
     ----------

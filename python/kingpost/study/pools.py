@@ -17,6 +17,8 @@ from concurrent.futures import (
     wait,
 )
 from multiprocessing.connection import wait as wait_for
+from multiprocessing.context import SpawnContext, SpawnProcess
+from typing import Any
 
 from ..errors import KingpostError, RunError
 from .compute import Job, Result, compute
@@ -25,6 +27,8 @@ TRIES = 4
 """How often a unit is begun whose worker dies."""
 LOOK_EVERY_S = 0.2
 """Time between two looks for Ctrl-C."""
+END_S = 10.0
+"""Time that a worker has to end."""
 AHEAD = 2
 """Units that each worker has before it, so that it never waits."""
 
@@ -138,9 +142,20 @@ class _Spread:
         self.again.append(job)
 
 
-def _pool(workers: int) -> ProcessPoolExecutor:
+class _Worker(SpawnProcess):
+    """A worker that ends with the process that started it, which would else wait for it at its own end."""
+
+    def __init__(self, *arguments: Any, **named: Any) -> None:
+        super().__init__(*arguments, **{**named, "daemon": True})
+
+
+class _Spawned(SpawnContext):
     # Spawned, not forked: what has threads may not be forked.
-    return ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), initializer=_begin)
+    Process = _Worker
+
+
+def _pool(workers: int) -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(workers, _Spawned(), initializer=_begin)
 
 
 def _stop(pool: ProcessPoolExecutor) -> None:
@@ -150,7 +165,7 @@ def _stop(pool: ProcessPoolExecutor) -> None:
     for process in started:
         process.terminate()
     for process in started:
-        process.join()
+        process.join(END_S)
 
 
 def _begin() -> None:
