@@ -86,11 +86,11 @@ def run(options: argparse.Namespace) -> int:
 
 def _screen(study: Study, options: argparse.Namespace) -> int:
     """The limiting sea by linear response, printed."""
-    from ..reports.screen import text
+    from ..reports.limiting import screen
     from ..study.screened import of_plan
 
     found = of_plan(study.plan)
-    show(options, lambda: text(found), found.to_dict)
+    show(options, lambda: screen(found), found.to_dict)
     return DONE
 
 
@@ -138,7 +138,7 @@ def _report(study: Study, folder: Path, options: argparse.Namespace) -> int:
     runs = about["runs"]
     show(
         options,
-        lambda: "\n".join([*plan_lines(about), "", *result_lines(found, runs)]),
+        lambda: "\n".join([*plan_lines(about), "", *result_lines(found, runs), *_limiting(study, folder)]),
         lambda: {**about, **found},
     )
     warn(warning_lines(found, runs))
@@ -147,6 +147,23 @@ def _report(study: Study, folder: Path, options: argparse.Namespace) -> int:
         note(options, f"to go on        kingpost study {options.study} -o {folder} --resume")
     failed = found["finished"] == 0 and found["not_run"] < runs
     return fail("no run finished", FAILED) if failed else DONE
+
+
+def _limiting(study: Study, folder: Path) -> list[str]:
+    """Limiting heights and the operable share; nothing where the study cannot say them yet, or at all."""
+    from ..reports import limiting
+    from ..study import limiting_runs, store
+    from ..study.operable import of_plan
+
+    try:
+        heights = limiting_runs.limiting_heights(store.open_results(folder))
+    except KingpostError:
+        return []
+    lines = ["", *limiting.heights(heights), ""]
+    for direction, share in of_plan(study.plan, heights):
+        lines += [f"all waves with  {direction}"] if direction else []
+        lines += limiting.operable(share)
+    return lines
 
 
 def _check(options: argparse.Namespace) -> None:

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from ...errors import KingpostError
-from ..limiting_sea import LimitingSea
-from ..operability import Operability, operability
+from ...reports.limiting import height_text
+from ..operability import Operability
+from ..operable import of_plan
+from ..plan import Plan
 from .blocks import Block, Paragraph, Picture, Section, Table
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from ..scatter import ScatterTable
 
 WHAT_IT_IS = (
     "The limiting significant height is the largest at which each limit is exceeded in the operation with at "
@@ -125,7 +126,7 @@ def _table(found: xarray.Dataset, what: str) -> Table:
     for at in np.ndindex(heights.shape):
         height = heights[at]
         values = [_value(height[name].item()) for name in names]
-        rows.append((*values, *_height(found, at, float(height)), str(governs[at].item()) or "-"))
+        rows.append((*values, *_height(found, at), str(governs[at].item()) or "-"))
     head = (*names, "limiting Hs, m", "interval, m", "governs")
     origin = BY_RUNS if what == "by runs" else BY_SCREEN
     if "confidence" in found.attrs:
@@ -139,21 +140,17 @@ def _value(value: Any) -> str:
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def _height(found: xarray.Dataset, at: tuple[int, ...], height: float) -> tuple[str, str]:
-    """The height in words where the study does not reach it, and its interval."""
+def _height(found: xarray.Dataset, at: tuple[int, ...]) -> tuple[str, str]:
+    """The height, and its interval where the study reaches it."""
     if "limiting_height_state" not in found:
-        return ("no limit" if np.isinf(height) else f"{height:.2f}" if np.isfinite(height) else "-"), "-"
-    names = _axes(found)
-    place: Any = (slice(None), *at)
-    of_all = {key: found[key].transpose("limit", *names).values[place]
-              for key in ("limiting_height", "limiting_height_state", "limiting_height_low",
-                          "limiting_height_high")}  # fmt: skip
-    known = np.where(np.isnan(of_all["limiting_height"]), np.inf, of_all["limiting_height"])
-    k = int(known.argmin())
-    state = str(of_all["limiting_height_state"][k])
-    words = {"above": f"above {height:g}", "below": "below the smallest Hs", "not known": "not known"}
-    low, high = of_all["limiting_height_low"][k], of_all["limiting_height_high"][k]
-    return words.get(state, f"{height:.2f}"), f"{low:.2f} to {high:.2f}" if state == "found" else "-"
+        return height_text(found, at), "-"
+    names, place = _axes(found), cast(Any, (slice(None), *at))
+    height, state, low, high = (
+        found[f"limiting_height{end}"].transpose("limit", *names).values[place]
+        for end in ("", "_state", "_low", "_high")
+    )
+    k = int(np.where(np.isnan(height), np.inf, height).argmin())
+    return height_text(found, at), f"{low[k]:.2f} to {high[k]:.2f}" if state[k] == "found" else "-"
 
 
 def _difference(by_runs: xarray.Dataset, by_screen: xarray.Dataset) -> str:
@@ -175,40 +172,34 @@ def _difference(by_runs: xarray.Dataset, by_screen: xarray.Dataset) -> str:
 
 
 def operability_section(
-    table: ScatterTable | None, by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str
+    plan: Plan, by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str
 ) -> Section:
     """The share of the place's seas in which work can go on."""
-    if table is None:
-        text = "No scatter table is given (field scatter of the study): no operability."
-        return Section("operability", "Operability", [Paragraph(text)])
     blocks: list[Block] = []
     for found, what in ((by_runs, "by runs"), (by_screen, "by linear response")):
         if isinstance(found, str):
             continue
         try:
-            blocks += _operable(table, found, what)
+            shares = list(of_plan(plan, found))
         except KingpostError as error:
             blocks.append(Paragraph(f"None {what}: {error}."))
-    return Section(
-        "operability", "Operability", blocks or [Paragraph("No limiting heights: no operability.")]
-    )
+            continue
+        if len(shares) == 1 and not shares[0][0]:
+            blocks.append(_shares(shares[0][1], what))
+        elif shares:
+            blocks.append(_by_direction(shares, what))
+    none = Paragraph("No scatter table (field scatter of the study) or no limiting heights: no operability.")
+    return Section("operability", "Operability", blocks or [none])
 
 
-def _operable(table: ScatterTable, found: xarray.Dataset, what: str) -> list[Block]:
-    limiting, direction = LimitingSea.of(found), _sea(found).get("direction")
-    if table.direction_rad is not None or direction not in _axes(found):
-        return [_shares(operability(table, limiting, 0.0), what)]
-    # A table without directions: each studied direction by itself, as if all waves came so.
+def _by_direction(shares: Sequence[tuple[str, Operability]], what: str) -> Table:
     rows = []
-    for radians, value in zip(
-        limiting.directions_rad.tolist(), np.sort(found[direction].values), strict=True
-    ):
-        share = operability(table, limiting, radians)
+    for direction, share in shares:
         worst = max(share.by_limit, key=lambda name: share.by_limit[name], default="-")
-        rows.append((f"{value:g}", f"{100 * share.share:.1f} %", f"{100 * share.outside:.1f} %", worst))
-    head = (f"all waves with {direction}", "operable", "outside of the study", "limit that takes most")
-    title = f"Share of the scatter table's {table.total:g} occurrences, {what}"
-    return [Table(title, head, rows, _origin(what), (0, 1, 2))]
+        rows.append((direction, f"{100 * share.share:.1f} %", f"{100 * share.outside:.1f} %", worst))
+    head = ("all waves with", "operable", "outside of the study", "limit that takes most")
+    title = f"Share of the scatter table's {shares[0][1].total:g} occurrences, {what}"
+    return Table(title, head, rows, _origin(what), (1, 2))
 
 
 def _shares(share: Operability, what: str) -> Table:

@@ -13,7 +13,7 @@ import numpy as np
 from ... import output
 from ...engine import engine
 from ...errors import KingpostError
-from .. import scatter, store
+from .. import store
 from ..limiting_runs import limiting_heights
 from ..plan import Plan
 from ..screened import of_plan
@@ -75,14 +75,13 @@ def of_study(plan: Plan, folder: Path, app: str = APP) -> Report:
         raise KingpostError(f"{folder}: found no study, allowed: the folder of a study")
     content, names = plan.file.content, list(plan.cases.names)
     by_runs, by_screen = _by_runs(results), _by_screen(plan)
-    table = scatter.read(plan.file.beside(content["scatter"])) if content.get("scatter") else None
 
     def scenario_of(run: int) -> Scenario:
         return plan.scenario.with_overrides(dict(plan.overrides(run)))
 
     sections = [
         limiting.section(by_runs, by_screen),
-        limiting.operability_section(table, by_runs, by_screen),
+        limiting.operability_section(plan, by_runs, by_screen),
         runs.section(results, names, of_results(folder, plan), scenario_of, app),
         extremes.section(results),
         model.section(plan.scenario),
