@@ -134,7 +134,7 @@ class Plan:
 
     @cached_property
     def sea(self) -> dict[str, str]:
-        """Which axis is what of the sea: as the study says, else by the fields that the axes write."""
+        """Which axis sets which quantity of the sea: as the study says, else by the fields that the axes write."""
         writes = {one["name"]: one["writes"] for one in self.scenario.resolved.get("parameters", [])}
         found: dict[str, str] = {}
         for name in self.cases.names:

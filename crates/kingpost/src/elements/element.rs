@@ -140,14 +140,14 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
-    /// Which of its outputs follow the incident waves themselves about rest, by their numbers in the order of writing, where
-    /// the bodies are; the others follow them by the motions alone.
+    /// The outputs that depend directly on the incident waves about rest, with the bodies at these places: the number of
+    /// each in the order of writing, and how it depends on them. The others depend on the waves only by the motions.
     fn shown_waves(&self, _bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
         Vec::new()
     }
 
-    /// What of it small motions about rest leave out, in words: drag that grows with the square of a speed, say; `None`
-    /// where that is nothing.
+    /// In words, what a linearization about rest leaves out of this element, such as drag quadratic in the speed; `None`
+    /// if it leaves out nothing.
     fn left_out_at_rest(&self) -> Option<&'static str> {
         None
     }

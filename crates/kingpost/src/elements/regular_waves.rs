@@ -37,14 +37,14 @@ pub struct WavePlace<S = f64> {
     pub heading: S,
 }
 
-/// How one of an element's outputs follows the incident waves themselves, beside what the motions make of it, about rest.
+/// How an output of an element depends directly on the incident waves about rest; the motions change it besides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShownWaves<S = f64> {
     /// In proportion to their elevation at a place.
     Elevation {
         /// x and y in the world, m.
         place: [S; 2],
-        /// What the elevation is multiplied by.
+        /// The factor on the elevation.
         times: S,
     },
     /// As one of the forces of [`RegularWaves::amplitudes`].

@@ -113,7 +113,7 @@ impl ScenarioNode {
         node.place.clone()
     }
 
-    /// The place of the name of the field at a path, for a field that should not be there.
+    /// Where the name of the field at a path stands, to report a field that is not allowed there.
     pub(super) fn name_place_of(&self, path: &[String]) -> SourcePlace {
         let field = path.split_last().and_then(|(last, parents)| self.at(parents)?.field(last));
         field.map_or_else(|| self.place_of(path), |field| field.name_place.clone())

@@ -5,13 +5,13 @@ use crate::elements::{Context, Declaration, Element, Input};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
-/// Forces of an element in regular waves, of which some may be none.
+/// Number of wave forces of an element; unused ones are zero.
 pub(super) const FORCES: usize = 6;
 
-/// Forces on bodies that are set from outside: along them rows of results are differentiated.
+/// Forces on bodies as inputs: the rows of results are differentiated with respect to them.
 #[derive(Clone, Debug)]
 pub(super) struct WaveForces {
-    /// Of each body that they act on, the wrench of a unit of each force, body axes, about the centre of mass.
+    /// For each body on which they act, the wrench of each unit force, in body axes about the centre of mass.
     on: Vec<(usize, [Wrench; FORCES])>,
 }
 

@@ -64,13 +64,13 @@ impl<'a> InWater<'a> {
     }
 }
 
-/// Bodies that float, in groups that something ties together.
+/// Floating bodies, in groups that are connected to each other.
 struct FloatingGroups {
-    /// By body the group that it is of; `None` for what stands on the world.
+    /// The group of each body; `None` for a body that is fixed to the world.
     group: Vec<Option<usize>>,
-    /// By body whether something but water and moorings ties its tree to the world.
+    /// For each body, whether anything but water and moorings connects its tree to the world.
     is_held: Vec<bool>,
-    /// By body whether its tree has a hull.
+    /// For each body, whether its tree has a hull.
     has_hull: Vec<bool>,
 }
 

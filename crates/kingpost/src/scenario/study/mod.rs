@@ -72,7 +72,7 @@ pub struct Study {
     /// A scatter table, a file beside the study: how often which sea occurs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scatter: Option<String>,
-    /// Which axis is what of the sea. Without it, the axes that write these fields of the sea are.
+    /// Which axis sets which quantity of the sea. Without it, the axes that write these fields of the sea set them.
     #[serde(default)]
     pub sea: StudySea,
 }
@@ -180,7 +180,7 @@ pub struct Peaks {
     pub keep: u64,
 }
 
-/// Which axis is what of the sea.
+/// Which axis sets which quantity of the sea.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SeaAxes"))]
 #[serde(deny_unknown_fields, default)]

@@ -41,7 +41,7 @@ pub(crate) fn over_interval(start: f64, end: f64, function: impl Fn(f64) -> f64)
     RULE.iter().map(|&(point, weight)| weight * function(middle + half * point)).sum::<f64>() * half
 }
 
-/// The integral of a function over a band, which is smooth between the nodes.
+/// The integral over a band of a function that is smooth between the nodes.
 pub(crate) fn integral(nodes: &[f64], band: Band, function: impl Fn(f64) -> f64) -> f64 {
     sub_intervals(nodes, band).windows(2).map(|ends| over_interval(ends[0], ends[1], &function)).sum()
 }
