@@ -177,6 +177,29 @@ def test_what_is_wrong_in_a_study_is_said_with_its_place(change, message, tmp_pa
     assert named in line or named.isdigit() or caught.value.found in line or "axes" in caught.value.field
 
 
+def test_corners_are_cases_also_of_axes_that_are_drawn_together() -> None:
+    """Source: the cells of a scatter table are points of one axis: no corner mixes two of them."""
+    axes = {
+        "height": {"scatter": "significant_height"},
+        "load": {"values": [1, 2, 3]},
+        "period": {"scatter": "peak_period"},
+    }
+    found = cases(axes, None, lambda: [(0.5, 6.0), (0.5, 8.0), (1.5, 10.0)])
+    assert found.values["period"] == [6.0] * 3 + [8.0] * 3 + [10.0] * 3
+    corners = [tuple(found.values[name][case] for name in axes) for case in found.corners()]
+    assert corners == [(0.5, 1, 6.0), (0.5, 3, 6.0), (1.5, 1, 10.0), (1.5, 3, 10.0)]
+
+
+def test_a_corner_that_is_no_scenario_is_said_with_its_values() -> None:
+    """Source: the contract of errors; an inner step longer than the run stands in no single value."""
+    axes = {"simulation.step_s": {"values": [0.3, 0.002]}, "simulation.duration_s": {"values": [0.2, 0.5]}}
+    with pytest.raises(kingpost.ScenarioError, match=r"at most simulation\.duration_s, 0\.2"):
+        kingpost.Study({**SLEWING, "set": {}, "axes": axes})
+    fine = {"simulation.duration_s": {"values": [1e5]}, "crane_x_m": {"values": [0]}}
+    with pytest.raises(kingpost.ScenarioError, match=r"duration_s: 100000\.0: .*found 0\.01, allowed"):
+        kingpost.Study({**SLEWING, "set": {"simulation.step_s": 1e-5}, "axes": fine})
+
+
 def test_the_axes_of_the_sea_are_found_by_what_their_parameters_write() -> None:
     """Source: docs/studies.md; the parameters of `offshore_vessel`."""
     study = kingpost.Study({

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
@@ -32,6 +32,16 @@ class Cases:
     values: dict[str, list[Any]]
     drawn: dict[str, list[int]]
     count: int
+    sizes: tuple[int, ...] = ()
+    """How many points each axis has; axes that are drawn together count as one."""
+
+    def corners(self) -> Iterator[int]:
+        """The cases of the first and last points of all axes."""
+        for ends in product(*(sorted({0, size - 1}) for size in self.sizes)):
+            case = 0
+            for end, size in zip(ends, self.sizes, strict=True):
+                case = case * size + end
+            yield case
 
     def overrides(self, case: int) -> list[tuple[str, Any]]:
         """What is set over the scenario in a case."""
@@ -112,7 +122,8 @@ def cases(
             values[name] = [points[i][j] for i in at]
         if drawn_as:
             draws[drawn_as] = at
-    return Cases(tuple(axes), values, draws, len(indices))
+    sizes = tuple(len(points) for _, points, _ in factors)
+    return Cases(tuple(axes), values, draws, len(indices), sizes)
 
 
 def _of_scatter(

@@ -46,10 +46,17 @@ class StudyFile:
         >>> str(StudyFile("", "lift.yaml", {}, {"axes": [4, 7]}).error("axes.x", "nothing", "a number"))
         'lift.yaml:4:7: axes.x: found nothing, allowed: a number'
         """
+        words = f"found {found}, allowed: {allowed}"
+        return self.error_of(path, words, found, allowed)
+
+    def error_of(
+        self, path: str, words: str, found: str | None = None, allowed: str | None = None
+    ) -> ScenarioError:
+        """An error in these words of a value of the study, with its place."""
         place = self._place(path)
         at = f"{self.file}:{place[0]}:{place[1]}: " if self.file and place else ""
         line, column = place if self.file and place else (None, None)
-        message = f"{at}{path}: found {found}, allowed: {allowed}"
+        message = f"{at}{path}: {words}"
         return ScenarioError(message, self.file or None, line, column, path, found, allowed)
 
     def _place(self, path: str) -> list[int] | None:
@@ -75,12 +82,6 @@ class StudyFile:
             path = path[: path.index(name) + len(name)]
         return self.error(path, error.found, error.allowed)
 
-    def _not_there(self, error: ScenarioError) -> ScenarioError:
-        """The error of a scenario that cannot be read, with its place in the study."""
-        placed = self.error("scenario", "", "")
-        message = f"{str(placed).partition('found')[0]}{error}"
-        return ScenarioError(message, placed.file, placed.line, placed.column, placed.field)
-
     def beside(self, name: str) -> Path:
         """The path of a file that the study names."""
         return Path(self.file).parent / name if self.file else Path(name)
@@ -100,7 +101,7 @@ class StudyFile:
         try:
             base = load(path if path.is_file() else gallery.find(name))
         except ScenarioError as error:
-            raise self._not_there(error) if error.found is None else error from None
+            raise self.error_of("scenario", str(error)) if error.found is None else error from None
         try:
             base = base.with_overrides(given)
             limits = self._limits(base)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cached_property
-from itertools import islice, product
+from itertools import islice
 from typing import Any
 
 from ..engine import source_digest
@@ -260,16 +260,20 @@ def _check_axes(file: StudyFile, scenario: Scenario) -> None:
 
 
 def _check_corners(file: StudyFile, scenario: Scenario, found: Cases) -> None:
-    """The combinations of the axes' first and last values build."""
-    ends = [list(dict.fromkeys((found.values[name][0], found.values[name][-1]))) for name in found.names]
-    corners: Iterator[tuple[Any, ...]] = product(*ends)
-    for corner in islice(corners, MOST_CHECKED if len(ends) > 1 else 0):
-        pairs = list(zip(found.names, corner, strict=True))
-        _try(file, scenario, pairs, {name: f"axes.{name}" for name in found.names})
+    """The combinations of the axes' first and last points build."""
+    where = {name: f"axes.{name}" for name in found.names}
+    for case in islice(found.corners(), MOST_CHECKED if found.names else 0):
+        _try(file, scenario, found.overrides(case), where)
 
 
 def _try(file: StudyFile, scenario: Scenario, pairs: list[tuple[str, Any]], where: dict[str, str]) -> None:
     try:
         scenario.with_overrides(dict(pairs))
     except ScenarioError as error:
-        raise file.placed(error, where) from None
+        placed = file.placed(error, where)
+        if placed is not error:
+            raise placed from None
+        # It stands in the scenario: which case led to it is in the study.
+        values = ", ".join(f"{name}: {value}" for name, value in pairs)
+        path = where[pairs[0][0]] if len(pairs) == 1 else "axes"
+        raise file.error_of(path, f"with {values}: {error}") from None
