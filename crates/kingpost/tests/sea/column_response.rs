@@ -40,6 +40,10 @@ fn h(found: &ColumnResponse, name: &str, (direction, frequency): (usize, usize))
     Complex::new(re, im)
 }
 
+fn size(of: Complex<f64>) -> f64 {
+    libm::hypot(of.re, of.im)
+}
+
 /// Every direction with every frequency.
 fn each_wave() -> impl Iterator<Item = (usize, usize)> {
     (0..DIRECTIONS.len()).flat_map(|direction| (0..OMEGAS.len()).map(move |frequency| (direction, frequency)))
