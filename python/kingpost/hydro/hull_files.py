@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import HydrodynamicsError
+from ..results.files import is_whole
 from .database import Mesh
 from .meshes import HullMeshes, whole
 from .panels import Panels, of_triangles
@@ -26,6 +27,10 @@ LARGEST_HULL = 2000
 """The most triangles of a hull mesh in a database."""
 METRIC_GRAVITY = (9.7, 9.9)
 """Range of GRAV in a file in metres, m/s2; in feet it is 32.2."""
+READ_TO_THEIR_END = (".stl", ".obj")
+"""Formats whose readers end for any file; other formats are first read in a separate process."""
+MESH_TIME_LIMIT_S = 30.0
+"""Time limit for reading a mesh there, s."""
 INSTALL = 'pip install "meshio>=5.3"'
 
 
@@ -172,19 +177,22 @@ def _read_meshio(path: Path) -> Surface:
         import meshio
     except ImportError:
         raise HydrodynamicsError("meshio", "no such package", f"`{INSTALL}`, which installs it") from None
+    if path.suffix.lower() not in READ_TO_THEIR_END and not is_whole(path, MESH_TIME_LIMIT_S):
+        allowed = "STL, OBJ, GDF or another format that meshio reads, whole"
+        raise HydrodynamicsError("hull", "a file that cannot be read to its end", allowed, str(path))
     try:
         # meshio reports some errors by printing them and exiting.
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
             found = meshio.read(path)
             cells = [found.get_cells_type(name) for name in ("triangle", "quad")]
+            points = np.asarray(found.points, float)
+            faces = [_halved(np.asarray(some)) for some in cells if len(some)]
     except (Exception, SystemExit) as error:
         reason = str(error).strip() or type(error).__name__
         allowed = "STL, OBJ, GDF or another format that meshio reads"
         raise HydrodynamicsError(
             "hull", f"a file that cannot be read ({reason})", allowed, str(path)
         ) from None
-    points = np.asarray(found.points, float)
-    faces = [_halved(np.asarray(some)) for some in cells if len(some)]
     if not faces or points.ndim != 2 or points.shape[1] != 3:
         return Surface(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64))
     return Surface(points, np.concatenate(faces))

@@ -245,12 +245,12 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
 
 
 def is_whole(path: str | Path, time_limit_s: float = TIME_LIMIT_S) -> bool:
-    """Whether a file of HDF5, of any program, can be read to its end: tried in a separate process.
+    """Whether a file can be read to its end by its library: tried in a separate process.
 
     Parameters
     ----------
     path
-        NetCDF, or other HDF5 where the name ends with ``.h5``.
+        NetCDF, other HDF5 where the name ends with ``.h5``, else a mesh.
     time_limit_s
         What reading it may take, s.
 

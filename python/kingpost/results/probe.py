@@ -1,4 +1,4 @@
-"""Reads HDF5 files to the end, in a separate process, and reports each file that it has read.
+"""Reads files to the end with their libraries, in a separate process, and reports each file that it has read.
 
 Run as a program, with the paths as JSON on its input. On a damaged file the HDF5 library may hang or crash:
 here only this process ends.
@@ -6,27 +6,41 @@ here only this process ends.
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import sys
+
+MESH_MEMORY_BYTES = 2 << 30
+"""What reading a mesh may take."""
 
 
 def main(paths: list[str]) -> None:
     """Read each file and print a word when it is read."""
     for path in paths:
         try:
-            read(path)
-        except Exception:
+            # What a library prints is no answer.
+            with contextlib.redirect_stdout(io.StringIO()):
+                read(path)
+        except (Exception, SystemExit):
             print("failed", flush=True)
         else:
             print("read", flush=True)
 
 
 def read(path: str) -> None:
-    """Read all of a file: as a data set, or where its name ends with .h5, array by array."""
-    if not path.lower().endswith(".h5"):
+    """Read all of a file by its ending: a data set, HDF5 array by array, else a mesh."""
+    ending = path.lower().rpartition(".")[2]
+    if ending == "nc":
         import xarray
 
         xarray.load_dataset(path, engine="h5netcdf")
+        return
+    if ending != "h5":
+        import meshio
+
+        _limit_memory()
+        meshio.read(path)
         return
     import h5py
 
@@ -36,6 +50,14 @@ def read(path: str) -> None:
 
     with h5py.File(path) as file:
         file.visititems(load)
+
+
+def _limit_memory() -> None:
+    """A count that is wrong in a mesh does not fill the machine's memory."""
+    with contextlib.suppress(ImportError, AttributeError, ValueError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_DATA, (MESH_MEMORY_BYTES, MESH_MEMORY_BYTES))
 
 
 if __name__ == "__main__":

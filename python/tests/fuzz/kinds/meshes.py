@@ -14,6 +14,7 @@ from kingpost.roll_damping.hulls import sections_of
 
 from ..contract import Case
 from ..mutations import TEXT_WAYS, damaged, damaged_bytes, encoded
+from .netcdf import quick_probe
 
 # A closed box of 20 x 10 x 5 m, 2 m deep.
 POINTS = [(x, y, z) for x in (-10.0, 10.0) for y in (-5.0, 5.0) for z in (-2.0, 3.0)]
@@ -80,7 +81,9 @@ def use(case: Case, folder: Path) -> str:
     """Panels, or the sections of roll damping."""
     (name,) = case.files
     if case.arguments[0] == "sections":
-        sections_of(str(folder / name), None, 12)
+        with quick_probe():
+            sections_of(str(folder / name), None, 12)
         return "taken"
-    HullFile(folder / name, 2.0 if case.arguments[0] == "draught" else None).meshes(60)
+    with quick_probe():
+        HullFile(folder / name, 2.0 if case.arguments[0] == "draught" else None).meshes(60)
     return "taken"
