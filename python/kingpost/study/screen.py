@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 ACCEPTANCE = 0.1
 """Probability that a limit may be exceeded in the operation, unless another is given."""
+NOTHING = 1e-6
+"""Variances below this share of the largest of their column do not count among errors."""
 
 
 def screen(
@@ -157,7 +159,9 @@ def _statistics(base: Scenario, axes: Sequence[Axis], columns: Sequence[str]) ->
     mean, m0, m2, halved = parts
     with np.errstate(invalid="ignore", divide="ignore"):
         off = np.abs(np.sqrt(halved / m0) - 1)
-    worst = float(np.max(off, initial=0.0, where=np.isfinite(off) & (m0 > 0)))
+        # Of what symmetry keeps still there is rounding alone.
+        counts = m0 > NOTHING * np.nanmax(m0, axis=tuple(range(len(axes))), initial=0.0)
+    worst = float(np.max(off, initial=0.0, where=np.isfinite(off) & counts))
     return Statistics(first.columns, first.units, not_linear, bounds, mean, m0, m2, worst, list(warnings))
 
 
