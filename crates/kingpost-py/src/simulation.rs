@@ -108,16 +108,9 @@ impl Simulation {
         })
     }
 
-    fn time_s(&self) -> PyResult<f64> {
-        self.with(|held| Ok(held.inner.time_s()))
-    }
-
-    fn step_s(&self) -> PyResult<f64> {
-        self.with(|held| Ok(held.inner.settings().step_s))
-    }
-
-    fn evaluations(&self) -> PyResult<u64> {
-        self.with(|held| Ok(held.inner.evaluations()))
+    /// Time, step and the number of evaluations so far.
+    fn clock(&self) -> PyResult<(f64, f64, u64)> {
+        self.with(|held| Ok((held.inner.time_s(), held.inner.settings().step_s, held.inner.evaluations())))
     }
 
     /// q, v and s.
@@ -151,12 +144,8 @@ impl Simulation {
 
     fn inputs(&self) -> PyResult<Vec<Input>> {
         self.with(|held| {
-            Ok(held
-                .inner
-                .inputs()
-                .into_iter()
-                .map(|i| (i.name, i.unit.to_owned(), i.lower, i.upper, i.value))
-                .collect())
+            let inputs = held.inner.inputs().into_iter();
+            Ok(inputs.map(|i| (i.name, i.unit.to_owned(), i.lower, i.upper, i.value)).collect())
         })
     }
 
@@ -198,12 +187,8 @@ impl Simulation {
     /// The events so far: time, element, what.
     fn events(&self) -> PyResult<Vec<(f64, String, String)>> {
         self.with(|held| {
-            Ok(held
-                .inner
-                .events()
-                .iter()
-                .map(|event| (event.time_s, event.element.clone(), event.what.to_string()))
-                .collect())
+            let events = held.inner.events().iter();
+            Ok(events.map(|event| (event.time_s, event.element.clone(), event.what.to_string())).collect())
         })
     }
 
@@ -215,17 +200,6 @@ impl Simulation {
     /// The state of the limits over the rows so far, as JSON.
     fn limits_json(&self) -> PyResult<String> {
         self.with(|held| serde_json::to_string(&held.inner.limits()).map_err(errors::input))
-    }
-
-    /// Name and column of each limit, and the smallest and the largest value that it allows, in the column's SI unit.
-    fn limit_bounds(&self) -> PyResult<Vec<(String, String, Option<f64>, Option<f64>)>> {
-        self.with(|held| {
-            let each = held.inner.limits_given().map(|limit| {
-                let [least, most] = limit.bounds.map(|bound| bound.map(|bound| bound * limit.unit.1));
-                (limit.name.clone(), limit.column.clone(), least, most)
-            });
-            Ok(each.collect())
-        })
     }
 
     /// The user's moves so far: time, input, value.
@@ -281,16 +255,13 @@ impl Simulation {
     /// The matrices now, with the labels and the units of rows and columns.
     fn moving_frame<'py>(&self, py: Python<'py>) -> PyResult<Vec<Block<'py>>> {
         self.with(|held| {
-            let blocks = held.inner.moving_frame().named(held.inner.model());
-            blocks
-                .into_iter()
-                .map(|block| {
-                    let (rows, columns) = (block.row_labels.len(), block.column_labels.len());
-                    let data = matrix(py, block.data, rows, columns)?;
-                    let labels = [block.row_labels, block.column_labels];
-                    Ok((block.name, data, labels, [block.row_units, block.column_units]))
-                })
-                .collect()
+            let blocks = held.inner.moving_frame().named(held.inner.model()).into_iter();
+            let labelled = blocks.map(|block| {
+                let (rows, columns) = (block.row_labels.len(), block.column_labels.len());
+                let data = matrix(py, block.data, rows, columns)?;
+                Ok((block.name, data, [block.row_labels, block.column_labels], [block.row_units, block.column_units]))
+            });
+            labelled.collect()
         })
     }
 
@@ -339,17 +310,12 @@ impl Simulation {
         })
     }
 
-    /// The response of columns to regular waves about rest: real and imaginary parts, and the rest as JSON.
-    fn column_response<'py>(
-        &self,
-        py: Python<'py>,
-        waves_json: &str,
-        columns: Vec<String>,
-        about_resonances: bool,
-    ) -> PyResult<(Matrix<'py>, String)> {
+    /// The response of columns to regular waves about rest, real and imaginary parts, and the rest as JSON; asked for by
+    /// the waves, the columns and whether frequencies about resonances are added, as JSON.
+    fn column_response<'py>(&self, py: Python<'py>, asked_json: &str) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
-            let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
-            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &columns, about_resonances));
+            let (waves, columns, about): (_, Vec<String>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
+            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &columns, about));
             let found = found.map_err(errors::input)?;
             let amplitudes = found.amplitudes.as_flattened().to_vec();
             let about = serde_json::to_string(&found).map_err(errors::input)?;
@@ -357,18 +323,13 @@ impl Simulation {
         })
     }
 
-    /// The energy of the wave systems of each of some seas (`sea.waves` of a resolved scenario, a list of them as JSON), at
-    /// frequencies and in so many directions, as JSON.
-    fn sea_spectra_json(
-        &self,
-        seas_json: &str,
-        frequencies_rad_s: PyReadonlyArray1<'_, f64>,
-        directions: usize,
-    ) -> PyResult<String> {
+    /// The energy of the wave systems of seas, as JSON; asked for by a list of `sea.waves` of resolved scenarios, the
+    /// frequencies and the number of directions, as JSON.
+    fn sea_spectra_json(&self, asked_json: &str) -> PyResult<String> {
         self.with(|held| {
-            let seas: Vec<SeaWaves> = serde_json::from_str(seas_json).map_err(errors::input)?;
-            let frequencies = frequencies_rad_s.as_slice()?;
-            let each = seas.iter().map(|waves| held.scenario.sea_spectra(waves, frequencies, directions));
+            let (seas, frequencies, directions): (Vec<SeaWaves>, Vec<f64>, usize) =
+                serde_json::from_str(asked_json).map_err(errors::input)?;
+            let each = seas.iter().map(|waves| held.scenario.sea_spectra(waves, &frequencies, directions));
             let found = each.collect::<Result<Vec<_>, _>>().map_err(errors::scenario)?;
             serde_json::to_string(&found).map_err(errors::input)
         })

@@ -108,7 +108,7 @@ def _repeat(study: Study, options: argparse.Namespace) -> int:
 
 
 def _write_report(study: Study, folder: Path, options: argparse.Namespace) -> Path:
-    from ..study.report import report
+    from ..study_report import report
 
     return report.write(study.plan, folder, options.report, options.app or report.APP)
 

@@ -224,7 +224,8 @@ class Equations:
             "directions_rad": np.asarray(directions_rad, float).tolist(),
             "frequencies_rad_s": np.asarray(frequencies_rad_s, float).tolist(),
         }
-        parts, about = self._engine.column_response(json.dumps(waves), list(columns), about_resonances)
+        asked = json.dumps([waves, list(columns), bool(about_resonances)])
+        parts, about = self._engine.column_response(asked)
         found = json.loads(about)
         shape = (len(found["directions_rad"]), len(found["frequencies_rad_s"]), len(found["columns"]))
         found["amplitudes"] = parts.view(complex).reshape(shape)
@@ -268,8 +269,8 @@ class Equations:
         """
         own = (self.scenario.resolved.get("sea") or {}).get("waves", {})
         given = [own] if seas is None else list(seas)
-        frequencies = np.ascontiguousarray(frequencies_rad_s, float)
-        return json.loads(self._engine.sea_spectra_json(json.dumps(given), frequencies, directions))
+        frequencies = np.asarray(frequencies_rad_s, float).ravel().tolist()
+        return json.loads(self._engine.sea_spectra_json(json.dumps([given, frequencies, directions])))
 
     def hydrostatics(self) -> dict[str, Any]:
         """Like the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed

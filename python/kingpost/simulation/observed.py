@@ -86,7 +86,15 @@ class Observed:
         >>> Simulation(load("paper").with_overrides(limits)).limit_bounds[0].at_most
         3.141592653589793
         """
-        return [LimitBounds(*bounds) for bounds in self._engine.limit_bounds()]
+        limits = json.loads(self._engine.model_json())["limits"]
+        return [
+            LimitBounds(
+                one["name"],
+                one["column"],
+                *(None if one[end] is None else one[end] * one["unit_si"] for end in ("at_least", "at_most")),
+            )
+            for one in limits
+        ]
 
     @property
     def lever_moves(self) -> list[LeverMove]:

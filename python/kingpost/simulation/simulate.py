@@ -192,22 +192,22 @@ class Simulation(Observed, Equations):
     @property
     def time_s(self) -> float:
         """Time, s."""
-        return self._engine.time_s()
+        return self._engine.clock()[0]
 
     @property
     def step_s(self) -> float:
         """Step size, s."""
-        return self._engine.step_s()
+        return self._engine.clock()[1]
 
     @property
     def evaluations(self) -> int:
         """Evaluations of the right-hand side by the integrator so far: the cost of its steps."""
-        return self._engine.evaluations()
+        return self._engine.clock()[2]
 
     @property
     def state(self) -> State:
         """A copy of the motion now."""
-        return State(self._engine.time_s(), *self._engine.motion())
+        return State(self._engine.clock()[0], *self._engine.motion())
 
     def set_state(self, q: ArrayLike, v: ArrayLike, s: ArrayLike | None = None) -> None:
         """Replace the motion; arrays as in `State`, with unit quaternions.

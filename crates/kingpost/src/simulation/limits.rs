@@ -90,11 +90,6 @@ impl Limits {
         self.held.iter_mut().for_each(|held| held.worst = None);
     }
 
-    /// As they were given.
-    pub(super) fn given(&self) -> impl Iterator<Item = &Limit> {
-        self.held.iter().map(|held| &held.limit)
-    }
-
     /// The results so far.
     pub(super) fn results(&self) -> Vec<LimitResult> {
         let result = |Held { limit, worst, .. }: &Held| LimitResult {

@@ -231,11 +231,6 @@ impl<S: Scalar> Simulation<S> {
         self.limits.results()
     }
 
-    /// The limits that a run is held against.
-    pub fn limits_given(&self) -> impl Iterator<Item = &Limit> {
-        self.limits.given()
-    }
-
     /// Takes `n` steps; before each, steering elements set their inputs. The steps allocate nothing. On an error the
     /// state stays at the last good step.
     pub fn step(&mut self, n: usize) -> Result<(), RunError> {

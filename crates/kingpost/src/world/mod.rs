@@ -39,6 +39,15 @@ impl<S: Scalar> Default for World<S> {
 }
 
 impl<S: Scalar> World<S> {
+    /// The water in plain numbers, for checks that no derivative goes through.
+    pub fn plain_water(&self) -> Water {
+        Water {
+            density_kg_m3: self.water_density.value(),
+            gravity_m_s2: self.gravity.value(),
+            depth_m: self.depth.map(Scalar::value),
+        }
+    }
+
     /// Sea water of infinite depth at rest; no wind, no gravity.
     pub fn calm() -> Self {
         Self {

@@ -6,10 +6,9 @@ use super::still_water;
 use super::water::check_coverage;
 use crate::elements::drives::WaveMotion;
 use crate::model::Model;
-use crate::scalar::Scalar;
 use crate::scenario::leaf::Quantity;
 use crate::sea::raos::{MotionResponse, OtherUnit, RaoTable};
-use crate::sea::waves::{Water, WaveComponent, WaveField, wave_number};
+use crate::sea::waves::{WaveComponent, WaveField, wave_number};
 use crate::world::World;
 
 /// Mode of each coordinate of the joint: x, y, z, yaw, pitch, roll.
@@ -47,12 +46,7 @@ pub fn build<S: Quantity>(
 
 /// Whether rotations of a table are likely in the other unit than its file says, by the longest waves on the world's water.
 pub fn other_unit<S: Quantity>(table: &RaoTable, world: &World<S>) -> Option<OtherUnit> {
-    let water = Water {
-        density_kg_m3: world.water_density.value(),
-        gravity_m_s2: world.gravity.value(),
-        depth_m: world.depth.map(Scalar::value),
-    };
-    table.other_unit(wave_number(table.band_rad_s()[0], &water))
+    table.other_unit(wave_number(table.band_rad_s()[0], &world.plain_water()))
 }
 
 /// X a of each coordinate in a wave, at the origin of the vessel's axes: the motion at the RAOs' own origin r is

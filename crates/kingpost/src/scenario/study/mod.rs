@@ -218,7 +218,7 @@ pub type Places = IndexMap<String, [usize; 2]>;
 /// let text = "{version: 1, title: Slew, scenario: paper, axes: {crane_x_m: {values: [-10, 0]}}, seeds: {count: 3}}";
 /// let (read, places) = study::read(text, "slew.yaml")?;
 /// assert_eq!((read.axes.len(), read.seeds.count), (1, 3));
-/// assert_eq!(places["axes.crane_x_m"], [1, 65]);
+/// assert_eq!(places["axes.crane_x_m"], [1, 62]);
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 ///

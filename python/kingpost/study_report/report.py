@@ -10,21 +10,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import output
-from ...engine import engine
-from ...errors import KingpostError
-from .. import store
-from ..limiting_runs import limiting_heights
-from ..plan import Plan
-from ..screened import of_plan
-from ..summary import of_results
+from .. import output
+from ..engine import engine
+from ..errors import KingpostError
+from ..study import store
+from ..study.limiting_runs import limiting_heights
+from ..study.plan import Plan
+from ..study.screened import of_plan
+from ..study.summary import of_results
 from . import extremes, limiting, model, origin, pdf, runs
 from .blocks import Report, html
 
 if TYPE_CHECKING:
     import xarray
 
-    from ...scenario import Scenario
+    from ..scenario import Scenario
 
 ENDINGS = (".html", ".pdf")
 APP = "http://127.0.0.1:8000/"

@@ -5,19 +5,19 @@ from __future__ import annotations
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
-from ...analysis.eigenmodes import OSCILLATION, UNSTABLE
-from ...analysis.vibration import modes
-from ...errors import KingpostError
-from ...reports import outline, sea
-from ...reports.modes import of_ship_and_crane
-from ...reports.tables import fixed, kilograms
-from ...simulation.simulate import Simulation
+from ..analysis.eigenmodes import OSCILLATION, UNSTABLE
+from ..analysis.vibration import modes
+from ..errors import KingpostError
+from ..reports import outline, sea
+from ..reports.modes import of_ship_and_crane
+from ..reports.tables import fixed, kilograms
+from ..simulation.simulate import Simulation
 from .blocks import Block, Command, Paragraph, Picture, Section, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from ...scenario import Scenario
+    from ..scenario import Scenario
 
 LONGEST_PERIOD_S = 60.0
 """Natural periods that are listed; longer ones are those of moorings and positioning."""

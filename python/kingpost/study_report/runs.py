@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import link
-from ...errors import KingpostError
-from ...reports import plot
-from ...results.units import engineering
-from ...simulation.outcomes import NUMBER
-from ...simulation.simulate import run
-from ..reduce import FINISHED, HELD, UNKNOWN
+from .. import link
+from ..errors import KingpostError
+from ..reports import plot
+from ..results.units import engineering
+from ..simulation.outcomes import NUMBER
+from ..simulation.simulate import run
+from ..study.reduce import FINISHED, HELD, UNKNOWN
 from .blocks import Block, Command, Heading, Link, Paragraph, Picture, Section, Table
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    from ...scenario import Scenario
+    from ..scenario import Scenario
 
 STORE = "results.zarr"
 MOST_WORST = 6

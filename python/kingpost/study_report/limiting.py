@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ...errors import KingpostError
-from ...reports.limiting import height_text
-from ..operability import Operability
-from ..operable import of_plan
-from ..plan import Plan
+from ..errors import KingpostError
+from ..reports.limiting import height_text
+from ..study.operability import Operability
+from ..study.operable import of_plan
+from ..study.plan import Plan
 from .blocks import Block, Paragraph, Picture, Section, Table
 
 if TYPE_CHECKING:

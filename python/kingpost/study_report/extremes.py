@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...analysis.extremes import extreme
-from ...errors import KingpostError
-from ...results.units import engineering
-from ..reduce import FINISHED, STATISTICS
+from ..analysis.extremes import extreme
+from ..errors import KingpostError
+from ..results.units import engineering
+from ..study.reduce import FINISHED, STATISTICS
 from .blocks import Block, Paragraph, Section, Table
 
 if TYPE_CHECKING:

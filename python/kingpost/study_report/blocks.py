@@ -115,7 +115,7 @@ def drawing() -> Iterator[None]:
 def html(report: Report, version: str) -> str:
     """The report as one page of HTML that needs nothing beside it.
 
-    >>> from kingpost.study.report.blocks import Paragraph, Report, Section
+    >>> from kingpost.study_report.blocks import Paragraph, Report, Section
     >>> page = html(Report("A < B", "", ["No."], [Section("one", "One", [Paragraph("1 & 2")])]), "0.1.0")
     >>> "A &lt; B" in page, "1 &amp; 2" in page
     (True, True)
