@@ -130,8 +130,9 @@ def _limiting(
 
 
 def _of_study(options: argparse.Namespace) -> tuple[LimitingHeight, list[str]]:
-    from ..study.limiting_runs import limiting_heights, open_study
+    from ..study.limiting_runs import limiting_heights
     from ..study.limiting_sea import LimitingSea
+    from ..study.study import open_study
 
     results = open_study(options.study)
     found = limiting_heights(results, options.acceptance, options.exposure_s)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,7 +17,6 @@ if TYPE_CHECKING:
     Numbers = NDArray[np.float64]
 
 FEWEST_SEEDS = 5
-RESULTS = "results.zarr"
 NOT_RUN, FINISHED = -1, 0
 """Of the variable `status`."""
 EXCEEDED = 0
@@ -26,26 +24,6 @@ EXCEEDED = 0
 CERTAIN, NEVER = -3.4, 30.0
 """Reduced variates -ln(-ln(1 - P)) of a probability that is 1, and of one that is 1e-13."""
 FOUND, ABOVE, BELOW, NOT_KNOWN = "found", "above", "below", "not known"
-
-
-def open_study(folder: str | Path) -> xarray.Dataset:
-    """The results of a study by its folder, read as they are asked for.
-
-    Raises
-    ------
-    KingpostError
-        When there are none.
-    """
-    import xarray
-
-    path = Path(folder) / RESULTS
-    if not (path / "zarr.json").is_file():
-        raise KingpostError(f"{folder}: found no {RESULTS} in it, allowed: the folder of a study")
-    found = xarray.open_zarr(str(path), consolidated=False, chunks=None)
-    # Texts as other data sets have them.
-    texts = {name: (one.dims, np.array(one.values.tolist(), str), one.attrs)
-             for name, one in found.coords.items() if one.dtype.kind == "T"}  # fmt: skip
-    return found.assign_coords(texts)
 
 
 def limiting_heights(

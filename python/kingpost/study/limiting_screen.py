@@ -9,16 +9,11 @@ import numpy as np
 
 from ..errors import KingpostError, ScenarioError
 from ..scenario import Scenario
+from .sea_axes import QUANTITIES, quantities
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-SEA = {
-    "significant_height": "significant_height_m",
-    "peak_period": "peak_period_s",
-    "direction": "direction_",
-}
-"""How the last name of a field begins that has a quantity of the sea."""
 REFUSED = "not in the scenario"
 """Where there is no height: the scenario cannot have the sea, or it was not asked for."""
 DIGITS = 3
@@ -32,13 +27,8 @@ def sea_names(scenario: Scenario) -> dict[str, str]:
     >>> sea_names(load("offshore_vessel"))["peak_period"]
     'peak_period_s'
     """
-    found: dict[str, str] = {}
-    for parameter in scenario.resolved.get("parameters", []):
-        for path in parameter.get("writes", []):
-            for quantity, beginning in SEA.items():
-                if path.startswith("sea.") and path.rpartition(".")[2].startswith(beginning):
-                    found.setdefault(quantity, parameter["name"])
-    return found
+    parameters = scenario.resolved.get("parameters", [])
+    return quantities({one["name"]: one.get("writes", []) for one in parameters})
 
 
 @dataclass(frozen=True)
@@ -99,7 +89,7 @@ def of_screen(
     from .screen import screen
 
     sea = sea_names(scenario) | (names or {})
-    for quantity in SEA:
+    for quantity in QUANTITIES:
         if quantity not in sea:
             allowed = f"a parameter that writes the {quantity.replace('_', ' ')} of the waves"
             raise KingpostError(f"{scenario.title}: found no parameter of it, allowed: {allowed}")

@@ -20,6 +20,7 @@ from .cases import LATIN_HYPERCUBE, SCATTER, Cases, cases, values_of
 from .compute import MOST_BYTES, Job, columns, run_bytes
 from .file import StudyFile
 from .reduce import Kept
+from .sea_axes import quantities
 
 MOST_RUNS = 1_000_000
 """Runs of one study."""
@@ -33,12 +34,6 @@ TAKEN = {
     *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
 }
 """Names of the results, which no axis can have."""
-SEA = {
-    "significant_height": "significant_height_m",
-    "peak_period": "peak_period_s",
-    "direction": "direction_",
-}
-"""How the last name of the field begins that has a quantity of the sea."""
 
 
 @dataclass(frozen=True)
@@ -134,14 +129,9 @@ class Plan:
 
     @cached_property
     def sea(self) -> dict[str, str]:
-        """Which axis sets which quantity of the sea: as the study says, else by the fields that the axes write."""
+        """The axis of each quantity of the sea: as the study says, else by the fields that the axes write."""
         writes = {one["name"]: one["writes"] for one in self.scenario.resolved.get("parameters", [])}
-        found: dict[str, str] = {}
-        for name in self.cases.names:
-            for path in writes.get(name, [name]):
-                for quantity, beginning in SEA.items():
-                    if path.startswith("sea.") and path.rpartition(".")[2].startswith(beginning):
-                        found.setdefault(quantity, name)
+        found = quantities({name: writes.get(name, [name]) for name in self.cases.names})
         return found | self.file.content["sea"]
 
 

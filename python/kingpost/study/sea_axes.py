@@ -1,0 +1,32 @@
+"""Which names of a scenario set which quantity of the sea."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+QUANTITIES = {
+    "significant_height": "significant_height_m",
+    "peak_period": "peak_period_s",
+    "direction": "direction_",
+}
+"""How the last name of a field begins that has a quantity of the sea."""
+
+
+def quantities(writes: Mapping[str, Sequence[str]]) -> dict[str, str]:
+    """The first name that writes each quantity of the sea, by quantity.
+
+    Parameters
+    ----------
+    writes
+        By name the paths of the fields that it sets.
+
+    >>> quantities({"tp_s": ["sea.waves.wind_sea.jonswap.peak_period_s"], "load_t": ["bodies.load.mass_t"]})
+    {'peak_period': 'tp_s'}
+    """
+    found: dict[str, str] = {}
+    for name, paths in writes.items():
+        for path in paths:
+            for quantity, beginning in QUANTITIES.items():
+                if path.startswith("sea.") and path.rpartition(".")[2].startswith(beginning):
+                    found.setdefault(quantity, name)
+    return found
