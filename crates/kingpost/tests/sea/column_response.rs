@@ -49,10 +49,6 @@ fn each_wave() -> impl Iterator<Item = (usize, usize)> {
     (0..DIRECTIONS.len()).flat_map(|direction| (0..OMEGAS.len()).map(move |frequency| (direction, frequency)))
 }
 
-fn size(value: Complex<f64>) -> f64 {
-    libm::hypot(value.re, value.im)
-}
-
 fn assert_near(found: Complex<f64>, expected: Complex<f64>, scale: f64, what: &str) {
     assert!(size(found - expected) <= 1e-9 * scale, "{what}: {found} beside {expected}");
 }
