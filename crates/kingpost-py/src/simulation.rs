@@ -39,8 +39,7 @@ struct Held {
 }
 
 impl Simulation {
-    /// Runs a call on the simulation. A defect leaves the lock poisoned, because the simulation may be in an
-    /// inconsistent state.
+    /// Runs a call on the simulation. A defect leaves the lock poisoned: the simulation may be inconsistent.
     fn with<T>(&self, call: impl FnOnce(&mut Held) -> PyResult<T>) -> PyResult<T> {
         boundary::guarded(|| {
             let mut held = self.held.try_lock().map_err(|refused| match refused {
@@ -178,10 +177,7 @@ impl Simulation {
     }
 
     fn poses<'py>(&self, py: Python<'py>) -> PyResult<Matrix<'py>> {
-        self.with(|held| {
-            let bodies = held.inner.model().bodies.len();
-            matrix(py, held.inner.poses(), bodies, 7)
-        })
+        self.with(|held| matrix(py, held.inner.poses(), held.inner.model().bodies.len(), 7))
     }
 
     /// The events so far: time, element, what.
@@ -310,21 +306,18 @@ impl Simulation {
         })
     }
 
-    /// The response of columns to regular waves about rest, real and imaginary parts, and the rest as JSON; asked for by
-    /// the waves, the columns and whether frequencies about resonances are added, as JSON.
+    /// The response of columns to waves, and the rest as JSON; asked: waves, columns, whether resonances are refined.
     fn column_response<'py>(&self, py: Python<'py>, asked_json: &str) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
-            let (waves, columns, about): (_, Vec<String>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
-            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &columns, about));
+            let (waves, names, near): (_, Vec<_>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
+            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &names, near));
             let found = found.map_err(errors::input)?;
-            let amplitudes = found.amplitudes.as_flattened().to_vec();
             let about = serde_json::to_string(&found).map_err(errors::input)?;
-            Ok((matrix(py, amplitudes, found.amplitudes.len(), 2)?, about))
+            Ok((matrix(py, found.amplitudes.as_flattened().to_vec(), found.amplitudes.len(), 2)?, about))
         })
     }
 
-    /// The energy of the wave systems of seas, as JSON; asked for by a list of `sea.waves` of resolved scenarios, the
-    /// frequencies and the number of directions, as JSON.
+    /// The energy of wave systems, as JSON; asked: a list of `sea.waves`, frequencies in rad/s, a number of directions.
     fn sea_spectra_json(&self, asked_json: &str) -> PyResult<String> {
         self.with(|held| {
             let (seas, frequencies, directions): (Vec<SeaWaves>, Vec<f64>, usize) =
