@@ -109,8 +109,8 @@ def matching(simulation: Simulation, patterns: Sequence[str]) -> list[str]:
     KingpostError
         When a pattern is like none.
 
-    >>> matching(Simulation("paper"), ["ship.*w"])
-    ['ship.yaw']
+    >>> matching(Simulation("paper"), ["ship.ro*", "ship.yaw"])
+    ['ship.roll', 'ship.yaw']
     """
     every = [name for channel in simulation.channels for name in channel["columns"]]
     found: dict[str, None] = {}

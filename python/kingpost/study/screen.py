@@ -90,7 +90,7 @@ def screen(
     KingpostError
         When no case has waves and comes to rest, or an axis or a number is not allowed.
 
-    >>> axes = {"significant_height_m": [1.0, 2.0], "peak_period_s": [7.0, 9.0]}
+    >>> axes = {"significant_height_m": [1.0, 2.0], "peak_period_s": [8.0, 9.0]}
     >>> limits = {"pitch": {"column": "hull.pitch", "within": 1, "unit": "deg"}}
     >>> found = screen("offshore_vessel", axes, limits=limits, overrides={"waves": True})
     >>> found.standard_deviation.sizes
