@@ -141,6 +141,8 @@ def _least(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Ar
     for _ in range(MOST_ITERATIONS):
         size = np.linalg.norm(jacobian, axis=0)
         scaled = jacobian / size
+        if not (np.isfinite(scaled).all() and np.isfinite(residual).all()):
+            break
         # What a whole step would still take of the residual. Where that is next to nothing, rounding is
         # measured by what the parameters do.
         whole = np.linalg.lstsq(scaled, residual, rcond=None)[0]

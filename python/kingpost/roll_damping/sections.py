@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 COLUMNS = "x_m,beam_m,draught_m and area_m2 or area_coefficient; bilge_radius_m may be there too"
 FEWEST_STATIONS = 3
 SMALLEST, LARGEST = 1e-9, 1e9
-"""Of what a hull is made of, m and m2: powers of less and of more are no numbers."""
+"""Of what a hull is made of, m and m2: powers of less and of more overflow."""
 # A mesh's chords, and tables that are rounded, may give a little more than a rectangle.
 FULLEST = 1.0 + 1e-3
 
