@@ -36,7 +36,7 @@ from .commands import (
     study,
     verify,
 )
-from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, fail
+from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, beginning, fail, printable
 from .errors import KingpostError, KingpostWarning, RunError
 
 COMMANDS = {
@@ -58,6 +58,8 @@ COMMANDS = {
 """Modules by their command's name, in the order of the help."""
 
 
+LONGEST_MESSAGE = 2000
+"""Characters of what is said of a wrong command line, which repeats what stands there."""
 FILES = ("FILE", "SCENARIO")
 """Metavars of the options and arguments that take a file."""
 
@@ -75,7 +77,8 @@ class Parser(argparse.ArgumentParser):
             Path(name).suffix in (".nc", ".csv", ".parquet") for name in unknown.split()
         ):
             message += "; a shell replaces * by the files that are there: write 'run_*.nc' in quotes"
-        self.exit(WRONG_INPUT, f"error: {message} (see {self.prog} --help)\n")
+        said = beginning(printable(" ".join(message.split())), LONGEST_MESSAGE)
+        self.exit(WRONG_INPUT, f"error: {said} (see {self.prog} --help)\n")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -76,12 +77,12 @@ def find(path_or_name: str | Path) -> Path:
     'paper.yaml'
     """
     text = str(path_or_name)
-    if Path(text).exists() and not Path(text).is_dir():
+    if os.path.exists(text) and not os.path.isdir(text):
         return Path(text)
     gallery = names()
     if text in gallery:
         return folder() / f"{text}.yaml"
-    if Path(text).is_dir():
+    if os.path.isdir(text):
         raise ScenarioError(f"{text}: is a folder, not a scenario file", file=text)
     if Path(text).suffix.lower() in ENDINGS or Path(text).parent != Path("."):
         raise ScenarioError(f"{text}: no such file", file=text)
@@ -124,7 +125,7 @@ def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
     while new := set(engine.file_names(text, file, overrides_json, found)) - asked:
         asked |= new
         paths = {name: place(file, name) for name in sorted(new)}
-        found |= {name: read_text(path) for name, path in paths.items() if path.is_file()}
+        found |= {name: read_text(path) for name, path in paths.items() if os.path.isfile(path)}
     return found
 
 

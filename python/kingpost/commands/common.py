@@ -55,10 +55,19 @@ def _assignment(given: str) -> tuple[str, Any]:
     try:
         return name, json.loads(_quoted(value))
     except (json.JSONDecodeError, RecursionError):
-        found = value if len(value) <= LONGEST_QUOTE else f"{value[:LONGEST_QUOTE]}..."
+        place, found = beginning(name, LONGEST_QUOTE), beginning(value, LONGEST_QUOTE)
         raise KingpostError(
-            f"--set {name}: found {found!r}, allowed: fields as {{name: value, list: [1, 2]}}"
+            f"--set {place}: found {found!r}, allowed: fields as {{name: value, list: [1, 2]}}"
         ) from None
+
+
+def beginning(text: str, longest: int) -> str:
+    """A text of at most so many characters; of a longer one what it begins with.
+
+    >>> beginning("draught", 4), beginning("trim", 4)
+    ('drau...', 'trim')
+    """
+    return text if len(text) <= longest else f"{text[:longest]}..."
 
 
 def _quoted(fields: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -76,7 +77,7 @@ def run(options: argparse.Namespace) -> int:
             plot.check(columns, options.record)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
-    existed = options.output is not None and Path(options.output).exists()
+    existed = options.output is not None and os.path.exists(options.output)
     endings = (*results.ENDINGS, *plot.ENDINGS)
     output = check_output(options.output, endings) if options.output is not None else None
     if output:
@@ -139,7 +140,7 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
     if options.output is None:
         raise KingpostError("--seeds: found no -o, allowed: -o with * for the seed, as run_*.nc")
     paths = seeds.files(options.output, options.seeds)
-    older = sum(path.exists() for path in paths)
+    older = sum(map(os.path.exists, paths))
     with progress.bar(options.seeds, "runs") as update:
         found = seeds.run(scenario, paths, update, options.record, options.units, options.anew)
         runs = list(found)

@@ -218,7 +218,8 @@ def parse_frequencies(text: str) -> np.ndarray:
     try:
         if ":" in text:
             start, end, count = text.split(":")
-            found = np.linspace(float(start), float(end), min(int(count), MOST_FREQUENCIES + 1))
+            with np.errstate(all="ignore"):
+                found = np.linspace(float(start), float(end), min(int(count), MOST_FREQUENCIES + 1))
         else:
             found = np.array([float(part) for part in text.split(",")])
     except (ValueError, MemoryError):
@@ -231,11 +232,11 @@ def parse_frequencies(text: str) -> np.ndarray:
 
 def _is_parametric(hull: str) -> bool:
     """Whether a hull is a description: its last number may look like the ending of another program's file."""
-    return (hull.partition(":")[0] in SHAPES or "=" in hull) and not Path(hull).is_file()
+    return (hull.partition(":")[0] in SHAPES or "=" in hull) and not os.path.isfile(hull)
 
 
 def _hull(options: argparse.Namespace, panels: int) -> HullMeshes:
-    if Path(options.hull).is_file():
+    if os.path.isfile(options.hull):
         file = HullFile(Path(options.hull), options.draught_m, bool(options.flip_normals))
         upright = file.meshes(panels)
         asked = attitude_command.parse(options, upright.particulars)

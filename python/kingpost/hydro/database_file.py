@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -99,9 +100,9 @@ def check_output(path: str | Path) -> Path:
     target = Path(path)
     if not target.name.endswith(ENDING):
         raise HydrodynamicsError("", repr(target.name), f"a name that ends with {ENDING}")
-    if not target.parent.is_dir():
+    if not os.path.isdir(target.parent):
         raise HydrodynamicsError("", "no such folder", "a folder that exists", str(target.parent))
-    if target.is_dir():
+    if os.path.isdir(target):
         raise HydrodynamicsError("", "a folder", "a file", str(target))
     return target
 

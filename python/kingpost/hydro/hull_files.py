@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -145,7 +146,7 @@ def _joined(path: Path, surface: Surface) -> tuple[str, ...]:
 
 
 def _as_written(path: Path) -> Surface:
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise HydrodynamicsError("hull", "no such file", "a mesh file or a parametric hull", str(path))
     surface = _read_gdf(path) if path.suffix.lower() == ".gdf" else _read_meshio(path)
     if len(surface.triangles) == 0:
@@ -182,7 +183,8 @@ def _read_meshio(path: Path) -> Surface:
         raise HydrodynamicsError("hull", "a file that cannot be read to its end", allowed, str(path))
     try:
         # meshio reports some errors by printing them and exiting.
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        silent = contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO())
+        with silent[0], silent[1], np.errstate(all="ignore"):
             found = meshio.read(path)
             cells = [found.get_cells_type(name) for name in ("triangle", "quad")]
             points = np.asarray(found.points, float)

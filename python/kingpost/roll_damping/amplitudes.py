@@ -89,7 +89,7 @@ def averaged(found: Swings, frequency_rad_s: float, terms: int) -> Array:
     """
     a, speed = found.between_rad, found.between_rad * frequency_rad_s
     columns: Array = np.stack([a, QUADRATIC * speed * a, CUBIC * speed**2 * a][:terms], axis=1)
-    return np.linalg.lstsq(columns, found.decay_per_s * a, rcond=None)[0]
+    return _least_squares(columns, found.decay_per_s * a)
 
 
 def _window(time: Array, roll: Array, middle: float, half: float) -> tuple[float, float, float]:
@@ -98,7 +98,7 @@ def _window(time: Array, roll: Array, middle: float, half: float) -> tuple[float
     t, omega = time[kept] - middle, np.pi / half
     cos, sin = np.cos(omega * t), np.sin(omega * t)
     columns = np.stack([np.ones_like(t), cos, sin, t * cos / half, t * sin / half], axis=1)
-    c, a, b, da, db = np.linalg.lstsq(columns, roll[kept], rcond=None)[0]
+    c, a, b, da, db = _least_squares(columns, roll[kept])
     gain = (da * b - a * db) / (half * (a**2 + b**2))
     return c, float(np.hypot(a, b)), omega + gain
 
@@ -124,3 +124,10 @@ def _crossings(time: Array, roll: Array) -> Array:
 def _no_oscillation(found: int) -> RollDampingError:
     allowed = f"a roll that swings {FEWEST_SWINGS} times or more from side to side"
     return RollDampingError("roll_rad", f"{max(found, 0)} swings", allowed)
+
+
+def _least_squares(columns: Array, right: Array) -> Array:
+    """The solution; of columns that are not finite LAPACK would print a complaint of its own."""
+    if not (np.isfinite(columns).all() and np.isfinite(right).all()):
+        raise np.linalg.LinAlgError("columns that are not finite")
+    return np.linalg.lstsq(columns, right, rcond=None)[0]

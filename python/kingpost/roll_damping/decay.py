@@ -151,7 +151,16 @@ def from_decay(record: DecayRecord, model: str = "quadratic", after_s: float | N
     """
     if model not in MODELS:
         raise RollDampingError("model", repr(model), ", ".join(MODELS))
-    used = _part(record, after_s, until_s)
+    try:
+        # What overflows ends the fit.
+        with np.errstate(all="ignore"):
+            return _fitted(_part(record, after_s, until_s), model)
+    except np.linalg.LinAlgError:
+        raise RollDampingError("roll_rad", "a record of no decaying roll", "decaying roll") from None
+
+
+def _fitted(used: DecayRecord, model: str) -> DecayFit:
+    """The simulated roll that is nearest to a record."""
     seen = swings(used)
     used = used.between(used.time_s[0], seen.time_s[-1] + math.pi / seen.frequency_rad_s[-1])
     count, frequency = MODELS[model], float(np.median(seen.frequency_rad_s))

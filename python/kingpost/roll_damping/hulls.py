@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from ..errors import RollDampingError
@@ -43,7 +44,7 @@ def sections_of(hull: str | Path, draught_m: float | None = None, stations: int 
     (400.0, 1.0)
     """
     path, text = Path(hull), str(hull)
-    if path.suffix.lower() != ".csv" and path.is_file() and not path.name.endswith(ENDING):
+    if path.suffix.lower() != ".csv" and os.path.isfile(path) and not path.name.endswith(ENDING):
         meshes = HullFile(path, draught_m).meshes(PANELS)
         return cut(whole(meshes.panels.surface, meshes.reflections), stations)
     if draught_m is not None:

@@ -142,8 +142,10 @@ def _least(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Ar
     for _ in range(MOST_ITERATIONS):
         size = np.linalg.norm(jacobian, axis=0)
         scaled = jacobian / size
+        if not (np.isfinite(scaled).all() and np.isfinite(residual).all()):
+            break
         # The reduction of the residual that a whole step promises. If it is nearly zero, the rounding error
-        # is # measured by the change of the parameters.
+        # is measured by the change of the parameters.
         whole = np.linalg.lstsq(scaled, residual, rcond=None)[0]
         rounding = 1e-9 * float(np.linalg.norm(size * point))
         if np.linalg.norm(scaled @ whole) <= 1e-5 * np.linalg.norm(residual) + rounding:

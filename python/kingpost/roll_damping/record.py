@@ -13,6 +13,8 @@ from .sections import Array, read_columns
 TIMES = ("time_s", "time")
 ROLLS = ("roll_rad", "roll_deg", "roll")
 FEWEST_SAMPLES = 16
+LARGEST = {"time_s": 1e9, "roll_rad": 100.0}
+"""Of a record: no clock runs longer, and no ship turns round so often."""
 
 
 @dataclass(frozen=True)
@@ -36,9 +38,10 @@ class DecayRecord:
             if values.ndim != 1 or len(values) != len(self.time_s):
                 allowed = "one number for each time"
                 raise RollDampingError(name, f"the shape {values.shape}", allowed)
-            bad = np.flatnonzero(~np.isfinite(values))
+            bad = np.flatnonzero(~(np.abs(values) <= LARGEST[name]))
             if len(bad):
-                raise RollDampingError(name, f"{values[bad[0]]} in row {bad[0] + 1}", "finite numbers")
+                allowed = f"finite numbers, up to {LARGEST[name]:g}"
+                raise RollDampingError(name, f"{values[bad[0]]} in row {bad[0] + 1}", allowed)
         if len(self.time_s) < FEWEST_SAMPLES:
             raise RollDampingError("samples", f"{len(self.time_s)}", f"{FEWEST_SAMPLES} or more")
         steps = np.diff(self.time_s)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -113,7 +114,7 @@ def _finished(path: Path, expected: str) -> dict[str, Any] | None:
     """The attributes of a file that already holds this finished run; None for any other file."""
     import xarray
 
-    if path.suffix.lower() != ".nc" or not path.is_file():
+    if path.suffix.lower() != ".nc" or not os.path.isfile(path):
         return None
     try:
         with xarray.open_dataset(path, engine="h5netcdf") as found:
