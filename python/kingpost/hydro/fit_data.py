@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 FEWEST_FREQUENCIES = 8
 # The scale of a motion is its peak of K, at least this share of rho V l^2 sqrt(g / l): the yaw of a body of
-# revolution # is noise and must not be scaled up.
+# revolution is noise and must not be scaled up.
 LEAST_PEAK = 1e-3
 # Damping other than radiation, over the critical: viscosity, moorings, rigging.
 OTHER_DAMPING = 0.05

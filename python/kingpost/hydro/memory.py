@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .vector_fitting import Array, ComplexArray
 
 # Powers of omega with which damping falls beyond the data: 3 is the slowest known, for a vertical side that
-# moves # along its normal (a piston wavemaker, B ~ rho omega / k^2, k = omega^2 / g).
+# moves along its normal (a piston wavemaker, B ~ rho omega / k^2, k = omega^2 / g).
 SLOWEST_TAIL, FASTEST_TAIL = 3.0, 7.0
 # The integral of the tail ends at this multiple of the highest frequency: there it is 40^-3 of its height.
 TAIL_END = 40.0

@@ -37,7 +37,7 @@ PASSIVE_TRIALS = 4
 # Frequencies of the tail in the fit, over the highest frequency of the data.
 TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
 # Weights of the tail relative to the last frequency of the data, tried in turn: if no order meets the limits
-# with # the first, the guessed tail counts less than the data, a hundredth in squares.
+# with the first, the guessed tail counts less than the data, a hundredth in squares.
 TAIL_WEIGHTS = (1.0, 0.1)
 # Fits whose errors differ by less than this factor count as equal: the one with fewer poles is taken.
 ALIKE = 1.5
