@@ -314,7 +314,8 @@ impl Simulation {
     /// the waves, the columns and whether frequencies about resonances are added, as JSON.
     fn column_response<'py>(&self, py: Python<'py>, asked_json: &str) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
-            let (waves, columns, about): (_, Vec<String>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
+            let (waves, columns, about): (_, Vec<String>, _) =
+                serde_json::from_str(asked_json).map_err(errors::input)?;
             let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &columns, about));
             let found = found.map_err(errors::input)?;
             let amplitudes = found.amplitudes.as_flattened().to_vec();

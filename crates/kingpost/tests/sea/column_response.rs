@@ -138,7 +138,8 @@ fn the_hull_shows_the_waves_and_their_force() {
 #[test]
 fn an_air_gap_is_the_height_over_the_wave_at_its_place() {
     let sensors = json!({"gap": {"air_gap": {"body": "hull", "position_m": [8.0, -3.0, 5.0]}}});
-    let barge = scenario(&[("sensors", sensors), ("bodies.hull.points.bow", json!({"position_m": [8.0, -3.0, 5.0]}))]);
+    let barge =
+        scenario(&[("sensors", sensors), ("bodies.hull.points", json!({"bow": {"position_m": [8.0, -3.0, 5.0]}}))]);
     let found = response(&barge, &[]);
     for wave in each_wave() {
         let (k, direction) = (OMEGAS[wave.1] * OMEGAS[wave.1] / GRAVITY, DIRECTIONS[wave.0]);
