@@ -168,7 +168,7 @@ def _check_size(points: NDArray[np.float64], path: Path) -> None:
     """Refuse points that are not finite, or as far apart as those of no hull."""
     if not np.isfinite(points).all():
         raise HydrodynamicsError("hull", "a point that is not finite", "finite coordinates", str(path))
-    if np.abs(points).max() > FARTHEST_M:
+    if np.abs(points).max(initial=0.0) > FARTHEST_M:
         found = f"a point {np.abs(points).max():.3g} m from the origin"
         raise HydrodynamicsError("hull", found, f"points within {FARTHEST_M:g} m", str(path))
 
