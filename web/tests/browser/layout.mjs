@@ -124,7 +124,7 @@ export default {
     await page.waitForFunction(tabled, ["0.05 s", "rad/s"]);
     const rows = await page.locator("[data-testid=plot-1] .visually-hidden table tr").allTextContents();
     assert.equal(rows[0], "Pitch, rad/sYaw, rad/sRoll, rad/s");
-    assert.match(rows[1], /^Least/);
+    assert.match(rows[1], /^Min/);
     assert.match(rows[2], /^Max/);
     assert.match(rows.at(-1), /^0\.05 s−?0\.\d{5}/);
     await page.getByTestId("start").click();
