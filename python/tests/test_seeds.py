@@ -44,7 +44,7 @@ def test_a_finished_file_of_the_same_run_is_kept(tmp_path, capsys, monkeypatch) 
     files[1].write_bytes(files[1].read_bytes()[:1000])
     assert main([*arguments, pattern, "--seeds", "4"]) == 0
     shown = capsys.readouterr().out
-    assert "kept            2 of them" in shown
+    assert "kept            2 existing files" in shown
     assert "1 replace an older file" in shown
     after = [path.stat().st_mtime_ns for path in files]
     assert [new == old for new, old in zip(after, before, strict=False)] == [True, False, True]
@@ -55,7 +55,7 @@ def test_a_finished_file_of_the_same_run_is_kept(tmp_path, capsys, monkeypatch) 
     assert "4 replace an older file" in capsys.readouterr().out
     monkeypatch.setattr(seeds, "Batch", None)
     assert main([*arguments, pattern, "--seeds", "4", "--set=significant_height_m=1"]) == 0
-    assert "kept            4 of them" in capsys.readouterr().out
+    assert "kept            4 existing files" in capsys.readouterr().out
 
 
 def test_runs_that_diverge_are_kept_until_then_and_fail(tmp_path, capsys) -> None:

@@ -15,7 +15,7 @@ interface Row {
   cells: HTMLElement[];
 }
 
-/** Readings of rope tensions and angles, gaps, and the heave of named points: now, and over the last minute. */
+/** Readings of tensions of ropes and angles, gaps, and the heave of named points: now, and over the last minute. */
 export class ReadingTable {
   readonly element: HTMLElement;
   private readonly rows: Row[] = [];

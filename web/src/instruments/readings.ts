@@ -1,6 +1,6 @@
 import type { Channel, ModelInfo } from "../engine/engine";
 
-/** Readings of a crane at work, by the end of the variable's name: rope tensions and angles, crane capacity, gaps, drives, wind and waves.
+/** Readings of a crane at work, by the end of the variable's name: tensions of ropes and angles, crane capacity, gaps, drives, wind and waves.
  * */
 const READ = [
   "_tension", "_offlead", "_sidelead", "_daf", "load_radius", "rated_load",
