@@ -105,6 +105,6 @@ def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> Non
         run = start(folder, *options)
         output, _ = run.communicate(timeout=600)
         assert run.returncode == 0, output
-        assert (f"{done} of 10 frequencies are there" in output) == (folder == stopped)
+        assert (f"{done} of 10 frequencies are solved" in output) == (folder == stopped)
     assert (stopped / "x.hydro.json").read_bytes() == (whole / "x.hydro.json").read_bytes()
     assert [file.name for file in stopped.iterdir()] == ["x.hydro.json"]

@@ -87,15 +87,17 @@ def _corners(shape: dict[str, Any]) -> Points:
     signs = np.stack(np.meshgrid([-1, 1], [-1, 1], [-1, 1], indexing="ij"), axis=-1).reshape(-1, 3)
     angles = np.linspace(0, 2 * np.pi, ROUND, endpoint=False)
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    if box := shape.get("box"):
-        return signs * [box["length_m"] / 2, box["width_m"] / 2, box["height_m"] / 2]
-    if cylinder := shape.get("cylinder"):
-        along = "xyz".index(cylinder["axis"])
-        ends = [np.insert(cylinder["radius_m"] * circle, along, end * cylinder["length_m"] / 2, axis=1)
+    # By the fields of its size: the names of solids are also those of kinds of element.
+    size = next(iter(shape.values()), {}) if shape else {}
+    if "width_m" in size:
+        return signs * [size["length_m"] / 2, size["width_m"] / 2, size["height_m"] / 2]
+    if "axis" in size:
+        along = "xyz".index(size["axis"])
+        ends = [np.insert(size["radius_m"] * circle, along, end * size["length_m"] / 2, axis=1)
                 for end in (-1, 1)]  # fmt: skip
         return np.vstack(ends)
-    if sphere := shape.get("sphere"):
-        return np.vstack([np.insert(sphere["radius_m"] * circle, axis, 0.0, axis=1) for axis in (X, Y, Z)])
+    if "radius_m" in size:
+        return np.vstack([np.insert(size["radius_m"] * circle, axis, 0.0, axis=1) for axis in (X, Y, Z)])
     return np.empty((0, 3))
 
 

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 WHAT_IT_IS = (
     "The limiting significant height is the largest at which each limit is exceeded in the operation with at "
     "most the accepted probability. By runs: a Gumbel distribution of the worst values over the seeds. By "
-    "linear response: Rice's rate of crossings about rest in still water, without the operation, slack "
-    "ropes, contact and quadratic damping."
+    "linear response: Rice's rate of crossings about rest in still water, without the steps of the "
+    "operation, slack lines, bodies that touch and quadratic forces."
 )
 MOST_CURVES = 8
 BY_RUNS = "Command: kingpost study study.yaml -o DIR --resume; in Python kingpost.study.limiting_runs."
