@@ -88,7 +88,7 @@ def _corners(shape: dict[str, Any]) -> Points:
     angles = np.linspace(0, 2 * np.pi, ROUND, endpoint=False)
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     # By the fields of its size: the names of solids are also those of kinds of element.
-    size = next(iter(shape.values()), {}) if shape else {}
+    size: dict[str, Any] = next(iter(shape.values()), {}) if shape else {}
     if "width_m" in size:
         return signs * [size["length_m"] / 2, size["width_m"] / 2, size["height_m"] / 2]
     if "axis" in size:
