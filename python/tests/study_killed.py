@@ -25,8 +25,8 @@ LONGEST_S = 0.4
 
 
 def main(folder: Path, study: kingpost.Study, kills: int) -> None:
-    """Kill so often, then finish. A study that came to its end before begins anew."""
-    draw, done = random.Random(kills), []
+    """Kill so often, then finish. A study begins anew once it has ended, or was killed with every unit done."""
+    draw, done, units = random.Random(kills), [], study.plan.units
     while len(done) < kills:
         moment = draw.uniform(0.01, LONGEST_S)
         child = os.fork()
@@ -37,10 +37,10 @@ def main(folder: Path, study: kingpost.Study, kills: int) -> None:
         _, status = os.waitpid(child, 0)
         ended = os.waitstatus_to_exitcode(status)
         assert ended in (-signal.SIGPROF, 0), ended
-        if ended == 0:
-            shutil.rmtree(folder)
-        else:
+        if ended != 0:
             done.append(len(list((folder / "units").glob("[0-9]*.json"))))
+        if ended == 0 or done[-2:] == [units, units]:
+            shutil.rmtree(folder)
     study.run(folder, workers=1, resume=True)
     print(json.dumps(done))
 
