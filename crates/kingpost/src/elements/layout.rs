@@ -258,12 +258,16 @@ impl Layout {
     }
 }
 
-/// The elements that steer, with the inputs that exist.
+/// The elements that steer or read, with the inputs that exist.
 fn steers(declared: &[Declaration], inputs: &[Input]) -> Vec<Steer> {
     let of = |(element, declared): (usize, &Declaration)| {
         let place = |name: &String| inputs.iter().position(|input| input.name == *name);
         let inputs: Vec<usize> = declared.steers.iter().filter_map(place).collect();
-        (!inputs.is_empty()).then(|| Steer { element, reads: declared.reads.clone(), inputs })
+        (!inputs.is_empty() || !declared.reads.is_empty()).then(|| Steer {
+            element,
+            reads: declared.reads.clone(),
+            inputs,
+        })
     };
     declared.iter().enumerate().filter_map(of).collect()
 }

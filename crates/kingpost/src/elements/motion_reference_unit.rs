@@ -1,32 +1,48 @@
 //! A motion reference unit: a sensor of a body's motion, with its own sampling period.
 
 use super::hull::HullFrame;
-use super::{Components, Context, Declaration, Delay, Element, Output, Own, VectorFrame};
+use super::sensing::Sampler;
+use super::{Components, Context, Declaration, Element, ElementState, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::roll_pitch_yaw;
 
-/// Measures the motion of a point of a body every `period_s`, and outputs it some samples later.
+/// Measures the motion of a point of a body at every sample, and outputs it some samples later.
 ///
-/// Heave is the height of the point relative to the start of the run. The outputs are constant between two samples;
-/// until the first delayed value arrives they are those measured at the start.
+/// Heave is the height of the point relative to the start of the run; with a [`HeaveFilter`], its deviation from a slow
+/// average. The outputs are constant between two samples; until the first delayed value arrives they are those measured
+/// at the start.
 #[derive(Clone, Debug)]
 pub struct MotionReferenceUnit<S = f64> {
     /// Name in the results.
     pub name: String,
     /// The body, and the point.
     pub place: HullFrame<S>,
-    /// Sampling period, s.
-    pub period_s: f64,
-    /// Delay of its outputs, in samples.
-    pub delay_samples: usize,
+    /// Its sampling of the seven signals.
+    pub sampler: Sampler<S>,
+    /// The filter of heave and its rate; without it they are the motion itself.
+    pub heave_filter: Option<HeaveFilter<S>>,
+}
+
+/// Heave as a unit gives it that integrates its accelerations twice: the drift is removed by a high-pass filter,
+///
+/// ```text
+/// y(s) / h(s) = s^2 / (s^2 + 2 zeta w s + w^2)
+/// ```
+///
+/// with w = 2 pi over the cut-off period (Godhavn, "Adaptive tuning of heave filter in motion sensor", OCEANS '98, eqs.
+/// 1-4). At the frequency omega it leads by atan2(2 zeta w omega, omega^2 - w^2). The states are the removed part a = h
+/// - y and its rate: a'' + 2 zeta w a' + w^2 a = 2 zeta w h' + w^2 h.
+#[derive(Clone, Copy, Debug)]
+pub struct HeaveFilter<S = f64> {
+    /// w, rad/s.
+    pub cutoff: S,
+    /// zeta.
+    pub damping_ratio: S,
 }
 
 /// Roll, pitch, heave, heave rate, angular velocity.
 const COUNT: usize = 7;
-
-/// Its outputs, then the reference height of heave, then a ring buffer for each number.
-const ZERO_HEIGHT: usize = COUNT;
-const RINGS: usize = COUNT + 1;
+const KEPT: [&str; COUNT] = ["roll", "pitch", "heave", "heave_rate", "x_rate", "y_rate", "z_rate"];
 
 impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
     fn name(&self) -> &str {
@@ -40,43 +56,54 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
             frame: VectorFrame::Body,
             ..number("measured_angular_velocity", "measured angular velocity of a sensor's body", &["rad/s"])
         };
-        let kept = ["roll", "pitch", "heave", "heave_rate", "x_rate", "y_rate", "z_rate"];
-        let late = |name: &&str| (0..self.delay_samples).map(|tick| format!("{name}_{tick}")).collect::<Vec<_>>();
-        let numbers = kept.iter().map(ToString::to_string).chain(["zero_height".to_owned()]);
+        let removed = [ElementState::memory("removed_heave", "m"), ElementState::memory("removed_heave_rate", "m/s")];
+        let zero = core::iter::once("zero_height".to_owned());
+        let outputs = vec![
+            number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
+            number("measured_pitch", "measured pitch of a sensor's body, positive bow down", &["rad"]),
+            number("measured_heave", "measured height of a sensor above its height at the start", &["m"]),
+            number("measured_heave_rate", "measured vertical velocity of a sensor", &["m/s"]),
+            angular_velocity,
+        ];
         Declaration {
-            numbers: numbers.chain(kept.iter().flat_map(late)).collect(),
-            modes: if self.delay_samples > 0 { kept.map(|name| format!("{name}_oldest")).to_vec() } else { Vec::new() },
-            outputs: vec![
-                number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
-                number("measured_pitch", "measured pitch of a sensor's body, positive bow down", &["rad"]),
-                number("measured_heave", "measured height of a sensor above its height at the start", &["m"]),
-                number("measured_heave_rate", "measured vertical velocity of a sensor", &["m/s"]),
-                angular_velocity,
-            ],
-            period_s: Some(self.period_s),
+            states: removed.into_iter().filter(|_| self.heave_filter.is_some()).collect(),
+            numbers: self.sampler.number_names(&KEPT).into_iter().chain(zero).collect(),
+            modes: self.sampler.mode_names(&KEPT),
+            outputs: outputs.into_iter().chain(self.sampler.status(&self.name)).collect(),
+            events: self.sampler.events(),
+            goes_alone: self.sampler.drop_outs.is_some(),
+            period_s: Some(self.sampler.period_s),
             ..Declaration::default()
         }
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
-        own.numbers[ZERO_HEIGHT] = self.height(at);
-        let first = self.measured(at, own.numbers[ZERO_HEIGHT]);
-        own.numbers[..COUNT].copy_from_slice(&first);
-        for (k, value) in first.into_iter().enumerate() {
-            own.numbers[RINGS + k * self.delay_samples..][..self.delay_samples].fill(value);
+        let zero_height = self.height(at);
+        own.numbers[self.sampler.numbers()] = zero_height;
+        if let [removed, rate] = own.states {
+            (*removed, *rate) = (S::ZERO, self.measured(at, zero_height, &[])[3]);
+        }
+        let first = self.measured(at, zero_height, own.states);
+        self.sampler.begin(own, &first);
+    }
+
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
+        if let (Some(filter), [removed, rate]) = (&self.heave_filter, at.states) {
+            let [_, _, heave, heave_rate, ..] = self.measured(at, at.numbers[self.sampler.numbers()], &[]);
+            let two = S::constant(2.0);
+            rates[0] = *rate;
+            rates[1] = two * filter.damping_ratio * filter.cutoff * (heave_rate - *rate)
+                + filter.cutoff * filter.cutoff * (heave - *removed);
         }
     }
 
     fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
-        let now = self.measured(at, own.numbers[ZERO_HEIGHT]);
-        for (mode, value) in now.into_iter().enumerate() {
-            let ring = Delay { first_number: RINGS + mode * self.delay_samples, mode, ticks: self.delay_samples };
-            own.numbers[mode] = ring.pass(own, value);
-        }
+        let now = self.measured(at, own.numbers[self.sampler.numbers()], own.states);
+        self.sampler.take(at.clock.time_s, own, &now);
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        out.extend_from_slice(&at.numbers[..COUNT]);
+        self.sampler.outputs(at.numbers, at.modes, out);
     }
 }
 
@@ -85,11 +112,16 @@ impl<S: Scalar> MotionReferenceUnit<S> {
         self.place.frame(at.model, at.links).position[2]
     }
 
-    fn measured(&self, at: &Context<'_, S>, zero_height: S) -> [S; COUNT] {
+    /// The motion, less the removed heave and its rate if there are any.
+    fn measured(&self, at: &Context<'_, S>, zero_height: S, removed: &[S]) -> [S; COUNT] {
         let motion = self.place.motion(at);
         let [roll, pitch, _] = roll_pitch_yaw(&motion.frame.rotation).0;
         let [x, y, z] = motion.twist.angular.0;
-        let heave_rate = motion.frame.rotation.row(2).dot(motion.twist.linear);
-        [roll, pitch, motion.frame.position[2] - zero_height, heave_rate, x, y, z]
+        let mut heave = motion.frame.position[2] - zero_height;
+        let mut heave_rate = motion.frame.rotation.row(2).dot(motion.twist.linear);
+        if let [removed, rate] = removed {
+            (heave, heave_rate) = (heave - *removed, heave_rate - *rate);
+        }
+        [roll, pitch, heave, heave_rate, x, y, z]
     }
 }

@@ -114,6 +114,7 @@ impl<S: Scalar> Plant<S> {
         for (k, value) in values.iter().enumerate() {
             self.set_input(self.layout.steers[steer].inputs[k], *value, time_s, state);
         }
+        self.pass_on(element, time_s, state);
         steered
     }
 

@@ -42,7 +42,7 @@ pub struct Layers<S = f64> {
 
 /// The rope that a drum has paid out since the start.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PaidOut<S> {
+pub(in crate::elements) struct PaidOut<S> {
     /// L - L0, m.
     pub length: S,
     /// dL/dq, m.
@@ -56,7 +56,7 @@ pub(super) struct PaidOut<S> {
 }
 
 impl<S: Scalar> Drum<S> {
-    pub(super) fn paid_out(&self, at: &Context<'_, S>) -> PaidOut<S> {
+    pub(in crate::elements) fn paid_out(&self, at: &Context<'_, S>) -> PaidOut<S> {
         let angle = self.sense * (at.q[self.position] - self.start);
         let speed = self.sense * at.v[self.coordinate];
         let radius = self.radius;

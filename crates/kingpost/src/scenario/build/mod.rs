@@ -6,6 +6,8 @@ mod capacity;
 mod clearances;
 mod columns;
 mod contacts;
+mod controllers;
+mod crane_sensors;
 mod cylinders;
 mod damping;
 mod drives;
@@ -110,7 +112,8 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     elements.extend(in_joints);
     elements.extend(in_water);
     elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
-    elements.extend(sensors::build(scenario, &model)?);
+    let sensors = sensors::build(scenario, &model, &elements)?;
+    elements.extend(sensors);
     elements.extend(wind_and_current::anemometers(&world, &model, &elements));
     let wires = sensors::wires(scenario, &elements)?;
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
@@ -118,6 +121,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     }
     let (watchers, limits) = (Vec::new(), Vec::new());
     let mut setup = Setup { model, world, elements, watchers, limits, wires, settings, q, v, fingerprint: 0 };
+    controllers::add(scenario, &mut setup)?;
     operation::add(scenario, &mut setup)?;
     setup.limits = limits::of(scenario, &setup)?;
     lines::check_start(&setup)?;
@@ -213,6 +217,7 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let named = owner(scenario.forces.keys().map(|name| name.as_str()).collect(), "forces")
         .or_else(|| owner(scenario.drives.keys().map(|name| name.as_str()).collect(), "drives"))
         .or_else(|| owner(scenario.sensors.keys().map(|name| name.as_str()).collect(), "sensors"))
+        .or_else(|| owner(scenario.controllers.keys().map(|name| name.as_str()).collect(), "controllers"))
         .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
         // Only the energy is too large: that stored in a force.
         .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));

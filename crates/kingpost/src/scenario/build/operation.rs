@@ -103,6 +103,10 @@ impl Reader<'_> {
             let allowed = format!("an input that no wire sets: it takes {signal}");
             return Err(FieldError::new(format!("{field}.input"), name, allowed));
         }
+        if let Some(by) = self.layout.set_by(place) {
+            let allowed = format!("an input that nothing else sets: {by} sets it");
+            return Err(FieldError::new(format!("{field}.input"), name, allowed));
+        }
         let factor = columns::factor(&format!("{field}.unit"), given.unit.as_deref(), unit)?;
         let to = given.to * S::constant(factor);
         if let Some(found) = to.outside(|to| (*lower..=*upper).contains(&to)) {

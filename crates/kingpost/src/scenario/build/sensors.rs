@@ -2,23 +2,28 @@
 
 use super::super::schema::{self, Drive, Scenario, Sensor};
 use super::damping::{from_centre, rigid};
-use super::{FieldError, clearances};
+use super::{FieldError, clearances, crane_sensors};
 use crate::elements::hull::HullFrame;
-use crate::elements::{AnyElement, Layout, MotionReferenceUnit};
+use crate::elements::{AnyElement, HeaveFilter, Layout, MotionReferenceUnit};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
 use crate::spatial::Vector3;
 
-/// Largest delay of a sensor, in samples: each is a number in a snapshot.
-const MOST_DELAY: usize = 1000;
-
-/// The sensors that are enabled, on bodies that exist.
-pub fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+/// The sensors that are enabled, on bodies that exist; `elements` are those that they may measure.
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    elements: &[AnyElement<S>],
+) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut sensors: Vec<AnyElement<S>> = Vec::new();
     for (name, sensor) in &scenario.sensors {
         sensors.extend(match sensor {
             Sensor::MotionReferenceUnit(given) => motion_reference_unit(scenario, name, given, model)?,
+            Sensor::Encoder(given) => crane_sensors::encoder(scenario, name, given, model)?,
+            Sensor::LinearEncoder(given) => crane_sensors::linear_encoder(scenario, name, given, model)?,
+            Sensor::LoadCell(given) => crane_sensors::load_cell(scenario, name, given, elements)?,
+            Sensor::SatelliteReceiver(given) => crane_sensors::satellite_receiver(scenario, name, given, model)?,
             Sensor::Clearance(given) => clearances::clearance(scenario, name, given, model)?,
             Sensor::AirGap(given) => clearances::air_gap(scenario, name, given, model)?,
         });
@@ -34,17 +39,20 @@ fn motion_reference_unit<S: Quantity>(
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     let field = |rest: &str| format!("sensors.{name}.motion_reference_unit.{rest}");
     rigid(scenario, field("body"), &given.body)?;
-    if given.delay_samples > MOST_DELAY {
-        let allowed = format!("a number from 0 to {MOST_DELAY}");
-        return Err(FieldError::new(field("delay_samples"), given.delay_samples, allowed));
-    }
+    let angle = given.angle_errors.as_ref().map(crane_sensors::of_angle);
+    let rate = given.rate_errors.as_ref().map(crane_sensors::of_rate);
+    let heave = given.heave_errors.as_ref().map(crane_sensors::of_length);
+    let heave_rate = given.heave_rate_errors.as_ref().map(crane_sensors::of_speed);
+    let errors = vec![angle, angle, heave, heave_rate, rate, rate, rate];
+    let sampling = (given.period_s, given.delay_samples);
+    let sampler = crane_sensors::sampler(scenario, [name, "motion_reference_unit"], errors, sampling, given.drop_outs)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
-    Ok(Some(Box::new(MotionReferenceUnit {
-        name: name.to_owned(),
-        place: HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) },
-        period_s: given.period_s.get(),
-        delay_samples: given.delay_samples,
-    })))
+    let heave_filter = given.heave_filter.map(|filter| HeaveFilter {
+        cutoff: S::constant(core::f64::consts::TAU) / filter.cutoff_period_s.get(),
+        damping_ratio: filter.damping_ratio.get(),
+    });
+    let place = HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) };
+    Ok(Some(Box::new(MotionReferenceUnit { name: name.to_owned(), place, sampler, heave_filter })))
 }
 
 /// The input that a servo adds to its target; it exists if a wire leads to it.

@@ -7,6 +7,7 @@ mod bodies;
 mod clearances;
 mod contacts;
 mod controlled_drives;
+mod controllers;
 mod cylinder;
 mod drives;
 mod dynamic_positioning;
@@ -27,7 +28,9 @@ mod operation;
 mod parameter;
 mod ropes;
 mod sea;
+mod sensor_errors;
 mod sensors;
+mod sensors_of_the_crane;
 mod slack_tank;
 mod soft_hold;
 mod submerged;
@@ -56,6 +59,7 @@ pub use controlled_drives::{
     AngleSetPoint, AngleSetPoints, ControlledDrive, ExtensionSetPoint, ForceSetPoint, LengthSetPoints,
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
+pub use controllers::{Controller, HeaveCompensation, HeavePrediction};
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
@@ -86,7 +90,9 @@ pub use ropes::{
     CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
 };
 pub use sea::Sea;
-pub use sensors::{MotionReferenceUnit, Sensor, Wire};
+pub use sensor_errors::{AngleErrors, DropOuts, ForceErrors, LengthErrors, RateErrors, SpeedErrors};
+pub use sensors::{HeaveFilter, MotionReferenceUnit, Sensor, Wire};
+pub use sensors_of_the_crane::{Encoder, LinearEncoder, LoadCell, RopeEnd, SatelliteReceiver};
 pub use slack_tank::SlackTank;
 pub use soft_hold::SoftHold;
 pub use submerged::{
@@ -148,6 +154,9 @@ pub struct Scenario<S = f64> {
     /// Connections from a sensor's output to an input, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub wires: IndexMap<Name, Wire>,
+    /// Controllers by name.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub controllers: IndexMap<Name, Controller<S>>,
     /// The timeline that moves levers and set-points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operation: Option<Operation<S>>,

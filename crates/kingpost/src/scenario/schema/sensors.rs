@@ -2,10 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{AirGap, Clearance, Name, Positive, SignalName, yes};
+use super::{
+    AirGap, AngleErrors, Clearance, DropOuts, Encoder, LengthErrors, LinearEncoder, LoadCell, Name, Positive,
+    RateErrors, SatelliteReceiver, SignalName, SpeedErrors, yes,
+};
 use crate::scenario::leaf::Leaf;
 
-/// Sensors. A motion reference unit measures at its own interval, the others in every row of the results.
+/// Sensors. Clearances and air gaps are measured in every row of the results, the others at their own interval.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -15,14 +18,22 @@ use crate::scenario::leaf::Leaf;
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum Sensor<S = f64> {
     /// Roll, pitch, heave, heave rate and angular velocity at a point of a body.
-    MotionReferenceUnit(MotionReferenceUnit<S>),
+    MotionReferenceUnit(Box<MotionReferenceUnit<S>>),
+    /// The angle of a joint.
+    Encoder(Encoder<S>),
+    /// The extension of a joint.
+    LinearEncoder(LinearEncoder<S>),
+    /// The tension of a rope.
+    LoadCell(LoadCell<S>),
+    /// Where an antenna is.
+    SatelliteReceiver(SatelliteReceiver<S>),
     /// The distance of a point from another point, or from a solid.
     Clearance(Clearance<S>),
     /// The height of a point above the surface of the sea.
     AirGap(AirGap<S>),
 }
 
-/// Measures the motion of a point of a body, without noise. Its outputs, which wires can use, are `measured_roll` and
+/// Measures the motion of a point of a body. Its outputs, which wires can use, are `measured_roll` and
 /// `measured_pitch` (rad), `measured_heave` (m, relative to the start of the run), `measured_heave_rate` (m/s) and
 /// `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,6 +57,44 @@ pub struct MotionReferenceUnit<S = f64> {
     /// Delay of its outputs, in samples: 0 to 1000.
     #[serde(default)]
     pub delay_samples: usize,
+    /// The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heave_filter: Option<HeaveFilter<S>>,
+    /// Errors of roll and pitch each; without them both are exact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle_errors: Option<AngleErrors<S>>,
+    /// Errors of heave, after its filter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heave_errors: Option<LengthErrors<S>>,
+    /// Errors of the heave rate, after its filter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heave_rate_errors: Option<SpeedErrors<S>>,
+    /// Errors of each component of the angular velocity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rate_errors: Option<RateErrors<S>>,
+    /// Its failures; without them it always works.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drop_outs: Option<DropOuts>,
+}
+
+/// A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "HeaveFilter", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct HeaveFilter<S = f64> {
+    /// Cut-off period, s.
+    pub cutoff_period_s: Positive<S>,
+    /// Damping ratio.
+    #[serde(default = "damping_ratio::<S>")]
+    pub damping_ratio: Positive<S>,
+}
+
+fn damping_ratio<S: Leaf>() -> Positive<S> {
+    Positive::literal(0.7)
 }
 
 /// A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.

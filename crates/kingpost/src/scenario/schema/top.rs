@@ -60,6 +60,7 @@ mod tests {
             "drives",
             "sensors",
             "wires",
+            "controllers",
             "operation",
             "limits",
         ] {

@@ -1,0 +1,231 @@
+//! A filter over a bank of oscillators that predicts a motion in waves and undoes the dynamics of its sensor.
+
+use crate::scalar::Scalar;
+
+/// The recursions of the bank, for samples y_k of a velocity at the period T_s:
+///
+/// ```text
+/// z_j <- r e^(i w_j T_s) z_j + (1 - r) y        oscillators, w_j spread evenly over the band, r = e^(-T_s d), d = the distance of the w_j
+/// x   <- s x + (1 - s) y,  x' <- s x' + (1 - s) x    leaky integrators, s = e^(-T_s / (1.25 T_longest))
+/// ```
+///
+/// A result is a weighted sum of the real and imaginary parts of the z_j, of x, x' and of y itself. The oscillators
+/// follow Kuechler, Mahl, Neupert, Schneider & Sawodny, "Active control for an offshore crane using prediction of the
+/// vessel's motion", *IEEE/ASME Trans. Mechatronics* 16(2), 2011, pp. 297-309, who find their frequencies in a running
+/// spectrum; here they are fixed, and the weights are a Wiener filter (*Extrapolation, Interpolation, and Smoothing of
+/// Stationary Time Series*, 1949) among the filters that the bank can form.
+#[derive(Clone, Debug)]
+pub struct FilterBank {
+    /// r cos(w_j T_s), r sin(w_j T_s).
+    oscillators: Vec<[f64; 2]>,
+    /// 1 - r.
+    entry: f64,
+    /// s.
+    keeps: f64,
+    band: Band,
+}
+
+/// The motion that a bank is made for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    /// Shortest period of the waves, s.
+    pub shortest_period_s: f64,
+    /// Longest period, s.
+    pub longest_period_s: f64,
+    /// Standard deviation of the noise of a sample over that of the motion.
+    pub noise_share: f64,
+    /// T_s, s.
+    pub sampling_period_s: f64,
+}
+
+/// The dynamics of a signal's sensor and of the drive that gets the result.
+#[derive(Clone, Copy, Debug)]
+pub struct Dynamics<S> {
+    /// The cut-off frequency (rad/s) and damping ratio of a second-order high-pass filter, if the sensor has one.
+    pub high_pass: Option<[S; 2]>,
+    /// Time from the motion to its use, s.
+    pub delay: S,
+    /// Time constant of the first-order lag with which the drive responds, s.
+    pub lag: S,
+}
+
+/// Number of oscillators.
+const OSCILLATORS: usize = 8;
+/// Frequencies in the band at which the weights are fitted.
+const FREQUENCIES: usize = 240;
+/// The impulse response counts until it has decayed to e to the power of minus this.
+const DECAYS: f64 = 12.0;
+/// A diagonal added to the normal equations, over their trace: rounding.
+const REGULAR: f64 = 1e-13;
+
+impl FilterBank {
+    /// The bank for a band.
+    pub fn new(band: Band) -> Self {
+        let [lowest, highest] = band.ends();
+        let apart = (highest - lowest) / (OSCILLATORS - 1) as f64;
+        let step_s = band.sampling_period_s;
+        let keeps = libm::exp(-step_s * apart);
+        let oscillator = |j: usize| {
+            let angle = (lowest + apart * j as f64) * step_s;
+            [keeps * libm::cos(angle), keeps * libm::sin(angle)]
+        };
+        Self {
+            oscillators: (0..OSCILLATORS).map(oscillator).collect(),
+            entry: 1.0 - keeps,
+            keeps: libm::exp(-step_s / (1.25 * band.longest_period_s)),
+            band,
+        }
+    }
+
+    /// Number of its states.
+    pub const STATES: usize = 2 * OSCILLATORS + 3;
+
+    /// Takes a sample.
+    pub fn take<S: Scalar>(&self, states: &mut [S], sample: S) {
+        let (entry, keeps) = (S::constant(self.entry), S::constant(self.keeps));
+        for (z, [cosine, sine]) in states.chunks_exact_mut(2).zip(&self.oscillators) {
+            let ([real, imaginary], cosine, sine) = ([z[0], z[1]], S::constant(*cosine), S::constant(*sine));
+            z[0] = cosine * real - sine * imaginary + entry * sample;
+            z[1] = sine * real + cosine * imaginary;
+        }
+        let [once, twice, last] = &mut states[2 * OSCILLATORS..] else { return };
+        *once = keeps * *once + (S::ONE - keeps) * sample;
+        *twice = keeps * *twice + (S::ONE - keeps) * *once;
+        *last = sample;
+    }
+
+    /// A result.
+    pub fn read<S: Scalar>(weights: &[S], states: &[S]) -> S {
+        weights.iter().zip(states).fold(S::ZERO, |sum, (weight, state)| sum + *weight * *state)
+    }
+
+    /// The weights that bring the filter nearest to a wanted response D at the frequencies of the band: least squares of
+    /// its error over |D|, plus the power of its output for white noise.
+    pub fn weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2]) -> Vec<S> {
+        const N: usize = FilterBank::STATES;
+        let mut normal = self.noise_power();
+        let mut right = vec![S::ZERO; N];
+        let mut matrix: Vec<Vec<S>> = normal.iter().map(|row| row.iter().map(|x| S::constant(*x)).collect()).collect();
+        let [lowest, highest] = self.band.ends();
+        for k in 0..FREQUENCIES {
+            let frequency = lowest + (highest - lowest) * k as f64 / (FREQUENCIES - 1) as f64;
+            let ([real, imaginary], response) = (wanted(frequency), self.response(frequency));
+            let weight = S::constant(1.0 / FREQUENCIES as f64) / (real * real + imaginary * imaginary);
+            for i in 0..N {
+                let [re, im] = response[i];
+                right[i] += weight * (S::constant(re) * real + S::constant(im) * imaginary);
+                for j in 0..=i {
+                    let product = re * response[j][0] + im * response[j][1];
+                    matrix[i][j] += weight * S::constant(product);
+                    normal[i][j] += product;
+                }
+            }
+        }
+        let trace: f64 = (0..N).map(|i| normal[i][i]).sum();
+        (0..N).for_each(|i| matrix[i][i] += S::constant(REGULAR * trace));
+        solve(matrix, right)
+    }
+
+    /// The response of each state at a frequency, real and imaginary part.
+    pub fn response(&self, frequency: f64) -> Vec<[f64; 2]> {
+        let angle = frequency * self.band.sampling_period_s;
+        let back = [libm::cos(angle), -libm::sin(angle)];
+        let mut all = Vec::with_capacity(Self::STATES);
+        for [cosine, sine] in &self.oscillators {
+            let slowed = |x: f64| [x * back[0], x * back[1]];
+            let ([a, b], [c, d]) = (slowed(*cosine), slowed(*sine));
+            // (1 - p z^-1)(1 - p* z^-1) = (1 - r cos z^-1)^2 + (r sin z^-1)^2.
+            let lead = [1.0 - a, -b];
+            let below = sum(times(lead, lead), times([c, d], [c, d]));
+            all.push(scaled(over(lead, below), self.entry));
+            all.push(scaled(over([c, d], below), self.entry));
+        }
+        let leak = over([1.0 - self.keeps, 0.0], [1.0 - self.keeps * back[0], -self.keeps * back[1]]);
+        all.extend([leak, times(leak, leak), [1.0, 0.0]]);
+        all
+    }
+
+    /// The power of products of the states for white noise: sums over the impulse response, times the noise's share.
+    fn noise_power(&self) -> Vec<Vec<f64>> {
+        let mut sums = vec![vec![0.0; Self::STATES]; Self::STATES];
+        let mut states = vec![0.0; Self::STATES];
+        let share = self.band.noise_share * self.band.noise_share;
+        let samples = (1.25 * self.band.longest_period_s * DECAYS / self.band.sampling_period_s) as usize;
+        for k in 0..samples.max(1) {
+            self.take(&mut states, if k == 0 { 1.0 } else { 0.0 });
+            for i in 0..Self::STATES {
+                (0..=i).for_each(|j| sums[i][j] += share * states[i] * states[j]);
+            }
+        }
+        sums
+    }
+}
+
+impl Band {
+    /// Lowest and highest frequency, rad/s.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.longest_period_s, self.shortest_period_s].map(|period| core::f64::consts::TAU / period)
+    }
+}
+
+impl<S: Scalar> Dynamics<S> {
+    /// What makes the velocity to command from the measured velocity: `e^(i w tau) (1 + i w T) / H(i w)`, with the high-pass
+    /// filter H.
+    pub fn velocity(&self, frequency: f64) -> [S; 2] {
+        product(self.undone(frequency), [S::ONE, S::constant(frequency) * self.lag])
+    }
+
+    /// What makes the position of the same time from the measured velocity: `e^(i w tau) / (i w H(i w))`.
+    pub fn position(&self, frequency: f64) -> [S; 2] {
+        let [real, imaginary] = self.undone(frequency);
+        let over = S::constant(1.0 / frequency);
+        [imaginary * over, -real * over]
+    }
+
+    /// `e^(i w tau) / H(i w)`.
+    fn undone(&self, frequency: f64) -> [S; 2] {
+        let w = S::constant(frequency);
+        let (sine, cosine) = (w * self.delay).sin_cos();
+        let ahead = [cosine, sine];
+        let Some([cutoff, damping]) = self.high_pass else { return ahead };
+        let square = w * w;
+        let inverse = [S::ONE - cutoff * cutoff / square, -(S::constant(2.0) * damping * cutoff / w)];
+        product(ahead, inverse)
+    }
+}
+
+/// Solves a positive definite system, of which the lower triangle is given, by Cholesky's factors.
+fn solve<S: Scalar>(mut a: Vec<Vec<S>>, mut b: Vec<S>) -> Vec<S> {
+    let n = b.len();
+    for i in 0..n {
+        for j in 0..=i {
+            let sum = (0..j).fold(a[i][j], |sum, k| sum - a[i][k] * a[j][k]);
+            a[i][j] = if i == j { sum.sqrt() } else { sum / a[j][j] };
+        }
+        b[i] = (0..i).fold(b[i], |sum, k| sum - a[i][k] * b[k]) / a[i][i];
+    }
+    for i in (0..n).rev() {
+        b[i] = (i + 1..n).fold(b[i], |sum, k| sum - a[k][i] * b[k]) / a[i][i];
+    }
+    b
+}
+
+fn product<S: Scalar>([a, b]: [S; 2], [c, d]: [S; 2]) -> [S; 2] {
+    [a * c - b * d, a * d + b * c]
+}
+
+fn times(first: [f64; 2], second: [f64; 2]) -> [f64; 2] {
+    product(first, second)
+}
+
+fn sum([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
+    [a + c, b + d]
+}
+
+fn scaled([a, b]: [f64; 2], by: f64) -> [f64; 2] {
+    [a * by, b * by]
+}
+
+fn over(above: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
+    scaled(times(above, [c, -d]), 1.0 / (c * c + d * d))
+}

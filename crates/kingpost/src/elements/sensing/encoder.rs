@@ -1,0 +1,56 @@
+//! An encoder: a sensor of a joint's angle or extension.
+
+use super::Sampler;
+use crate::elements::{Context, Declaration, Element, Output, Own};
+use crate::model::AxisMotion;
+use crate::scalar::Scalar;
+
+/// Measures the coordinate of a joint, rad or m.
+#[derive(Clone, Debug)]
+pub struct Encoder<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// Index in q.
+    pub position: usize,
+    /// Whether the joint turns or slides.
+    pub motion: AxisMotion,
+    /// Its sampling.
+    pub sampler: Sampler<S>,
+}
+
+impl<S: Scalar> Element<S> for Encoder<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let number = |variable, description, unit| Output::number(variable, description, "sensor", &self.name, unit);
+        let (kept, output) = match self.motion {
+            AxisMotion::Rotation => ("angle", number("measured_angle", "measured angle of a joint", &["rad"])),
+            AxisMotion::Translation => {
+                ("extension", number("measured_extension", "measured extension of a joint", &["m"]))
+            }
+        };
+        Declaration {
+            numbers: self.sampler.number_names(&[kept]),
+            modes: self.sampler.mode_names(&[kept]),
+            outputs: core::iter::once(output).chain(self.sampler.status(&self.name)).collect(),
+            events: self.sampler.events(),
+            goes_alone: self.sampler.drop_outs.is_some(),
+            period_s: Some(self.sampler.period_s),
+            ..Declaration::default()
+        }
+    }
+
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+        self.sampler.begin(own, &[at.q[self.position]]);
+    }
+
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+        self.sampler.take(at.clock.time_s, own, &[at.q[self.position]]);
+    }
+
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
+        self.sampler.outputs(at.numbers, at.modes, out);
+    }
+}

@@ -1,0 +1,13 @@
+//! Sensors of a crane, and what all sensors have in common: noise, bias, resolution, delay, drop-outs.
+
+mod encoder;
+mod errors;
+mod load_cell;
+mod sampler;
+mod satellite_receiver;
+
+pub use encoder::Encoder;
+pub use errors::{DropOuts, SensorNoise, SignalErrors};
+pub use load_cell::LoadCell;
+pub use sampler::Sampler;
+pub use satellite_receiver::SatelliteReceiver;

@@ -1,0 +1,119 @@
+//! The sampling of a sensor's signals: errors, a delay, and a last value that is held while the sensor drops out.
+
+use super::errors::{DropOuts, SensorNoise, SignalErrors};
+use crate::elements::{Crossing, Delay, Event, Output, Own};
+use crate::scalar::Scalar;
+
+/// Samples a fixed list of signals. Its numbers stand first among the element's: the outputs, then a ring buffer for
+/// each signal; so do its modes: the head of each buffer, then whether it has dropped out.
+#[derive(Clone, Debug)]
+pub struct Sampler<S = f64> {
+    /// The errors of each signal; `None` is a signal without errors.
+    pub errors: Vec<Option<SignalErrors<S>>>,
+    /// Its drop-outs; without them it always works.
+    pub drop_outs: Option<DropOuts>,
+    /// Its random numbers.
+    pub noise: SensorNoise,
+    /// Sampling period, s.
+    pub period_s: f64,
+    /// Delay of its outputs, in samples.
+    pub delay_samples: usize,
+}
+
+/// The mode of a sensor that has dropped out.
+const OUT: i64 = 1;
+/// Its events where it can drop out, in the order of [`Sampler::events`].
+const DROPS_OUT: usize = 0;
+const WORKS_AGAIN: usize = 1;
+
+impl<S: Scalar> Sampler<S> {
+    /// Number of its signals.
+    pub fn count(&self) -> usize {
+        self.errors.len()
+    }
+
+    /// Number of its numbers: those of the element begin after them.
+    pub fn numbers(&self) -> usize {
+        self.count() * (1 + self.delay_samples)
+    }
+
+    /// Names of its numbers, for these names of signals.
+    pub fn number_names(&self, signals: &[&str]) -> Vec<String> {
+        let late = |name: &&str| (0..self.delay_samples).map(|tick| format!("{name}_{tick}")).collect::<Vec<_>>();
+        signals.iter().map(ToString::to_string).chain(signals.iter().flat_map(late)).collect()
+    }
+
+    /// Names of its modes.
+    pub fn mode_names(&self, signals: &[&str]) -> Vec<String> {
+        let heads = signals.iter().filter(|_| self.delay_samples > 0).map(|name| format!("{name}_oldest"));
+        heads.chain(self.drop_outs.map(|_| "drop_out".to_owned())).collect()
+    }
+
+    /// Its status as an output, if it can drop out.
+    pub fn status(&self, name: &str) -> Option<Output> {
+        let what = "1 while a sensor delivers new samples, 0 while it holds its last";
+        self.drop_outs.map(|_| Output::number("sensor_status", what, "sensor", name, &["1"]))
+    }
+
+    /// Its events, if it can drop out: they are brought about by samples, not by witnesses.
+    pub fn events(&self) -> Vec<Event> {
+        let of = |what| Event { what, crossing: Crossing::Rising };
+        self.drop_outs.map_or_else(Vec::new, |_| vec![of("drops out"), of("delivers again")])
+    }
+
+    /// Every value that it holds at the start: the first with bias and noise.
+    pub fn begin(&self, own: &mut Own<'_, S>, values: &[S]) {
+        for (signal, value) in values.iter().enumerate() {
+            let value = self.with_errors(signal, *value, 0);
+            own.numbers[signal] = value;
+            own.numbers[self.count() + signal * self.delay_samples..][..self.delay_samples].fill(value);
+        }
+    }
+
+    /// One sample at a time: `own.numbers[..count]` become what the sensor delivers.
+    pub fn take(&self, time_s: f64, own: &mut Own<'_, S>, values: &[S]) {
+        let sample = libm::round(time_s / self.period_s) as u64;
+        let delivers = self.delivers(sample, own);
+        for (mode, value) in values.iter().enumerate() {
+            let first_number = self.count() + mode * self.delay_samples;
+            let ring = Delay { first_number, mode, ticks: self.delay_samples };
+            let value = ring.pass(own, self.with_errors(mode, *value, sample));
+            if delivers {
+                own.numbers[mode] = value;
+            }
+        }
+    }
+
+    /// Whether it works, by its modes.
+    pub fn works(&self, modes: &[i64]) -> bool {
+        self.drop_outs.is_none() || modes[self.status_mode()] != OUT
+    }
+
+    /// The values that it delivers, then its status if it can drop out.
+    pub fn outputs(&self, numbers: &[S], modes: &[i64], out: &mut Vec<S>) {
+        out.extend_from_slice(&numbers[..self.count()]);
+        let status = if self.works(modes) { S::ONE } else { S::ZERO };
+        out.extend(self.drop_outs.map(|_| status));
+    }
+
+    fn status_mode(&self) -> usize {
+        if self.delay_samples > 0 { self.count() } else { 0 }
+    }
+
+    fn with_errors(&self, signal: usize, value: S, sample: u64) -> S {
+        self.errors[signal].map_or(value, |errors| errors.on(value, &self.noise, signal, sample))
+    }
+
+    /// Decides whether it works at this sample, and notes a change.
+    fn delivers(&self, sample: u64, own: &mut Own<'_, S>) -> bool {
+        let Some(DropOuts { mean_interval_s, mean_duration_s }) = self.drop_outs else { return true };
+        let (mode, drawn) = (self.status_mode(), self.noise.uniform(sample));
+        let was_out = own.modes[mode] == OUT;
+        let mean_s = if was_out { mean_duration_s } else { mean_interval_s };
+        if drawn < self.period_s / mean_s {
+            own.modes[mode] = if was_out { 0 } else { OUT };
+            own.also = Some(if was_out { WORKS_AGAIN } else { DROPS_OUT });
+        }
+        own.modes[mode] != OUT
+    }
+}

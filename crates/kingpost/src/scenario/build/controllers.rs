@@ -1,0 +1,189 @@
+//! Controllers, which need all other elements.
+
+use super::super::schema::{self, Controller, Drive, Scenario};
+use super::FieldError;
+use crate::elements::drives::{ControlledDrive, SetPoint};
+use crate::elements::heave_compensation::{Band, Dynamics, FilterBank, Measurement, Prediction};
+use crate::elements::{AnyElement, HeaveCompensation, Layout, MotionReferenceUnit, Rope, of_kind};
+use crate::scenario::leaf::Quantity;
+use crate::scenario::wording::one_of_with_hint;
+use crate::simulation::Setup;
+
+/// Adds the controllers that are enabled, in the order of the scenario.
+pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
+    for (name, controller) in &scenario.controllers {
+        let built = match controller {
+            Controller::HeaveCompensation(given) => heave_compensation(scenario, name, given, setup)?,
+        };
+        setup.elements.extend(built);
+    }
+    Ok(())
+}
+
+/// An enabled entry among these, or an error that lists them.
+fn named<'a, T>(field: &str, found: &str, (all, names): (Vec<(&'a str, T)>, &str)) -> Result<T, FieldError> {
+    let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    let allowed = if listed.is_empty() {
+        format!("none: the scenario does not have {names} that is enabled")
+    } else {
+        one_of_with_hint(&listed, found)
+    };
+    let one = all.into_iter().find(|(name, _)| *name == found);
+    one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
+}
+
+fn heave_compensation<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::HeaveCompensation<S>,
+    setup: &Setup<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let field = |rest: &str| format!("controllers.{name}.heave_compensation.{rest}");
+    let (elements, period_s) = (&setup.elements, given.period_s.get());
+    if period_s < setup.settings.step_s {
+        let allowed = format!("at least simulation.step_s, {} s", setup.settings.step_s);
+        return Err(FieldError::new(field("period_s"), period_s, allowed));
+    }
+    check_inputs(scenario, name, &field(""))?;
+    if !given.enabled {
+        return Ok(None);
+    }
+    let built = of_kind::<S, Rope<S>>(elements).map(|rope| (rope.name.as_str(), rope)).collect();
+    let rope = named(&field("rope"), &given.rope, (built, "a rope"))?;
+    let drive = drive(&field("drive"), given, elements)?;
+    let stations = rope.path.stations();
+    let Some(drum) = rope.drum.filter(|drum| drum.coordinate == drive.coordinate) else {
+        return Err(not_its_drum(scenario, &field("drive"), given, rope.drum.is_some()));
+    };
+    check_drive(&field("drive"), &given.drive, setup)?;
+    let unit = given.sensor.as_ref().map(|sensor| {
+        let built = of_kind::<S, MotionReferenceUnit<S>>(elements).map(|unit| (unit.name.as_str(), unit)).collect();
+        named(&field("sensor"), sensor, (built, "a motion reference unit"))
+    });
+    let unit = unit.transpose()?;
+    let prediction = given
+        .prediction
+        .as_ref()
+        .map(|with| prediction(&field("prediction"), with, period_s, (unit, drive.response_time)));
+    Ok(Some(Box::new(HeaveCompensation {
+        name: name.to_owned(),
+        period_s,
+        measurement: unit.map_or(Measurement::Ideal, |unit| Measurement::Unit {
+            name: unit.name.clone(),
+            place: unit.place,
+            has_status: unit.sampler.drop_outs.is_some(),
+        }),
+        prediction: prediction.transpose()?,
+        tip: stations[stations.len() - 2].centre,
+        falls: stations[stations.len() - 1].falls,
+        drum,
+        drive: drive.name.clone(),
+        drive_speed: drive.value,
+        drive_limit: drive.limits.speed,
+        feed_forward: given.feed_forward.get(),
+        gain: given.position_gain_per_s.get(),
+        begins_on: given.begins_on,
+    })))
+}
+
+/// Its inputs have its name: no drive and no rope may have it.
+fn check_inputs<S>(scenario: &Scenario<S>, name: &str, field: &str) -> Result<(), FieldError> {
+    if scenario.drives.contains_key(name) || scenario.forces.contains_key(name) || scenario.sensors.contains_key(name) {
+        let field = field.trim_end_matches('.');
+        return Err(FieldError::new(field, format!("the name {name} of another entry"), "a name of its own"));
+    }
+    Ok(())
+}
+
+/// The controlled drive, which follows a speed.
+fn drive<'a, S: Quantity>(
+    field: &str,
+    given: &schema::HeaveCompensation<S>,
+    elements: &'a [AnyElement<S>],
+) -> Result<&'a ControlledDrive<S>, FieldError> {
+    let built = of_kind::<S, ControlledDrive<S>>(elements).map(|drive| (drive.name.as_str(), drive)).collect();
+    let drive = named(field, &given.drive, (built, "a controlled drive"))?;
+    let mode = match drive.set_point {
+        SetPoint::Speed => return Ok(drive),
+        SetPoint::Effort => "torque",
+        SetPoint::Position => "position",
+    };
+    let found = format!("{}, whose set-point is a {mode}", given.drive);
+    Err(FieldError::new(field, found, "a drive with set_point: {speed: {}}"))
+}
+
+fn not_its_drum<S: Quantity>(
+    scenario: &Scenario<S>,
+    field: &str,
+    given: &schema::HeaveCompensation<S>,
+    has_drum: bool,
+) -> FieldError {
+    if !has_drum {
+        let field = format!("{}rope", field.trim_end_matches("drive"));
+        return FieldError::new(
+            field,
+            format!("{}, which has no drum", given.rope),
+            "a rope whose path begins at a drum",
+        );
+    }
+    let joint = |drive: &Drive<S>| match drive {
+        Drive::ControlledDrive(drive) => drive.joint.to_string(),
+        _ => String::new(),
+    };
+    let joint = scenario.drives.get(&given.drive).map(joint).unwrap_or_default();
+    let allowed = format!("the drive of the drum of {}", given.rope);
+    FieldError::new(field, format!("{}, which drives {joint}", given.drive), allowed)
+}
+
+/// Nothing else may set the input of the drive.
+fn check_drive<S: Quantity>(field: &str, drive: &str, setup: &Setup<S>) -> Result<(), FieldError> {
+    let mut layout = Layout::new(&setup.elements, 0);
+    layout.connect(&setup.wires);
+    let input = layout.inputs.iter().position(|input| input.name == drive);
+    let Some(by) = input.and_then(|input| layout.set_by(input)) else { return Ok(()) };
+    Err(FieldError::new(field, format!("{drive}, which {by} sets"), "a drive that nothing else sets"))
+}
+
+fn prediction<S: Quantity>(
+    field: &str,
+    given: &schema::HeavePrediction<S>,
+    period_s: f64,
+    (unit, response_s): (Option<&MotionReferenceUnit<S>>, S),
+) -> Result<Prediction<S>, FieldError> {
+    let (shortest, longest) = (given.shortest_period_s.get(), given.longest_period_s.get());
+    if shortest < 4.0 * period_s {
+        let allowed = format!("at least four times period_s, {} s", 4.0 * period_s);
+        return Err(FieldError::new(format!("{field}.shortest_period_s"), shortest, allowed));
+    }
+    if longest <= shortest || longest > MOST_SAMPLES * period_s {
+        let allowed = format!("above shortest_period_s, {shortest} s, and at most {} s", MOST_SAMPLES * period_s);
+        return Err(FieldError::new(format!("{field}.longest_period_s"), longest, allowed));
+    }
+    let band = Band {
+        shortest_period_s: shortest,
+        longest_period_s: longest,
+        noise_share: given.noise_share.get(),
+        sampling_period_s: period_s,
+    };
+    let bank = FilterBank::new(band);
+    let age = unit.map_or(0.0, |unit| unit.sampler.period_s * unit.sampler.delay_samples as f64);
+    let filter = unit.and_then(|unit| unit.heave_filter);
+    let position = Dynamics {
+        high_pass: filter.map(|filter| [filter.cutoff, filter.damping_ratio]),
+        delay: S::constant(age) + given.extra_delay_s.get(),
+        lag: given.drive_response_s.map_or(response_s, |time| time.get()),
+    };
+    let velocity = Dynamics { delay: position.delay + S::constant(0.5 * period_s), ..position };
+    // Roll and pitch come without the filter of heave.
+    let unfiltered = |dynamics: Dynamics<S>| Dynamics { high_pass: None, ..dynamics };
+    let next = Dynamics { high_pass: None, delay: S::constant(period_s), lag: S::ZERO };
+    Ok(Prediction {
+        velocity: [velocity, unfiltered(velocity)].map(|of| bank.weights(|frequency| of.velocity(frequency))),
+        position: [position, unfiltered(position)].map(|of| bank.weights(|frequency| of.position(frequency))),
+        next: bank.weights(|frequency| next.velocity(frequency)),
+        bank,
+    })
+}
+
+/// Samples in the longest period, at most: the weights are found from sums over some of it.
+const MOST_SAMPLES: f64 = 1e4;

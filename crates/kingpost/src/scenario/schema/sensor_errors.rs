@@ -1,0 +1,123 @@
+//! Errors of sensors: noise, bias, resolution, drop-outs.
+
+use serde::{Deserialize, Serialize};
+
+use super::{NonNegative, Positive};
+use crate::scenario::leaf::Leaf;
+
+/// Failures of a sensor, drawn from the run's seed. While it fails, its outputs keep their last values and its
+/// `sensor_status` is 0; the table of events has the beginning and the end of each.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct DropOuts {
+    /// Mean time from the end of one to the next, s; at least the sensor's period.
+    pub mean_interval_s: Positive,
+    /// Mean duration, s; at least the sensor's period.
+    pub mean_duration_s: Positive,
+}
+
+/// Errors of a measured angle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AngleErrors", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AngleErrors<S = f64> {
+    /// Standard deviation of its white noise in a sample, rad: the density per root hertz over the root of twice the
+    /// period.
+    #[serde(default)]
+    pub noise_rad: NonNegative<S>,
+    /// Constant error, rad.
+    #[serde(default)]
+    pub bias_rad: S,
+    /// Smallest step, rad; 0 is none. Derivatives do not go through it.
+    #[serde(default)]
+    pub resolution_rad: NonNegative,
+}
+
+/// Errors of a measured length or height.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LengthErrors", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LengthErrors<S = f64> {
+    /// Standard deviation of its white noise in a sample, m: the density per root hertz over the root of twice the
+    /// period.
+    #[serde(default)]
+    pub noise_m: NonNegative<S>,
+    /// Constant error, m.
+    #[serde(default)]
+    pub bias_m: S,
+    /// Smallest step, m; 0 is none. Derivatives do not go through it.
+    #[serde(default)]
+    pub resolution_m: NonNegative,
+}
+
+/// Errors of a measured speed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SpeedErrors", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct SpeedErrors<S = f64> {
+    /// Standard deviation of its white noise in a sample, m/s: the density per root hertz over the root of twice the
+    /// period.
+    #[serde(default)]
+    pub noise_m_s: NonNegative<S>,
+    /// Constant error, m/s.
+    #[serde(default)]
+    pub bias_m_s: S,
+    /// Smallest step, m/s; 0 is none. Derivatives do not go through it.
+    #[serde(default)]
+    pub resolution_m_s: NonNegative,
+}
+
+/// Errors of a measured angular velocity.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RateErrors", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RateErrors<S = f64> {
+    /// Standard deviation of its white noise in a sample, rad/s: the density per root hertz over the root of twice the
+    /// period.
+    #[serde(default)]
+    pub noise_rad_s: NonNegative<S>,
+    /// Constant error, rad/s.
+    #[serde(default)]
+    pub bias_rad_s: S,
+    /// Smallest step, rad/s; 0 is none. Derivatives do not go through it.
+    #[serde(default)]
+    pub resolution_rad_s: NonNegative,
+}
+
+/// Errors of a measured force.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "ForceErrors", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct ForceErrors<S = f64> {
+    /// Standard deviation of its white noise in a sample, N: the density per root hertz over the root of twice the
+    /// period.
+    #[serde(default, rename = "noise_N")]
+    pub noise_n: NonNegative<S>,
+    /// Constant error, N.
+    #[serde(default, rename = "bias_N")]
+    pub bias_n: S,
+    /// Smallest step, N; 0 is none. Derivatives do not go through it.
+    #[serde(default, rename = "resolution_N")]
+    pub resolution_n: NonNegative,
+}
