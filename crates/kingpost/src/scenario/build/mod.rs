@@ -6,6 +6,7 @@ mod capacity;
 mod clearances;
 mod columns;
 mod contacts;
+mod controllers;
 mod cylinders;
 mod damping;
 mod drives;
@@ -112,13 +113,14 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
     elements.extend(sensors::build(scenario, &model)?);
     elements.extend(wind_and_current::anemometers(&world, &model, &elements));
+    let controllers = controllers::add(scenario, &model, &mut elements)?;
     let wires = sensors::wires(scenario, &elements)?;
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
     }
     let (watchers, limits) = (Vec::new(), Vec::new());
     let mut setup = Setup { model, world, elements, watchers, limits, wires, settings, q, v, fingerprint: 0 };
-    operation::add(scenario, &mut setup)?;
+    operation::add(scenario, &mut setup, controllers)?;
     setup.limits = limits::of(scenario, &setup)?;
     lines::check_start(&setup)?;
     Ok(setup)
@@ -213,6 +215,7 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let named = owner(scenario.forces.keys().map(|name| name.as_str()).collect(), "forces")
         .or_else(|| owner(scenario.drives.keys().map(|name| name.as_str()).collect(), "drives"))
         .or_else(|| owner(scenario.sensors.keys().map(|name| name.as_str()).collect(), "sensors"))
+        .or_else(|| owner(scenario.controllers.keys().map(|name| name.as_str()).collect(), "controllers"))
         .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
         // Only the energy is too large: that stored in a force.
         .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));

@@ -1,4 +1,4 @@
-//! The given data of forces, drives, sensors and prescribed motions, ready to print.
+//! The given data of forces, drives, sensors, controllers and prescribed motions, ready to print.
 
 use crate::elements::significant;
 use crate::scenario::schema::{Joint, Scenario};
@@ -6,13 +6,13 @@ use crate::scenario::units::si_ending;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// A force, a drive or a sensor.
+/// A force, a drive, a sensor or a controller.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ElementDescription {
     /// Name.
     pub name: String,
-    /// Its section in the scenario: `forces`, `drives` or `sensors`.
+    /// Its section in the scenario: `forces`, `drives`, `sensors` or `controllers`.
     pub group: &'static str,
     /// Its kind, in words.
     pub kind: String,
@@ -39,12 +39,13 @@ const DIGITS: usize = 6;
 /// Fields of a history; only the one that `history` names is used.
 const HISTORIES: [&str; 2] = ["pulse", "list"];
 
-/// The forces, the drives and the sensors, in the order of the scenario.
+/// The forces, the drives, the sensors and the controllers, in the order of the scenario.
 pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
     let forces = scenario.forces.iter().filter_map(|(name, force)| described(name.as_str(), "forces", force));
     let drives = scenario.drives.iter().filter_map(|(name, drive)| described(name.as_str(), "drives", drive));
     let sensors = scenario.sensors.iter().filter_map(|(name, sensor)| described(name.as_str(), "sensors", sensor));
-    forces.chain(drives).chain(sensors).collect()
+    let controllers = scenario.controllers.iter().filter_map(|(name, one)| described(name.as_str(), "controllers", one));
+    forces.chain(drives).chain(sensors).chain(controllers).collect()
 }
 
 /// The description of an entry that stands under its kind, as in a scenario file.

@@ -7,6 +7,7 @@ mod bodies;
 mod clearances;
 mod contacts;
 mod controlled_drives;
+mod controllers;
 mod cylinder;
 mod drives;
 mod dynamic_positioning;
@@ -56,6 +57,7 @@ pub use controlled_drives::{
     AngleSetPoint, AngleSetPoints, ControlledDrive, ExtensionSetPoint, ForceSetPoint, LengthSetPoints,
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
+pub use controllers::{Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback};
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
@@ -145,6 +147,9 @@ pub struct Scenario<S = f64> {
     /// Sensors by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub sensors: IndexMap<Name, Sensor<S>>,
+    /// Controllers by name: each stands before an input and sets it.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub controllers: IndexMap<Name, Controller<S>>,
     /// Connections from a sensor's output to an input, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub wires: IndexMap<Name, Wire>,

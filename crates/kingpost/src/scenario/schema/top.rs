@@ -59,6 +59,7 @@ mod tests {
             "forces",
             "drives",
             "sensors",
+            "controllers",
             "wires",
             "operation",
             "limits",

@@ -1,0 +1,149 @@
+//! Controllers: each stands before an input, takes its command and sets it.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Fraction, Positive, SignalName, yes};
+use crate::scenario::leaf::Leaf;
+
+/// What stands between a command, of a user or of the operation, and an input. Its own command is an input with its name.
+/// A controller may stand before another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Controller", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Controller<S = f64> {
+    /// Shapes a command so that it leaves no swing.
+    InputShaper(InputShaper<S>),
+    /// Feeds columns of the results back to inputs.
+    StateFeedback(StateFeedback<S>),
+}
+
+impl<S> Controller<S> {
+    /// The inputs that it sets, each with its field below the controller's name.
+    pub fn targets(&self) -> impl Iterator<Item = (String, &SignalName)> {
+        let (shaped, steered) = match self {
+            Self::InputShaper(shaper) => (Some(&shaper.to), [].as_slice()),
+            Self::StateFeedback(feedback) => (None, feedback.steers.as_slice()),
+        };
+        let steered = steered.iter().enumerate();
+        let steered = steered.map(|(k, steer)| (format!("state_feedback.steers.{k}.to"), &steer.to));
+        shaped.into_iter().map(|to| ("input_shaper.to".to_owned(), to)).chain(steered)
+    }
+}
+
+/// Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
+/// is zero.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "InputShaper", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct InputShaper<S = f64> {
+    /// Whether it shapes; if not, its command passes.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The input that it sets: of a drive, or the command of another controller.
+    pub to: SignalName,
+    /// The impulses, or none: then its command passes.
+    #[serde(default)]
+    pub shaper: ShaperKind,
+    /// Period of the swing, between two maxima, s.
+    pub period_s: Positive<S>,
+    /// Damping ratio of the swing, below 1.
+    #[serde(default = "undamped::<S>")]
+    pub damping_ratio: Fraction<S>,
+    /// For ei: the swing that remains at the period, as a share of that without a shaper.
+    #[serde(default = "tolerance::<S>")]
+    pub tolerance: Fraction<S>,
+}
+
+/// The impulses of an input shaper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ShaperKind {
+    /// The command passes.
+    None,
+    /// Two: no swing at the period. The command lasts half a period longer.
+    Zv,
+    /// Three: no swing at the period, and little near it. The command lasts one period longer.
+    #[default]
+    Zvd,
+    /// Three: a stated swing at the period, and no more in a wider band. The command lasts one period longer.
+    Ei,
+}
+
+/// Sets inputs to `c - K (x - reference)`, within limits: c their commands, x the columns that it reads, K the gains.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "StateFeedback", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct StateFeedback<S = f64> {
+    /// Whether it acts; if not, its commands pass.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The columns that it reads.
+    pub reads: Vec<FeedbackRead<S>>,
+    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+    pub steers: Vec<FeedbackSteer<S>>,
+    /// Time between two samples, s: a whole number of steps; without it, one step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub period_s: Option<Positive>,
+}
+
+/// A column that is fed back.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FeedbackRead", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct FeedbackRead<S = f64> {
+    /// The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
+    /// `slewing.position`.
+    pub column: String,
+    /// Its value where nothing is corrected, in its SI unit.
+    #[serde(default)]
+    pub reference: S,
+    /// The input in `steers` whose command is added to the reference; both have the same unit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub follows: Option<SignalName>,
+}
+
+/// An input that a feedback sets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FeedbackSteer", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct FeedbackSteer<S = f64> {
+    /// The input.
+    pub to: SignalName,
+    /// Its row of K: a gain for each column, the input's unit over the column's.
+    pub gains: Vec<S>,
+    /// The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<S>,
+    /// The largest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<S>,
+}
+
+fn undamped<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(0.0)
+}
+
+fn tolerance<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(0.05)
+}
