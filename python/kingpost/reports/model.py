@@ -20,8 +20,8 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
-    """The model of a scenario: bodies, joints, closed loops, parameters, drives, forces, sensors, and how its
-    hulls float."""
+    """The model of a scenario: bodies, joints, closed loops, parameters, drives, forces, sensors,
+    controllers, and how its hulls float."""
     described = scenario.model
     settings = scenario.resolved["simulation"]
     mass = sum(body["mass_kg"] for body in described["bodies"])
@@ -39,6 +39,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _prescribed(described["joints"]),
         _elements(described, "forces"),
         _elements(described, "sensors"),
+        _elements(described, "controllers"),
         sea.lines(scenario),
         *hydrostatics.sections(scenario),
         [f"warning: {words}" for words in described["warnings"]],
@@ -112,7 +113,7 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 
 
 def _elements(described: dict[str, Any], group: str) -> list[str]:
-    """Forces, drives or sensors with their facts. A model without sensors gets no section of sensors."""
+    """Forces, drives, sensors or controllers with their facts. A model without the last two gets no section of them."""
     rows = [(group, "", "", "")]
     for element in described["elements"]:
         if element["group"] == group:
@@ -120,7 +121,7 @@ def _elements(described: dict[str, Any], group: str) -> list[str]:
             rows.append((element["name"], element["kind"], on, facts(element["facts"])))
     if len(rows) > 1:
         return table(rows, "<<<<")
-    return [] if group == "sensors" else [f"{group}: none"]
+    return [] if group in ("sensors", "controllers") else [f"{group}: none"]
 
 
 def facts(given: list[dict[str, str]]) -> str:

@@ -152,6 +152,12 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
+    /// How the inputs that it [steers](Declaration::steers) depend on the columns that it reads, for small motions; `None` if
+    /// it feeds nothing back, or not linearly.
+    fn linear_law(&self) -> Option<LinearLaw> {
+        None
+    }
+
     /// Whether it depends on the waves that it was built with: in another sea, the body that it moves would jump.
     fn keeps_waves(&self) -> bool {
         false
@@ -161,6 +167,15 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     fn keeps_afloat(&self) -> Option<usize> {
         None
     }
+}
+
+/// A linear feedback `u = G y` of small motions, held between two samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearLaw {
+    /// G: a row for each input that is steered, a column for each column that is read, in SI units.
+    pub gains: Vec<Vec<f64>>,
+    /// The sampling period, s.
+    pub period_s: f64,
 }
 
 /// The advice for a ship that nothing holds in position.

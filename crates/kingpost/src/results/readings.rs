@@ -23,26 +23,55 @@ enum Source {
     Element { output: usize },
     /// A place in a row.
     Row { place: usize },
+    /// A state of an element, by its place before the end of s.
+    State { from_end: usize },
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug)]
+enum Named {
+    /// A place in a row.
+    Column(usize),
+    /// A state of an element, by its place before the end of s.
+    State(usize),
+}
+
+impl Named {
+    fn of(name: &str, channels: &Channels, layout: &Layout) -> Option<Self> {
+        let state = || layout.states.iter().position(|state| state.name == name);
+        channels.place(name).map(Self::Column).or_else(|| Some(Self::State(layout.states.len() - state()?)))
+    }
+
+    fn in_a_row(self) -> Source {
+        match self {
+            Self::Column(place) => Source::Row { place },
+            Self::State(from_end) => Source::State { from_end },
+        }
+    }
 }
 
 impl<S: Scalar> Readings<S> {
-    /// For these columns; columns that do not exist are left out.
+    /// For these columns, or states of elements by their names; names that do not exist are left out.
     pub fn new(columns: &[String], channels: &Channels, layout: &Layout) -> Self {
-        let places: Vec<usize> = columns.iter().filter_map(|column| channels.place(column)).collect();
-        Self::of_motion(&places, channels, layout).unwrap_or_else(|| Self {
-            sources: places.into_iter().map(|place| Source::Row { place }).collect(),
+        let named: Vec<Named> = columns.iter().filter_map(|column| Named::of(column, channels, layout)).collect();
+        Self::of_motion(&named, channels, layout).unwrap_or_else(|| Self {
+            sources: named.into_iter().map(Named::in_a_row).collect(),
             extent: ObservedPart::Everything,
             row: Vec::new(),
         })
     }
 
     /// `None` if a column needs more than the motion and the outputs of elements.
-    fn of_motion(places: &[usize], channels: &Channels, layout: &Layout) -> Option<Self> {
-        let mut elements: Vec<usize> =
-            places.iter().filter_map(|&place| Some(layout.writer(channels.output_at(place)?)?.0)).collect();
+    fn of_motion(named: &[Named], channels: &Channels, layout: &Layout) -> Option<Self> {
+        let writer = |named: &Named| match named {
+            Named::Column(place) => Some(layout.writer(channels.output_at(*place)?)?.0),
+            Named::State(_) => None,
+        };
+        let mut elements: Vec<usize> = named.iter().filter_map(writer).collect();
         elements.sort_unstable();
         elements.dedup();
-        let source = |&place: &usize| {
+        let source = |named: &Named| {
+            let Named::Column(place) = *named else { return Some(named.in_a_row()) };
             let Some(output) = channels.output_at(place) else {
                 let channel = channels.list.iter().find(|channel| channel.holds(place))?;
                 let entry = Table::<S>::OF_MODEL.iter().position(|entry| entry.variable == channel.variable)?;
@@ -53,7 +82,7 @@ impl<S: Scalar> Readings<S> {
             let before = elements.iter().take_while(|&&other| other != element);
             Some(Source::Element { output: before.map(|&other| layout.written_by(other)).sum::<usize>() + number })
         };
-        let sources = places.iter().map(source).collect::<Option<Vec<_>>>()?;
+        let sources = named.iter().map(source).collect::<Option<Vec<_>>>()?;
         Some(Self { sources, extent: ObservedPart::MotionAnd(elements), row: Vec::new() })
     }
 
@@ -78,6 +107,7 @@ impl<S: Scalar> Readings<S> {
         for source in &self.sources {
             out.push(match *source {
                 Source::Row { place } => row[place],
+                Source::State { from_end } => sample.s[sample.s.len() - from_end],
                 Source::Element { output } => sample.observed.outputs[output],
                 Source::Motion { entry, number } => {
                     row.clear();

@@ -1,7 +1,7 @@
 //! Names of parts: their files, in the main file's folder or in the gallery, and their fields in the whole.
 
 /// The sections of a scenario whose entries have unique names in the whole.
-pub const SECTIONS: [&str; 8] = ["bodies", "loops", "forces", "drives", "sensors", "wires", "controllers", "limits"];
+pub const SECTIONS: [&str; 8] = ["bodies", "loops", "forces", "drives", "sensors", "controllers", "wires", "limits"];
 
 /// The beginning of a file name in the gallery.
 pub const GALLERY: &str = "gallery:";

@@ -9,6 +9,7 @@ mod contact_mistakes;
 mod contact_motions;
 mod contacts;
 mod controlled_drives;
+mod controllers;
 mod cylinders;
 mod entrained_water;
 mod heave_compensation;

@@ -160,7 +160,7 @@ struct Moved {
 fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) -> Vec<Moved> {
     let whole: Value = serde_json::from_str(&case.text).expect("the resolved scenario is JSON");
     let mut found = Vec::new();
-    for name in ["simulation", "bodies", "loops", "sea", "wind", "forces", "drives", "sensors"] {
+    for name in ["simulation", "bodies", "loops", "sea", "wind", "forces", "drives", "sensors", "controllers"] {
         leaves(&whole[name], name, &mut found);
     }
     let mut all = Vec::new();
@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 33] = [
+const STRUCTURE: [&str; 34] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -214,6 +214,7 @@ const STRUCTURE: [&str; 33] = [
     ".pierson_moskowitz.direction_rad",
     ".acceleration_m_s2",
     ".motion_reference_unit.period_s",
+    ".state_feedback.period_s",
     ".delay_samples",
     ".gusts.components",
     ".gusts.lowest_Hz",
@@ -400,7 +401,7 @@ fn no_builder_reads_the_first_of_several_numbers() {
         for escape in [".value()", ".values()", ".to_array()", ".value,", ".shared()"] {
             let found = code.lines().find(|line| {
                 let of_a_map =
-                    ["bodies.values()", "forces.values()", "thrusters.values()", "waves.values()", "wires.values()"];
+                    ["bodies.values()", "forces.values()", "thrusters.values()", "waves.values()", "wires.values()", "controllers.values()"];
                 line.contains(escape) && !of_a_map.iter().any(|map| line.contains(map))
             });
             assert!(found.is_none(), "{}: {found:?}", file.display());

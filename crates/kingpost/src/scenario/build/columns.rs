@@ -1,7 +1,8 @@
 //! Columns of the results that a scenario names, and the units of their bounds.
 
 use super::FieldError;
-use crate::elements::Layout;
+use crate::elements::{AnyElement, Layout};
+use crate::model::Model;
 use crate::results::Channels;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::units;
@@ -22,7 +23,12 @@ const MOST_LISTED: usize = 12;
 
 /// Every column of a run.
 pub fn of<S: Quantity>(setup: &Setup<S>) -> Vec<Column> {
-    let channels = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).list;
+    among(&setup.model, &setup.elements)
+}
+
+/// Every column of this model with these elements.
+pub fn among<S: Quantity>(model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<Column> {
+    let channels = Channels::new(model, &Layout::new(elements, 0)).list;
     let of = |channel: crate::results::Channel| {
         channel.columns.into_iter().zip(channel.units).map(|(name, unit)| Column { name, unit })
     };

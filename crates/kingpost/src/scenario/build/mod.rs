@@ -115,14 +115,14 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let sensors = sensors::build(scenario, &model, &elements)?;
     elements.extend(sensors);
     elements.extend(wind_and_current::anemometers(&world, &model, &elements));
+    let controllers = controllers::add(scenario, &model, &mut elements)?;
     let wires = sensors::wires(scenario, &elements)?;
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
     }
     let (watchers, limits) = (Vec::new(), Vec::new());
     let mut setup = Setup { model, world, elements, watchers, limits, wires, settings, q, v, fingerprint: 0 };
-    controllers::add(scenario, &mut setup)?;
-    operation::add(scenario, &mut setup)?;
+    operation::add(scenario, &mut setup, controllers)?;
     setup.limits = limits::of(scenario, &setup)?;
     lines::check_start(&setup)?;
     Ok(setup)

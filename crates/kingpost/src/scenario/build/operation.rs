@@ -13,8 +13,9 @@ use crate::simulation::Setup;
 /// Its name in the table of events.
 const NAME: &str = "operation";
 
-/// Adds the operation, if it is enabled, after all other elements.
-pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
+/// Adds the operation, if it is enabled, before the controllers, whose commands it may set: the last `controllers` of all
+/// elements.
+pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>, controllers: usize) -> Result<(), FieldError> {
     let Some(given) = scenario.operation.as_ref().filter(|operation| operation.enabled) else { return Ok(()) };
     if given.steps.is_empty() {
         return Err(FieldError::new("operation.steps", "none", "at least one step"));
@@ -27,7 +28,8 @@ pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<
     let steps = steps.collect::<Result<_, _>>()?;
     let Reader { inputs, columns, .. } = reader;
     let step_s = setup.settings.step_s;
-    setup.elements.push(Box::new(Operation { name: NAME.to_owned(), steps, inputs, columns, step_s }));
+    let operation = Operation { name: NAME.to_owned(), steps, inputs, columns, step_s };
+    setup.elements.insert(setup.elements.len() - controllers, Box::new(operation));
     Ok(())
 }
 
@@ -103,8 +105,8 @@ impl Reader<'_> {
             let allowed = format!("an input that no wire sets: it takes {signal}");
             return Err(FieldError::new(format!("{field}.input"), name, allowed));
         }
-        if let Some(by) = self.layout.set_by(place) {
-            let allowed = format!("an input that nothing else sets: {by} sets it");
+        if let Some(controller) = self.layout.set_by(place) {
+            let allowed = format!("an input that no controller sets, such as the command of {controller}");
             return Err(FieldError::new(format!("{field}.input"), name, allowed));
         }
         let factor = columns::factor(&format!("{field}.unit"), given.unit.as_deref(), unit)?;

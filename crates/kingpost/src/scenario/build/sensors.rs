@@ -60,9 +60,10 @@ pub fn offset_of(drive: &str) -> String {
     format!("{drive}.target_offset")
 }
 
-/// Whether a wire leads to an input.
+/// Whether a wire or a controller leads to an input.
 pub fn leads_to<S>(scenario: &Scenario<S>, input: &str) -> bool {
-    scenario.wires.values().any(|wire| wire.enabled && *wire.to == *input)
+    let wired = || scenario.wires.values().any(|wire| wire.enabled && *wire.to == *input);
+    scenario.controllers.values().any(|one| one.targets().iter().any(|(_, to)| *to == input)) || wired()
 }
 
 /// The wires that are enabled, as an input and the signal that it takes.
@@ -79,12 +80,14 @@ pub fn wires<S: Quantity>(
             let names: Vec<&str> = signals.iter().map(|signal| signal.name.as_str()).collect();
             return Err(FieldError::new(field("from"), &wire.from, allowed(&names, &wire.from, "an enabled sensor")));
         };
-        let Some(input) = layout.inputs.iter().find(|input| input.name == *wire.to) else {
-            let offsets: Vec<String> = scenario.drives.iter().filter_map(|(name, drive)| offset(name, drive)).collect();
-            let inputs = layout.inputs.iter().map(|input| &input.name).filter(|input| !offsets.contains(input));
-            let names: Vec<&str> = inputs.chain(&offsets).map(String::as_str).collect();
-            return Err(FieldError::new(field("to"), &wire.to, allowed(&names, &wire.to, "a drive with an input")));
+        let Some(place) = layout.inputs.iter().position(|input| input.name == *wire.to) else {
+            return Err(no_input(scenario, &layout, field("to"), &wire.to));
         };
+        if let Some(controller) = layout.set_by(place) {
+            let found = format!("{}, which {controller} sets", wire.to);
+            return Err(FieldError::new(field("to"), found, "an input that no controller sets"));
+        }
+        let input = &layout.inputs[place];
         if input.unit != signal.unit {
             let found = format!("{}, in {}", wire.from, signal.unit);
             return Err(FieldError::new(field("from"), found, format!("a signal in {}, as {}", input.unit, wire.to)));
@@ -95,6 +98,14 @@ pub fn wires<S: Quantity>(
         wires.push((wire.to.to_string(), wire.from.to_string()));
     }
     Ok(wires)
+}
+
+/// An error for the name of an input that does not exist.
+pub fn no_input<S>(scenario: &Scenario<S>, layout: &Layout, field: String, found: &str) -> FieldError {
+    let offsets: Vec<String> = scenario.drives.iter().filter_map(|(name, drive)| offset(name, drive)).collect();
+    let inputs = layout.inputs.iter().map(|input| &input.name).filter(|input| !offsets.contains(input));
+    let names: Vec<&str> = inputs.chain(&offsets).map(String::as_str).collect();
+    FieldError::new(field, found, allowed(&names, found, "a drive with an input"))
 }
 
 fn allowed(names: &[&str], found: &str, none: &str) -> String {

@@ -1,11 +1,12 @@
-//! Controllers: what steers drives.
+//! Controllers: each stands before an input, takes its command and sets it.
 
 use serde::{Deserialize, Serialize};
 
-use super::{Fraction, Name, NonNegative, Positive, yes};
+use super::{Fraction, HeaveCompensation, Positive, SignalName, yes};
 use crate::scenario::leaf::Leaf;
 
-/// Controllers read sensors and set the inputs of drives, each at its own interval.
+/// What stands between a command, of a user or of the operation, and an input. Its own command is an input with its name.
+/// A controller may stand before another.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -14,91 +15,141 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
 pub enum Controller<S = f64> {
+    /// Shapes a command so that it leaves no swing.
+    InputShaper(InputShaper<S>),
+    /// Feeds columns of the results back to inputs.
+    StateFeedback(StateFeedback<S>),
     /// A winch pays out what the crane's tip rises, so that the load keeps its height.
     HeaveCompensation(HeaveCompensation<S>),
 }
 
-/// Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
-/// input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
-/// `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
+impl<S> Controller<S> {
+    /// The inputs that it sets, each with its field below the controller's name.
+    pub fn targets(&self) -> Vec<(String, &str)> {
+        match self {
+            Self::InputShaper(shaper) => vec![("input_shaper.to".to_owned(), &*shaper.to)],
+            Self::StateFeedback(feedback) => {
+                let steered = feedback.steers.iter().enumerate();
+                steered.map(|(k, steer)| (format!("state_feedback.steers.{k}.to"), &*steer.to)).collect()
+            }
+            Self::HeaveCompensation(given) if given.enabled => {
+                vec![("heave_compensation.drive".to_owned(), &*given.drive)]
+            }
+            Self::HeaveCompensation(_) => Vec::new(),
+        }
+    }
+}
+
+/// Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
+/// is zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
-    schemars(rename = "HeaveCompensation", bound = "S: crate::scenario::leaf::Described")
+    schemars(rename = "InputShaper", bound = "S: crate::scenario::leaf::Described")
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
-pub struct HeaveCompensation<S = f64> {
-    /// Whether it acts.
+pub struct InputShaper<S = f64> {
+    /// Whether it shapes; if not, its command passes.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// Whether it is switched on at the start.
-    #[serde(default = "yes")]
-    pub begins_on: bool,
-    /// The rope, which begins at a drum. The place before its last end is the crane's tip.
-    pub rope: Name,
-    /// The controlled drive of the drum, with a speed as its set-point. Its own speed counts as the operator's.
-    pub drive: Name,
-    /// The motion reference unit that it measures the tip's motion by; without it, it knows that motion exactly and at once.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub sensor: Option<Name>,
-    /// Time between two commands, s; at least simulation.step_s.
-    pub period_s: Positive,
-    /// Share of the tip's velocity that it commands.
-    #[serde(default = "whole::<S>")]
-    pub feed_forward: Fraction<S>,
-    /// Speed that it commands per error of the load's height, 1/s.
-    #[serde(default = "gain::<S>")]
-    pub position_gain_per_s: NonNegative<S>,
-    /// Prediction over all delays; without it, it commands the velocity that it has measured.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub prediction: Option<HeavePrediction<S>>,
+    /// The input that it sets: of a drive, or the command of another controller.
+    pub to: SignalName,
+    /// The impulses, or none: then its command passes.
+    #[serde(default)]
+    pub shaper: ShaperKind,
+    /// Period of the swing, between two maxima, s.
+    pub period_s: Positive<S>,
+    /// Damping ratio of the swing, below 1.
+    #[serde(default = "undamped::<S>")]
+    pub damping_ratio: Fraction<S>,
+    /// For ei: the swing that remains at the period, as a share of that without a shaper.
+    #[serde(default = "tolerance::<S>")]
+    pub tolerance: Fraction<S>,
 }
 
-/// Prediction of the tip's motion over the delay of the sensor, the time for which a command is held, and the response
-/// of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
+/// The impulses of an input shaper.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ShaperKind {
+    /// The command passes.
+    None,
+    /// Two: no swing at the period. The command lasts half a period longer.
+    Zv,
+    /// Three: no swing at the period, and little near it. The command lasts one period longer.
+    #[default]
+    Zvd,
+    /// Three: a stated swing at the period, and no more in a wider band. The command lasts one period longer.
+    Ei,
+}
+
+/// Sets inputs to `c - K (x - reference)`, within limits: c their commands, x the columns that it reads, K the gains.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
-    schemars(rename = "HeavePrediction", bound = "S: crate::scenario::leaf::Described")
+    schemars(rename = "StateFeedback", bound = "S: crate::scenario::leaf::Described")
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
-pub struct HeavePrediction<S = f64> {
-    /// Shortest period of the tip's motion, s; at least four times period_s.
-    #[serde(default = "shortest")]
-    pub shortest_period_s: Positive,
-    /// Longest period, s; longer than the shortest.
-    #[serde(default = "longest")]
-    pub longest_period_s: Positive,
-    /// Standard deviation of the noise in a measured velocity over that of the velocity. The larger, the smoother and
-    /// the less exact is the prediction.
-    #[serde(default = "noise_share")]
-    pub noise_share: Positive,
-    /// Time by which it predicts further than over the delay of its sensor and half of period_s, s.
-    #[serde(default)]
-    pub extra_delay_s: NonNegative<S>,
-    /// Time constant of the drive's response, which it inverts, s; without it, the response_time_s of the drive.
+pub struct StateFeedback<S = f64> {
+    /// Whether it acts; if not, its commands pass.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The columns that it reads.
+    pub reads: Vec<FeedbackRead<S>>,
+    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+    pub steers: Vec<FeedbackSteer<S>>,
+    /// Time between two samples, s: a whole number of steps; without it, one step.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub drive_response_s: Option<NonNegative<S>>,
+    pub period_s: Option<Positive>,
 }
 
-fn whole<S: Leaf>() -> Fraction<S> {
-    Fraction::literal(1.0)
+/// A column that is fed back.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FeedbackRead", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct FeedbackRead<S = f64> {
+    /// The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
+    /// `slewing.position`.
+    pub column: String,
+    /// Its value where nothing is corrected, in its SI unit.
+    #[serde(default)]
+    pub reference: S,
+    /// The input in `steers` whose command is added to the reference; both have the same unit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub follows: Option<SignalName>,
 }
 
-fn gain<S: Leaf>() -> NonNegative<S> {
-    NonNegative::literal(0.3)
+/// An input that a feedback sets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FeedbackSteer", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct FeedbackSteer<S = f64> {
+    /// The input.
+    pub to: SignalName,
+    /// Its row of K: a gain for each column, the input's unit over the column's.
+    pub gains: Vec<S>,
+    /// The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<S>,
+    /// The largest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<S>,
 }
 
-fn shortest() -> Positive {
-    Positive::literal(4.0)
+fn undamped<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(0.0)
 }
 
-fn longest() -> Positive {
-    Positive::literal(16.0)
-}
-
-fn noise_share() -> Positive {
-    Positive::literal(0.01)
+fn tolerance<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(0.05)
 }

@@ -15,6 +15,7 @@ mod flexible;
 mod flow;
 mod forces;
 mod gusts;
+mod heave_compensation;
 mod histories;
 mod hydrodynamics;
 mod integrators;
@@ -59,7 +60,7 @@ pub use controlled_drives::{
     AngleSetPoint, AngleSetPoints, ControlledDrive, ExtensionSetPoint, ForceSetPoint, LengthSetPoints,
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
-pub use controllers::{Controller, HeaveCompensation, HeavePrediction};
+pub use controllers::{Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback};
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
@@ -75,6 +76,7 @@ pub use flow::{
 };
 pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
 pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
+pub use heave_compensation::{HeaveCompensation, HeavePrediction};
 pub use histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
@@ -151,12 +153,12 @@ pub struct Scenario<S = f64> {
     /// Sensors by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub sensors: IndexMap<Name, Sensor<S>>,
+    /// Controllers by name: each stands before an input and sets it.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub controllers: IndexMap<Name, Controller<S>>,
     /// Connections from a sensor's output to an input, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub wires: IndexMap<Name, Wire>,
-    /// Controllers by name.
-    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
-    pub controllers: IndexMap<Name, Controller<S>>,
     /// The timeline that moves levers and set-points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operation: Option<Operation<S>>,

@@ -59,8 +59,8 @@ mod tests {
             "forces",
             "drives",
             "sensors",
-            "wires",
             "controllers",
+            "wires",
             "operation",
             "limits",
         ] {

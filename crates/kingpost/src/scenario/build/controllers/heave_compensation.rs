@@ -1,24 +1,12 @@
-//! Controllers, which need all other elements.
+//! Heave compensation.
 
-use super::super::schema::{self, Controller, Drive, Scenario};
-use super::FieldError;
+use super::super::super::schema::{self, Drive, Scenario};
+use super::super::FieldError;
 use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::heave_compensation::{Band, Dynamics, FilterBank, Measurement, Prediction};
-use crate::elements::{AnyElement, HeaveCompensation, Layout, MotionReferenceUnit, Rope, of_kind};
+use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, Rope, of_kind};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
-use crate::simulation::Setup;
-
-/// Adds the controllers that are enabled, in the order of the scenario.
-pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
-    for (name, controller) in &scenario.controllers {
-        let built = match controller {
-            Controller::HeaveCompensation(given) => heave_compensation(scenario, name, given, setup)?,
-        };
-        setup.elements.extend(built);
-    }
-    Ok(())
-}
 
 /// An enabled entry among these, or an error that lists them.
 fn named<'a, T>(field: &str, found: &str, (all, names): (Vec<(&'a str, T)>, &str)) -> Result<T, FieldError> {
@@ -32,16 +20,17 @@ fn named<'a, T>(field: &str, found: &str, (all, names): (Vec<(&'a str, T)>, &str
     one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
 }
 
-fn heave_compensation<S: Quantity>(
+/// The controller, if it is enabled.
+pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::HeaveCompensation<S>,
-    setup: &Setup<S>,
+    elements: &[AnyElement<S>],
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     let field = |rest: &str| format!("controllers.{name}.heave_compensation.{rest}");
-    let (elements, period_s) = (&setup.elements, given.period_s.get());
-    if period_s < setup.settings.step_s {
-        let allowed = format!("at least simulation.step_s, {} s", setup.settings.step_s);
+    let (step_s, period_s) = (scenario.simulation.step_s.get(), given.period_s.get());
+    if period_s < step_s {
+        let allowed = format!("at least simulation.step_s, {step_s} s");
         return Err(FieldError::new(field("period_s"), period_s, allowed));
     }
     check_inputs(scenario, name, &field(""))?;
@@ -55,7 +44,6 @@ fn heave_compensation<S: Quantity>(
     let Some(drum) = rope.drum.filter(|drum| drum.coordinate == drive.coordinate) else {
         return Err(not_its_drum(scenario, &field("drive"), given, rope.drum.is_some()));
     };
-    check_drive(&field("drive"), &given.drive, setup)?;
     let unit = given.sensor.as_ref().map(|sensor| {
         let built = of_kind::<S, MotionReferenceUnit<S>>(elements).map(|unit| (unit.name.as_str(), unit)).collect();
         named(&field("sensor"), sensor, (built, "a motion reference unit"))
@@ -133,15 +121,6 @@ fn not_its_drum<S: Quantity>(
     let joint = scenario.drives.get(&given.drive).map(joint).unwrap_or_default();
     let allowed = format!("the drive of the drum of {}", given.rope);
     FieldError::new(field, format!("{}, which drives {joint}", given.drive), allowed)
-}
-
-/// Nothing else may set the input of the drive.
-fn check_drive<S: Quantity>(field: &str, drive: &str, setup: &Setup<S>) -> Result<(), FieldError> {
-    let mut layout = Layout::new(&setup.elements, 0);
-    layout.connect(&setup.wires);
-    let input = layout.inputs.iter().position(|input| input.name == drive);
-    let Some(by) = input.and_then(|input| layout.set_by(input)) else { return Ok(()) };
-    Err(FieldError::new(field, format!("{drive}, which {by} sets"), "a drive that nothing else sets"))
 }
 
 fn prediction<S: Quantity>(

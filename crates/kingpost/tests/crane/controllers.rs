@@ -1,0 +1,223 @@
+//! Controllers: input shapers against the closed form of a linear oscillator, state feedback against its own law.
+
+use crate::common;
+
+use common::simulation;
+use kingpost::Simulation;
+use kingpost::scenario::read;
+use serde_json::{Value, json};
+
+/// Stiffness of the spring, N/m.
+const STIFFNESS: f64 = 20.0;
+/// Mass of the cage, kg.
+const MASS: f64 = 2.0;
+
+/// A cage on a spring that a force of up to 10 N pushes by a lever: the linear pendulum. Damping ratio `zeta`.
+fn oscillator(zeta: f64, step_s: f64, duration_s: f64, rest: &str) -> String {
+    let damping = 2.0 * zeta * libm::sqrt(STIFFNESS * MASS);
+    format!(
+        "version: 1
+title: A cage on a spring
+simulation: {{step_s: {step_s}, duration_s: {duration_s}, record_every_s: 0.1}}
+bodies:
+  cage:
+    mass_kg: {MASS}
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: slide, axis: [1, 0, 0], spring: {{stiffness_N_per_m: {STIFFNESS}, rest_m: 0}}, damping_N_s_m: {damping}}}}}
+drives:
+  push: {{linear_motor: {{joint: slide, force_N: 10, history: lever}}}}
+{rest}"
+    )
+}
+
+/// The present value of a column.
+fn value(simulation: &mut Simulation, column: &str) -> f64 {
+    let mut readings = simulation.readings(&[column.to_owned()]);
+    let mut found = Vec::new();
+    simulation.read(&mut readings, &mut found);
+    found[0]
+}
+
+/// The error of a text with these values.
+fn error_of(text: &str, set: &[(&str, Value)]) -> String {
+    let set: Vec<(String, Value)> = set.iter().map(|(path, value)| ((*path).to_owned(), value.clone())).collect();
+    let built = read(text, "cage.yaml", &set).and_then(|scenario| scenario.setup());
+    built.err().map_or_else(|| panic!("{set:?} is allowed"), |error| error.to_string())
+}
+
+/// Moves by ramps that are no multiples of a period or of a step.
+const MOVES: &str = "operation:
+  steps:
+    - name: push
+      set: [{input: command, to: 0.6, at_s: 0.1, in_s: 0.3731}, {input: command, to: -0.2, at_s: 0.9, in_s: 0.517}, {input: command, to: 0.5, at_s: 1.61}]
+";
+
+/// Period between two maxima, s.
+fn period_s(zeta: f64) -> f64 {
+    core::f64::consts::TAU / (libm::sqrt(STIFFNESS / MASS) * libm::sqrt(1.0 - zeta * zeta))
+}
+
+fn shaper(kind: &str, period_s: f64, zeta: f64) -> String {
+    format!("controllers: {{command: {{input_shaper: {{to: push, shaper: {kind}, period_s: {period_s}, damping_ratio: {zeta}}}}}}}\n")
+}
+
+/// The amplitude of the swing about the last command's rest position at the end, m.
+fn swing(simulation: &mut Simulation, zeta: f64) -> f64 {
+    let w = libm::sqrt(STIFFNESS / MASS);
+    let x = value(simulation, "slide.joint_position") - 0.5 * 10.0 / STIFFNESS;
+    let v = value(simulation, "slide.joint_velocity");
+    libm::hypot(x, (v + zeta * w * x) / (w * libm::sqrt(1.0 - zeta * zeta)))
+}
+
+/// The swing that is left by a shaper that is made for `made_for` times the true period, over that without one.
+fn left(kind: &str, zeta: f64, made_for: f64) -> f64 {
+    let [shaped, free] = [kind, "none"].map(|kind| {
+        let text = oscillator(zeta, 0.002, 4.5, &(shaper(kind, made_for * period_s(zeta), zeta) + MOVES));
+        let mut simulation = simulation(&text);
+        simulation.step(2250).expect("it swings");
+        swing(&mut simulation, zeta)
+    });
+    shaped / free
+}
+
+/// Singer & Seering (1990): no swing is left. Runge-Kutta errs by (w h)^5 / 120 in a step, 4e-11 in a period of 1000 steps.
+#[test]
+fn a_shaped_command_leaves_no_swing_on_the_linear_pendulum() {
+    for zeta in [0.0, 0.07] {
+        for kind in ["zv", "zvd"] {
+            let found = left(kind, zeta, 1.0);
+            assert!(found < 1e-9, "{kind}, damping ratio {zeta}: {found}");
+        }
+    }
+}
+
+/// A shaper that is made for 1 + e times the period leaves |cos(pi (1 + e) / 2)| of the swing, if it is ZV, or the square of
+/// that, if it is ZVD, whatever the command. Impulses are split for the period of the shaper: beside it they err by up to
+/// (w h)^2 |1 - 1 / (1 + e)^2| / 8, 1e-6, which is 4e-5 of the square.
+#[test]
+fn what_is_left_beside_the_period_is_the_closed_form() {
+    for off in [-0.1, 0.1] {
+        let exact = libm::cos(0.5 * core::f64::consts::PI * (1.0 + off)).abs();
+        for (kind, exact) in [("zv", exact), ("zvd", exact * exact)] {
+            let found = left(kind, 0.0, 1.0 + off);
+            assert!((found / exact - 1.0).abs() < 1e-4, "{kind}, off by {off}: {found}, not {exact}");
+        }
+    }
+}
+
+/// Singhose et al. (1994): an EI shaper leaves its tolerance at its period, and nothing at two periods beside it.
+#[test]
+fn an_ei_shaper_leaves_its_tolerance_at_its_period_and_nothing_where_its_band_has_zeros() {
+    let found = left("ei", 0.0, 1.0);
+    assert!((found - 0.05).abs() < 1e-8, "{found}");
+    // From the middle impulse, (1 + V) cos(pi r) + 1 - V = 0, to the 2e-6 by which the split of impulses errs there.
+    let beside = libm::acos(-(1.0 - 0.05) / (1.0 + 0.05)) / core::f64::consts::PI;
+    for made_for in [beside, 2.0 - beside] {
+        let found = left("ei", 0.0, made_for);
+        assert!(found < 5e-6, "{made_for}: {found}");
+    }
+}
+
+#[test]
+fn a_shaper_that_is_off_passes_its_command_bit_by_bit() {
+    let rows = |rest: &str| {
+        let mut simulation = simulation(&oscillator(0.0, 0.01, 3.0, rest));
+        let run = simulation.run(|_| true);
+        run.status.expect("it runs");
+        let place = simulation.channels().iter().find(|channel| channel.variable == "joint_position").expect("a joint");
+        run.rows.chunks(run.columns).map(|row| row[place.offset].to_bits()).collect::<Vec<_>>()
+    };
+    let plain = rows(&MOVES.replace("input: command", "input: push"));
+    assert_eq!(plain, rows(&(shaper("none", 2.0, 0.0) + MOVES)));
+    let off = shaper("zvd", 2.0, 0.0).replace("{to:", "{enabled: false, to:");
+    assert_eq!(plain, rows(&(off + MOVES)));
+}
+
+/// A feedback of a cage, sampled every 20 ms, behind a shaper.
+const FEEDBACK: &str = "controllers:
+  command: {input_shaper: {to: hold, shaper: none, period_s: 2}}
+  hold:
+    state_feedback:
+      reads: [{column: slide.joint_position, reference: 0.1}, {column: slide.joint_velocity}]
+      steers: [{to: push, gains: [2, 0.5], lower: -0.3, upper: 0.3}]
+      period_s: 0.02
+";
+
+#[test]
+fn feedback_is_its_law_between_samples_and_within_limits() {
+    let mut found = simulation(&oscillator(0.0, 0.01, 4.5, &(FEEDBACK.to_owned() + MOVES)));
+    let mut clipped = 0;
+    let mut correction = 0.0;
+    for step in 0..300 {
+        let read = ["position", "velocity"].map(|of| value(&mut found, &format!("slide.joint_{of}")));
+        if step % 2 == 0 {
+            correction = 2.0 * (read[0] - 0.1) + 0.5 * read[1];
+        }
+        found.step(1).expect("it runs");
+        let command = found.inputs().iter().find(|input| input.name == "command").expect("an input").value;
+        let action = value(&mut found, "hold.commanded_lever");
+        assert_eq!(action.to_bits(), (command - correction).clamp(-0.3, 0.3).to_bits(), "step {step}");
+        clipped += usize::from(action.abs() == 0.3);
+    }
+    assert!((20..250).contains(&clipped), "{clipped} steps at a limit");
+}
+
+#[test]
+fn a_command_passes_all_controllers_in_the_step_in_which_it_is_set() {
+    // The operation sets the command at once: the drive has it in the first step, and not a step later for each controller.
+    let rest = FEEDBACK.replace("gains: [2, 0.5]", "gains: [0, 0]") + "operation: {steps: [{name: push, set: [{input: command, to: 0.2}]}]}\n";
+    let mut found = simulation(&oscillator(0.0, 0.01, 1.0, &rest));
+    found.step(1).expect("it runs");
+    let names: Vec<(String, f64)> = found.inputs().into_iter().map(|input| (input.name, input.value)).collect();
+    for name in ["push", "hold", "command"] {
+        assert!(names.contains(&(name.to_owned(), 0.2)), "{name}: {names:?}");
+    }
+}
+
+#[test]
+fn a_user_moves_the_first_command_and_nothing_behind_it() {
+    let mut found = simulation(&oscillator(0.0, 0.01, 1.0, FEEDBACK));
+    found.set_input("command", 0.1).expect("the first command");
+    for (input, sets) in [("push", "hold"), ("hold", "command")] {
+        let error = found.set_input(input, 0.1).expect_err("a controller sets it").to_string();
+        assert!(error.contains(input) && error.contains(sets), "{error}");
+    }
+}
+
+#[test]
+fn mistakes_are_reported_with_their_place_and_what_exists() {
+    let text = oscillator(0.0, 0.01, 1.0, FEEDBACK);
+    let hold = "controllers.hold.state_feedback";
+    for (set, expected) in [
+        (("controllers.command.input_shaper.to", json!("pull")), "controllers.command.input_shaper.to: found pull, allowed: "),
+        (("controllers.command.input_shaper.to", json!("push")), "controllers.hold.state_feedback.steers.0.to: found push, which command sets, allowed: one controller to each input"),
+        (("controllers.command.input_shaper.to", json!("command")), "controllers.command.input_shaper.to: found command, allowed: an input that does not lead back to it"),
+        (("controllers.command.input_shaper.period_s", json!(0.02)), "controllers.command.input_shaper.period_s: found 0.02, allowed: more than two steps"),
+        (("controllers.command.input_shaper.period_s", json!(1e9)), "controllers.command.input_shaper.period_s: found 1000000000, allowed: more than two steps"),
+        (("controllers.command.input_shaper.damping_ratio", json!(1.0)), "controllers.command.input_shaper.damping_ratio: found 1, allowed: a number from 0 to below 1"),
+        (("controllers.command.input_shaper.damping_ratio", json!(-0.1)), "controllers.command.input_shaper.damping_ratio: found -0.1, allowed: "),
+        ((&*format!("{hold}.reads.0.column"), json!("slide.joint_positon")), "reads.0.column: found slide.joint_positon, allowed: slide.joint_position"),
+        ((&*format!("{hold}.reads.1.follows"), json!("push")), "reads.1.follows: found push, in 1, allowed: an input in m/s, as slide.joint_velocity"),
+        ((&*format!("{hold}.reads.1.follows"), json!("pull")), "reads.1.follows: found pull, allowed: push"),
+        ((&*format!("{hold}.steers.0.gains"), json!([1.0])), "steers.0.gains: found 1 gains, allowed: 2, one for each column in reads"),
+        ((&*format!("{hold}.steers.0.upper"), json!(1.5)), "steers.0.upper: found 1.5, allowed: -1 to 1 1"),
+        ((&*format!("{hold}.steers.0.lower"), json!(0.4)), "steers.0.lower: found a range of"),
+        ((&*format!("{hold}.period_s"), json!(0.015)), "period_s: found 0.015, allowed: a whole number of steps of 0.01 s"),
+        ((&*format!("{hold}.reads"), json!([])), "reads: found none, allowed: at least one"),
+    ] {
+        let found = error_of(&text, &[set]);
+        assert!(found.contains(expected), "{found}\n{expected}");
+    }
+    let wired = text.clone() + "sensors: {mru: {motion_reference_unit: {body: cage, period_s: 0.1}}}\nwires: {one: {from: mru.measured_roll, to: push}}\n";
+    let found = error_of(&wired, &[]);
+    assert!(found.contains("wires.one.to: found push, which hold sets, allowed: an input that no controller sets"), "{found}");
+    let moved = text + "operation: {steps: [{name: push, set: [{input: push, to: 0.2}]}]}\n";
+    let found = error_of(&moved, &[]);
+    assert!(found.contains("operation.steps.0.set.0.input: found push, allowed: an input that no controller sets"), "{found}");
+}
+
+#[test]
+fn a_gain_that_is_not_a_number_is_refused() {
+    let found = error_of(&oscillator(0.0, 0.01, 1.0, &FEEDBACK.replace("gains: [2, 0.5]", "gains: [.nan, 0.5]")), &[]);
+    assert!(found.contains("controllers.hold.state_feedback.steers.0.gains.0"), "{found}");
+}
