@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import json
 import re
 import shutil
 import subprocess
@@ -12,12 +13,14 @@ from typing import Any
 import kingpost
 import numpy as np
 import pytest
+import xarray
 from kingpost import link
 from kingpost.cli import main
 from kingpost.study import limiting_runs
 from kingpost.study.screened import of_plan
 from kingpost.study.study import Study
-from kingpost.study_report import pdf, report
+from kingpost.study_report import limiting, pdf, report
+from kingpost.study_report.blocks import Picture, Table
 
 ROOT = Path(__file__).resolve().parents[2]
 CHECK = ROOT / "web" / "tests" / "browser" / "report.mjs"
@@ -92,6 +95,25 @@ def test_limiting_heights_of_the_report_are_those_of_both_ways(made: tuple[Study
     for period, height, _, governs in cells(page, "Limiting significant height by linear response"):
         one = screened.sel(peak_period_s=float(period))
         assert (height, governs) == (f"{float(one['limiting_height_of_all']):.2f}", one["governs"].item())
+
+
+def test_many_limiting_heights_stand_in_a_table_of_two_axes_and_in_a_panel_each() -> None:
+    """Source: the heights themselves, made up."""
+    heights = np.arange(1, 31, dtype=float).reshape(3, 10) / 10
+    dims = ("peak_period_s", "wave_direction_deg")
+    found = xarray.Dataset(
+        {"limiting_height_of_all": (dims, heights), "governs": (dims, np.full((3, 10), "roll"))},
+        coords={"peak_period_s": [8.0, 8.72727, 10.0], "wave_direction_deg": np.arange(90, 190, 10)},
+        attrs={"acceptance": 0.1, "operation_s": 1800.0, "sea": json.dumps({"peak_period": "peak_period_s"})},
+    )
+    blocks = limiting.section("none were run", found).blocks
+    picture = next(block for block in blocks if isinstance(block, Picture))
+    assert "10 panels" in picture.description
+    matrix, whole = (block for block in blocks if isinstance(block, Table))
+    assert matrix.head == ("peak_period_s", *(str(k) for k in range(90, 190, 10)))
+    assert [row[0] for row in matrix.rows] == ["8", "8.727", "10"]
+    assert [[float(cell) for cell in row[1:]] for row in matrix.rows] == heights.tolist()
+    assert len(whole.rows) == 30
 
 
 def test_every_table_and_every_picture_says_where_its_numbers_come_from(

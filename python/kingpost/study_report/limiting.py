@@ -26,7 +26,11 @@ WHAT_IT_IS = (
     "linear response: Rice's rate of crossings about rest in still water, without the steps of the "
     "operation, slack lines, bodies that touch and quadratic forces."
 )
-MOST_CURVES = 8
+STYLES = {"by runs": "o-", "by linear response": "s--"}
+COLUMNS = 3
+MOST_PANELS = 24
+FEW = 12
+"""So many cases are read in a list; of more there is a table of two axes before it."""
 BY_RUNS = "Command: kingpost study study.yaml -o DIR --resume; in Python kingpost.study.limiting_runs."
 BY_SCREEN = "Command: kingpost study study.yaml --screen."
 MONTHS = ("January", "February", "March", "April", "May", "June", "July", "August", "September", "October",
@@ -52,7 +56,8 @@ def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> S
     if known:
         picture = _picture(known)
         blocks += [picture] if picture else []
-        blocks += [_table(found, what) for what, found in known.items()]
+        for what, found in known.items():
+            blocks += [*_matrix(found, what), _table(found, what)]
     if len(known) == 2:
         blocks.append(Paragraph(_difference(known["by runs"], known["by linear response"])))
     return Section("limiting", "The limiting sea", blocks)
@@ -67,37 +72,53 @@ def _axes(found: xarray.Dataset) -> list[str]:
 
 
 def _picture(known: dict[str, xarray.Dataset]) -> Picture | None:
-    """Heights over the peak period, a colour for each combination of the other axes."""
+    """Heights over the peak period, a panel for each combination of the other axes."""
     first = next(iter(known.values()))
     period = _sea(first).get("peak_period")
     if period is None or period not in _axes(first):
         return None
-    figure = _figure()
-    axes = figure.subplots()
-    styles = {"by runs": "o-", "by linear response": "s--"}
-    curves = 0
-    for what, found in known.items():
-        others = [name for name in _axes(found) if name != period]
-        heights = found["limiting_height_of_all"].transpose(*others, period)
-        for k, at in enumerate(np.ndindex(heights.shape[:-1])):
-            if k >= MOST_CURVES:
-                break
-            of = heights[at]
-            values = np.where(np.isfinite(of.values) & (of.values > 0), of.values, np.nan)
-            label = f"{what}, {_case(of, others)}" if others else what
-            axes.plot(found[period], values, styles[what], color=f"C{k}", ms=4, lw=1.2, label=label)
-            _interval(axes, found, at, others, period, f"C{k}")
-            curves += 1
-    axes.set(xlabel=f"{period}", ylabel="limiting significant height, m")
-    axes.set_ylim(bottom=0)
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=7)
+    others = [name for name in _axes(first) if name != period]
+    heights = first["limiting_height_of_all"].transpose(*others, period)
+    panels = list(np.ndindex(heights.shape[:-1]))
+    drawn = panels[:MOST_PANELS]
+    columns = min(len(drawn), COLUMNS)
+    lines = -(-len(drawn) // columns)
+    figure = _figure(lines)
+    grid = figure.subplots(lines, columns, sharex=True, sharey=True, squeeze=False)
+    for axes, at in zip(grid.flat, drawn, strict=False):
+        if others:
+            axes.set_title(_case(heights[at], others), fontsize=8)
+        for k, (what, found) in enumerate(known.items()):
+            _curve(axes, found, at, (others, period), (what, f"C{k}"))
+    for axes in grid.flat[len(drawn) :]:
+        axes.set_visible(False)
+    grid.flat[0].set_ylim(bottom=0)
+    grid.flat[0].legend(fontsize=7)
+    figure.supxlabel(period, fontsize=9)
+    figure.supylabel("limiting significant height, m", fontsize=9)
+    left_out = f" {len(panels) - len(drawn)} more are in the tables only." if len(drawn) < len(panels) else ""
     return Picture.of(
         figure,
-        f"Limiting significant height over the peak period, {curves} curves",
-        "Limiting significant height over the peak period; bars: intervals over the seeds.",
+        f"Limiting significant height over the peak period, {len(drawn)} panels",
+        f"Limiting significant height over the peak period; bars: intervals over the seeds.{left_out}",
         BY_RUNS if "by runs" in known else BY_SCREEN,
     )
+
+
+def _curve(
+    axes: Any,
+    found: xarray.Dataset,
+    at: tuple[int, ...],
+    names: tuple[Sequence[str], str],
+    style: tuple[str, str],
+) -> None:
+    (others, period), (what, colour) = names, style
+    of = found["limiting_height_of_all"].transpose(*others, period)[at]
+    values = np.where(np.isfinite(of.values) & (of.values > 0), of.values, np.nan)
+    axes.plot(found[period], values, STYLES[what], color=colour, ms=3.5, lw=1.2, label=what)
+    axes.grid(alpha=0.3)
+    axes.tick_params(labelsize=8)
+    _interval(axes, found, at, others, period, colour)
 
 
 def _interval(
@@ -115,7 +136,7 @@ def _interval(
 
 
 def _case(of: xarray.DataArray, names: Sequence[str]) -> str:
-    return ", ".join(f"{name} {of[name].item():g}" if isinstance(of[name].item(), float)
+    return ", ".join(f"{name} {of[name].item():.4g}" if isinstance(of[name].item(), float)
                      else f"{name} {of[name].item()}" for name in names)  # fmt: skip
 
 
@@ -136,8 +157,24 @@ def _table(found: xarray.Dataset, what: str) -> Table:
     return Table(f"Limiting significant height {what}, {accepted}", head, rows, origin, tuple(numbers))
 
 
+def _matrix(found: xarray.Dataset, what: str) -> list[Table]:
+    """The heights over two axes; nothing for few cases or other numbers of axes."""
+    names, heights = _axes(found), found["limiting_height_of_all"]
+    if len(names) != 2 or heights.size <= FEW:
+        return []
+    down, across = names
+    head = (down, *map(_value, heights[across].values.tolist()))
+    rows = [
+        (_value(value), *(height_text(found, (i, k)) for k in range(heights.shape[1])))
+        for i, value in enumerate(heights[down].values.tolist())
+    ]
+    origin = BY_RUNS if what == "by runs" else BY_SCREEN
+    title = f"Heights {what}, m, one column for each {across}"
+    return [Table(title, head, rows, origin, tuple(range(len(head))))]
+
+
 def _value(value: Any) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def _height(found: xarray.Dataset, at: tuple[int, ...]) -> tuple[str, str]:
@@ -220,7 +257,7 @@ def _origin(what: str) -> str:
     return f"Files: study.yaml (field scatter), results.zarr. {BY_RUNS if what == 'by runs' else BY_SCREEN}"
 
 
-def _figure() -> Figure:
+def _figure(lines: int) -> Figure:
     from matplotlib.figure import Figure
 
-    return Figure(figsize=(9, 4.2), layout="constrained")
+    return Figure(figsize=(9, 4.2 if lines == 1 else 2.3 * lines + 0.4), layout="constrained")
