@@ -8,6 +8,7 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost import statistics
+from kingpost.analysis.fatigue import rainflow
 from kingpost.study import reduce
 from kingpost.study.cases import cases
 from study_samples import RUNS, SLEWING, written
@@ -70,25 +71,29 @@ def test_results_open_without_kingpost_and_carry_units_and_names(slewing, tmp_pa
     assert np.isnan(found.damage.sel(column="ship.position.x")).all()
 
 
-def test_peaks_are_the_largest_between_up_crossings_of_the_mean() -> None:
+def test_peaks_and_cycles_of_a_run_are_those_of_its_record() -> None:
     """Source: closed form: a sine of period 1 whose size grows has its peaks at a quarter of each period,
-    which are recorded. The first and the last period are not between two up-crossings."""
+    which are recorded; the first and the last period are not between two up-crossings. And the functions for
+    a record that a user has: the same bits."""
     time_s = np.arange(4000) / 100
     x = (1 + time_s / 40) * np.sin(2 * np.pi * time_s)
+    kept = reduce.Kept(("x",), (), 0.0, (0,), 38, (0,), (3.0, 2.5))
+    into = reduce.empty(kept, 1)
+    reduce.reduce(into, 0, np.column_stack([time_s, x]), [1], [], True, kept)
     expected = 1 + (np.arange(1, 39) + 0.25) / 40
-    np.testing.assert_allclose(reduce.peaks(x), expected, rtol=1e-12)
+    np.testing.assert_allclose(into["peaks"][0, 0], expected[::-1], rtol=1e-12)
+    assert into["peak_count"].item() == 38
+    cycles = rainflow(x)
+    assert into["cycles"].item() == cycles.count
+    assert into["damage"][0, 0].tolist() == [cycles.damage(3.0), cycles.damage(2.5)]
 
 
-def test_damage_of_a_sine_is_its_cycles_times_its_range_to_the_slope() -> None:
-    """Source: closed form: n cycles of range 2 a give n (2 a)^m, but for what leads in and out;
-    records at the turning points, so that ranges are exact."""
-    quarter = np.array([0.0, 3.0, 0.0, -3.0])
-    x = np.concatenate([np.tile(quarter, 100), [0.0]])
-    count, (third, other) = reduce.damage(x, (3.0, 2.5))
-    # 99 full cycles and the way in and out: 3, then 6 of one half cycle, then 3.
-    assert count == pytest.approx(100.5, abs=0.01)
-    assert third == pytest.approx(99.5 * 6.0**3 + 2 * 0.5 * 3.0**3, rel=1e-12)
-    assert other == pytest.approx(99.5 * 6.0**2.5 + 2 * 0.5 * 3.0**2.5, rel=1e-12)
+def test_a_column_with_nan_has_no_cycles() -> None:
+    """Source: what is not known is NaN."""
+    kept = reduce.Kept(("x",), (), 0.0, (), 0, (0,), (3.0,))
+    into = reduce.empty(kept, 1)
+    reduce.reduce(into, 0, np.array([[0.0, 1.0], [1.0, np.nan], [2.0, 0.0]]), [1], [], True, kept)
+    assert np.isnan([into["cycles"].item(), into["damage"].item()]).all()
 
 
 def test_a_latin_hypercube_has_one_sample_in_each_strip_of_each_axis() -> None:
