@@ -182,6 +182,29 @@ def test_what_is_wrong_in_a_study_is_said_with_its_place(change, message, tmp_pa
     assert named in line or named.isdigit() or caught.value.found in line or "axes" in caught.value.field
 
 
+def test_a_value_that_the_hulls_database_refuses_is_said_with_the_axis_and_values_that_build() -> None:
+    """Source: the contract of errors: what is wrong is the study's value, not the database."""
+    period = "sea.waves.wind_sea.jonswap.peak_period_s"
+    with pytest.raises(kingpost.ScenarioError) as caught:
+        kingpost.Study({
+            "version": 1, "title": "x", "scenario": "offshore_vessel", "record": ["hull.roll"],
+            "set": {"simulation.duration_s": 1, "waves": True, "significant_height_m": 0.5},
+            "axes": {period: {"values": [8, 3.5, 10]}},
+        })  # fmt: skip
+    error = caught.value
+    assert error.field == f"axes.{period}.values.1"
+    assert (error.found, error.allowed) == ("3.5", "a value with which the scenario builds, as 8, 10")
+    assert "hydrodynamics.database: found frequencies from 0.05984 to 2.618 rad/s, with " in str(error)
+
+
+def test_a_scatter_table_that_is_wrong_is_refused_before_the_runs(tmp_path) -> None:
+    """Source: what a user does: hours of runs end in a table that cannot be read."""
+    (tmp_path / "climate.csv").write_text("Utsira\n1,2\n", encoding="utf-8")
+    path = written({**SLEWING, "scatter": "climate.csv"}, tmp_path / "study.yaml")
+    with pytest.raises(kingpost.KingpostError, match=r"climate\.csv:1: header: found none"):
+        kingpost.Study(path)
+
+
 def test_corners_are_cases_also_of_axes_that_are_drawn_together() -> None:
     """Source: the cells of a scatter table are points of one axis: no corner mixes two of them."""
     axes = {
