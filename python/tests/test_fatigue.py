@@ -29,6 +29,13 @@ def test_values_between_reversals_and_flat_parts_change_nothing() -> None:
     assert fatigue.rainflow(np.full(100, 7.0)).count == 0
 
 
+def test_a_record_that_only_rises_is_half_a_cycle() -> None:
+    """ASTM E1049-85, 5.4.4: what is left over counts a half."""
+    for record in ([0.0, 2.0], [0.0, 0.5, 0.5, 2.0]):
+        cycles = fatigue.rainflow(record)
+        assert (cycles.ranges.tolist(), cycles.count, cycles.damage(3)) == ([2.0], 0.5, 4.0)
+
+
 @pytest.mark.parametrize("slope", [1.0, 3.0, 4.5])
 def test_a_sinusoid_has_one_cycle_of_twice_its_amplitude_in_each_period(slope: float) -> None:
     """Source: arithmetic. The record begins and ends on a crest, and its rows have every crest and trough."""

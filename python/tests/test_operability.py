@@ -67,6 +67,22 @@ def results(seeds: int, seed: int = 1) -> xarray.Dataset:
     )
 
 
+def test_a_limit_that_begins_later_has_a_shorter_record() -> None:
+    """Source: closed form: the largest of a record of a third of the length is ln 3 scales lower, so that an
+    operation three times as long is nine such records: Hs slope (1 + 0.15 (ln 9 + y)) is the bound."""
+    runs = results(2000)
+    begins = runs.assign_coords(limit_from_s=("limit", [0.0, 60.0, 60.0 + RECORD_S * 2 / 3]))
+    before, found = (limiting_heights(of)["limiting_height"] for of in (runs, begins))
+    for limit in ("heel", "gap"):
+        assert found.sel(limit=limit).values.tolist() == before.sel(limit=limit).values.tolist()
+    variate = -np.log(-np.log1p(-ACCEPTANCE))
+    for period in PERIODS:
+        for direction in DIRECTIONS:
+            exact = 3.0 / slope("offlead", period, direction) / (1 + 0.15 * (np.log(9) + variate))
+            got = float(found.sel(limit="offlead", tp=period, direction_deg=direction).squeeze())
+            assert got == pytest.approx(exact, rel=0.021)
+
+
 def true_height(limit: str, period: float, direction: float) -> float:
     """Where Hs slope (1 + 0.15 (ln 3 + y)) is the bound, y = -ln(-ln(1 - acceptance))."""
     bound = {"heel": 5.0, "gap": 3.5, "offlead": 3.0}[limit]

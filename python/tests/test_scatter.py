@@ -51,6 +51,38 @@ def test_edges_and_separators_say_the_same_table(text: str) -> None:
     assert table.occurrences.tolist() == [1, 2, 3, 4]
 
 
+CLIMATE = """\ufeffSite: Utsira, 59.3 N 4.4 E;;;;
+Period 1991-2020, percent of time;;;;
+Hs [m] / Tp [s];<6;6-8;>= 8;Sum
+0,0 - 1,0;3,5;5,25;4;12,75
+1,0 - 2,0;12;;10;22
+> 2,0;0,25;15;50;65,25
+Sum;15,75;20,25;64;100
+"""
+
+
+def test_a_table_as_a_spreadsheet_writes_it_is_read(tmp_path: Path) -> None:
+    """Source: arithmetic. A byte order mark, titles, units, decimal commas, open classes as wide as their
+    neighbours, sums, an empty cell."""
+    (tmp_path / "climate.csv").write_text(CLIMATE, encoding="utf-8")
+    table = scatter.read(tmp_path / "climate.csv", entries="per cent")
+    assert table.period == "peak"
+    assert table.height_from_m.tolist() == [0] * 3 + [1] * 3 + [2] * 3
+    assert table.height_to_m.tolist() == [1] * 3 + [2] * 3 + [3] * 3
+    assert table.period_s.tolist() == [5, 7, 9] * 3
+    assert table.occurrences.tolist() == [3.5, 5.25, 4, 12, 0, 10, 0.25, 15, 50]
+
+
+def test_a_list_of_seas_may_have_units_in_its_names_and_a_title() -> None:
+    table = scatter.parse(
+        "Wave climate of the site\n#entries: percent,,\nHs (m),Tp [s],Occurrence (%)\n1,8,60\n2,9,40\n"
+    )
+    assert (table.height_m.tolist(), table.period_s.tolist()) == ([1, 2], [8, 9])
+    assert table.occurrences.tolist() == [60, 40]
+    with pytest.raises(ScatterError, match=r"t.csv:1: columns: found hs, tp \[ft\]"):
+        scatter.parse("hs,tp [ft],occurrences\n1,8,60\n", "t.csv")
+
+
 def test_the_long_form_has_months_and_directions() -> None:
     table = scatter.parse("hs,tp,occurrences,month,mwd\n1.0,8,3,1,350\n2.0,9,1,7,90\n")
     assert table.month is not None
@@ -118,6 +150,10 @@ def test_periods_of_pierson_and_moskowitz_have_closed_forms() -> None:
         ("hs,tp,tz\n1,8,3\n", "t.csv:1: period: found tp, tz, allowed: one column"),
         ("hs,tp\n1,nan\n", "t.csv:2: tp: found 'nan'"),
         ("", "t.csv: rows: found 0"),
+        ("Utsira\n1,2\n", "t.csv:1: header: found none; the first line is 'Utsira', allowed: a line that"),
+        ("Utsira\nHs/Tp,0-2\n", "t.csv:2: rows: found none under the header, allowed: one or more"),
+        ("Hs/Tp,0-2,<4\n1-2,1,2\n", "t.csv:1: period: found '0-2', allowed: a number"),
+        ("Hs/Tp,<2,>3\n1-2,1,2\n", "t.csv:1: period: found '<2', allowed: a number"),
     ],
 )
 def test_a_wrong_table_is_said_with_its_line(text: str, message: str) -> None:

@@ -53,6 +53,17 @@ def test_a_gaussian_process_of_a_known_spectrum_gives_its_variance_and_period() 
     assert np.allclose(significant, 2)
 
 
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+@pytest.mark.parametrize("value", [1e308, float("inf")])
+def test_sums_beyond_the_largest_number_are_infinite_or_nan_without_a_librarys_warning(value) -> None:
+    """Source: a result in a file has any number; its extremes are what they are."""
+    record = xarray.DataArray([value, value, value, 0.0], {"time": range(4)}, ("time",), "heave")
+    found = statistics.summary(record)
+    assert float(found.sel(statistic="maximum")) == value
+    assert float(found.sel(statistic="minimum")) == 0
+    assert not np.isfinite(found.sel(statistic="standard_deviation"))
+
+
 def test_the_spectrum_comes_back_with_its_moments() -> None:
     records = xarray.concat([gaussian_process(np.random.default_rng(seed)) for seed in range(4)], "run")
     found = statistics.spectrum(records, segment_s=400.0)

@@ -8,6 +8,7 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost import statistics
+from kingpost.analysis.fatigue import rainflow
 from kingpost.study import reduce
 from kingpost.study.cases import cases
 from study_samples import RUNS, SLEWING, written
@@ -70,25 +71,29 @@ def test_results_open_without_kingpost_and_carry_units_and_names(slewing, tmp_pa
     assert np.isnan(found.damage.sel(column="ship.position.x")).all()
 
 
-def test_peaks_are_the_largest_between_up_crossings_of_the_mean() -> None:
+def test_peaks_and_cycles_of_a_run_are_those_of_its_record() -> None:
     """Source: closed form: a sine of period 1 whose size grows has its peaks at a quarter of each period,
-    which are recorded. The first and the last period are not between two up-crossings."""
+    which are recorded; the first and the last period are not between two up-crossings. And the functions for
+    a record that a user has: the same bits."""
     time_s = np.arange(4000) / 100
     x = (1 + time_s / 40) * np.sin(2 * np.pi * time_s)
+    kept = reduce.Kept(("x",), (), 0.0, (0,), 38, (0,), (3.0, 2.5))
+    into = reduce.empty(kept, 1)
+    reduce.reduce(into, 0, np.column_stack([time_s, x]), [1], [], True, kept)
     expected = 1 + (np.arange(1, 39) + 0.25) / 40
-    np.testing.assert_allclose(reduce.peaks(x), expected, rtol=1e-12)
+    np.testing.assert_allclose(into["peaks"][0, 0], expected[::-1], rtol=1e-12)
+    assert into["peak_count"].item() == 38
+    cycles = rainflow(x)
+    assert into["cycles"].item() == cycles.count
+    assert into["damage"][0, 0].tolist() == [cycles.damage(3.0), cycles.damage(2.5)]
 
 
-def test_damage_of_a_sine_is_its_cycles_times_its_range_to_the_slope() -> None:
-    """Source: closed form: n cycles of range 2 a give n (2 a)^m, but for what leads in and out;
-    records at the turning points, so that ranges are exact."""
-    quarter = np.array([0.0, 3.0, 0.0, -3.0])
-    x = np.concatenate([np.tile(quarter, 100), [0.0]])
-    count, (third, other) = reduce.damage(x, (3.0, 2.5))
-    # 99 full cycles and the way in and out: 3, then 6 of one half cycle, then 3.
-    assert count == pytest.approx(100.5, abs=0.01)
-    assert third == pytest.approx(99.5 * 6.0**3 + 2 * 0.5 * 3.0**3, rel=1e-12)
-    assert other == pytest.approx(99.5 * 6.0**2.5 + 2 * 0.5 * 3.0**2.5, rel=1e-12)
+def test_a_column_with_nan_has_no_cycles() -> None:
+    """Source: what is not known is NaN."""
+    kept = reduce.Kept(("x",), (), 0.0, (), 0, (0,), (3.0,))
+    into = reduce.empty(kept, 1)
+    reduce.reduce(into, 0, np.array([[0.0, 1.0], [1.0, np.nan], [2.0, 0.0]]), [1], [], True, kept)
+    assert np.isnan([into["cycles"].item(), into["damage"].item()]).all()
 
 
 def test_a_latin_hypercube_has_one_sample_in_each_strip_of_each_axis() -> None:
@@ -175,6 +180,29 @@ def test_what_is_wrong_in_a_study_is_said_with_its_place(change, message, tmp_pa
     line = path.read_text().splitlines()[caught.value.line - 1]
     named = caught.value.field.rsplit(".", 1)[-1]
     assert named in line or named.isdigit() or caught.value.found in line or "axes" in caught.value.field
+
+
+def test_a_value_that_the_hulls_database_refuses_is_said_with_the_axis_and_values_that_build() -> None:
+    """Source: the contract of errors: what is wrong is the study's value, not the database."""
+    period = "sea.waves.wind_sea.jonswap.peak_period_s"
+    with pytest.raises(kingpost.ScenarioError) as caught:
+        kingpost.Study({
+            "version": 1, "title": "x", "scenario": "offshore_vessel", "record": ["hull.roll"],
+            "set": {"simulation.duration_s": 1, "waves": True, "significant_height_m": 0.5},
+            "axes": {period: {"values": [8, 3.5, 10]}},
+        })  # fmt: skip
+    error = caught.value
+    assert error.field == f"axes.{period}.values.1"
+    assert (error.found, error.allowed) == ("3.5", "a value with which the scenario builds, as 8, 10")
+    assert "hydrodynamics.database: found frequencies from 0.05984 to 2.618 rad/s, with " in str(error)
+
+
+def test_a_scatter_table_that_is_wrong_is_refused_before_the_runs(tmp_path) -> None:
+    """Source: what a user does: hours of runs end in a table that cannot be read."""
+    (tmp_path / "climate.csv").write_text("Utsira\n1,2\n", encoding="utf-8")
+    path = written({**SLEWING, "scatter": "climate.csv"}, tmp_path / "study.yaml")
+    with pytest.raises(kingpost.KingpostError, match=r"climate\.csv:1: header: found none"):
+        kingpost.Study(path)
 
 
 def test_corners_are_cases_also_of_axes_that_are_drawn_together() -> None:

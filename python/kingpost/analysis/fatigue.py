@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 SLOPES = (3.0, 5.0)
 """Slopes m that sums are of unless given: those of the two branches of many S-N curves of steel."""
+MOST_FACTORS = 32
+"""Powers up to this are products, which have the same bits everywhere."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,7 @@ class Cycles:
         """
         if not (slope > 0 and math.isfinite(slope)):
             raise KingpostError(f"slope: found {slope:g}, allowed: finite and greater than 0")
-        return float((self.counts * self.ranges**slope).sum())
+        return float((self.counts * _power(self.ranges, float(slope))).sum())
 
     def equivalent_range(self, slope: float, cycles: float | None = None) -> float:
         """The range of which as many cycles, or `cycles` of them, have the same damage: (D / n)^(1 / m).
@@ -74,6 +76,13 @@ class Cycles:
         return float(
             largest * (((self.ranges / largest) ** slope * self.counts).sum() / count) ** (1 / slope)
         )
+
+
+def _power(x: NDArray[np.float64], exponent: float) -> NDArray[np.float64]:
+    """A power; of a whole number a product: powers of libraries differ in their last bit by processor."""
+    if exponent.is_integer() and exponent <= MOST_FACTORS:
+        return np.prod(np.repeat(x[None, :], int(exponent), axis=0), axis=0)
+    return x**exponent
 
 
 def rainflow(values: ArrayLike) -> Cycles:
@@ -113,6 +122,9 @@ def rainflow(values: ArrayLike) -> Cycles:
         return Cycles(*np.empty((3, 0)))
     turns = np.sign(np.diff(kept))
     turning = kept[np.concatenate([[True], turns[1:] != turns[:-1], [True]])]
+    if len(turning) == 2:
+        # The library takes three values or more; what lies between is no reversal.
+        turning = np.insert(turning, 1, turning.mean())
     found = np.array([cycle[:3] for cycle in extract_cycles(turning.tolist())]).reshape(-1, 3)
     return Cycles(*found.T)
 

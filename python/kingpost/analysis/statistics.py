@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from ..errors import KingpostError
 from ..results.columns import unit_coordinate
 from .extremes import EULER, THREE_HOURS_S, Extreme, extreme
 from .records import after, even
@@ -85,12 +84,12 @@ def summary(
         own = {name: _with_own_unit(v) for name, v in kept.data_vars.items()}
         named = {name: summary(v) if "time" in v.dims else v for name, v in own.items()}
         return xarray.Dataset(named, attrs=kept.attrs)
-    deviation = kept.std("time")
-    period = xarray.apply_ufunc(
-        _up_crossing_period, kept, kept["time"], input_core_dims=[["time"], ["time"]], vectorize=True
-    )
+    # Sums of values near the largest number that a computer has are infinite, and say so.
+    with np.errstate(over="ignore", invalid="ignore"):
+        mean, deviation = kept.mean("time"), kept.std("time")
+        period = xarray.apply_ufunc(_period, kept, kept["time"], input_core_dims=[["time"], ["time"]])
     most, least = kept.max("time", skipna=False), kept.min("time", skipna=False)
-    values = (kept.mean("time"), deviation, 2 * deviation, 4 * deviation, period, most, least)
+    values = (mean, deviation, 2 * deviation, 4 * deviation, period, most, least)
     names = xarray.DataArray(np.array(STATISTICS), dims="statistic", name="statistic")
     about = {key: value for key, value in kept.attrs.items() if key != "units"}
     found = xarray.concat(values, names).rename(kept.name)
@@ -115,23 +114,43 @@ def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
     return xarray.where(period, "s", unit.drop_vars(name, errors="ignore"))
 
 
-def _up_crossing_period(values: NDArray[np.float64], time_s: NDArray[np.float64]) -> float:
-    """Mean time between up-crossings of the mean, each interpolated linearly between two records."""
-    x = values - values.mean()
-    (at,) = np.nonzero((x[:-1] < 0) & (x[1:] >= 0))
-    if len(at) < FEWEST_CROSSINGS:
-        return np.nan
-    crossings = time_s[at] - x[at] * (time_s[at + 1] - time_s[at]) / (x[at + 1] - x[at])
-    return float((crossings[-1] - crossings[0]) / (len(at) - 1))
+def _period(values: NDArray[np.float64], time_s: NDArray[np.float64]) -> NDArray[np.float64]:
+    values = np.ascontiguousarray(values)
+    return up_crossing_period(values - values.mean(axis=-1, keepdims=True), time_s)
 
 
-def _reduced(probability: float) -> float:
-    if not 0 < probability < 1:
-        raise KingpostError(f"probability: found {probability:g}, allowed: between 0 and 1")
-    return float(-np.log(-np.log(probability)))
+def up_crossing_period(x: NDArray[np.float64], time_s: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Mean time between up-crossings of zero, each on the line between two records; NaN where there are less
+    than two.
 
+    Parameters
+    ----------
+    x
+        Shape (..., records), about its mean.
+    time_s
+        Times of the records, s.
 
-def _half_mean_difference(x: NDArray[np.float64]) -> float:
-    """Half the mean of |x_i - x_j| over all pairs: the second L-moment."""
-    weights = 2 * np.arange(len(x)) / (len(x) - 1) - 1
-    return float((weights * np.sort(x)).mean())
+    Returns
+    -------
+    numpy.ndarray
+        Shape (...,), s.
+
+    >>> time_s = np.arange(0.0, 80.0, 0.1)
+    >>> round(float(up_crossing_period(np.sin(2 * np.pi * time_s / 8), time_s)), 6)
+    8.0
+    """
+    flat = x.reshape(-1, x.shape[-1])
+    crossed = (flat[:, :-1] < 0) & (flat[:, 1:] >= 0)
+    count = crossed.sum(axis=1)
+    columns = np.arange(len(flat))
+
+    def time_at(at: NDArray[np.intp]) -> NDArray[np.float64]:
+        step_s, before, behind = time_s[at + 1] - time_s[at], flat[columns, at], flat[columns, at + 1]
+        return time_s[at] - before * step_s / (behind - before)
+
+    first = crossed.argmax(axis=1)
+    last = crossed.shape[1] - 1 - crossed[:, ::-1].argmax(axis=1)
+    enough = count >= FEWEST_CROSSINGS
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        period_s = np.where(enough, (time_at(last) - time_at(first)) / np.maximum(count - 1, 1), np.nan)
+    return period_s.reshape(x.shape[:-1])

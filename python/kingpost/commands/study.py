@@ -15,6 +15,8 @@ from ..output import check as check_output
 from .common import DONE, FAILED, INTERRUPTED, WARNING, add_output, fail, note, show, warn
 
 if TYPE_CHECKING:
+    import xarray
+
     from ..study.study import Study
 
 HELP = "run every case of a study with every seed, and keep the results"
@@ -85,12 +87,13 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _screen(study: Study, options: argparse.Namespace) -> int:
-    """The limiting sea by linear response, printed."""
+    """The limiting sea by linear response, printed, and the operable share of the scatter table."""
     from ..reports.limiting import screen
     from ..study.screened import of_plan
 
     found = of_plan(study.plan)
-    show(options, lambda: screen(found), found.to_dict)
+    shares = _shares(study, found) if "limiting_height" in found else []
+    show(options, lambda: "\n".join([screen(found), *shares]), found.to_dict)
     return DONE
 
 
@@ -153,17 +156,24 @@ def _limiting(study: Study, folder: Path) -> list[str]:
     """Limiting heights and the operable share; nothing where the study cannot say them yet, or at all."""
     from ..reports import limiting
     from ..study import limiting_runs, store
-    from ..study.operable import of_plan
 
     try:
         heights = limiting_runs.limiting_heights(store.open_results(folder))
     except KingpostError:
         return []
-    lines = ["", *limiting.heights(heights), ""]
+    return ["", *limiting.heights(heights), *_shares(study, heights)]
+
+
+def _shares(study: Study, heights: xarray.Dataset) -> list[str]:
+    """The operable share of the study's scatter table, by limiting heights; nothing where it has none."""
+    from ..reports import limiting
+    from ..study.operable import of_plan
+
+    lines = []
     for direction, share in of_plan(study.plan, heights):
         lines += [f"all waves with  {direction}"] if direction else []
         lines += limiting.operable(share)
-    return lines
+    return ["", *lines] if lines else []
 
 
 def _check(options: argparse.Namespace) -> None:

@@ -182,7 +182,8 @@ def _unfinished(runs: Sequence[xarray.Dataset]) -> list[str]:
 
 
 def _stands_still(values: np.ndarray) -> bool:
-    return bool(np.ptp(values) <= SMALLEST_MOTION * np.abs(values).max())
+    with np.errstate(over="ignore", invalid="ignore"):
+        return bool(np.ptp(values) <= SMALLEST_MOTION * np.abs(values).max())
 
 
 def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale: float) -> dict[str, float]:

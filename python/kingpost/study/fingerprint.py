@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+import inspect
 import json
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
+from ..analysis import fatigue
+from ..analysis.extremes import peaks
+from ..analysis.statistics import up_crossing_period
 from . import reduce
 
 MOST_NAMED = 3
@@ -24,9 +27,9 @@ def of_value(value: Any) -> str:
 
 
 def reduction() -> str:
-    """SHA-256 of what reduces the rows of a run."""
-    source = Path(reduce.__file__).read_text(encoding="utf-8")
-    return hashlib.sha256(source.encode()).hexdigest()
+    """SHA-256 of what reduces the rows of a run: the text of all functions that decide its numbers."""
+    parts = (reduce, peaks, up_crossing_period, fatigue)
+    return hashlib.sha256("".join(map(inspect.getsource, parts)).encode()).hexdigest()
 
 
 def differences(before: Mapping[str, str], now: Mapping[str, str]) -> list[str]:

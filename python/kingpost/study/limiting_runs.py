@@ -49,7 +49,7 @@ def limiting_heights(
     results
         Of a study whose axes are a grid: `limit_worst`, `limit_held` and `status` along ``run``, the axes,
         ``at_least`` and ``at_most`` as coordinates, the attributes ``axes``, ``sea``, ``duration_s`` and
-        ``after_s``.
+        ``after_s``; the coordinate ``limit_from_s`` of limits that begin later.
     acceptance
         The probability; that of the study unless given.
     operation_s
@@ -78,7 +78,7 @@ def limiting_heights(
     acceptance = float(results.attrs["acceptance"] if acceptance is None else acceptance)
     if not 0 < acceptance < 1:
         raise KingpostError(f"acceptance: found {acceptance:g}, allowed: between 0 and 1")
-    record_s = float(results.attrs["duration_s"]) - float(results.attrs["after_s"])
+    record_s = _records_s(results)
     operation_s = float(results.attrs["operation_s"] if operation_s is None else operation_s)
     grid, values = _grid(results, axes)
     beyond, held, status = (
@@ -159,17 +159,26 @@ def _beyond(results: xarray.Dataset) -> Numbers:
     return np.fmax(worst - most, least - worst)
 
 
+def _records_s(results: xarray.Dataset) -> Numbers:
+    """How long each limit is looked at in a run, s."""
+    duration_s, after_s = (float(results.attrs[name]) for name in ("duration_s", "after_s"))
+    if "limit_from_s" not in results.coords:
+        return np.full(results.sizes["limit"], duration_s - after_s)
+    left_s: Numbers = duration_s - np.maximum(results["limit_from_s"].values, after_s)
+    return np.where(left_s > 0, left_s, np.nan)
+
+
 def _reduced(
     beyond: Numbers,
     held: NDArray[Any],
     status: NDArray[Any],
-    record_s: float,
+    record_s: Numbers,
     operation_s: float,
     confidence: float,
 ) -> Numbers:
     """Reduced variates of P, of its upper and of its lower end, along limits and axes.
 
-    `beyond` and `held` are along axes, seeds and limits.
+    `beyond` and `held` are along axes, seeds and limits, `record_s` along limits.
     """
     shape = beyond.shape[:-2]
     found = np.empty((3, beyond.shape[-1], *shape))
@@ -184,7 +193,9 @@ def _reduced(
             elif np.ptp(values) <= 1e-12 * np.abs(values).max(initial=0.0):
                 found[(slice(None), limit, *at)] = CERTAIN if values[0] > 0 else NEVER
             else:
-                found[(slice(None), limit, *at)] = _of_one(extreme(values, record_s, operation_s), confidence)
+                found[(slice(None), limit, *at)] = _of_one(
+                    extreme(values, record_s[limit], operation_s), confidence
+                )
     return np.clip(found, CERTAIN, NEVER)
 
 

@@ -15,7 +15,7 @@ from ..errors import ScenarioError
 from ..scenario import Scenario
 from ..simulation.batch import SEED
 from ..simulation.simulate import Simulation
-from . import fingerprint
+from . import fingerprint, scatter
 from .cases import LATIN_HYPERCUBE, SCATTER, Cases, cases, values_of
 from .compute import MOST_BYTES, Job, columns, run_bytes
 from .file import StudyFile
@@ -27,9 +27,11 @@ MOST_RUNS = 1_000_000
 MOST_UNITS, MOST_RUNS_OF_UNIT, LANES = 64, 32, 4
 MOST_CHECKED = 100
 """Values of an axis, and corners of all axes, that are tried before the first run."""
+MOST_NAMED = 3
+"""Values of an axis that an error names as those that build."""
 TAKEN = {
     *("run", "case", "seed", "sample", "cell", "status", "statistic", "statistics"),
-    *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most"),
+    *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most", "limit_from_s"),
     *("limit_held", "limit_worst", "limit_time"),
     *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
 }
@@ -159,6 +161,9 @@ def plan(file: StudyFile) -> Plan:
     if not 1 <= found.runs <= MOST_RUNS:
         raise file.error("axes", f"{found.runs} runs", f"from 1 to {MOST_RUNS} runs")
     _check_corners(file, scenario, found.cases)
+    if name := file.content.get("scatter"):
+        # Before hours of runs, not behind them.
+        scatter.read(file.beside(name))
     return found
 
 
@@ -166,9 +171,7 @@ def _cases(file: StudyFile) -> Cases:
     content = file.content
 
     def cells() -> list[tuple[float, float]]:
-        from .scatter import read
-
-        return read(file.beside(content["scatter"])).cells()
+        return scatter.read(file.beside(content["scatter"])).cells()
 
     return cases(content["axes"], content.get("samples"), cells)
 
@@ -245,8 +248,10 @@ def _check_axes(file: StudyFile, scenario: Scenario) -> None:
                 allowed = f"one axis for {path}: {written[path]} writes it too"
                 raise file.error(f"axes.{name}", "a field a second time", allowed)
             written[path] = name
-        for place, value in _tried(axis):
-            _try(file, scenario, [(name, value)], {name: f"axes.{name}.{place}"})
+        tried = _tried(axis)
+        for place, value in tried:
+            others = [other for _, other in tried if other != value]
+            _try(file, scenario, [(name, value)], {name: f"axes.{name}.{place}"}, others)
 
 
 def _check_corners(file: StudyFile, scenario: Scenario, found: Cases) -> None:
@@ -256,7 +261,13 @@ def _check_corners(file: StudyFile, scenario: Scenario, found: Cases) -> None:
         _try(file, scenario, found.overrides(case), where)
 
 
-def _try(file: StudyFile, scenario: Scenario, pairs: list[tuple[str, Any]], where: dict[str, str]) -> None:
+def _try(
+    file: StudyFile,
+    scenario: Scenario,
+    pairs: list[tuple[str, Any]],
+    where: dict[str, str],
+    others: Sequence[Any] = (),
+) -> None:
     try:
         scenario.with_overrides(dict(pairs))
     except ScenarioError as error:
@@ -265,5 +276,23 @@ def _try(file: StudyFile, scenario: Scenario, pairs: list[tuple[str, Any]], wher
             raise placed from None
         # It stands in the scenario: which case led to it is in the study.
         values = ", ".join(f"{name}: {value}" for name, value in pairs)
-        path = where[pairs[0][0]] if len(pairs) == 1 else "axes"
-        raise file.error_of(path, f"with {values}: {error}") from None
+        if len(pairs) > 1:
+            raise file.error_of("axes", f"with {values}: {error}") from None
+        (name, value), works = pairs[0], _that_build(scenario, pairs[0][0], others)
+        allowed = "a value with which the scenario builds" + (f", as {works}" if works else "")
+        words = f"found {value}, allowed: {allowed}; with {values}: {error}"
+        raise file.error_of(where[name], words, str(value), allowed) from None
+
+
+def _that_build(scenario: Scenario, name: str, values: Sequence[Any]) -> str:
+    """The values of an axis, at most three, with which the scenario builds."""
+    found: list[str] = []
+    for value in values:
+        try:
+            scenario.with_overrides({name: value})
+        except ScenarioError:
+            continue
+        found.append(f"{value:g}" if isinstance(value, float) else str(value))
+        if len(found) == MOST_NAMED:
+            break
+    return ", ".join(found)

@@ -13,16 +13,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..analysis.extremes import peaks
+from ..analysis.fatigue import rainflow
+from ..analysis.statistics import up_crossing_period
+
 STATISTICS = ("mean", "standard_deviation", "zero_up_crossing_period", "maximum", "minimum",
               "time_of_maximum", "time_of_minimum")  # fmt: skip
 NOT_RUN, FINISHED, ENDED_EARLY, NOT_BUILT = -1, 0, 1, 2
 STATUS = {NOT_RUN: "not_run", FINISHED: "finished", ENDED_EARLY: "ended_early", NOT_BUILT: "not_built"}
 UNKNOWN, EXCEEDED, HELD = -1, 0, 1
 HELD_MEANINGS = {UNKNOWN: "unknown", EXCEEDED: "exceeded", HELD: "held"}
-# Up-crossings that a mean period needs.
-FEWEST_CROSSINGS = 2
-# Powers up to this are products, which have the same bits everywhere.
-MOST_FACTORS = 32
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,10 @@ def reduce(
         largest = np.sort(found)[::-1][: kept.keep]
         into["peaks"][run, column, : len(largest)] = largest
     for column in kept.cycles:
-        into["cycles"][run, column], into["damage"][run, column] = damage(x[column], kept.slopes)
+        if np.isfinite(x[column]).all():
+            cycles = rainflow(x[column])
+            into["cycles"][run, column] = cycles.count
+            into["damage"][run, column] = [cycles.damage(slope) for slope in kept.slopes]
 
 
 def _limits(
@@ -202,53 +205,3 @@ def statistics(x: NDArray[np.float64], time_s: NDArray[np.float64]) -> NDArray[n
         time_s[least],
     )
     return np.stack(parts, axis=1)
-
-
-def up_crossing_period(x: NDArray[np.float64], time_s: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Mean time between up-crossings of zero, each on the line between two records; NaN where there are less
-    than two. `x` has the shape (columns, records)."""
-    crossed = (x[:, :-1] < 0) & (x[:, 1:] >= 0)
-    count = crossed.sum(axis=1)
-    columns = np.arange(len(x))
-
-    def time_at(at: NDArray[np.intp]) -> NDArray[np.float64]:
-        step_s, before, behind = time_s[at + 1] - time_s[at], x[columns, at], x[columns, at + 1]
-        return time_s[at] - before * step_s / (behind - before)
-
-    first = crossed.argmax(axis=1)
-    last = crossed.shape[1] - 1 - crossed[:, ::-1].argmax(axis=1)
-    enough = count >= FEWEST_CROSSINGS
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(enough, (time_at(last) - time_at(first)) / np.maximum(count - 1, 1), np.nan)
-
-
-def peaks(x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Independent peaks: the largest value between each two up-crossings of the mean that follow each other.
-
-    >>> peaks(np.array([0.0, -1.0, 3.0, -1.0, 2.0, -1.0, 1.0]) - 3 / 7).round(2).tolist()
-    [2.57, 1.57]
-    """
-    above = x - x.mean()
-    (at,) = np.nonzero((above[:-1] < 0) & (above[1:] >= 0))
-    return np.maximum.reduceat(x, at + 1)[:-1] if len(at) > 1 else np.empty(0)
-
-
-def damage(x: NDArray[np.float64], slopes: Sequence[float]) -> tuple[float, list[float]]:
-    """Cycles by rainflow (ASTM E1049-85, half cycles for what is left over), and for each slope m the sum of
-    count times range to the m: the damage of an S-N curve N = a S^-m is that sum over a.
-
-    >>> damage(np.array([0.0, 2.0, 0.0, 2.0, 0.0]), [3.0])
-    (2.0, [16.0])
-    """
-    import rainflow
-
-    found = [(size, count) for size, _, count, _, _ in rainflow.extract_cycles(x.tolist())]
-    sizes, counts = np.array(found).T if found else (np.empty(0), np.empty(0))
-    return float(counts.sum()), [float((counts * _power(sizes, slope)).sum()) for slope in slopes]
-
-
-def _power(x: NDArray[np.float64], exponent: float) -> NDArray[np.float64]:
-    """A power; of a whole number a product: powers of libraries differ in their last bit by processor."""
-    if exponent.is_integer() and exponent <= MOST_FACTORS:
-        return np.prod(np.repeat(x[None, :], int(exponent), axis=0), axis=0)
-    return x**exponent

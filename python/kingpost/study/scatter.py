@@ -4,9 +4,10 @@ A file is CSV, with commas, semicolons or tabs, in one of two forms.
 
 A matrix has a row for each class of Hs and a column for each class of the period. The first cell of the
 header says which period it is: ``Hs\\Tp``, ``Hs/Tz``. The labels are ranges, ``0.5-1.0``, or numbers; then
-a line ``# classes: centres`` above the table says what these are, or ``lower edges``, ``upper edges``. A
-line ``# entries: per cent`` says that the entries add up to 100; else they are occurrences. A last row or
-column ``total`` is left out::
+a line ``# classes: centres`` above the table says what these are, or ``lower edges``, ``upper edges``. Among
+ranges the first may be ``<6`` and the last ``>14``: such a class is as wide as its neighbour. A line
+``# entries: per cent`` says that the entries add up to 100; else they are occurrences. A last row or column
+``total`` or ``sum`` is left out, and so are lines above the header, such as a title::
 
     # classes: centres
     Hs\\Tp, 6, 8, 10
@@ -35,9 +36,15 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 HEIGHTS = ("hs", "hm0", "swh", "significant_height_m")
-TOTALS = ("total", "sum", "all")
+COUNTS = (OCCURRENCES, "occurrence", "count", "frequency", PER_CENT, "percent", "probability")
+TOTALS = ("total", "totals", "sum", "all")
+UNITS = re.compile(r"\s*(?:[\[(](?:m|s|%|-)[\])])$")
+"""At the end of a column's name."""
 MONTHS, FROM, TO = ("month",), ("direction_from_deg", "mwd"), ("direction_to_deg",)
-RANGE = re.compile(r"\s*(\d+(?:[.,]\d+)?)\s*(?:-|\u2013|\.\.|to)\s*(\d+(?:[.,]\d+)?)\s*")
+NUMBER = r"(\d+(?:[.,]\d+)?)"
+RANGE = re.compile(rf"\s*{NUMBER}\s*(?:-|\u2013|\.\.|to)\s*{NUMBER}\s*")
+BELOW = re.compile(rf"\s*(?:<=?|\u2264|below|under)\s*{NUMBER}\s*")
+ABOVE = re.compile(rf"\s*(?:(?:>=?|\u2265|above|over)\s*{NUMBER}|{NUMBER}\s*\+)\s*")
 SUM_OFF = 1.0
 """What entries in per cent may be off 100 by, from rounding."""
 
@@ -121,7 +128,9 @@ def read(path: str | Path, classes: str | None = None, entries: str | None = Non
     except OSError as error:
         raise ScatterError("file", error.strerror, "a file that can be read", str(path)) from None
     except UnicodeDecodeError:
-        raise ScatterError("file", "bytes that are no text", "CSV in UTF-8", str(path)) from None
+        raise ScatterError(
+            "file", "bytes that are no text", "CSV in UTF-8 (in Excel: save as CSV UTF-8)", str(path)
+        ) from None
     return parse(text, str(path), classes, entries)
 
 
@@ -153,8 +162,8 @@ def parse(
     >>> table.period, table.height_m.tolist(), table.total
     ('zero_up_crossing', [0.5, 0.5, 1.5, 1.5], 100.0)
     """
-    sheet = Sheet.of(text, file, classes, entries)
-    names = [cell.strip().lower() for cell in sheet.header]
+    sheet = Sheet.of(text, file, classes, entries, _is_header)
+    names = _names(sheet.header)
     found = _long(sheet, names) if any(name in HEIGHTS for name in names) else _matrix(sheet)
     if not found.total > 0:
         raise sheet.error("entries", f"a sum of {found.total:g}", "a sum greater than 0")
@@ -163,9 +172,25 @@ def parse(
     return found
 
 
+def _names(cells: Sequence[str]) -> list[str]:
+    """Names of columns without their units."""
+    return [UNITS.sub("", cell.strip().lower()) for cell in cells]
+
+
+def _parts(first_cell: str) -> list[str]:
+    return [part for part in re.split(r"[\\/|, ]+|\bvs\b", first_cell) if part]
+
+
+def _is_header(cells: Sequence[str]) -> bool:
+    """Whether names or the first cell are those of a table; a title may stand in a line of its own above."""
+    if sum(bool(cell) for cell in cells) < 2:
+        return False
+    return any(name in HEIGHTS for name in _names(cells)) or any(map(kind_of, _parts(cells[0])))
+
+
 def _matrix(sheet: Sheet) -> ScatterTable:
     line = sheet.header_line
-    parts = [part for part in re.split(r"[\\/|, ]+|\bvs\b", sheet.header[0]) if part]
+    parts = _parts(sheet.header[0])
     kinds = [kind for part in parts if (kind := kind_of(part)) is not None]
     if len(kinds) != 1 or (parts and kind_of(parts[0]) is not None and len(parts) > 1):
         allowed = "Hs and which period, as Hs\\Tp or Hs/Tz: rows Hs, columns the period"
@@ -198,10 +223,8 @@ def _edges(sheet: Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArr
     """Lower and upper edge of each class; a class ends where the next begins."""
     if not labels:
         raise sheet.error(field, "no class", "one or more", sheet.header_line)
-    ranges = [RANGE.fullmatch(label) for _, label in labels]
-    if all(ranges):
-        found = np.array([[float(part.replace(",", ".")) for part in one.groups()] for one in ranges if one])
-    else:
+    found = _from_ranges([label for _, label in labels])
+    if found is None:
         found = _from_numbers(sheet, field, labels)
     for (line, label), (low, high) in zip(labels, found, strict=True):
         if not low < high:
@@ -211,6 +234,23 @@ def _edges(sheet: Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArr
             field, repr(labels[k + 1][1]), "classes that increase and do not overlap", labels[k + 1][0]
         )
     return found
+
+
+def _from_ranges(labels: Sequence[str]) -> NDArray[np.float64] | None:
+    """Edges of classes that are ranges; the first may have no lower and the last no upper edge."""
+    below, above = BELOW.fullmatch(labels[0]), ABOVE.fullmatch(labels[-1])
+    closed = labels[1 if below else 0 : len(labels) - (1 if above else 0)]
+    ranges = [RANGE.fullmatch(label) for label in closed]
+    if not closed or not all(ranges):
+        return None
+    found = [[float(part.replace(",", ".")) for part in one.groups()] for one in ranges if one]
+    if below:
+        high = float(below[1].replace(",", "."))
+        found.insert(0, [max(high - (found[0][1] - found[0][0]), 0.0), high])
+    if above:
+        low = float((above[1] or above[2]).replace(",", "."))
+        found.append([low, low + found[-1][1] - found[-1][0]])
+    return np.array(found)
 
 
 def _from_numbers(sheet: Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArray[np.float64]:
@@ -243,7 +283,7 @@ def _long(sheet: Sheet, names: Sequence[str]) -> ScatterTable:
         return at[0] if at else None
 
     height, period = place("Hs", HEIGHTS), place("period", None)
-    count = place("occurrences", (OCCURRENCES, "count", PER_CENT, "percent", "probability"))
+    count = place("occurrences", COUNTS)
     if height is None or period is None:
         raise sheet.error(
             "columns", ", ".join(names), "hs, tp (or tz), occurrences[, month][, direction_to_deg]", line

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +13,20 @@ from ..errors import KingpostError
 CENTRES, LOWER, UPPER = "centres", "lower edges", "upper edges"
 CLASSES = (CENTRES, LOWER, UPPER)
 OCCURRENCES, PER_CENT = "occurrences", "per cent"
+SPELLED = {
+    **dict.fromkeys(("percent", "%", "percentages"), PER_CENT),
+    **dict.fromkeys(("centre", "center", "centers"), CENTRES),
+    **dict.fromkeys(("lower", "lower edge"), LOWER),
+    **dict.fromkeys(("upper", "upper edge"), UPPER),
+}
+"""Other spellings of these."""
+
+
+HEADER = (
+    "a line that begins with Hs and which period, as Hs\\Tp or Hs/Tz: rows Hs, columns the period; "
+    "or one with the names hs, tp (or tz), occurrences"
+)
+"""What the header of a table is."""
 
 
 class ScatterError(KingpostError):
@@ -46,14 +61,23 @@ class Sheet:
     entries: str
 
     @classmethod
-    def of(cls, text: str, file: str | None, classes: str | None, entries: str | None) -> Sheet:
+    def of(
+        cls,
+        text: str,
+        file: str | None,
+        classes: str | None,
+        entries: str | None,
+        is_header: Callable[[Sequence[str]], bool],
+    ) -> Sheet:
+        """The sheet of a text. Lines above its header are titles, and left out."""
         said = {"classes": classes, "entries": entries}
         allowed = {"classes": CLASSES, "entries": (OCCURRENCES, PER_CENT)}
         lines = []
         for number, line in enumerate(text.splitlines(), 1):
             name, colon, value = line.lstrip("# ").partition(":")
             if line.startswith("#") and colon and name.strip().lower() in said:
-                said[name.strip().lower()] = " ".join(value.lower().split())
+                value = " ".join(value.strip(" ,;\t").lower().split())
+                said[name.strip().lower()] = SPELLED.get(value, value)
                 _check(name.strip().lower(), said, allowed, file, number)
             elif line.strip(" ,;\t") and not line.startswith("#"):
                 lines.append((number, line))
@@ -61,11 +85,14 @@ class Sheet:
             _check(name, said, allowed, file, None)
         if len(lines) < 2:
             raise ScatterError("rows", len(lines), "a header and one row or more", file)
-        sign = next(sign for sign in ";\t," if sign in lines[0][1] or sign == ",")
-        rows = [
-            (number, [cell.strip() for cell in next(csv.reader([line], delimiter=sign))])
-            for number, line in lines
-        ]
+        first = next((k for k, (_, line) in enumerate(lines) if is_header(_cells(line, _sign(line)))), None)
+        if first is None:
+            found = f"none; the first line is {lines[0][1][:60]!r}"
+            raise ScatterError("header", found, HEADER, file, lines[0][0])
+        if first == len(lines) - 1:
+            raise ScatterError("rows", "none under the header", "one or more", file, lines[first][0])
+        sign = _sign(lines[first][1])
+        rows = [(number, _cells(line, sign)) for number, line in lines[first:]]
         return cls(
             file,
             rows[0][1],
@@ -88,6 +115,14 @@ class Sheet:
         if not (np.isfinite(value) and value >= least):
             raise self.error(field, repr(cell), f"a number, {least:g} or more", line)
         return value
+
+
+def _sign(line: str) -> str:
+    return next(sign for sign in ";\t," if sign in line or sign == ",")
+
+
+def _cells(line: str, sign: str) -> list[str]:
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=sign))]
 
 
 def _check(

@@ -307,6 +307,9 @@ def _coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[Any], dict[str, Any
         for key in ("at_least", "at_most"):
             bounds = [np.nan if one[key] is None else one[key] for one in plan.limits]
             found[key] = ("limit", np.array(bounds, float), {})
+        of_scenario = plan.scenario.resolved["limits"]
+        starts_s = [max(of_scenario[one["name"]]["from_s"], plan.kept.after_s) for one in plan.limits]
+        found["limit_from_s"] = ("limit", np.array(starts_s, float), {"units": "s"})
     if plan.kept.peaks:
         found["peak"] = ("peak", np.arange(plan.kept.keep), {})
     if plan.kept.cycles:

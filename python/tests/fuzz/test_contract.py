@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import random
+import tempfile
+from pathlib import Path
 
+import kingpost
+import numpy
 import pytest
 from kingpost.errors import KingpostError
 
@@ -55,6 +60,22 @@ def test_a_case_is_judged_by_what_a_user_would_see(use, says, tmp_path) -> None:
 def test_a_case_comes_back_from_its_file(tmp_path) -> None:
     """Source: what is saved is replayed."""
     assert load(save(CASE, tmp_path, "WRONG")) == CASE
+
+
+def test_a_case_names_no_folder_of_the_machine_that_found_it(tmp_path) -> None:
+    """Source: a case of the corpus is read on other machines; their folders are not these."""
+    drawn = f"{tempfile.gettempdir()}/tmpab_12x9z"
+    says = (
+        f"WRONG: {drawn}/below/x.csv:3: roll: found 1e400; {kingpost.__file__}:7: RuntimeWarning; "
+        f"{numpy.__file__}:9; {tmp_path}/y.csv; at {drawn}; GET /files/x.nc; {Path.home()}/z"
+    )
+    found = json.loads(save(CASE, tmp_path, says).read_text())["found"]
+    assert found.startswith(
+        "WRONG: below/x.csv:3: roll: found 1e400; kingpost/__init__.py:7: RuntimeWarning; "
+    )
+    assert "; numpy/__init__.py:9; " in found
+    assert "GET /files/x.nc" in found
+    assert not any(folder in found for folder in (tempfile.gettempdir(), str(Path.home()), "tmpab"))
 
 
 def test_the_same_seed_draws_the_same_case() -> None:
