@@ -11,9 +11,13 @@ from .task import Task
 Policy = Callable[[np.ndarray], np.ndarray]
 """Actions from observations, a row for each environment. A policy with a memory is made anew for each run."""
 
-SWING_PERIOD_S = 8.0
+SWING_PERIOD_S = 9.0
 """Period of the pendulum that the shaped inputs are for: hook and load of `anti_sway` as one, 2 pi sqrt(L / g)."""
 CONTROL_PERIOD_S = 0.05
+SLOW = 0.2
+"""Speed towards the target, 1/s, of the controller with feedback of the swing."""
+FOLLOW = 0.5
+"""Speed of slew or luff for each angle of swing, 1/s: about the square root of g / L, for a damping ratio of one half."""
 
 
 def do_nothing(task: Task) -> Policy:
@@ -47,9 +51,8 @@ def swing_feedback(task: Task) -> Policy:
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = _seen(task, seen)
-        across, along = now["rope.first.joint_position"], now["rope.second.joint_position"]
-        slew = -0.25 * now["slew_error"] + 0.4 * across
-        luff = -0.25 * now["luff_error"] - 0.2 * (along + now["luff_error"] * 0.0)
+        slew = -SLOW * now["slew_error"] + FOLLOW * now["swing_across"]
+        luff = -SLOW * now["luff_error"] - FOLLOW * now["swing_along"]
         return _limited(task, [slew, luff])
 
     return policy

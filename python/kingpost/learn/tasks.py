@@ -14,10 +14,19 @@ BOOM_M = 30.0
 """Length of the boom in the scenario of `anti_sway`."""
 
 
+ROPE_AT_REST = np.pi / 4
+"""Angle from the boom, at 45 degrees, to the rope at the start of `anti_sway`, rad."""
+
+
 def _distance(columns: Columns, goal: Goal) -> np.ndarray:
     """Horizontal distance of the load from its target, m."""
     x, y = columns["load.position.x"] - goal[:, 2], columns["load.position.y"] - goal[:, 3]
     return np.sqrt(x * x + y * y)
+
+
+def _swing_along(columns: Columns, goal: Goal) -> np.ndarray:
+    """Angle of the rope from the vertical in the boom's plane, rad: positive with the hook nearer to the crane."""
+    return columns["luff.joint_position"] + columns["rope.second.joint_position"] + ROPE_AT_REST
 
 
 def _anti_sway_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarray:
@@ -62,7 +71,9 @@ def anti_sway(randomised: bool = False) -> Task:
         Observation("luff_error", 0.5, "rad", lambda columns, goal: columns["luff.joint_position"] - goal[:, 1]),
         Observation("slew.joint_velocity", 0.1),
         Observation("luff.joint_velocity", 0.05),
-        *(Observation(f"{joint}.joint_position", 0.1) for joint in joints),
+        Observation("swing_across", 0.1, "rad", lambda columns, goal: columns["rope.first.joint_position"]),
+        Observation("swing_along", 0.1, "rad", _swing_along),
+        *(Observation(f"{joint}.joint_position", 0.1) for joint in joints[2:]),
         *(Observation(f"{joint}.joint_velocity", 0.1) for joint in joints),
     ]
     over_ground = [f"load.{what}.{axis}" for what in ("position", "velocity") for axis in "xy"]
@@ -71,7 +82,7 @@ def anti_sway(randomised: bool = False) -> Task:
         ["slewing", "luffing"],
         observations,
         _anti_sway_reward,
-        columns=["slew.joint_position", "luff.joint_position", *over_ground],
+        columns=["slew.joint_position", "luff.joint_position", *(f"{joint}.joint_position" for joint in joints[:2]), *over_ground],
         goal=_anti_sway_goal,
         randomised={"load_t": (5.0, 35.0), "rope_length_m": (8.0, 22.0)} if randomised else {},
     )
@@ -90,7 +101,7 @@ def heave_compensation(randomised: bool = True) -> Task:
     Parameters
     ----------
     randomised
-        Whether each episode draws the significant wave height, 1 to 3.5 m, the peak period, 6 to 12 s, and the
+        Whether each episode draws the significant wave height, 1 to 3.5 m, the peak period, 8 to 12 s, and the
         load, 10 to 30 t. The seed of the sea is drawn in any case.
 
     Returns
@@ -107,7 +118,7 @@ def heave_compensation(randomised: bool = True) -> Task:
         Observation("hull.roll", 0.1),
         Observation("hull.pitch", 0.1),
     ]
-    drawn = {"significant_height_m": (1.0, 3.5), "peak_period_s": (6.0, 12.0), "load_t": (10.0, 30.0)}
+    drawn = {"significant_height_m": (1.0, 3.5), "peak_period_s": (8.0, 12.0), "load_t": (10.0, 30.0)}
     return Task(
         SCENARIOS / "heave_compensation.yaml",
         ["hoist"],
