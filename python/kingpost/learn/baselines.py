@@ -74,15 +74,17 @@ class _Shaped:
         return 0.5 * self.past[-1] + 0.5 * late
 
 
-def feed_forward(task: Task) -> Policy:
-    """The winch pays out what the tip rises, with feedback of the height.
+DRUM_M = 0.15
+"""Height for each radian of the drum in `heave_compensation`: 0.6 m of rope over four falls."""
 
-    A radian of the drum is 0.15 m of height: 0.6 m of rope over four falls.
-    """
+
+def feed_forward(task: Task) -> Policy:
+    """The winch pays out what the tip rises, with feedback of the load's height and speed."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = _seen(task, seen)
-        return _limited(task, [(now["boom.tip.point_velocity.z"] + 0.5 * now["height_error"]) / 0.15])
+        rise = now["boom.tip.point_velocity.z"] + now["height_error"] + 2.0 * now["lift.velocity.z"]
+        return _limited(task, [rise / DRUM_M])
 
     return policy
 
@@ -92,7 +94,7 @@ def feedback(task: Task) -> Policy:
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = _seen(task, seen)
-        return _limited(task, [(now["height_error"] + 0.5 * now["lift.velocity.z"]) / 0.15])
+        return _limited(task, [(now["height_error"] + 2.0 * now["lift.velocity.z"]) / DRUM_M])
 
     return policy
 

@@ -17,7 +17,11 @@ FIRST_SEED = 1000
 
 
 def score(
-    task: Task, policy: Callable[[Task], Policy], episodes: int = EPISODES, seed: int = FIRST_SEED, threads: int = 0
+    task: Task,
+    policy: Callable[[Task], Policy],
+    episodes: int = EPISODES,
+    seed: int = FIRST_SEED,
+    threads: int = 0,
 ) -> np.ndarray:
     """Sum of rewards of each of many episodes under a controller.
 
@@ -59,9 +63,15 @@ def table(episodes: int = EPISODES) -> str:
     for name, task in IDS.items():
         found = {label: score(task(), policy, episodes) for label, policy in BASELINES[name].items()}
         ordered = sorted(found.items(), key=lambda pair: -float(pair[1].mean()))
-        lines += [f"**{name}**", "", "| controller | mean | standard deviation | worst |", "| --- | --- | --- | --- |"]
         lines += [
-            f"| {label} | {sums.mean():.2f} | {sums.std():.2f} | {sums.min():.2f} |" for label, sums in ordered
+            f"**{name}**",
+            "",
+            "| controller | mean | standard deviation | worst |",
+            "| --- | --- | --- | --- |",
+        ]
+        lines += [
+            f"| {label} | {sums.mean():.2f} | {sums.std():.2f} | {sums.min():.2f} |"
+            for label, sums in ordered
         ]
         lines.append("")
     return "\n".join(lines)

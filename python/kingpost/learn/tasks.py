@@ -67,8 +67,12 @@ def anti_sway(randomised: bool = False) -> Task:
     """
     joints = ("rope.first", "rope.second", "sling.first", "sling.second")
     observations = [
-        Observation("slew_error", 0.5, "rad", lambda columns, goal: columns["slew.joint_position"] - goal[:, 0]),
-        Observation("luff_error", 0.5, "rad", lambda columns, goal: columns["luff.joint_position"] - goal[:, 1]),
+        Observation(
+            "slew_error", 0.5, "rad", lambda columns, goal: columns["slew.joint_position"] - goal[:, 0]
+        ),
+        Observation(
+            "luff_error", 0.5, "rad", lambda columns, goal: columns["luff.joint_position"] - goal[:, 1]
+        ),
         Observation("slew.joint_velocity", 0.1),
         Observation("luff.joint_velocity", 0.05),
         Observation("swing_across", 0.1, "rad", lambda columns, goal: columns["rope.first.joint_position"]),
@@ -82,7 +86,12 @@ def anti_sway(randomised: bool = False) -> Task:
         ["slewing", "luffing"],
         observations,
         _anti_sway_reward,
-        columns=["slew.joint_position", "luff.joint_position", *(f"{joint}.joint_position" for joint in joints[:2]), *over_ground],
+        columns=[
+            "slew.joint_position",
+            "luff.joint_position",
+            *(f"{joint}.joint_position" for joint in joints[:2]),
+            *over_ground,
+        ],
         goal=_anti_sway_goal,
         randomised={"load_t": (5.0, 35.0), "rope_length_m": (8.0, 22.0)} if randomised else {},
     )
@@ -112,7 +121,9 @@ def heave_compensation(randomised: bool = True) -> Task:
     observations = [
         Observation("height_error", 1.0, "m", lambda columns, goal: columns["lift.position.z"] - goal[:, 0]),
         Observation("lift.velocity.z", 0.5),
-        Observation("tip_rise", 1.0, "m", lambda columns, goal: columns["boom.tip.point_position.z"] - goal[:, 1]),
+        Observation(
+            "tip_rise", 1.0, "m", lambda columns, goal: columns["boom.tip.point_position.z"] - goal[:, 1]
+        ),
         Observation("boom.tip.point_velocity.z", 0.5),
         Observation("winch.joint_velocity", 4.0),
         Observation("hull.roll", 0.1),

@@ -103,10 +103,12 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
         KingpostError
             If an action is NaN or not within -1 to 1; the error names the environment.
         """
-        ended = self._ended
+        ended = self._ended.copy()
         if self.autoreset_mode == AutoresetMode.DISABLED and ended.any():
             first = int(np.flatnonzero(ended)[0])
-            raise KingpostError(f"step: found environment {first} at the end of its episode, allowed: after reset")
+            raise KingpostError(
+                f"step: found environment {first} at the end of its episode, allowed: after reset"
+            )
         seen, rewards, terminated, truncated = self.episodes.step(actions)
         if self.autoreset_mode == AutoresetMode.NEXT_STEP and ended.any():
             self._begin(np.flatnonzero(ended))
@@ -138,4 +140,3 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
         for i in np.flatnonzero(terminated):
             reasons[i] = self.episodes.ended_by(int(i))
         return {"ended_by": reasons, "_ended_by": terminated.copy()}
-
