@@ -5,6 +5,7 @@
 
 mod batch;
 mod boundary;
+mod copies;
 mod errors;
 mod gradient;
 mod simulation;
@@ -68,6 +69,9 @@ mod _engine {
 
     #[pymodule_export]
     use super::batch::{batch, has_avx2};
+
+    #[pymodule_export]
+    use super::copies::Copies;
 
     #[pymodule_export]
     use super::gradient::gradient;

@@ -3,7 +3,10 @@
 //! Variants with the same structure run in the [lanes](crate::scalar::Lanes) of SIMD registers, groups of them on
 //! threads. Every run gives the same bits as it would alone, whatever the other lanes and the number of threads.
 
+mod copies;
 mod side_by_side;
+
+pub use copies::{Asked, Copies, CopyError, Status};
 
 use crate::elements::Layout;
 use crate::plant::Form;
@@ -199,6 +202,7 @@ fn common_channels(built: &impl Built) -> Result<Vec<Channel>, BatchError> {
 }
 
 /// One variant, read and built.
+#[derive(Debug)]
 struct Member {
     scenario: Scenario,
     setup: Setup,
@@ -233,13 +237,14 @@ impl Built for Vec<Member> {
 }
 
 fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Result<Vec<Member>, BatchError> {
-    let member = |(run, variant): (usize, &Variant)| {
-        let wrong = |error| BatchError::Variant { run, error };
-        let (scenario, setup) = read_and_build(text, file, variant, files).map_err(wrong)?;
-        let structure = scenario.structure();
-        Ok(Member { scenario, setup, structure })
-    };
-    variants.par_iter().enumerate().map(member).collect()
+    variants.par_iter().enumerate().map(|(run, variant)| member(run, text, file, files, variant)).collect()
+}
+
+fn member(run: usize, text: &str, file: &str, files: &Files, variant: &Variant) -> Result<Member, BatchError> {
+    let wrong = |error| BatchError::Variant { run, error };
+    let (scenario, setup) = read_and_build(text, file, variant, files).map_err(wrong)?;
+    let structure = scenario.structure();
+    Ok(Member { scenario, setup, structure })
 }
 
 /// Groups of runs with the same structure, at most as many as there are lanes.
@@ -259,13 +264,8 @@ fn groups(built: &impl Built) -> Vec<Vec<usize>> {
 /// The runs of a group; `None` if `go_on` returned false.
 fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let alone: Vec<Simulation> = group.iter().map(|&run| built.simulation(run)).collect();
-    let Setup { settings, model, elements, .. } = built.setup(group[0]);
-    // The projection onto closed loops needs a different number of iterations in each lane.
-    let alone_only = elements.iter().any(|element| element.declare().goes_alone);
-    let fits =
-        !alone_only && model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme);
     if group.len() > 1
-        && fits
+        && fits_lanes(built.setup(group[0]))
         && let Some(setup) = built.side_by_side(group)
     {
         return side_by_side::run(setup, alone, go_on);
@@ -279,6 +279,14 @@ fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> O
         (!stopped).then_some(run)
     };
     alone.into_iter().map(finish).collect()
+}
+
+/// Whether runs like this one can share lanes.
+fn fits_lanes(setup: &Setup) -> bool {
+    let Setup { settings, model, elements, .. } = setup;
+    // The projection onto closed loops needs a different number of iterations in each lane.
+    let alone_only = elements.iter().any(|element| element.declare().goes_alone);
+    !alone_only && model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme)
 }
 
 /// Whether a scheme takes the same steps in every run: an explicit one of a fixed step.

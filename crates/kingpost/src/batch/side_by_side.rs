@@ -2,7 +2,6 @@
 
 use crate::scalar::Lanes;
 use crate::simulation::{Recording, Run, RunError, Setup, Simulation};
-use crate::state::State;
 
 /// Runs the lanes of a setup together; `alone` has the separate simulation of each. `None` if `go_on` returned false.
 ///
@@ -19,7 +18,7 @@ pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn F
             return one_by_one(alone, rows, &recording, go_on);
         }
         for (k, simulation) in alone.iter_mut().enumerate() {
-            take_lane(simulation.state_mut(), together.state(), k);
+            simulation.take_lane(&together, k);
         }
         write_rows(&mut alone, &mut rows);
         recording.written(together.time_s());
@@ -69,18 +68,4 @@ fn write_rows(simulations: &mut [Simulation], rows: &mut [RunRows]) {
             rows.written.truncate(there);
         }
     }
-}
-
-/// Copies the numbers of one lane.
-fn take_lane(state: &mut State, together: &State<Lanes>, k: usize) {
-    let lane = |from: &[Lanes], to: &mut [f64]| {
-        to.iter_mut().zip(from).for_each(|(to, from)| *to = from.to_array()[k]);
-    };
-    state.steps = together.steps;
-    lane(&together.q, &mut state.q);
-    lane(&together.v, &mut state.v);
-    lane(&together.s, &mut state.s);
-    lane(&together.d, &mut state.d);
-    lane(&together.memory, &mut state.memory);
-    state.m.copy_from_slice(&together.m);
 }

@@ -57,7 +57,7 @@ struct Held {
 
 impl Limit {
     /// Distance of a value from the bounds; negative beyond a bound, and for NaN.
-    fn margin(&self, value: f64) -> f64 {
+    pub(crate) fn margin(&self, value: f64) -> f64 {
         if value.is_nan() {
             return f64::NEG_INFINITY;
         }

@@ -10,6 +10,8 @@ mod recording;
 mod sea;
 mod settle;
 mod setup;
+#[cfg(not(target_family = "wasm"))]
+mod side_by_side;
 mod small_motions;
 mod steering;
 mod watching;
@@ -92,9 +94,15 @@ impl<S: Scalar> Simulation<S> {
     /// A simulation at time 0 with its equations in the recursive form, whatever the settings: the other forms, and
     /// watchers, are for plain numbers only.
     pub fn recursive(setup: Setup<S>) -> Self {
+        Self::recursive_with(setup, true)
+    }
+
+    /// The same; without the ledger a step is cheaper, and only columns of motions and of elements can be read.
+    pub(crate) fn recursive_with(setup: Setup<S>, keeps_ledger: bool) -> Self {
         let Setup { model, world, elements, watchers: _, limits, wires, settings, q, v, fingerprint } = setup;
         let mut plant = Plant::new(model, world, elements);
         plant.connect(&wires);
+        plant.keep_ledger(keeps_ledger);
         let channels = Channels::new(&plant.model, plant.layout());
         let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
         let v_dot = vec![S::ZERO; v.len()];
@@ -164,12 +172,6 @@ impl<S: Scalar> Simulation<S> {
         let mut moved = q.to_vec();
         self.plant.retract(q, xi, &mut moved);
         moved
-    }
-
-    /// The complete state, mutable, to set another state of the same run.
-    #[cfg(not(target_family = "wasm"))]
-    pub(crate) fn state_mut(&mut self) -> &mut State<S> {
-        &mut self.state
     }
 
     /// Evaluations of the right-hand side by the integrator since the simulation was made: what its steps cost. An

@@ -69,6 +69,10 @@ impl<S: Scalar> Simulation<S> {
     /// Lets steering elements set their inputs at the start of a step.
     pub(super) fn steer(&mut self) -> Result<(), RunError> {
         let time_s = self.time_s();
+        if self.steering.readings.is_empty() {
+            self.note_brought_about(time_s, self.state.steps + 1);
+            return Ok(());
+        }
         let interval = self.interval();
         let Self { plant, channels, state, steering, v_dot, watch, .. } = self;
         let Steering { readings, read, inputs, .. } = steering;

@@ -1,0 +1,288 @@
+//! Copies of one scenario that a controller steps together: the engine of a vectorised environment.
+//!
+//! Each copy has its own numbers (sea, load, delay, seed), its own inputs and its own time. Four neighbours step in
+//! lanes as long as they are at the same time, and groups of four on threads. Every copy gives the same bits as a
+//! simulation alone that gets the same inputs.
+
+mod group;
+
+use super::{BatchError, Member, Variant, fits_lanes, member, pool};
+use crate::scalar::LANES;
+use crate::scenario::Files;
+use crate::simulation::{InputError, Limit, RunError, Simulation};
+use group::{Group, Slots};
+use rayon::prelude::*;
+use thiserror::Error;
+
+/// The inputs and columns of the copies, by their names.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// The inputs that [`Copies::advance`] gets for each copy, in this order.
+    pub inputs: Vec<String>,
+    /// The columns that it writes for each copy, in this order.
+    pub columns: Vec<String>,
+    /// Whether the scenario's limits are watched.
+    pub limits: bool,
+}
+
+/// Why copies were not made, restarted or advanced. Nothing has changed then.
+#[derive(Clone, Debug, Error)]
+pub enum CopyError {
+    /// A copy that cannot be built, or a machine without threads.
+    #[error(transparent)]
+    Batch(#[from] BatchError),
+    /// An input of a copy.
+    #[error("copy {copy}: {error}")]
+    Input {
+        /// Index of the copy, from 0.
+        copy: usize,
+        /// What is wrong.
+        error: InputError,
+    },
+    /// A name that is no column.
+    #[error("column {found}: no such column of results, allowed: those of the scenario's channels")]
+    Column {
+        /// The name.
+        found: String,
+    },
+    /// An array of the wrong length, or an index beyond the last copy.
+    #[error("{what}: found {found}, allowed: {allowed}")]
+    Count {
+        /// What was counted.
+        what: &'static str,
+        /// The number found.
+        found: usize,
+        /// What is allowed.
+        allowed: String,
+    },
+}
+
+/// How a copy stands after it was advanced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// It can go on.
+    Running,
+    /// It has failed: see [`Copies::failure`]. It stays at its last good step until it is restarted.
+    Failed,
+    /// It is beyond the limit of this index; it can go on.
+    BeyondLimit(usize),
+}
+
+/// Copies of one scenario: see the [module](self).
+///
+/// ```
+/// use kingpost::batch::{Asked, Copies, Status};
+/// let text = include_str!("../../../../../scenarios/paper.yaml");
+/// let load = |mass_kg: f64| vec![("bodies.load.mass_kg".to_owned(), mass_kg.into())];
+/// let columns = vec!["ship.roll".to_owned()];
+/// let asked = Asked { columns, ..Asked::default() };
+/// let mut copies = Copies::new(text, "paper.yaml", Default::default(), vec![load(900.0), load(1100.0)], asked, 1)?;
+/// let (mut roll, mut status) = ([0.0; 2], [Status::Failed; 2]);
+/// copies.advance(50, &[], &mut roll, &mut status)?;
+/// assert_eq!(status, [Status::Running; 2]);
+/// assert_eq!(copies.time_s(1), 0.05);
+/// # Ok::<(), kingpost::batch::CopyError>(())
+/// ```
+#[derive(Debug)]
+pub struct Copies {
+    source: Source,
+    asked: Asked,
+    pool: Option<rayon::ThreadPool>,
+    groups: Vec<Group>,
+    count: usize,
+}
+
+/// The text that copies are built from.
+#[derive(Debug)]
+struct Source {
+    text: String,
+    file: String,
+    files: Files,
+}
+
+/// A copy that is built, with its simulation at its start.
+#[derive(Debug)]
+struct Built {
+    member: Member,
+    simulation: Simulation,
+}
+
+impl Copies {
+    /// One copy for each variant, at its start. `threads` 0 takes as many as the machine has.
+    ///
+    /// # Errors
+    /// A variant that is not a valid scenario, or has other columns or inputs than the first; a name that does not exist.
+    pub fn new(
+        text: &str,
+        file: &str,
+        files: Files,
+        variants: Vec<Variant>,
+        asked: Asked,
+        threads: usize,
+    ) -> Result<Self, CopyError> {
+        let source = Source { text: text.to_owned(), file: file.to_owned(), files };
+        let count = variants.len();
+        check_count("copies", count, count > 0, "1 or more")?;
+        check_count("columns", asked.columns.len(), !asked.columns.is_empty(), "1 or more")?;
+        let pool = (threads != 1).then(|| pool(threads)).transpose()?;
+        let which: Vec<(usize, Variant)> = variants.into_iter().enumerate().collect();
+        let first = source.build(which[0].0, &which[0].1)?;
+        check_names(&first.simulation, &asked)?;
+        let keeps_ledger = group::needs_ledger(&first, &asked);
+        let built = source.build_all(pool.as_ref(), &which, &first.simulation, keeps_ledger)?;
+        let (mut groups, mut built) = (Vec::new(), built.into_iter().peekable());
+        while built.peek().is_some() {
+            groups.push(Group::new(built.by_ref().take(LANES).collect(), &asked, keeps_ledger));
+        }
+        Ok(Self { source, asked, pool, groups, count })
+    }
+
+    /// Number of copies.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The copy's time, s.
+    ///
+    /// # Panics
+    /// If there is no such copy.
+    pub fn time_s(&self, copy: usize) -> f64 {
+        self.groups[copy / LANES].time_s(copy % LANES)
+    }
+
+    /// Why a copy has failed; `None` while it has not.
+    ///
+    /// # Panics
+    /// If there is no such copy.
+    pub fn failure(&self, copy: usize) -> Option<&RunError> {
+        self.groups[copy / LANES].failure(copy % LANES)
+    }
+
+    /// The limits that are watched, as they are in the first copy.
+    pub fn limits(&self) -> &[Limit] {
+        self.groups[0].limits()
+    }
+
+    /// Sets the inputs of every copy and takes this number of steps; then writes the columns and the status of every
+    /// copy. `inputs` and `columns` hold one copy after another, each in the order of [`Asked`]. With 0 steps it reads
+    /// only, and the inputs may be left out. It allocates nothing, unless a copy was restarted, or has an event.
+    ///
+    /// # Errors
+    /// Arrays of other lengths; an input beyond its bounds, or NaN.
+    pub fn advance(
+        &mut self,
+        steps: usize,
+        inputs: &[f64],
+        columns: &mut [f64],
+        status: &mut [Status],
+    ) -> Result<(), CopyError> {
+        let (wide, high) = (self.asked.inputs.len(), self.asked.columns.len());
+        let left_out = steps == 0 && inputs.is_empty();
+        for (what, found, allowed) in [
+            ("inputs", inputs.len(), if left_out { 0 } else { self.count * wide }),
+            ("columns", columns.len(), self.count * high),
+            ("status", status.len(), self.count),
+        ] {
+            check_count(what, found, found == allowed, &allowed.to_string())?;
+        }
+        self.check_inputs(inputs)?;
+        let of_group = |i: usize| inputs.get(LANES * wide * i..).unwrap_or_default();
+        let one = |(i, (group, (columns, status))): (usize, (&mut Group, (&mut [f64], &mut [Status])))| {
+            group.advance(steps, Slots { inputs: of_group(i), columns, status });
+        };
+        match &self.pool {
+            Some(pool) => {
+                let slots = columns.par_chunks_mut(LANES * high).zip(status.par_chunks_mut(LANES));
+                pool.install(|| self.groups.par_iter_mut().zip(slots).enumerate().for_each(one));
+            }
+            None => {
+                let slots = columns.chunks_mut(LANES * high).zip(status.chunks_mut(LANES));
+                self.groups.iter_mut().zip(slots).enumerate().for_each(one);
+            }
+        }
+        Ok(())
+    }
+
+    /// Puts these copies back to their start; one with a variant is built anew from it, as [`Copies::new`] does.
+    ///
+    /// # Errors
+    /// Those of [`Copies::new`]; no copy has changed then.
+    pub fn restart(&mut self, which: Vec<(usize, Option<Variant>)>) -> Result<(), CopyError> {
+        let allowed = format!("at most {}, the last copy", self.count - 1);
+        for (copy, _) in &which {
+            check_count("copy", *copy, *copy < self.count, &allowed)?;
+        }
+        let (anew, back): (Vec<_>, Vec<_>) = which.into_iter().partition(|(_, variant)| variant.is_some());
+        let anew: Vec<(usize, Variant)> =
+            anew.into_iter().filter_map(|(copy, variant)| Some((copy, variant?))).collect();
+        let (like, keeps_ledger) = (self.groups[0].first(), self.groups[0].keeps_ledger());
+        let built = self.source.build_all(self.pool.as_ref(), &anew, like, keeps_ledger)?;
+        for ((copy, _), built) in anew.iter().zip(built) {
+            self.groups[copy / LANES].replace(copy % LANES, built);
+        }
+        for (copy, _) in back {
+            self.groups[copy / LANES].reset(copy % LANES);
+        }
+        Ok(())
+    }
+
+    fn check_inputs(&self, inputs: &[f64]) -> Result<(), CopyError> {
+        let wide = self.asked.inputs.len();
+        if wide == 0 {
+            return Ok(());
+        }
+        let mut copies = inputs.chunks(wide).enumerate();
+        let wrong = copies.find_map(|(copy, values)| {
+            let error = self.groups[copy / LANES].wrong_input(copy % LANES, values)?;
+            Some(CopyError::Input { copy, error })
+        });
+        wrong.map_or(Ok(()), Err)
+    }
+}
+
+impl Source {
+    fn build(&self, copy: usize, variant: &Variant) -> Result<Built, CopyError> {
+        let member = member(copy, &self.text, &self.file, &self.files, variant)?;
+        let simulation = Simulation::recursive(member.setup.clone());
+        Ok(Built { member, simulation })
+    }
+
+    /// Builds copies, all with the columns and inputs of another one.
+    fn build_all(
+        &self,
+        pool: Option<&rayon::ThreadPool>,
+        which: &[(usize, Variant)],
+        like: &Simulation,
+        keeps_ledger: bool,
+    ) -> Result<Vec<Built>, CopyError> {
+        let one = |(copy, variant): &(usize, Variant)| {
+            let member = member(*copy, &self.text, &self.file, &self.files, variant)?;
+            let simulation = group::simulation(&member, keeps_ledger);
+            let names = |of: &Simulation| of.inputs().into_iter().map(|input| input.name).collect::<Vec<_>>();
+            if simulation.channels() != like.channels() || names(&simulation) != names(like) {
+                return Err(BatchError::Channels { run: *copy }.into());
+            }
+            Ok(Built { member, simulation })
+        };
+        match pool {
+            Some(pool) => pool.install(|| which.par_iter().map(one).collect()),
+            None => which.iter().map(one).collect(),
+        }
+    }
+}
+
+fn check_count(what: &'static str, found: usize, right: bool, allowed: &str) -> Result<(), CopyError> {
+    if right { Ok(()) } else { Err(CopyError::Count { what, found, allowed: allowed.to_owned() }) }
+}
+
+/// An error unless all names exist, and no wire sets an input.
+fn check_names(simulation: &Simulation, asked: &Asked) -> Result<(), CopyError> {
+    let mut trial = simulation.clone();
+    for name in &asked.inputs {
+        let now = trial.inputs().into_iter().find(|input| input.name == *name).map_or(0.0, |input| input.value);
+        trial.set_input(name, now).map_err(|error| CopyError::Input { copy: 0, error })?;
+    }
+    let known = |column: &String| simulation.channels().iter().any(|channel| channel.columns.contains(column));
+    let unknown = asked.columns.iter().find(|column| !known(column));
+    unknown.map_or(Ok(()), |found| Err(CopyError::Column { found: found.clone() }))
+}

@@ -1,0 +1,31 @@
+"""Environments for learning controllers, in the interface of Gymnasium (docs/learning.md).
+
+Importing this module registers ``Kingpost/AntiSway-v0`` and ``Kingpost/HeaveCompensation-v0``. It needs the extra
+``learn``.
+"""
+
+from __future__ import annotations
+
+from .baselines import BASELINES, Policy
+from .environment import ShipCraneEnv
+from .registered import IDS, register
+from .scores import score
+from .task import Action, Observation, Task
+from .tasks import anti_sway, heave_compensation
+from .vector import ShipCraneVectorEnv
+
+register()
+
+__all__ = [
+    "BASELINES",
+    "IDS",
+    "Action",
+    "Observation",
+    "Policy",
+    "ShipCraneEnv",
+    "ShipCraneVectorEnv",
+    "Task",
+    "anti_sway",
+    "heave_compensation",
+    "score",
+]

@@ -1,0 +1,139 @@
+"""Episodes of a task in many copies that step together: what one environment and a vector of them share."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..engine import engine
+from ..errors import KingpostError
+from .task import LARGEST_OBSERVATION, Columns, Task
+
+SEED = "simulation.seed"
+SEEDS = 2**31
+FAILED = -1
+
+
+class Episodes:
+    """Copies of a task's scenario, each in an episode of its own.
+
+    Parameters
+    ----------
+    task
+        The task.
+    count
+        Number of copies.
+    threads
+        Threads that compute; 0 takes as many as the machine has. Their number does not change a bit.
+
+    Examples
+    --------
+    >>> from kingpost.learn import anti_sway
+    >>> episodes = Episodes(anti_sway(), 2, threads=1)
+    >>> episodes.begin({0: np.random.default_rng(0), 1: np.random.default_rng(1)})
+    >>> observations, rewards, terminated, truncated = episodes.step(np.zeros((2, 2)))
+    >>> rewards.shape, bool(terminated.any())
+    ((2,), False)
+    """
+
+    def __init__(self, task: Task, count: int, threads: int = 0, episode_steps: int | None = None) -> None:
+        if count < 1:
+            raise KingpostError(f"num_envs: found {count}, allowed: 1 or more")
+        if threads < 0:
+            raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
+        self.task, self.count, self.threads = task, count, threads
+        self.episode_steps = task.episode_steps if episode_steps is None else episode_steps
+        self.taken = np.zeros(count, dtype=np.int64)
+        self.goals: np.ndarray | None = None
+        self._lower = np.array([low for low, _ in task.bounds])
+        self._half = np.array([0.5 * (high - low) for low, high in task.bounds])
+        self._scales = np.array([one.scale for one in task.seen])
+        self._read = np.empty(count * len(task.read))
+        self._status = np.zeros(count, dtype=np.int64)
+        self._nothing = np.empty(0)
+        self._copies: engine.Copies | None = None
+
+    def begin(self, which: dict[int, np.random.Generator]) -> None:
+        """Begin episodes of these copies; the first call names all of them."""
+        variants = {copy: self._drawn(random) for copy, random in which.items()}
+        if self._copies is None:
+            self._copies = self._made([variants[copy] for copy in range(self.count)])
+        else:
+            fixed = not self.task.randomised and not self.task.seeded
+            rows = [[copy, None if fixed else variant] for copy, variant in variants.items()]
+            self._copies.restart(json.dumps(rows))
+        self._copies.advance(0, self._nothing, self._read, self._status)
+        table = self._read.reshape(self.count, -1)
+        for copy, random in which.items():
+            start = dict(zip(self.task.read, table[copy].tolist(), strict=True))
+            goal = np.asarray(self.task.goal(random, start), dtype=np.float64)
+            if self.goals is None:
+                self.goals = np.zeros((self.count, len(goal)))
+            self.goals[copy] = goal
+            self.taken[copy] = 0
+
+    def step(self, actions: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Take a control step; returns observations, rewards, and which episodes are terminated or truncated."""
+        if self._copies is None or self.goals is None:
+            raise KingpostError("step: found no episode, allowed: after reset()")
+        actions = self._checked(actions)
+        inputs = self._lower + (actions + 1.0) * self._half
+        inputs = np.clip(inputs, self._lower, [high for _, high in self.task.bounds])
+        self._copies.advance(self.task.steps, inputs.ravel(), self._read, self._status)
+        self.taken += 1
+        rewards = self.task.reward(self.columns, self.goals, actions)
+        terminated = self._status != 0
+        if terminated.any():
+            rewards = np.where(terminated, self.task.failure_reward, rewards)
+        return self.observations(), rewards, terminated, ~terminated & (self.taken >= self.episode_steps)
+
+    @property
+    def columns(self) -> Columns:
+        """The columns that were read last."""
+        table = self._read.reshape(self.count, -1)
+        return {name: table[:, k] for k, name in enumerate(self.task.read)}
+
+    def observations(self) -> np.ndarray:
+        """The observations now, a row for each copy."""
+        found = np.empty((self.count, len(self._scales)))
+        columns = self.columns
+        for k, one in enumerate(self.task.seen):
+            found[:, k] = columns[one.name] if one.value is None else one.value(columns, self.goals)
+        found /= self._scales
+        return np.clip(found, -LARGEST_OBSERVATION, LARGEST_OBSERVATION).astype(np.float32)
+
+    def ended_by(self, copy: int) -> str:
+        """Why an episode was terminated: an error of the run, or the limit that was exceeded."""
+        status = int(self._status[copy])
+        if status == FAILED and self._copies is not None:
+            return str(self._copies.failure(copy))
+        return f"limit {list(self.task.based_on.resolved['limits'])[status - 1]} exceeded" if status else ""
+
+    def _checked(self, actions: Any) -> np.ndarray:
+        shape = (self.count, len(self.task.set))
+        try:
+            given = np.asarray(actions, dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise KingpostError(f"actions: found {actions!r}, allowed: numbers from -1 to 1") from error
+        if given.shape != shape:
+            raise KingpostError(f"actions: found the shape {given.shape}, allowed: {shape}")
+        inside = np.abs(given) <= 1.0
+        if not inside.all():
+            copy, k = np.argwhere(~inside)[0]
+            name, place = self.task.action_names[k], f" of environment {copy}" if self.count > 1 else ""
+            raise KingpostError(f"action {name}{place}: found {given[copy, k]:g}, allowed: -1 to 1")
+        return given
+
+    def _drawn(self, random: np.random.Generator) -> list[tuple[str, Any]]:
+        """The scenario's overrides with the values of an episode."""
+        drawn: list[tuple[str, Any]] = list(self.task.based_on.overrides)
+        drawn += [(name, float(random.uniform(*span))) for name, span in self.task.randomised.items()]
+        return [*drawn, (SEED, int(random.integers(SEEDS)))] if self.task.seeded else drawn
+
+    def _made(self, variants: Sequence[list[tuple[str, Any]]]) -> engine.Copies:
+        scenario, task = self.task.based_on, self.task
+        asked = (list(task.action_names), list(task.read), task.limits, self.threads)
+        return engine.Copies(scenario.text, scenario.file, scenario.files, json.dumps(variants), asked)

@@ -1,0 +1,53 @@
+"""The environments by their names in Gymnasium."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import gymnasium
+
+from .environment import ShipCraneEnv
+from .task import Task
+from .tasks import anti_sway, heave_compensation
+from .vector import ShipCraneVectorEnv
+
+IDS: dict[str, Callable[..., Task]] = {
+    "Kingpost/AntiSway-v0": anti_sway,
+    "Kingpost/HeaveCompensation-v0": heave_compensation,
+}
+"""The task of each name."""
+
+
+class _One:
+    """Makes one environment of a task."""
+
+    def __init__(self, task: Callable[..., Task]) -> None:
+        self.task = task
+
+    def __call__(self, max_episode_steps: int | None = None, **options: Any) -> ShipCraneEnv:
+        return ShipCraneEnv(self.task(**options), max_episode_steps)
+
+
+class _Many:
+    """Makes many environments of a task."""
+
+    def __init__(self, task: Callable[..., Task]) -> None:
+        self.task = task
+
+    def __call__(
+        self,
+        num_envs: int = 1,
+        threads: int = 0,
+        autoreset_mode: Any = gymnasium.vector.AutoresetMode.NEXT_STEP,
+        max_episode_steps: int | None = None,
+        **options: Any,
+    ) -> ShipCraneVectorEnv:
+        return ShipCraneVectorEnv(self.task(**options), num_envs, threads, autoreset_mode, max_episode_steps)
+
+
+def register() -> None:
+    """Register the environments, unless they are."""
+    for name, task in IDS.items():
+        if name not in gymnasium.registry:
+            gymnasium.register(name, entry_point=_One(task), vector_entry_point=_Many(task))

@@ -1,0 +1,77 @@
+"""Scores of controllers, and the table of the baselines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from .baselines import BASELINES, Policy
+from .registered import IDS
+from .task import Task
+from .vector import ShipCraneVectorEnv
+
+EPISODES = 64
+FIRST_SEED = 1000
+"""Seeds from here on are for scores: do not train with them."""
+
+
+def score(
+    task: Task,
+    policy: Callable[[Task], Policy],
+    episodes: int = EPISODES,
+    seed: int = FIRST_SEED,
+    threads: int = 0,
+) -> np.ndarray:
+    """Sum of rewards of each of many episodes under a controller.
+
+    Parameters
+    ----------
+    task
+        The task.
+    policy
+        Makes the controller.
+    episodes
+        Number of episodes; episode i has the seed `seed` + i.
+    seed
+        The first seed.
+    threads
+        Threads that compute; 0 takes as many as the machine has.
+
+    Returns
+    -------
+    numpy.ndarray
+        A sum for each episode.
+
+    >>> from kingpost.learn import BASELINES, anti_sway
+    >>> bool(score(anti_sway(), BASELINES["Kingpost/AntiSway-v0"]["do nothing"], 2).mean() < 0)
+    True
+    """
+    envs = ShipCraneVectorEnv(task, episodes, threads)
+    seen, _ = envs.reset(seed=seed)
+    acts, sums, going = policy(task), np.zeros(episodes), np.ones(episodes, dtype=np.bool_)
+    for _ in range(task.episode_steps):
+        seen, rewards, terminated, truncated, _ = envs.step(np.asarray(acts(seen)))
+        sums += np.where(going, rewards, 0.0)
+        going &= ~(terminated | truncated)
+    return sums
+
+
+def table(episodes: int = EPISODES) -> str:
+    """The baselines' scores as a table in Markdown, the best first."""
+    lines = []
+    for name, task in IDS.items():
+        found = {label: score(task(), policy, episodes) for label, policy in BASELINES[name].items()}
+        ordered = sorted(found.items(), key=lambda pair: -float(pair[1].mean()))
+        lines += [
+            f"**{name}**",
+            "",
+            "| controller | mean | standard deviation | worst |",
+            "| --- | --- | --- | --- |",
+        ]
+        lines += [
+            f"| {label} | {sums.mean():.2f} | {sums.std():.2f} | {sums.min():.2f} |"
+            for label, sums in ordered
+        ]
+        lines.append("")
+    return "\n".join(lines)

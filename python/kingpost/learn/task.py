@@ -1,0 +1,237 @@
+"""What a controller has to do: a scenario, its inputs as actions, columns as observations, a reward."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import KingpostError
+from ..scenario import Scenario, load
+from ..simulation.simulate import Simulation
+
+LARGEST_OBSERVATION = 10.0
+"""Observations are clipped to this many scales on either side."""
+FARTHEST = 1e5
+"""An input with a wider range needs bounds of its own: the half of its range would be no useful unit."""
+
+Columns = Mapping[str, np.ndarray]
+"""Columns of results by name: a value for each environment, in SI units."""
+Goal = np.ndarray
+"""The numbers that an episode is about, such as a target: a row for each environment."""
+
+
+@dataclass(frozen=True)
+class Observation:
+    """A number that a controller sees: ``value / scale``, clipped to ten scales on either side.
+
+    Parameters
+    ----------
+    name
+        Its name; the name of a column unless `value` is given.
+    scale
+        The size that counts as 1, in `unit`.
+    unit
+        Its unit; of a column, that of the column.
+    value
+        Computes it from columns and goal, a number for each environment; default: the column `name`.
+    """
+
+    name: str
+    scale: float = 1.0
+    unit: str = ""
+    value: Callable[[Columns, Goal], np.ndarray] | None = None
+
+
+@dataclass(frozen=True)
+class Action:
+    """An input that a controller sets: an action of -1 is `lower`, 1 is `upper`.
+
+    Parameters
+    ----------
+    name
+        An input of the scenario.
+    lower, upper
+        In the input's unit; default: the input's own bounds.
+    """
+
+    name: str
+    lower: float | None = None
+    upper: float | None = None
+
+
+def no_goal(random: np.random.Generator, start: Mapping[str, float]) -> Sequence[float]:
+    """No numbers: the task is the same in every episode.
+
+    >>> no_goal(np.random.default_rng(0), {})
+    ()
+    """
+    return ()
+
+
+@dataclass(frozen=True)
+class Task:
+    """A task on any scenario.
+
+    Parameters
+    ----------
+    scenario
+        A scenario, a file or a name of the gallery.
+    actions
+        Inputs, by name or as an `Action`.
+    observations
+        Columns by name, or as an `Observation`.
+    reward
+        The reward of a control step from columns, goal and actions (-1 to 1), one for each environment. It is
+        made of sums, products, square roots and comparisons only, so that its bits do not depend on how many
+        environments there are.
+    columns
+        Further columns that reward and observations need.
+    control_period_s
+        Time between two actions, s: a whole number of the scenario's steps.
+    duration_s
+        Length of an episode, s.
+    goal
+        Draws the numbers of an episode, given the columns at its start.
+    randomised
+        Parameters or paths of fields with their range: each episode draws a value from it.
+    seeded
+        Whether each episode draws a seed of its sea, gusts and noise.
+    limits
+        Whether an episode ends when a limit of the scenario is exceeded.
+    failure_reward
+        The reward of the step in which the simulation fails or a limit is exceeded, instead of `reward`.
+
+    Examples
+    --------
+    >>> task = Task(
+    ...     "quayside_lift", ["slewing"], ["slew.joint_position"],
+    ...     reward=lambda columns, goal, actions: -abs(columns["slew.joint_position"]),
+    ... )
+    >>> task.action_units
+    ('rad/s',)
+    """
+
+    scenario: Scenario | str | Path
+    actions: Sequence[Action | str]
+    observations: Sequence[Observation | str]
+    reward: Callable[[Columns, Goal, np.ndarray], np.ndarray]
+    columns: Sequence[str] = ()
+    control_period_s: float = 0.05
+    duration_s: float = 40.0
+    goal: Callable[[np.random.Generator, Mapping[str, float]], Sequence[float]] = no_goal
+    randomised: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    seeded: bool = False
+    limits: bool = False
+    failure_reward: float = -100.0
+
+    def __post_init__(self) -> None:
+        for what, given in (("actions", self.actions), ("observations", self.observations)):
+            if isinstance(given, str) or not given:
+                raise KingpostError(f"{what}: found {given!r}, allowed: a list of at least one name")
+        steps = self.control_period_s / self._simulation.step_s
+        if not steps >= 1 - 1e-9 or abs(steps - round(steps)) > 1e-6:
+            raise KingpostError(
+                f"control_period_s: found {self.control_period_s}, allowed: a whole number of steps of "
+                f"{self._simulation.step_s} s"
+            )
+        if not self.duration_s >= self.control_period_s:
+            raise KingpostError(
+                f"duration_s: found {self.duration_s}, allowed: at least control_period_s, {self.control_period_s}"
+            )
+        for name, (low, high) in self.randomised.items():
+            if not low <= high:
+                raise KingpostError(f"randomised {name}: found {low} to {high}, allowed: from low to high")
+        unknown = [name for name in self.read if name not in self._units]
+        if unknown:
+            raise KingpostError(f"column {unknown[0]}: no such column in {self.based_on.title}")
+        for one in self.bounds:
+            if not abs(one[1] - one[0]) < 2 * FARTHEST:
+                raise KingpostError(f"actions: found bounds {one}, allowed: an Action with narrower ones")
+
+    @cached_property
+    def based_on(self) -> Scenario:
+        """The scenario."""
+        return self.scenario if isinstance(self.scenario, Scenario) else load(self.scenario)
+
+    @cached_property
+    def _simulation(self) -> Simulation:
+        return Simulation(self.based_on)
+
+    @cached_property
+    def _units(self) -> dict[str, str]:
+        """The unit of every column."""
+        channels = self._simulation.channels
+        return {
+            name: unit
+            for channel in channels
+            for name, unit in zip(channel["columns"], channel["units"], strict=True)
+        }
+
+    @cached_property
+    def seen(self) -> tuple[Observation, ...]:
+        """The observations."""
+        return tuple(Observation(one) if isinstance(one, str) else one for one in self.observations)
+
+    @cached_property
+    def set(self) -> tuple[Action, ...]:
+        """The actions."""
+        return tuple(Action(one) if isinstance(one, str) else one for one in self.actions)
+
+    @cached_property
+    def read(self) -> tuple[str, ...]:
+        """The columns that are read after each control step."""
+        own = [one.name for one in self.seen if one.value is None]
+        return tuple(dict.fromkeys([*own, *self.columns]))
+
+    @cached_property
+    def bounds(self) -> list[tuple[float, float]]:
+        """Lower and upper bound of each input, in its unit."""
+        inputs = self._simulation.inputs
+        found = []
+        for action in self.set:
+            if action.name not in inputs:
+                allowed = ", ".join(inputs) or "none: this scenario has no inputs"
+                raise KingpostError(f"action {action.name}: no such input, allowed: {allowed}")
+            one = inputs[action.name]
+            low, high = one.lower if action.lower is None else action.lower, action.upper
+            high = one.upper if high is None else high
+            if not one.lower <= low < high <= one.upper:
+                raise KingpostError(
+                    f"action {action.name}: found {low} to {high}, allowed: within {one.lower} to {one.upper} {one.unit}"
+                )
+            found.append((low, high))
+        return found
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        """Names of the inputs."""
+        return tuple(one.name for one in self.set)
+
+    @property
+    def action_units(self) -> tuple[str, ...]:
+        """Units of the inputs."""
+        return tuple(self._simulation.inputs[one.name].unit for one in self.set)
+
+    @property
+    def observation_names(self) -> tuple[str, ...]:
+        """Names of the observations."""
+        return tuple(one.name for one in self.seen)
+
+    @property
+    def observation_units(self) -> tuple[str, ...]:
+        """Units of the observations before they are divided by their scales."""
+        return tuple(one.unit or self._units.get(one.name, "") for one in self.seen)
+
+    @property
+    def steps(self) -> int:
+        """Steps of the integrator in a control step."""
+        return round(self.control_period_s / self._simulation.step_s)
+
+    @property
+    def episode_steps(self) -> int:
+        """Control steps in an episode."""
+        return max(1, round(self.duration_s / self.control_period_s))

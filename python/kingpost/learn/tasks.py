@@ -1,0 +1,143 @@
+"""The tasks that are registered with Gymnasium."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from .task import Columns, Goal, Observation, Task
+
+SCENARIOS = Path(__file__).parent / "scenarios"
+BOOM_M = 30.0
+"""Length of the boom in the scenario of `anti_sway`."""
+
+
+ROPE_AT_REST = np.pi / 4
+"""Angle from the boom, at 45 degrees, to the rope at the start of `anti_sway`, rad."""
+
+
+def _distance(columns: Columns, goal: Goal) -> np.ndarray:
+    """Horizontal distance of the load from its target, m."""
+    x, y = columns["load.position.x"] - goal[:, 2], columns["load.position.y"] - goal[:, 3]
+    return np.sqrt(x * x + y * y)
+
+
+def _swing_along(columns: Columns, goal: Goal) -> np.ndarray:
+    """Angle of the rope from the vertical in the boom's plane, rad: positive with the hook nearer to the crane."""
+    return columns["luff.joint_position"] + columns["rope.second.joint_position"] + ROPE_AT_REST
+
+
+def _anti_sway_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarray:
+    away = _distance(columns, goal)
+    x, y = columns["load.velocity.x"], columns["load.velocity.y"]
+    speed = np.sqrt(x * x + y * y)
+    near = 1.0 / (1.0 + away * away / 4.0)
+    return -0.05 * (away / 10.0 + near * speed)
+
+
+def _anti_sway_goal(random: np.random.Generator, start: Mapping[str, float]) -> Sequence[float]:
+    """Slew and luff of the target, rad, and its place, m."""
+    slew = float(random.uniform(np.pi / 9, np.pi / 2)) * (1.0 if random.random() < 0.5 else -1.0)
+    luff = float(random.uniform(-np.pi / 3, -np.pi / 6))
+    radius = BOOM_M * float(np.cos(luff))
+    return slew, luff, radius * float(np.cos(slew)), radius * float(np.sin(slew))
+
+
+def anti_sway(randomised: bool = False) -> Task:
+    """Move a load by slewing and luffing to a target, and stop its swing there.
+
+    The crane of four bodies stands on a fixed base; hook and load are a double pendulum. Each episode draws a
+    target: 20 to 90 degrees of slew to either side, 30 to 60 degrees of boom. With the distance d and the speed
+    v of the load over the ground, a control step of 50 ms gives ``-0.05 (d / 10 m + v / (1 m/s) / (1 + d^2 / 4 m^2))``.
+
+    Parameters
+    ----------
+    randomised
+        Whether each episode also draws the load, 5 to 35 t, and the rope, 8 to 22 m.
+
+    Returns
+    -------
+    Task
+        Two actions, slewing and luffing speed; 12 observations.
+
+    >>> anti_sway().action_names
+    ('slewing', 'luffing')
+    """
+    joints = ("rope.first", "rope.second", "sling.first", "sling.second")
+    observations = [
+        Observation(
+            "slew_error", 0.5, "rad", lambda columns, goal: columns["slew.joint_position"] - goal[:, 0]
+        ),
+        Observation(
+            "luff_error", 0.5, "rad", lambda columns, goal: columns["luff.joint_position"] - goal[:, 1]
+        ),
+        Observation("slew.joint_velocity", 0.1),
+        Observation("luff.joint_velocity", 0.05),
+        Observation("swing_across", 0.1, "rad", lambda columns, goal: columns["rope.first.joint_position"]),
+        Observation("swing_along", 0.1, "rad", _swing_along),
+        *(Observation(f"{joint}.joint_position", 0.1) for joint in joints[2:]),
+        *(Observation(f"{joint}.joint_velocity", 0.1) for joint in joints),
+    ]
+    over_ground = [f"load.{what}.{axis}" for what in ("position", "velocity") for axis in "xy"]
+    return Task(
+        SCENARIOS / "anti_sway.yaml",
+        ["slewing", "luffing"],
+        observations,
+        _anti_sway_reward,
+        columns=[
+            "slew.joint_position",
+            "luff.joint_position",
+            *(f"{joint}.joint_position" for joint in joints[:2]),
+            *over_ground,
+        ],
+        goal=_anti_sway_goal,
+        randomised={"load_t": (5.0, 35.0), "rope_length_m": (8.0, 22.0)} if randomised else {},
+    )
+
+
+def _heave_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarray:
+    return -0.05 * np.abs(columns["lift.position.z"] - goal[:, 0])
+
+
+def heave_compensation(randomised: bool = True) -> Task:
+    """Keep a load at its height by the speed of the winch, on a ship in her sea.
+
+    A control step of 50 ms gives ``-0.05 |z - z_0| / 1 m``, with the load's height z and its height z_0 at the
+    start.
+
+    Parameters
+    ----------
+    randomised
+        Whether each episode draws the significant wave height, 1 to 3.5 m, the peak period, 8 to 12 s, and the
+        load, 10 to 30 t. The seed of the sea is drawn in any case.
+
+    Returns
+    -------
+    Task
+        One action, the speed of the winch; 7 observations.
+    """
+    observations = [
+        Observation("height_error", 1.0, "m", lambda columns, goal: columns["lift.position.z"] - goal[:, 0]),
+        Observation("lift.velocity.z", 0.5),
+        Observation(
+            "tip_rise", 1.0, "m", lambda columns, goal: columns["boom.tip.point_position.z"] - goal[:, 1]
+        ),
+        Observation("boom.tip.point_velocity.z", 0.5),
+        Observation("winch.joint_velocity", 4.0),
+        Observation("hull.roll", 0.1),
+        Observation("hull.pitch", 0.1),
+    ]
+    drawn = {"significant_height_m": (1.0, 3.5), "peak_period_s": (8.0, 12.0), "load_t": (10.0, 30.0)}
+    return Task(
+        SCENARIOS / "heave_compensation.yaml",
+        ["hoist"],
+        observations,
+        _heave_reward,
+        columns=["lift.position.z", "boom.tip.point_position.z"],
+        duration_s=120.0,
+        goal=lambda random, start: (start["lift.position.z"], start["boom.tip.point_position.z"]),
+        randomised=drawn if randomised else {},
+        seeded=True,
+    )

@@ -1,0 +1,142 @@
+"""Many environments that step in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from gymnasium.utils import seeding
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+
+from ..errors import KingpostError
+from .environment import spaces
+from .episodes import Episodes
+from .task import Task
+
+
+class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
+    """Many environments of one task: one call steps all, over SIMD lanes and threads.
+
+    Each gives the same bits as a `ShipCraneEnv` with its seed, whatever the number of threads and of
+    environments.
+
+    Parameters
+    ----------
+    task
+        The task.
+    num_envs
+        Number of environments.
+    threads
+        Threads that compute; 0 takes as many as the machine has.
+    autoreset_mode
+        ``SAME_STEP``: an episode that ends begins anew in the same step, and ``info["final_obs"]`` has its last
+        observation. ``NEXT_STEP``: it begins anew in the next step, whose action is not used and whose reward
+        is 0. ``DISABLED``: by ``reset(options={"reset_mask": ...})`` only.
+    max_episode_steps
+        Control steps in an episode; default: those of the task's duration.
+
+    Examples
+    --------
+    >>> from kingpost.learn import ShipCraneVectorEnv, anti_sway
+    >>> envs = ShipCraneVectorEnv(anti_sway(), 8)
+    >>> observations, info = envs.reset(seed=1)
+    >>> observations.shape
+    (8, 12)
+    >>> envs.step(np.zeros((8, 2), dtype=np.float32))[1].shape
+    (8,)
+    """
+
+    def __init__(
+        self,
+        task: Task,
+        num_envs: int = 1,
+        threads: int = 0,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
+        max_episode_steps: int | None = None,
+    ) -> None:
+        try:
+            self.autoreset_mode = AutoresetMode(autoreset_mode)
+        except ValueError as error:
+            allowed = ", ".join(mode.value for mode in AutoresetMode)
+            raise KingpostError(f"autoreset_mode: found {autoreset_mode!r}, allowed: {allowed}") from error
+        self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
+        self.task, self.num_envs = task, num_envs
+        self.single_observation_space, self.single_action_space = spaces(task)
+        self.episodes = Episodes(task, num_envs, threads, max_episode_steps)
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(self.single_action_space, num_envs)
+        self._random: list[np.random.Generator | None] = [None] * num_envs
+        self._ended = np.zeros(num_envs, dtype=np.bool_)
+
+    def reset(
+        self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[np.ndarray, dict[str, Any]]:
+        """Begin episodes in all environments, or in those of ``options["reset_mask"]``.
+
+        Environment i of a seed s has the seed s + i; a list has one seed for each.
+        """
+        mask = np.asarray((options or {}).get("reset_mask", np.ones(self.num_envs, dtype=np.bool_)))
+        if mask.dtype != np.bool_ or mask.shape != (self.num_envs,) or not mask.any():
+            raise KingpostError(
+                f"reset_mask: found {mask!r}, allowed: {self.num_envs} booleans, at least one of them true"
+            )
+        seeds = [seed + i for i in range(self.num_envs)] if isinstance(seed, int | np.integer) else seed
+        seeds = [None] * self.num_envs if seeds is None else list(seeds)
+        if len(seeds) != self.num_envs:
+            raise KingpostError(f"seed: found {len(seeds)} seeds, allowed: {self.num_envs}")
+        which = np.flatnonzero(mask)
+        for i in which:
+            if seeds[i] is not None or self._random[i] is None:
+                self._random[i] = seeding.np_random(None if seeds[i] is None else int(seeds[i]))[0]
+        self._begin(which)
+        return self.episodes.observations(), {}
+
+    def step(
+        self, actions: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
+        """Take a control step in every environment.
+
+        Raises
+        ------
+        KingpostError
+            If an action is NaN or not within -1 to 1; the error names the environment.
+        """
+        ended = self._ended.copy()
+        if self.autoreset_mode == AutoresetMode.DISABLED and ended.any():
+            first = int(np.flatnonzero(ended)[0])
+            raise KingpostError(
+                f"step: found environment {first} at the end of its episode, allowed: after reset"
+            )
+        seen, rewards, terminated, truncated = self.episodes.step(actions)
+        if self.autoreset_mode == AutoresetMode.NEXT_STEP and ended.any():
+            self._begin(np.flatnonzero(ended))
+            seen = self.episodes.observations()
+            rewards = np.where(ended, 0.0, rewards)
+            terminated, truncated = terminated & ~ended, truncated & ~ended
+        self._ended = terminated | truncated
+        info = self._reasons(terminated)
+        if self.autoreset_mode == AutoresetMode.SAME_STEP and self._ended.any():
+            which = np.flatnonzero(self._ended)
+            last = np.full(self.num_envs, None, dtype=object)
+            for i in which:
+                last[i] = seen[i]
+            final: dict[str, Any] = {"final_obs": last, "_final_obs": self._ended.copy()}
+            final |= {"final_info": info, "_final_info": self._ended.copy()}
+            self._begin(which)
+            seen, info = self.episodes.observations(), final
+        return seen, rewards, terminated, truncated, info
+
+    def _begin(self, which: np.ndarray) -> None:
+        drawn = {int(i): self._random[i] for i in which}
+        self.episodes.begin({i: random for i, random in drawn.items() if random is not None})
+        self._ended[which] = False
+
+    def _reasons(self, terminated: np.ndarray) -> dict[str, Any]:
+        if not terminated.any():
+            return {}
+        reasons = np.full(self.num_envs, None, dtype=object)
+        for i in np.flatnonzero(terminated):
+            reasons[i] = self.episodes.ended_by(int(i))
+        return {"ended_by": reasons, "_ended_by": terminated.copy()}

@@ -1,0 +1,225 @@
+"""Environments: Gymnasium's own checks and vectoriser, the plain simulation, and what a controller may do wrong."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import gymnasium
+import kingpost
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+from gymnasium.vector import AutoresetMode, SyncVectorEnv
+from kingpost.errors import KingpostError
+from kingpost.learn import (
+    BASELINES,
+    IDS,
+    Action,
+    ShipCraneEnv,
+    ShipCraneVectorEnv,
+    Task,
+    anti_sway,
+    heave_compensation,
+    score,
+)
+
+SEED = 11
+
+
+def actions(steps: int, count: int, wide: int = 2) -> np.ndarray:
+    return np.random.default_rng(5).uniform(-1, 1, (steps, count, wide)).astype(np.float32)
+
+
+def rolled(envs, steps: int, given: np.ndarray) -> list[tuple[np.ndarray, ...]]:
+    """Observations, rewards and ends of every step."""
+    first, _ = envs.reset(seed=SEED)
+    return [
+        (first.copy(),),
+        *(tuple(np.array(part) for part in envs.step(given[k])[:4]) for k in range(steps)),
+    ]
+
+
+def same(one: list, other: list, rows: slice = slice(None)) -> bool:
+    pairs = zip(one, other, strict=True)
+    return all(
+        np.array_equal(a[rows], b[rows]) for left, right in pairs for a, b in zip(left, right, strict=True)
+    )
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", IDS)
+def test_gymnasium_s_checker_finds_nothing(name: str) -> None:
+    check_env(gymnasium.make(name).unwrapped, skip_render_check=True)
+
+
+def test_a_step_is_that_of_the_plain_simulation_to_the_last_bit() -> None:
+    task = anti_sway()
+    given = actions(30, 5)
+    envs = ShipCraneVectorEnv(task, 5, threads=2)
+    envs.reset(seed=SEED)
+    plain = kingpost.Simulation(task.based_on)
+    columns = [name for channel in plain.channels for name in channel["columns"]]
+    for k in range(30):
+        envs.step(given[k])
+        for name, (low, high), action in zip(task.action_names, task.bounds, given[k, 3], strict=True):
+            plain.set_input(name, low + (float(action) + 1.0) * (0.5 * (high - low)))
+        plain.step(task.steps)
+    row = dict(zip(columns, plain._engine.row(), strict=True))
+    assert {name: values[3] for name, values in envs.episodes.columns.items()} == {
+        name: row[name] for name in task.read
+    }
+
+
+@pytest.mark.parametrize("mode", ["SameStep", "NextStep"])
+@pytest.mark.parametrize("randomised", [False, True])
+def test_bits_do_not_depend_on_threads_and_on_the_number_of_environments(mode: str, randomised: bool) -> None:
+    given = actions(25, 9)
+    few = ShipCraneVectorEnv(anti_sway(randomised), 2, 1, mode, max_episode_steps=10)
+    many = ShipCraneVectorEnv(anti_sway(randomised), 9, 2, mode, max_episode_steps=10)
+    assert same(rolled(few, 25, given[:, :2]), rolled(many, 25, given), slice(0, 2))
+
+
+@pytest.mark.parametrize("mode", [AutoresetMode.SAME_STEP, AutoresetMode.NEXT_STEP])
+def test_the_native_vector_does_what_gymnasium_s_does_with_single_environments(mode: AutoresetMode) -> None:
+    given = actions(25, 3)
+    native = ShipCraneVectorEnv(anti_sway(), 3, 1, mode, max_episode_steps=10)
+    makers = [lambda: ShipCraneEnv(anti_sway(), max_episode_steps=10)] * 3
+    peer = SyncVectorEnv(makers, autoreset_mode=mode)
+    assert native.metadata["autoreset_mode"] == peer.metadata["autoreset_mode"]
+    assert same(rolled(native, 25, given), rolled(peer, 25, given))
+    native.reset(seed=SEED), peer.reset(seed=SEED)
+    for k in range(10):
+        ours, theirs = native.step(given[k])[4], peer.step(given[k])[4]
+    if mode == AutoresetMode.SAME_STEP:
+        assert all(np.array_equal(a, b) for a, b in zip(ours["final_obs"], theirs["final_obs"], strict=True))
+    else:
+        assert ours == theirs == {}
+
+
+def test_the_name_makes_the_native_vector() -> None:
+    envs = gymnasium.make_vec("Kingpost/AntiSway-v0", 4, vectorization_mode="vector_entry_point")
+    assert isinstance(envs, ShipCraneVectorEnv)
+    assert isinstance(envs.metadata["autoreset_mode"], AutoresetMode)
+
+
+def test_an_environment_that_is_reset_alone_leaves_the_others_as_they_are() -> None:
+    given = actions(20, 6)
+    one, other = (ShipCraneVectorEnv(anti_sway(), 6, 1) for _ in range(2))
+    one.reset(seed=SEED), other.reset(seed=SEED)
+    for k in range(20):
+        if k == 7:
+            other.reset(seed=SEED, options={"reset_mask": np.arange(6) == 2})
+        seen, beside = one.step(given[k])[0], other.step(given[k])[0]
+        assert np.array_equal(np.delete(seen, 2, 0), np.delete(beside, 2, 0))
+    fresh = ShipCraneVectorEnv(anti_sway(), 6, 1)
+    fresh.reset(seed=SEED)
+    for k in range(7, 20):
+        seen = fresh.step(given[k])[0]
+    assert np.array_equal(seen[2], beside[2])
+
+
+def reach(mode: str, scenario: kingpost.Scenario | Path, limits: bool = False) -> ShipCraneVectorEnv:
+    rewards = lambda columns, goal, actions: -abs(columns["slew.joint_position"])  # noqa: E731
+    task = Task(scenario, ["slewing"], ["slew.joint_position"], rewards, limits=limits)
+    return ShipCraneVectorEnv(task, 6, 2, mode)
+
+
+@pytest.mark.parametrize("mode", ["SameStep", "NextStep"])
+def test_an_environment_that_fails_says_why_and_begins_anew_while_the_others_go_on(mode: str) -> None:
+    scenario = anti_sway().based_on.with_overrides({"simulation.rate_limit": 0.06})
+    envs = reach(mode, scenario)
+    envs.reset(seed=SEED)
+    given = np.zeros((6, 1), dtype=np.float32)
+    given[4] = 1
+    for _ in range(100):
+        seen, rewards, terminated, truncated, info = envs.step(given)
+        if terminated.any():
+            break
+    assert terminated.tolist() == [False, False, False, False, True, False]
+    assert rewards[4] == envs.task.failure_reward
+    assert not truncated.any()
+    why = (info if mode == "NextStep" else info["final_info"])["ended_by"][4]
+    assert why.startswith("diverged at ")
+    assert "allowed: finite, and rates of at most 0.06" in why
+    seen, rewards, terminated, *_ = envs.step(np.zeros_like(given))
+    assert not terminated.any()
+    assert abs(seen[4, 0]) < 1e-6
+
+
+def test_an_exceeded_limit_of_the_scenario_ends_an_episode(tmp_path: Path) -> None:
+    path = tmp_path / "limited.yaml"
+    limit = "limits:\n  slew: {column: slew.joint_position, within: 1, unit: deg}\n"
+    path.write_text(anti_sway().based_on.text + limit, encoding="utf-8")
+    envs = reach("NextStep", path, limits=True)
+    envs.reset(seed=SEED)
+    given = np.zeros((6, 1), dtype=np.float32)
+    given[1] = -1
+    while not (step := envs.step(given))[2].any():
+        assert (abs(step[0]) <= np.radians(1)).all()
+    assert step[2].tolist() == [False, True, False, False, False, False]
+    assert step[4]["ended_by"][1] == "limit slew exceeded"
+
+
+@pytest.mark.parametrize(("bad", "found"), [(np.nan, "nan"), (1.5, "1.5"), (-np.inf, "-inf")])
+def test_an_action_outside_the_box_is_refused_by_name(bad: float, found: str) -> None:
+    envs = ShipCraneVectorEnv(anti_sway(), 3, 1)
+    envs.reset(seed=SEED)
+    given = np.zeros((3, 2), dtype=np.float32)
+    given[2, 1] = bad
+    with pytest.raises(
+        KingpostError, match=f"action luffing of environment 2: found {found}, allowed: -1 to 1"
+    ):
+        envs.step(given)
+
+
+def test_mistakes_are_named_with_what_is_allowed() -> None:
+    reward = lambda columns, goal, actions: columns["time"]  # noqa: E731
+    with pytest.raises(KingpostError, match="action hoist: no such input, allowed: slewing, luffing"):
+        Task(anti_sway().based_on, ["hoist"], ["time"], reward)
+    with pytest.raises(KingpostError, match="action slewing: found -9 to 9, allowed: within -0.1"):
+        Task(anti_sway().based_on, [Action("slewing", -9, 9)], ["time"], reward)
+    with pytest.raises(KingpostError, match="column nothing: no such column in A pedestal crane"):
+        Task(anti_sway().based_on, ["slewing"], ["nothing"], reward)
+    with pytest.raises(
+        KingpostError, match=r"control_period_s: found 0.015, allowed: a whole number of steps"
+    ):
+        Task(anti_sway().based_on, ["slewing"], ["time"], reward, control_period_s=0.015)
+    with pytest.raises(KingpostError, match="found no episode, allowed: after reset"):
+        ShipCraneEnv(anti_sway()).step(np.zeros(2))
+    with pytest.raises(KingpostError, match="num_envs: found 0, allowed: 1 or more"):
+        ShipCraneVectorEnv(anti_sway(), 0)
+    with pytest.raises(
+        KingpostError, match="autoreset_mode: found 'never', allowed: NextStep, SameStep, Disabled"
+    ):
+        ShipCraneVectorEnv(anti_sway(), 1, autoreset_mode="never")
+
+
+def test_observations_have_names_and_units() -> None:
+    task = heave_compensation()
+    assert task.action_units == ("rad/s",)
+    names = dict(zip(task.observation_names, task.observation_units, strict=True))
+    assert names["height_error"] == "m"
+    assert names["boom.tip.point_velocity.z"] == "m/s"
+    assert names["hull.roll"] == "rad"
+
+
+def test_another_seed_is_another_sea_and_the_same_seed_the_same() -> None:
+    def seen(seed: int) -> np.ndarray:
+        envs = ShipCraneVectorEnv(heave_compensation(), 2, 1)
+        envs.reset(seed=seed)
+        return np.array([envs.step(np.zeros((2, 1)))[0] for _ in range(200)][-1])
+
+    one = seen(3)
+    assert np.array_equal(one, seen(3))
+    # Environment i of seed s is environment i - 1 of seed s + 1.
+    assert np.array_equal(one[1], seen(4)[0])
+    assert not np.array_equal(one[0], one[1])
+
+
+def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None:
+    by_name = {
+        label: score(anti_sway(), policy, 8).mean()
+        for label, policy in BASELINES["Kingpost/AntiSway-v0"].items()
+    }
+    worst_first = sorted(by_name, key=by_name.__getitem__)
+    assert worst_first == ["do nothing", "proportional", "proportional, shaped", "swing feedback"]
