@@ -39,6 +39,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _prescribed(described["joints"]),
         _elements(described, "forces"),
         _elements(described, "sensors"),
+        _elements(described, "controllers"),
         sea.lines(scenario),
         *hydrostatics.sections(scenario),
         [f"warning: {words}" for words in described["warnings"]],
@@ -112,7 +113,8 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 
 
 def _elements(described: dict[str, Any], group: str) -> list[str]:
-    """Forces, drives or sensors with their facts. A model without sensors gets no section of sensors."""
+    """Forces, drives, sensors or controllers with their facts. A model without sensors or controllers gets
+    no section of them."""
     rows = [(group, "", "", "")]
     for element in described["elements"]:
         if element["group"] == group:
@@ -120,7 +122,7 @@ def _elements(described: dict[str, Any], group: str) -> list[str]:
             rows.append((element["name"], element["kind"], on, facts(element["facts"])))
     if len(rows) > 1:
         return table(rows, "<<<<")
-    return [] if group == "sensors" else [f"{group}: none"]
+    return [] if group in ("sensors", "controllers") else [f"{group}: none"]
 
 
 def facts(given: list[dict[str, str]]) -> str:
