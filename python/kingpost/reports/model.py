@@ -113,7 +113,8 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 
 
 def _elements(described: dict[str, Any], group: str) -> list[str]:
-    """Forces, drives, sensors or controllers with their facts. A model without the last two gets no section of them."""
+    """Forces, drives, sensors or controllers with their facts. A model without sensors or controllers gets
+    no section of them."""
     rows = [(group, "", "", "")]
     for element in described["elements"]:
         if element["group"] == group:

@@ -24,6 +24,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--only", metavar="AREA", choices=list(AREAS), help=f"one of {', '.join(AREAS)}")
     for name in FORMATS:
         command.add_argument(f"--{name}", metavar="FILE", help=f"also write the rows as {name}")
+    command.add_argument(
+        "--control",
+        action="store_true",
+        help="only the controllers, on their standard seas, with and without",
+    )
     command.add_argument("--plots", metavar="DIR", help="only draw the pictures of docs/validation.md")
 
 
@@ -31,6 +36,8 @@ def command(options: argparse.Namespace) -> int:
     """Measure, print, write; return 1 if a row fails."""
     if options.plots is not None:
         return _draw(Path(options.plots))
+    if options.control:
+        return _control()
     wanted = {name: Path(path) for name in FORMATS if (path := getattr(options, name)) is not None}
     for path in wanted.values():
         # Refused before the measurements, not after them.
@@ -43,6 +50,15 @@ def command(options: argparse.Namespace) -> int:
         output.write_text(path, FORMATS[name](rows))
         print(f"written  {path}")
     return int(any(row.verdict == FAILED for row in rows))
+
+
+def _control() -> int:
+    from . import control
+
+    with progress.bar(len(list(control.cases())), "runs") as update:
+        rows = control.measured(update)
+    print(control.text(rows))
+    return int(any(row.verdict == "at a limit" for row in rows))
 
 
 def _draw(folder: Path) -> int:

@@ -75,18 +75,25 @@ fn of_period(period_s: f64) -> [(&'static str, Value); 2] {
     ]
 }
 
-/// Amplitude of the residual at the period, by a sum over two periods after the first 120 s, when the integrators of the
-/// prediction have forgotten the start.
+/// Amplitude of the residual at the period, by sums over two periods after the first 120 s; the drift from one period to the next,
+/// which is left of the start in the slow states of the prediction, is taken off.
 fn left(simulation: &mut Simulation, period_s: f64) -> f64 {
     simulation.step(12_000).unwrap();
-    let steps = (100.0 * period_s * 2.0) as usize;
+    let steps = (100.0 * period_s) as usize;
+    let residuals: Vec<f64> = (0..2 * steps)
+        .map(|_| {
+            let residual = values(simulation, "compensation_residual")[0];
+            simulation.step(1).unwrap();
+            residual
+        })
+        .collect();
+    let drift = (residuals[steps..].iter().sum::<f64>() - residuals[..steps].iter().sum::<f64>()) / steps as f64;
     let [mut cosine, mut sine] = [0.0; 2];
-    for k in 0..steps {
-        let residual = values(simulation, "compensation_residual")[0];
-        let angle = TAU * k as f64 / (100.0 * period_s);
-        cosine += 2.0 / steps as f64 * residual * angle.cos();
-        sine += 2.0 / steps as f64 * residual * angle.sin();
-        simulation.step(1).unwrap();
+    for (k, residual) in residuals.iter().enumerate() {
+        let share = k as f64 / steps as f64;
+        let (angle, residual) = (TAU * share, residual - drift * share);
+        cosine += residual * angle.cos() / steps as f64;
+        sine += residual * angle.sin() / steps as f64;
     }
     cosine.hypot(sine)
 }
@@ -124,7 +131,7 @@ fn what_is_left_of_a_sinusoid_without_prediction_is_as_the_formula_says() {
 }
 
 fn band() -> Band {
-    Band { shortest_period_s: 4.0, longest_period_s: 16.0, noise_share: 0.01, sampling_period_s: 0.05 }
+    Band { shortest_period_s: 4.0, longest_period_s: 16.0, noise_share: 0.03, sampling_period_s: 0.05 }
 }
 
 /// The response of a filter at a frequency.
@@ -140,7 +147,8 @@ fn product([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
 #[test]
 fn what_is_left_with_prediction_is_as_the_response_of_its_filter_says() {
     let bank = FilterBank::new(band());
-    let weights = bank.weights(|frequency| Dynamics { high_pass: None, delay: 0.125, lag: 0.1 }.velocity(frequency));
+    let weights =
+        bank.velocity_weights(|frequency| Dynamics { high_pass: None, delay: 0.125, lag: 0.1 }.velocity(frequency));
     for period_s in [5.0, DECK_S, 12.0] {
         let changes =
             [of_period(period_s).to_vec(), vec![("KEEP.sensor", json!("mru")), ("KEEP.prediction", json!({}))]]
@@ -162,23 +170,26 @@ fn the_phase_of_the_sensors_filter_is_undone_by_the_prediction() {
     let predicted =
         left(&mut changed(&[("KEEP.sensor", json!("mru")), ("KEEP.prediction", json!({})), filter]), DECK_S);
     assert!(raw > 0.4, "{raw}");
-    assert!(predicted < 0.02, "{predicted}");
+    assert!(predicted < 0.025, "{predicted}");
 }
 
-/// The weights are those of least squares: in the band of 4 to 16 s the error of the filter stays below 1.5 %.
+/// The weights are those of least squares: in the band of 4 to 16 s the error of the filter stays below 1.5 %, and below 3.5 %
+/// where it undoes a high-pass filter of 20 s. A constant gives nothing.
 #[test]
 fn a_filter_is_near_the_wanted_response_in_its_band_with_and_without_a_high_pass() {
     let bank = FilterBank::new(band());
-    for high_pass in [None, Some([TAU / 20.0, 0.7])] {
+    for (high_pass, allowed) in [(None, 0.015), (Some([TAU / 20.0, 0.7]), 0.035)] {
         let wanted = Dynamics { high_pass, delay: 0.125, lag: 0.1 };
-        let weights = bank.weights(|frequency| wanted.velocity(frequency));
+        let weights = bank.velocity_weights(|frequency| wanted.velocity(frequency));
         for period_s in [4.2, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 14.0] {
             let frequency = TAU / period_s;
             let [c, d] = wanted.velocity(frequency);
             let [a, b] = response(&bank, &weights, frequency);
             let off = (a - c).hypot(b - d) / c.hypot(d);
-            assert!(off < 0.015, "{high_pass:?}, {period_s} s: {off}");
+            assert!(off < allowed, "{high_pass:?}, {period_s} s: {off}");
         }
+        let [constant, _] = response(&bank, &weights, 0.0);
+        assert!(constant.abs() < 1e-2, "{constant}");
     }
 }
 
@@ -187,7 +198,8 @@ fn a_filter_is_near_the_wanted_response_in_its_band_with_and_without_a_high_pass
 #[test]
 fn white_noise_through_the_filter_has_the_variance_of_its_impulse_response() {
     let bank = FilterBank::new(band());
-    let weights = bank.weights(|frequency| Dynamics { high_pass: None, delay: 0.125, lag: 0.1 }.velocity(frequency));
+    let weights =
+        bank.velocity_weights(|frequency| Dynamics { high_pass: None, delay: 0.125, lag: 0.1 }.velocity(frequency));
     let mut states = vec![0.0; FilterBank::STATES];
     let expected: f64 = (0..6000)
         .map(|k| {
@@ -231,14 +243,15 @@ fn an_operator_lowers_with_compensation_on_and_the_speeds_add() {
     let mut keeps = changed(&[("KEEP.position_gain_per_s", json!(0.5)), ("KEEP.prediction", json!({}))]);
     let mut lowers = changed(&[("KEEP.position_gain_per_s", json!(0.5)), ("KEEP.prediction", json!({}))]);
     lowers.set_input("keep.lowering_speed", 0.2).unwrap();
-    keeps.step(3000).unwrap();
-    lowers.step(3000).unwrap();
+    keeps.step(6000).unwrap();
+    lowers.step(6000).unwrap();
     let height = |simulation: &mut Simulation| values(simulation, "joint_position")[2];
-    // 30 s at 0.2 m/s; at the start the drive lags by 0.1 s.
+    // 60 s at 0.2 m/s; what the drive lags by at the start is caught up.
     let lowered = height(&mut keeps) - height(&mut lowers);
-    assert!((lowered - 6.0).abs() < 0.01, "{lowered} m");
+    assert!((lowered - 12.0).abs() < 0.01, "{lowered} m");
+    // By its own response to this period, and by the step of a tick: 0.05 s times 0.2 m/s.
     let residual = values(&mut lowers, "compensation_residual")[0];
-    assert!(residual.abs() < 0.03, "{residual} m");
+    assert!(residual.abs() < 0.04, "{residual} m");
 }
 
 /// A winch that is too slow: what it lacks is not caught up after the operator has stopped, and it comes back to the height.
@@ -278,12 +291,12 @@ fn a_sensor_that_drops_out_is_survived_and_reported() {
             ("KEEP.position_gain_per_s", json!(0.5)),
             out.clone(),
         ]);
-        let far = (0..5900).fold(0.0_f64, |far, _| {
+        let squares = (0..5900).fold(0.0, |squares, _| {
             simulation.step(1).unwrap();
-            far.max(values(&mut simulation, "compensation_residual")[0].abs())
+            squares + values(&mut simulation, "compensation_residual")[0].powi(2) / 5900.0
         });
-        // Less than the two metres that the deck goes down without compensation.
-        assert!(far < 2.0, "{far} m");
+        // Without compensation the residual of the deck, from 0 to -2 m, has the mean square 1.5 m2.
+        assert!(squares < 0.5, "{squares} m2");
         let said: Vec<String> =
             simulation.events().iter().map(|event| format!("{} {}", event.element, event.what)).collect();
         for words in [

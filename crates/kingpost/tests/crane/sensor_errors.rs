@@ -22,7 +22,7 @@ bodies:
   block:
     mass_kg: 50
     shape: {box: {length_m: 1, width_m: 1, height_m: 1}}
-    joint: {prismatic: {axis: [0, 0, 1], position_m: [5, 0, 0], damping_N_s_per_m: 100}}
+    joint: {prismatic: {axis: [0, 0, 1], position_m: [5, 0, 0], damping_N_s_m: 100}}
   arm:
     mass_kg: 10
     shape: {box: {length_m: 1, width_m: 1, height_m: 1}}

@@ -35,8 +35,8 @@ pub enum Measurement<S = f64> {
 /// The tip at a tick.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured<S> {
-    /// z, m.
-    pub height: S,
+    /// Its height by the position of the unit's place and by the rotation of its body, m: z is the sum.
+    pub heights: [S; 2],
     /// The vertical velocity by the motion of the unit's place and by the rotation of its body, m/s.
     pub velocities: [S; 2],
     /// The vertical velocity by the crane's own motion, m/s.
@@ -60,7 +60,7 @@ impl<S: Scalar> Measurement<S> {
         let (position, moving) = (place(tip, at.model, at.links), velocity(tip, at));
         let (Self::Unit { place, .. }, [roll, pitch, heave, heave_rate, x, y, z, status @ ..]) = (self, read) else {
             let velocities = [S::ZERO, moving[2]];
-            return Measured { height: position[2], velocities, by_crane: S::ZERO, delivers: true };
+            return Measured { heights: [S::ZERO, position[2]], velocities, by_crane: S::ZERO, delivers: true };
         };
         let unit = place.motion(at);
         let to_body = |vector: Vector3<S>| unit.frame.rotation.transpose_times(vector);
@@ -70,7 +70,7 @@ impl<S: Scalar> Measurement<S> {
         let upward = Vector3([-sin_pitch, cos_pitch * sin_roll, cos_pitch * cos_roll]);
         let turning = Vector3([*x, *y, *z]).cross(arm);
         Measured {
-            height: *heave + upward.dot(arm),
+            heights: [*heave, upward.dot(arm)],
             velocities: [*heave_rate, upward.dot(turning)],
             by_crane: upward.dot(arm_rate),
             delivers: status.first().is_none_or(|status| status.all(|status| status > 0.5)),

@@ -64,17 +64,22 @@ pub struct HeaveCompensation<S = f64> {
 pub struct Prediction<S = f64> {
     /// The bank.
     pub bank: FilterBank,
+    /// Rate at which the measured position corrects the measured velocity, k, 1/s; 0 if both are exact. With the
+    /// measured position x and velocity v, the complementary filter `s (v + k x) / (s + k)` takes v above k and the rate of x
+    /// below, so that neither a bias nor the slow noise of v is integrated (Fossen, 2021, sec. 13.2).
+    pub correction: f64,
     /// The velocity to command, from the linear and from the angular part of the measured velocity.
     pub velocity: [Vec<S>; 2],
     /// The position, from both.
     pub position: [Vec<S>; 2],
-    /// The next sample, for a sensor that drops out.
-    pub next: Vec<S>,
+    /// Share of a velocity that is left at the next tick while the sensor is out: it fades at the middle frequency of the
+    /// band.
+    pub fades: f64,
 }
 
 /// Numbers: whether it was on; z_0, for the controller and in truth; L_0; the operator's length; what the crane's own
 /// motion adds to a predicted z; the wanted speed of the rope over n; v; the wanted speed over its limit; then the
-/// states of both banks.
+/// position that each part of the velocity has led to; then the states of both banks.
 const WAS_ON: usize = 0;
 const ZERO: usize = 1;
 const TRUE_ZERO: usize = 2;
@@ -84,7 +89,8 @@ const BY_CRANE: usize = 5;
 const WANTED: usize = 6;
 const VELOCITY: usize = 7;
 const UTILISATION: usize = 8;
-const BANKS: usize = 9;
+const LED_TO: usize = 9;
+const BANKS: usize = 11;
 const NUMBERS: [&str; BANKS] = [
     "was_on",
     "zero_height",
@@ -95,6 +101,8 @@ const NUMBERS: [&str; BANKS] = [
     "wanted_speed",
     "tip_velocity",
     "utilisation",
+    "led_to_linear",
+    "led_to_angular",
 ];
 /// The modes: the number of the next tick, from 1; whether its sensor has dropped out.
 const NEXT_TICK: usize = 0;
@@ -169,7 +177,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
         own.modes[NEXT_TICK] = tick;
         let measured = self.measurement.measure(at, &self.tip, read);
         let happened = sensor_changes(measured.delivers, own);
-        let [velocity, height] = self.now(&measured, own);
+        let [velocity, height] = self.now(&measured, begins, own);
         *input = self.command(at, begins, [velocity, height, measured.by_crane], own);
         Ok(happened)
     }
@@ -193,23 +201,51 @@ impl<S: Scalar> HeaveCompensation<S> {
     }
 
     /// v and z as the controller takes them: measured, or predicted.
-    fn now(&self, measured: &Measured<S>, own: &mut Own<'_, S>) -> [S; 2] {
+    fn now(&self, measured: &Measured<S>, begins: bool, own: &mut Own<'_, S>) -> [S; 2] {
         let [linear, angular] = measured.velocities;
+        let height = measured.heights[0] + measured.heights[1];
         let Some(prediction) = &self.prediction else {
             // A velocity that is held would move the load away: without a sensor the winch only keeps its position.
             let velocity = linear + angular + measured.by_crane;
-            return [if measured.delivers { velocity } else { S::ZERO }, measured.height];
+            return [if measured.delivers { velocity } else { S::ZERO }, height];
         };
-        let [mut velocity, mut height] = [measured.by_crane, S::ZERO];
-        for (bank, sample) in measured.velocities.into_iter().enumerate() {
+        let [mut velocity, mut predicted] = [measured.by_crane, own.numbers[BY_CRANE]];
+        for bank in 0..2 {
+            let sample = self.corrected(prediction, measured, (bank, begins), own);
             let states = &mut own.numbers[BANKS + bank * FilterBank::STATES..][..FilterBank::STATES];
-            let sample = if measured.delivers { sample } else { FilterBank::read(&prediction.next, states) };
             prediction.bank.take(states, sample);
             velocity += FilterBank::read(&prediction.velocity[bank], states);
-            height += FilterBank::read(&prediction.position[bank], states);
+            predicted += FilterBank::read(&prediction.position[bank], states);
         }
         let exact = matches!(self.measurement, Measurement::Ideal);
-        [velocity, if exact { measured.height } else { height + own.numbers[BY_CRANE] }]
+        [velocity, if exact { height } else { predicted }]
+    }
+
+    /// A measured velocity, corrected by the measured position; while the sensor is out, the last one, which fades.
+    fn corrected(
+        &self,
+        prediction: &Prediction<S>,
+        measured: &Measured<S>,
+        (bank, begins): (usize, bool),
+        own: &mut Own<'_, S>,
+    ) -> S {
+        let last = own.numbers[BANKS + (bank + 1) * FilterBank::STATES - 1];
+        let (half, correction) = (S::constant(0.5 * self.period_s), S::constant(prediction.correction));
+        // The crane's own motion changes the height by the rotation of the body, too.
+        let by_crane = if bank == 1 { measured.by_crane } else { S::ZERO };
+        let velocity = if measured.delivers { measured.velocities[bank] } else { last * S::constant(prediction.fades) };
+        let led_to = &mut own.numbers[LED_TO + bank];
+        if begins {
+            *led_to = measured.heights[bank];
+            return velocity;
+        }
+        *led_to += half * (last + velocity + by_crane + by_crane);
+        if !measured.delivers {
+            return velocity;
+        }
+        let pull = correction * (measured.heights[bank] - *led_to);
+        *led_to += S::constant(self.period_s) * pull;
+        velocity + pull
     }
 
     /// The speed for the drive's input, rad/s.

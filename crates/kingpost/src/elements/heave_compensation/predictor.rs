@@ -99,11 +99,27 @@ impl FilterBank {
         weights.iter().zip(states).fold(S::ZERO, |sum, (weight, state)| sum + *weight * *state)
     }
 
-    /// The weights that bring the filter nearest to a wanted response D at the frequencies of the band: least squares of
-    /// its error over |D|, plus the power of its output for white noise.
-    pub fn weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2]) -> Vec<S> {
+    /// The weights for a velocity that bring the filter nearest to a wanted response D at the frequencies w of the band:
+    ///
+    /// ```text
+    /// mean of |F(w) / D(w) - 1|^2  +  F(0)^2  +  (noise share w_m)^2 times the power of F n / (s + c)  ->  minimum
+    /// ```
+    ///
+    /// with white noise n of variance 1 in each sample, c = 2 pi / T_longest, w_m = 2 pi over the geometric mean of both
+    /// periods. The last term is the position that the noise leads to, which a position gain brings back; with F(0), a
+    /// bias does nothing.
+    pub fn velocity_weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2]) -> Vec<S> {
+        self.weights(wanted, 1.0)
+    }
+
+    /// The same for a position, of which a position gain commands a speed: with c times its noise.
+    pub fn position_weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2]) -> Vec<S> {
+        self.weights(wanted, self.band.correction_rad_s())
+    }
+
+    fn weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2], size: f64) -> Vec<S> {
         const N: usize = FilterBank::STATES;
-        let mut normal = self.noise_power();
+        let mut normal = self.penalties(size);
         let mut right = vec![S::ZERO; N];
         let mut matrix: Vec<Vec<S>> = normal.iter().map(|row| row.iter().map(|x| S::constant(*x)).collect()).collect();
         let [lowest, highest] = self.band.ends();
@@ -117,7 +133,7 @@ impl FilterBank {
                 for j in 0..=i {
                     let product = re * response[j][0] + im * response[j][1];
                     matrix[i][j] += weight * S::constant(product);
-                    normal[i][j] += product;
+                    normal[i][j] += product / FREQUENCIES as f64;
                 }
             }
         }
@@ -145,23 +161,43 @@ impl FilterBank {
         all
     }
 
-    /// The power of products of the states for white noise: sums over the impulse response, times the noise's share.
-    fn noise_power(&self) -> Vec<Vec<f64>> {
+    /// The part of the normal equations that the wanted response does not change: noise by sums over the impulse
+    /// response, and the response to a constant.
+    fn penalties(&self, size: f64) -> Vec<Vec<f64>> {
         let mut sums = vec![vec![0.0; Self::STATES]; Self::STATES];
-        let mut states = vec![0.0; Self::STATES];
-        let share = self.band.noise_share * self.band.noise_share;
-        let samples = (1.25 * self.band.longest_period_s * DECAYS / self.band.sampling_period_s) as usize;
+        let (mut states, mut moved) = (vec![0.0; Self::STATES], vec![0.0; Self::STATES]);
+        let Band { longest_period_s, noise_share, sampling_period_s, .. } = self.band;
+        let share = noise_share * self.band.middle_rad_s() * size;
+        let keeps = libm::exp(-sampling_period_s * self.band.correction_rad_s());
+        let samples = (1.25 * longest_period_s * DECAYS / sampling_period_s) as usize;
         for k in 0..samples.max(1) {
             self.take(&mut states, if k == 0 { 1.0 } else { 0.0 });
             for i in 0..Self::STATES {
-                (0..=i).for_each(|j| sums[i][j] += share * states[i] * states[j]);
+                moved[i] = keeps * moved[i] + sampling_period_s * states[i];
             }
+            for i in 0..Self::STATES {
+                (0..=i).for_each(|j| sums[i][j] += share * share * moved[i] * moved[j]);
+            }
+        }
+        let constant = self.response(0.0);
+        for i in 0..Self::STATES {
+            (0..=i).for_each(|j| sums[i][j] += constant[i][0] * constant[j][0]);
         }
         sums
     }
 }
 
 impl Band {
+    /// The geometric mean of both ends, rad/s.
+    pub fn middle_rad_s(&self) -> f64 {
+        core::f64::consts::TAU / libm::sqrt(self.longest_period_s * self.shortest_period_s)
+    }
+
+    /// The frequency below which positions correct velocities: that of the longest period, rad/s.
+    pub fn correction_rad_s(&self) -> f64 {
+        core::f64::consts::TAU / self.longest_period_s
+    }
+
     /// Lowest and highest frequency, rad/s.
     pub fn ends(&self) -> [f64; 2] {
         [self.longest_period_s, self.shortest_period_s].map(|period| core::f64::consts::TAU / period)

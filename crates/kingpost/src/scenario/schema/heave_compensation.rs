@@ -75,7 +75,7 @@ fn whole<S: Leaf>() -> Fraction<S> {
 }
 
 fn gain<S: Leaf>() -> NonNegative<S> {
-    NonNegative::literal(0.3)
+    NonNegative::literal(0.1)
 }
 
 fn shortest() -> Positive {
@@ -87,5 +87,5 @@ fn longest() -> Positive {
 }
 
 fn noise_share() -> Positive {
-    Positive::literal(0.01)
+    Positive::literal(0.03)
 }

@@ -155,11 +155,11 @@ fn prediction<S: Quantity>(
     let velocity = Dynamics { delay: position.delay + S::constant(0.5 * period_s), ..position };
     // Roll and pitch come without the filter of heave.
     let unfiltered = |dynamics: Dynamics<S>| Dynamics { high_pass: None, ..dynamics };
-    let next = Dynamics { high_pass: None, delay: S::constant(period_s), lag: S::ZERO };
     Ok(Prediction {
-        velocity: [velocity, unfiltered(velocity)].map(|of| bank.weights(|frequency| of.velocity(frequency))),
-        position: [position, unfiltered(position)].map(|of| bank.weights(|frequency| of.position(frequency))),
-        next: bank.weights(|frequency| next.velocity(frequency)),
+        velocity: [velocity, unfiltered(velocity)].map(|of| bank.velocity_weights(|frequency| of.velocity(frequency))),
+        position: [position, unfiltered(position)].map(|of| bank.position_weights(|frequency| of.position(frequency))),
+        fades: libm::exp(-period_s * band.middle_rad_s()),
+        correction: if unit.is_some() { band.correction_rad_s() } else { 0.0 },
         bank,
     })
 }

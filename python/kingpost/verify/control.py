@@ -1,0 +1,147 @@
+"""`kingpost verify --control`: every controller on its standard seas, with and without.
+
+Heave compensation is measured on the gallery's scenario of it: the residual at the winch, which is what the
+controller leaves of the tip's heave, and at the hook, each over the heave of the tip; a load far below the
+ship hangs on a long elastic rope, which adds its own stretch and resonance.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import KingpostWarning
+from ..reports.tables import table
+from ..simulation.simulate import run
+
+SCENARIO = "heave_compensation"
+CONTROLLER = "controllers.compensation.heave_compensation"
+UNIT = "sensors.mru.motion_reference_unit"
+LENGTH_S = 400.0
+SETTLED_S = 100.0
+"""The ramp of the sea and the slow states of sensor and prediction are over then, s."""
+
+SEAS: dict[str, dict[str, Any]] = {
+    "Hs 2.5 m, Tp 8 s": {"significant_height_m": 2.5, "peak_period_s": 8},
+    "Hs 1.5 m, Tp 6.5 s": {"significant_height_m": 1.5, "peak_period_s": 6.5},
+    "Hs 3.0 m, Tp 11 s": {"significant_height_m": 3.0, "peak_period_s": 11},
+}
+"""JONSWAP, gamma 1, from ahead."""
+
+CONTROLS: dict[str, dict[str, Any]] = {
+    "off": {"compensation": False},
+    "ideal": {f"{CONTROLLER}.sensor": None},
+    "ideal, no prediction": {f"{CONTROLLER}.sensor": None, f"{CONTROLLER}.prediction": None},
+    "sensor": {},
+    "sensor, no prediction": {f"{CONTROLLER}.prediction": None},
+}
+"""`sensor`: noise, bias, high-pass filter of heave with 20 s, 0.1 s of delay."""
+
+DEPTHS: dict[str, dict[str, Any]] = {"30 m": {}, "1000 m": {"load_height_m": -1000}}
+
+ALLOWED = {"ideal": 2.0, "sensor": 5.0}
+"""Residual at the winch and at the hook that is asked for, % of the heave of the tip."""
+
+
+@dataclass(frozen=True)
+class Compensated:
+    """One run of heave compensation."""
+
+    sea: str
+    depth: str
+    control: str
+    tip_m: float
+    """Standard deviation of the height of the crane's tip, m."""
+    winch: float
+    """That of the residual at the winch over it, %."""
+    hook: float
+    """That of the height of the hook over it, %."""
+    utilisation: dict[str, float]
+    """The largest share of the drive's limits: speed, torque, power."""
+    power_kw: float
+    """Mean power that the drive delivers while it drives, kW."""
+
+    @property
+    def verdict(self) -> str:
+        """Whether the residuals are within what is asked for, and the drive within its limits."""
+        allowed = ALLOWED.get(self.control)
+        if max(self.utilisation.values()) > 1.0:
+            return "at a limit"
+        if allowed is None:
+            return "-"
+        ends = {"winch": self.winch, "hook": self.hook}
+        missed = [f"{end} by {found - allowed:.1f} %" for end, found in ends.items() if found > allowed]
+        return "misses at " + ", ".join(missed) if missed else "reached"
+
+
+def cases() -> Iterator[tuple[str, str, str]]:
+    """Sea, depth and control of each run.
+
+    >>> len(list(cases()))
+    30
+    """
+    return ((sea, depth, control) for sea in SEAS for depth in DEPTHS for control in CONTROLS)
+
+
+def measure(sea: str, depth: str, control: str, length_s: float = LENGTH_S) -> Compensated:
+    """Run one case, and measure from `SETTLED_S` on."""
+    given = SEAS[sea] | DEPTHS[depth] | CONTROLS[control] | {"simulation.duration_s": length_s}
+    with warnings.catch_warnings():
+        # The box-shaped deck goes under in the higher seas: the motion of the tip is what it is.
+        warnings.simplefilter("ignore", KingpostWarning)
+        found = run(SCENARIO, given)
+    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
+
+    def column(name: str) -> np.ndarray:
+        return np.asarray(settled.kingpost[name].values)
+
+    tip = float(column("boom.tip.point_position.z").std())
+    power = column("hoist.drive_power")
+    shares = {name: f"hoist.drive_{name}_utilisation" for name in ("speed", "effort", "power")}
+    return Compensated(
+        sea,
+        depth,
+        control,
+        tip_m=tip,
+        winch=100 * float(column("compensation.compensation_residual").std()) / tip,
+        hook=100 * float(column("lift.hook.point_position.z").std()) / tip,
+        utilisation={name: float(np.abs(column(of)).max()) for name, of in shares.items()},
+        power_kw=float(np.maximum(power, 0.0).mean()) / 1e3,
+    )
+
+
+def measured(update: Callable[[float], None]) -> list[Compensated]:
+    """Every case; `update` is called after each."""
+    rows = []
+    for done, case in enumerate(cases(), 1):
+        rows.append(measure(*case))
+        update(done)
+    return rows
+
+
+HEAD = ("sea", "load at", "compensation", "tip, m", "winch, %", "hook, %",
+        "speed", "torque", "power", "mean, kW", "verdict")  # fmt: skip
+
+
+def text(rows: Sequence[Compensated]) -> str:
+    """The table: residuals over the heave of the tip, largest shares of the drive's limits, mean power."""
+    cells = [
+        (
+            row.sea,
+            row.depth,
+            row.control,
+            f"{row.tip_m:.3f}",
+            f"{row.winch:.2f}",
+            f"{row.hook:.2f}",
+            *(f"{share:.2f}" for share in row.utilisation.values()),
+            f"{row.power_kw:.1f}",
+            row.verdict,
+        )
+        for row in rows
+    ]
+    asked = f"asked for: {ALLOWED['ideal']:g} % with ideal sensors, {ALLOWED['sensor']:g} % with the sensor"
+    return "\n".join([*table([HEAD, *cells], "<<<>>>>>>><"), asked])

@@ -1,0 +1,48 @@
+"""What a user sees of sensors and controllers."""
+
+from __future__ import annotations
+
+import json
+
+import kingpost
+import pytest
+from kingpost.verify import control
+
+SHORT = {"simulation.duration_s": 3, "simulation.record_every_s": 0.5}
+
+
+def test_the_lever_and_the_speed_of_the_controller_are_inputs_and_the_drive_is_not_set_by_hand():
+    simulation = kingpost.Simulation(kingpost.load("heave_compensation", SHORT))
+    assert {"compensation", "compensation.lowering_speed"} <= set(simulation.inputs)
+    with pytest.raises(kingpost.KingpostError, match="compensation"):
+        simulation.set_input("hoist", 1.0)
+
+
+def test_check_lists_the_controller_with_its_facts(capsys):
+    from kingpost.cli import main
+
+    assert main(["check", "heave_compensation"]) == 0
+    printed = capsys.readouterr().out
+    assert "controllers" in printed
+    assert "heave compensation" in printed
+
+
+def test_a_batch_over_the_gain_gives_the_rows_that_each_run_has_alone():
+    field = f"{control.CONTROLLER}.position_gain_per_s"
+    batch = kingpost.Batch("heave_compensation", {field: [0.0, 0.1, 0.3]}, SHORT).run()
+    alone = kingpost.run("heave_compensation", SHORT | {field: 0.3})
+    assert (batch["compensation_residual"].isel(run=2).values == alone["compensation_residual"].values).all()
+
+
+def test_a_case_of_the_standard_seas_is_measured_and_printed():
+    row = control.measure("Hs 2.5 m, Tp 8 s", "30 m", "off", length_s=2.0)
+    assert row.verdict == "-"
+    assert "off" in control.text([row])
+
+
+def test_drop_outs_are_in_the_table_of_events():
+    field = f"{control.UNIT}.drop_outs"
+    ds = kingpost.run("heave_compensation", SHORT | {field: {"mean_interval_s": 0.5, "mean_duration_s": 0.2}})
+    happened = {event["what"] for event in json.loads(ds.attrs["events"])}
+    assert "drops out" in happened
+    assert "goes on without its sensor, which has dropped out" in happened
