@@ -12,6 +12,7 @@ from . import results, verify
 from .accessor import Accessor
 from .analysis import extremes, fatigue, lift_rules, statistics
 from .analysis.gradients import gradient
+from .analysis.regulator import Regulator, lqr
 from .analysis.response import rao
 from .analysis.spectral import spectral_response
 from .analysis.stable_step import stable_step
@@ -39,6 +40,7 @@ __all__ = [
     "KingpostError",
     "KingpostWarning",
     "Linearization",
+    "Regulator",
     "RunError",
     "Scenario",
     "ScenarioError",
@@ -52,6 +54,7 @@ __all__ = [
     "gradient",
     "lift_rules",
     "load",
+    "lqr",
     "modes",
     "open_study",
     "rao",

@@ -3,6 +3,7 @@
 mod drawing;
 mod errors;
 mod events;
+mod feedback;
 mod from_outside;
 mod limits;
 mod live;
@@ -19,6 +20,7 @@ mod watching;
 pub use crate::elements::{Input, Warning};
 pub use errors::{InputError, RunError};
 pub use events::Happened;
+pub use feedback::GrowingMode;
 pub use limits::{Limit, LimitResult};
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
 pub use setup::{SchemeName, Settings, Setup};

@@ -46,6 +46,11 @@ impl<S: Scalar> Steering<S> {
         Self { readings, ..Self::default() }
     }
 
+    /// The columns that a steering element reads.
+    pub(super) fn readings(&mut self, steer: usize) -> &mut Readings<S> {
+        &mut self.readings[steer]
+    }
+
     /// The user set an input. Of several moves between two steps the last counts.
     pub(super) fn moved(&mut self, steps: u64, input: usize, value: f64) {
         self.moves.retain(|&(at, moved, _)| (at, moved) != (steps, input));

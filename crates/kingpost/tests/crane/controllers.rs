@@ -108,8 +108,9 @@ fn what_is_left_beside_the_period_is_the_closed_form() {
 /// Singhose et al. (1994): an EI shaper leaves its tolerance at its period, and nothing at two periods beside it.
 #[test]
 fn an_ei_shaper_leaves_its_tolerance_at_its_period_and_nothing_where_its_band_has_zeros() {
+    // Its weights are divided by their sum, which the split of impulses changes by up to (w h)^2 / 8, 5e-6.
     let found = left("ei", 0.0, 1.0);
-    assert!((found - 0.05).abs() < 1e-8, "{found}");
+    assert!((found / 0.05 - 1.0).abs() < 5e-6, "{found}");
     // From the middle impulse, (1 + V) cos(pi r) + 1 - V = 0, to the 2e-6 by which the split of impulses errs there.
     let beside = libm::acos(-(1.0 - 0.05) / (1.0 + 0.05)) / core::f64::consts::PI;
     for made_for in [beside, 2.0 - beside] {
@@ -196,7 +197,7 @@ fn mistakes_are_reported_with_their_place_and_what_exists() {
         (("controllers.command.input_shaper.period_s", json!(1e9)), "controllers.command.input_shaper.period_s: found 1000000000, allowed: more than two steps"),
         (("controllers.command.input_shaper.damping_ratio", json!(1.0)), "controllers.command.input_shaper.damping_ratio: found 1, allowed: a number from 0 to below 1"),
         (("controllers.command.input_shaper.damping_ratio", json!(-0.1)), "controllers.command.input_shaper.damping_ratio: found -0.1, allowed: "),
-        ((&*format!("{hold}.reads.0.column"), json!("slide.joint_positon")), "reads.0.column: found slide.joint_positon, allowed: slide.joint_position"),
+        ((&*format!("{hold}.reads.0.column"), json!("slide.joint_positon")), "reads.0.column: found slide.joint_positon, allowed: one of slide.joint_position"),
         ((&*format!("{hold}.reads.1.follows"), json!("push")), "reads.1.follows: found push, in 1, allowed: an input in m/s, as slide.joint_velocity"),
         ((&*format!("{hold}.reads.1.follows"), json!("pull")), "reads.1.follows: found pull, allowed: push"),
         ((&*format!("{hold}.steers.0.gains"), json!([1.0])), "steers.0.gains: found 1 gains, allowed: 2, one for each column in reads"),

@@ -182,6 +182,7 @@ impl Scenario {
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
         let setup = self.setup()?;
         let (sea, hulls) = (afloat::sea(self, &setup), afloat::hulls(self, &setup));
+        let growing = warnings::of_feedback(&setup);
         let Setup { model, world, elements, limits, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
@@ -231,7 +232,7 @@ impl Scenario {
             limits: limits.into_iter().map(describe_limit).collect(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
-            warnings: warnings::of(self, &model, &world, &elements),
+            warnings: warnings::of(self, &model, &world, &elements).into_iter().chain(growing).collect(),
         })
     }
 }

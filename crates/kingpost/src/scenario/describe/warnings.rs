@@ -1,11 +1,12 @@
 //! Warnings about a model before it runs.
 
 use crate::elements::hull::Hydrostatics;
-use crate::elements::{AnyElement, Hull, of_kind};
+use crate::elements::{AnyElement, Hull, of_kind, significant};
 use crate::model::Model;
 use crate::scenario::build::wave_motion::other_unit;
 use crate::scenario::schema::{Joint, Scenario};
 use crate::scenario::ties::{floats_freely, tied_to_the_world};
+use crate::simulation::{GrowingMode, Setup, Simulation};
 use crate::sea::database::Database;
 use crate::sea::raos::OtherUnit;
 use crate::world::World;
@@ -18,6 +19,22 @@ pub fn of(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElem
     let falls = |body: usize| format!("gravity acts and nothing carries {}: it falls", model.bodies[body].name);
     let falling = falling(model, world, elements).into_iter().map(falls);
     falling.chain(of_databases(scenario, model, world, elements)).chain(of_raos(scenario, model, world)).collect()
+}
+
+/// Of feedback that makes a mode grow, by the linear check at the start of the run.
+pub fn of_feedback(setup: &Setup) -> Option<String> {
+    setup.elements.iter().find_map(|element| element.linear_law())?;
+    let found = Simulation::recursive(setup.clone()).growing_with_feedback()?;
+    let GrowingMode { coordinate, period_s, growth_time_s, because_of } = found;
+    let mode = period_s.map_or_else(
+        || format!("a motion of {coordinate}"),
+        |period_s| format!("an oscillation of {coordinate} of period {} s", significant(period_s, 4)),
+    );
+    let grows = format!("grows e-fold in {} s", significant(growth_time_s, 3));
+    Some(match because_of.as_slice() {
+        [] => format!("{mode} {grows} by the linear check, with and without feedback"),
+        names => format!("{}: {mode} {grows} with these gains, by the linear check", names.join(", ")),
+    })
 }
 
 /// Of the numbers of hulls in the water.

@@ -1,0 +1,289 @@
+//! Small motions with the feedback of the elements that state a linear law: which modes grow.
+
+use super::{Simulation, stage};
+use crate::elements::{LinearLaw, Situation};
+use crate::integrate::{Stage, System};
+use crate::ledger;
+use crate::results::Sample;
+use core::f64::consts::{PI, TAU};
+use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+/// A mode that grows with feedback.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GrowingMode {
+    /// The coordinate with the largest kinetic energy, each taken by itself.
+    pub coordinate: String,
+    /// Time between two maxima, s; `None` if it does not oscillate.
+    pub period_s: Option<f64>,
+    /// Time in which it grows e-fold, s.
+    pub growth_time_s: f64,
+    /// The elements without which it does not grow so; empty if it grows without any of them too.
+    pub because_of: Vec<String>,
+}
+
+/// Modes that grow more slowly than this count as standing still, 1/s: free motions have zero eigenvalues in pairs, which
+/// differences find to the root of their error.
+const SLOWEST_GROWTH: f64 = 1e-3;
+/// A law is the reason if without it nothing grows at more than this share of the rate.
+const SHARE: f64 = 0.5;
+/// Displacement of a central difference, as in `small_motions`.
+const DIFFERENCE: f64 = 6e-6;
+/// A change of an input is made ten times as large until rates change by more than this, or it is the largest.
+const SEEN: f64 = 1e-4;
+const LARGEST: f64 = 1e6;
+/// A larger norm of A times a sampling period says nothing: the exponential would be rounding.
+const LARGEST_NORM: f64 = 1e9;
+/// Most samples after which all laws sample at once again.
+const MOST_SAMPLES: u64 = 1000;
+/// Iterations of the search for eigenvalues.
+const MOST_ITERATIONS: usize = 20_000;
+/// Shift from the eigenvalue in the inverse iteration, as a share of its modulus.
+const BESIDE: f64 = 1e-9;
+
+/// A law with the inputs that it sets, among those of all laws, and how often it samples, in steps.
+struct Loop {
+    name: String,
+    gains: DMatrix<f64>,
+    reads: DMatrix<f64>,
+    first: usize,
+    steps: u64,
+}
+
+impl Simulation {
+    /// The mode that grows fastest from here with the feedback of all elements that state a
+    /// [linear law](crate::elements::Element::linear_law); `None` if none grows, or nothing is fed back.
+    ///
+    /// Between samples `x' = A x + B u` with u held, so `x -> e^(A h) x + (integral of e^(A s) ds) B u` (Franklin, Powell &
+    /// Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a sample `u = G C x`. The eigenvalues z
+    /// of the map over a time T in which all laws begin anew are those of modes that grow by |z|. A, B and C are by
+    /// differences, in still water and with prescribed motions held.
+    pub fn growing_with_feedback(&mut self) -> Option<GrowingMode> {
+        let laws = self.laws();
+        if laws.is_empty() {
+            return None;
+        }
+        let a = self.small_motions();
+        self.plant.set_situation(Situation::AtRest);
+        let (b, loops) = self.loops(laws, a.nrows());
+        self.plant.set_situation(Situation::Running);
+        let held = Held { a, b, step_s: self.settings.step_s };
+        let all: Vec<&Loop> = loops.iter().collect();
+        let (map, time_s) = held.map(&all)?;
+        let value = fastest(&map)?;
+        let rate = libm::log(value.norm_sqr()) / (2.0 * time_s);
+        if rate < SLOWEST_GROWTH {
+            return None;
+        }
+        let slower = |without: &[&Loop]| held.growth(without).is_none_or(|other| other < SHARE * rate);
+        let is_reason = |one: &&Loop| slower(&loops.iter().filter(|other| other.first != one.first).collect::<Vec<_>>());
+        let mut because: Vec<&Loop> = loops.iter().filter(is_reason).collect();
+        if because.is_empty() && slower(&[]) {
+            because = loops.iter().collect();
+        }
+        let turn = libm::atan2(value.im, value.re).abs();
+        Some(GrowingMode {
+            coordinate: self.moves_most(&map, value),
+            period_s: (turn > 1e-6 * PI).then(|| TAU * time_s / turn),
+            growth_time_s: 1.0 / rate,
+            because_of: because.into_iter().map(|one| one.name.clone()).collect(),
+        })
+    }
+
+    /// The laws, each with the number of the steering element.
+    fn laws(&self) -> Vec<(usize, LinearLaw)> {
+        let steers = self.plant.layout().steers.iter().enumerate();
+        steers.filter_map(|(k, steer)| Some((k, self.plant.elements()[steer.element].linear_law()?))).collect()
+    }
+
+    /// B of the inputs that the laws set, and the laws with C of the columns that they read.
+    fn loops(&mut self, laws: Vec<(usize, LinearLaw)>, size: usize) -> (DMatrix<f64>, Vec<Loop>) {
+        let (mut columns, mut loops) = (Vec::new(), Vec::new());
+        for (steer, law) in laws {
+            let steering = &self.plant.layout().steers[steer];
+            let (name, inputs) = (self.plant.layout().names[steering.element].clone(), steering.inputs.clone());
+            let first = columns.len();
+            columns.extend(inputs.into_iter().map(|input| self.rates_by_input(input, size)));
+            let reads: Vec<DVector<f64>> = (0..size).map(|state| self.columns_by_state(steer, state)).collect();
+            let gains = DMatrix::from_fn(law.gains.len(), reads[0].len(), |i, j| law.gains[i][j]);
+            let steps = libm::round(law.period_s / self.settings.step_s).max(1.0) as u64;
+            loops.push(Loop { name, gains, reads: DMatrix::from_columns(&reads), first, steps });
+        }
+        (DMatrix::from_columns(&columns), loops)
+    }
+
+    /// Rates of the states by an input.
+    fn rates_by_input(&mut self, input: usize, size: usize) -> DVector<f64> {
+        let mut step = DIFFERENCE;
+        loop {
+            let [more, less] = [step, -step].map(|change| self.rates_with(None, Some((input, change))));
+            let difference = (more - less) / (2.0 * step);
+            if step >= LARGEST || difference.amax() * step > SEEN {
+                debug_assert_eq!(difference.len(), size);
+                return difference;
+            }
+            step *= 10.0;
+        }
+    }
+
+    /// The columns that a steering element reads, by a state.
+    fn columns_by_state(&mut self, steer: usize, state: usize) -> DVector<f64> {
+        let [more, less] = [DIFFERENCE, -DIFFERENCE].map(|change| self.columns_with(steer, (state, change)));
+        (more - less) / (2.0 * DIFFERENCE)
+    }
+
+    /// q, v and s with a state changed.
+    fn displaced(&self, change: Option<(usize, f64)>) -> [Vec<f64>; 3] {
+        let free = self.plant.model.free_coordinates();
+        let (from, mut v, mut s) = (self.state.q.clone(), self.state.v.clone(), self.state.s.clone());
+        let (mut xi, mut q) = (vec![0.0; v.len()], from.clone());
+        if let Some((state, change)) = change {
+            match (state.checked_sub(2 * free.len()), state.checked_sub(free.len())) {
+                (Some(extra), _) => s[ledger::COUNT + extra] += change,
+                (_, Some(rate)) => v[free[rate]] += change,
+                _ => xi[free[state]] = change,
+            }
+        }
+        self.plant.retract(&from, &xi, &mut q);
+        [q, v, s]
+    }
+
+    fn rates_with(&mut self, state: Option<(usize, f64)>, input: Option<(usize, f64)>) -> DVector<f64> {
+        let [q, v, s] = self.displaced(state);
+        let mut d = self.state.d.clone();
+        input.into_iter().for_each(|(input, change)| d[input] += change);
+        let interval = self.interval();
+        let at = Stage { q: &q, v: &v, s: &s, d: &d, ..stage(interval, &self.state) };
+        let (mut v_dot, mut s_dot) = (vec![0.0; v.len()], vec![0.0; s.len()]);
+        self.plant.rates(at, &mut v_dot, &mut s_dot);
+        let free = self.plant.model.free_coordinates();
+        let rates = free.iter().map(|&i| v[i]).chain(free.iter().map(|&i| v_dot[i]));
+        DVector::from_iterator(
+            2 * free.len() + s.len() - ledger::COUNT,
+            rates.chain(s_dot[ledger::COUNT..].iter().copied()),
+        )
+    }
+
+    fn columns_with(&mut self, steer: usize, state: (usize, f64)) -> DVector<f64> {
+        let [q, v, s] = self.displaced(Some(state));
+        let interval = self.interval();
+        let Self { plant, channels, state, steering, v_dot, .. } = self;
+        let at = Stage { q: &q, v: &v, s: &s, ..stage(interval, state) };
+        let mut read = Vec::new();
+        let readings = steering.readings(steer);
+        let observed = plant.observe(at, readings.extent(), v_dot);
+        readings.read(&Sample { time_s: at.time_s, q: at.q, v: at.v, s: at.s, observed }, channels, &mut read);
+        DVector::from_vec(read)
+    }
+
+    /// The coordinate with the largest kinetic energy in a mode of the map.
+    fn moves_most(&mut self, map: &DMatrix<f64>, value: Complex<f64>) -> String {
+        let names = self.coordinates();
+        let masses: Vec<f64> = self.mass_matrix().into_iter().step_by(names.len() + 1).collect();
+        let shape = vector(map, value);
+        let energy = |i: usize| masses[i] * shape[names.len() + i].norm_sqr();
+        let largest = (0..names.len()).max_by(|&i, &j| energy(i).total_cmp(&energy(j)));
+        largest.map_or_else(String::new, |i| names[i].clone())
+    }
+}
+
+/// A and B between samples.
+struct Held {
+    a: DMatrix<f64>,
+    b: DMatrix<f64>,
+    step_s: f64,
+}
+
+impl Held {
+    /// The map of states and held inputs over the time in which all laws begin anew, and this time, s.
+    fn map(&self, loops: &[&Loop]) -> Option<(DMatrix<f64>, f64)> {
+        let (n, m) = self.b.shape();
+        let unit = loops.iter().fold(0, |unit, one| divisor(unit, one.steps)).max(1);
+        let samples = loops.iter().try_fold(1, |all: u64, one| {
+            let own = one.steps / unit;
+            (all / divisor(all, own)).checked_mul(own).filter(|all| *all <= MOST_SAMPLES)
+        })?;
+        let between_s = unit as f64 * self.step_s;
+        let mut rates = DMatrix::zeros(n + m, n + m);
+        rates.view_mut((0, 0), (n, n)).copy_from(&(&self.a * between_s));
+        rates.view_mut((0, n), (n, m)).copy_from(&(&self.b * between_s));
+        let between = exponential(rates);
+        let mut map = DMatrix::identity(n + m, n + m);
+        for sample in 0..samples {
+            for one in loops.iter().filter(|one| sample % (one.steps / unit) == 0) {
+                let mut update = DMatrix::identity(n + m, n + m);
+                let law = &one.gains * &one.reads;
+                update.view_mut((n + one.first, 0), (law.nrows(), n)).copy_from(&law);
+                (0..law.nrows()).for_each(|k| update[(n + one.first + k, n + one.first + k)] = 0.0);
+                map = update * map;
+            }
+            map = &between * map;
+        }
+        // Inputs that no loop sets stay zero.
+        for input in 0..m {
+            if !loops.iter().any(|one| (one.first..one.first + one.gains.nrows()).contains(&input)) {
+                map.column_mut(n + input).fill(0.0);
+                map.row_mut(n + input).fill(0.0);
+            }
+        }
+        Some((map, samples as f64 * between_s))
+    }
+
+    /// The rate of the fastest growth with these laws, 1/s.
+    fn growth(&self, loops: &[&Loop]) -> Option<f64> {
+        let (map, time_s) = self.map(loops)?;
+        Some(libm::log(fastest(&map)?.norm_sqr()) / (2.0 * time_s))
+    }
+}
+
+/// The eigenvalue with the largest modulus.
+fn fastest(map: &DMatrix<f64>) -> Option<Complex<f64>> {
+    if !map.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let values = Schur::try_new(map.clone(), f64::EPSILON, MOST_ITERATIONS)?.complex_eigenvalues();
+    values.iter().copied().max_by(|one, other| one.norm_sqr().total_cmp(&other.norm_sqr()))
+}
+
+/// The eigenvector of an eigenvalue, by inverse iteration with a shift; zero if there is none.
+fn vector(map: &DMatrix<f64>, value: Complex<f64>) -> DVector<Complex<f64>> {
+    let n = map.nrows();
+    let beside = value * (1.0 + BESIDE);
+    let shifted = DMatrix::from_fn(n, n, |i, j| Complex::from(map[(i, j)]) - if i == j { beside } else { Complex::ZERO });
+    let factors = shifted.lu();
+    let mut found = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
+    for _ in 0..2 {
+        let Some(next) = factors.solve(&found) else { break };
+        let size = next.norm();
+        found = next.unscale(size);
+    }
+    found
+}
+
+/// The exponential of a matrix by Taylor's series of a small part of it, squared again (Moler & Van Loan, "Nineteen dubious
+/// ways to compute the exponential of a matrix", *SIAM Review* 45(1), 2003, method 3): to rounding with 18 terms up to a norm
+/// of 1/2.
+fn exponential(matrix: DMatrix<f64>) -> DMatrix<f64> {
+    let n = matrix.nrows();
+    let norm = matrix.norm();
+    if !norm.is_finite() || norm > LARGEST_NORM {
+        return DMatrix::from_element(n, n, f64::NAN);
+    }
+    let (mut small, mut squarings) = (matrix, 0);
+    while small.norm() > 0.5 {
+        small *= 0.5;
+        squarings += 1;
+    }
+    let mut term = DMatrix::identity(n, n);
+    let mut sum = term.clone();
+    for k in 1..=18 {
+        term = &term * &small / f64::from(k);
+        sum += &term;
+    }
+    (0..squarings).for_each(|_| sum = &sum * &sum);
+    sum
+}
+
+/// Greatest common divisor.
+fn divisor(one: u64, other: u64) -> u64 {
+    if other == 0 { one } else { divisor(other, one % other) }
+}

@@ -1,0 +1,299 @@
+"""Linear-quadratic regulators on the exact linearisation about rest."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import KingpostError
+from ..scenario import Overrides, Scenario, as_scenario
+from ..simulation.linear import RATE
+from ..simulation.simulate import Simulation
+
+if TYPE_CHECKING:
+    import xarray
+
+Matrix = NDArray[np.float64]
+
+SMALLEST_SHARE = 1e-10
+"""Singular values below this share of the largest count as zero."""
+
+
+@dataclass(frozen=True)
+class Regulator:
+    """A linear-quadratic regulator ``u = -K x``; made by `lqr`.
+
+    Attributes
+    ----------
+    gains
+        K, dimensions ``input`` and ``state``.
+    cost_matrix
+        P, dimensions ``state`` and ``other``: from x0 the cost is ``x0' P x0``.
+    eigenvalues
+        Of the closed loop of the states that it was designed for, 1/s; with a sampling period T they are
+        ``ln(z) / T`` of the sampled eigenvalues z.
+    all_eigenvalues
+        The same of all states of the scenario, with the regulator.
+    period_s
+        Sampling period, s; None if it acts continuously.
+    """
+
+    gains: xarray.DataArray
+    cost_matrix: xarray.DataArray
+    eigenvalues: NDArray[np.complex128]
+    all_eigenvalues: NDArray[np.complex128]
+    period_s: float | None = None
+
+    def cost(self, x0: ArrayLike) -> float:
+        """The cost from the state x0, with the states in the order of ``gains``."""
+        start = np.asarray(x0, float)
+        return float(start @ self.cost_matrix.values @ start)
+
+    def scenario(self, scenario: Scenario, controller: str) -> Scenario:
+        """The scenario with these gains in a controller that reads the states' columns and sets the inputs.
+
+        A coordinate's column is ``slew.joint_position``, its rate's ``slew.joint_velocity``; a drive's state
+        is read by its own name. Columns that are no states of the regulator get the gain 0.
+
+        Raises
+        ------
+        KingpostError
+            If there is no such controller, it does not read a state, or it does not set an input.
+        """
+        controllers = scenario.resolved.get("controllers", {})
+        feedback = {
+            name: (kind, given)
+            for name, tagged in controllers.items()
+            for kind, given in tagged.items()
+            if "reads" in given
+        }
+        if controller not in feedback:
+            allowed = ", ".join(feedback) or "none: the scenario has no state feedback"
+            raise KingpostError(f"controller: found {controller}, allowed: {allowed}")
+        kind, given = feedback[controller]
+        lead = f"controllers.{controller}.{kind}"
+        columns = [read["column"] for read in given["reads"]]
+        targets = [steer["to"] for steer in given["steers"]]
+        # A drive's state is read by its own name, so it is among the columns as it is.
+        states = self.gains["state"].values.tolist()
+        wanted = {state if state in columns else column_of(state): state for state in states}
+        _all_there(f"{lead}.reads", wanted, columns)
+        _all_there(f"{lead}.steers", self.gains["input"].values.tolist(), targets)
+        changes: dict[str, Any] = {}
+        for name in self.gains["input"].values.tolist():
+            row = self.gains.sel(input=name)
+            gains = [float(row.sel(state=wanted[c])) if c in wanted else 0.0 for c in columns]
+            changes[f"{lead}.steers.{targets.index(name)}.gains"] = gains
+        if self.period_s is not None:
+            changes[f"{lead}.period_s"] = self.period_s
+        return scenario.with_overrides(changes)
+
+
+def _all_there(field: str, wanted: Mapping[str, str] | Sequence[str], found: Sequence[str]) -> None:
+    missing = [name for name in wanted if name not in found]
+    if missing:
+        raise KingpostError(f"{field}: found {', '.join(found)}, allowed: also {', '.join(missing)}")
+
+
+def column_of(state: str) -> str:
+    """The column that shows a coordinate or its rate.
+
+    >>> column_of("slew"), column_of("pendant.first.rate")
+    ('slew.joint_position', 'pendant.first.joint_velocity')
+    """
+    if state.endswith(RATE):
+        return f"{state.removesuffix(RATE)}.joint_velocity"
+    return f"{state}.joint_position"
+
+
+def lqr(
+    scenario_or_path: Scenario | str | Path,
+    overrides: Overrides | None = None,
+    *,
+    inputs: Sequence[str],
+    states: Sequence[str] | None = None,
+    Q: Mapping[str, float] | ArrayLike,
+    R: Mapping[str, float] | ArrayLike,
+    period_s: float | None = None,
+    **parameters: Any,
+) -> Regulator:
+    """The linear-quadratic regulator ``u = -K x`` of small motions about rest.
+
+    It minimises ``J = integral of x' Q x + u' R u`` for ``x' = A x + B u``, with A and B exact, of
+    `Simulation.linearize` at the equilibrium. With the solution P of ``A' P + P A - P B R^-1 B' P + Q = 0``,
+    ``K = R^-1 B' P`` and the least cost is ``x0' P x0`` (Anderson & Moore, *Optimal Control: Linear Quadratic
+    Methods*, 1990, ch. 2-3). With a sampling period u is held between samples; x and J stay those between
+    the samples too (Van Loan, "Computing integrals involving the matrix exponential", *IEEE Trans. Autom.
+    Control* 23(3), 1978).
+
+    Parameters
+    ----------
+    scenario_or_path, overrides, parameters
+        What to regulate, as in `run`. Its controllers do not act.
+    inputs
+        Names of the inputs u that the regulator sets.
+    states
+        Names of the states x that it reads, of `Linearization.states`; None for all. Other states are held at
+        rest in the design: a ship, for example. ``all_eigenvalues`` shows what they do in the closed loop.
+    Q, R
+        Weights: by name, as ``{"slew": 1}`` with 0 for the others, as a diagonal, or as a symmetric matrix.
+        Q is positive semidefinite, R positive definite.
+    period_s
+        Sampling period, s; None for a continuous regulator.
+
+    Raises
+    ------
+    KingpostError
+        If a name is unknown, a weight is not allowed, the inputs cannot damp a mode (the error names it), or
+        Q does not see a mode that grows or stays.
+
+    A mass of 2 kg on a slide, and its position and force weighed equally: the double integrator.
+
+    >>> body = {"mass_kg": 2, "shape": {"point": {}}, "joint": {"prismatic": {"name": "slide"}}}
+    >>> drive = {"linear_motor": {"joint": "slide", "force_N": 1, "history": "lever"}}
+    >>> cage = {"version": 1, "title": "Cage", "bodies": {"cage": body}, "drives": {"push": drive}}
+    >>> import json
+    >>> scenario = Scenario(json.dumps(cage), "cage.json")
+    >>> lqr(scenario, inputs=["push"], Q={"slide": 1}, R=[1]).gains.values.round(6).tolist()
+    [[1.0, 2.0]]
+    """
+    simulation = Simulation(as_scenario(scenario_or_path, overrides, parameters))
+    simulation.settle()
+    linear = simulation.linearize()
+    chosen = linear.states if states is None else list(states)
+    rows = _places("states", chosen, linear.states)
+    columns = _places("inputs", list(inputs), linear.inputs)
+    whole_a, whole_b = linear.A.values, linear.B.values[:, columns]
+    a, b = whole_a[np.ix_(rows, rows)], whole_b[rows]
+    q = _weights("Q", Q, chosen)
+    r = _weights("R", R, list(inputs), positive=True)
+    if period_s is not None and not (math.isfinite(period_s) and period_s > 0):
+        raise KingpostError(f"period_s: found {period_s}, allowed: a number greater than 0, or None")
+    _check_reach(a, b, chosen)
+    gains, cost = _solve(a, b, q, r, period_s)
+    embedded = np.zeros((len(columns), len(whole_a)))
+    embedded[:, rows] = gains
+    return Regulator(
+        _labelled("gains", gains, {"input": list(inputs), "state": chosen}),
+        _labelled("cost_matrix", cost, {"state": chosen, "other": chosen}),
+        _closed(a, b, gains, period_s),
+        _closed(whole_a, whole_b, embedded, period_s),
+        period_s,
+    )
+
+
+def _labelled(name: str, values: Matrix, labels: dict[str, list[str]]) -> xarray.DataArray:
+    import xarray
+
+    coords = {dim: np.array(of, str) for dim, of in labels.items()}
+    return xarray.DataArray(values, coords, tuple(labels), name)
+
+
+def _places(what: str, wanted: list[str], existing: list[str]) -> list[int]:
+    """Indices of names; an error lists those that exist."""
+    if not wanted:
+        raise KingpostError(f"{what}: found none, allowed: {', '.join(existing) or 'none exist'}")
+    for k, name in enumerate(wanted):
+        if name not in existing:
+            raise KingpostError(f"{what}: found {name!r}, allowed: {', '.join(existing) or 'none exist'}")
+        if name in wanted[:k]:
+            raise KingpostError(f"{what}: found {name!r} a second time, allowed: each name once")
+    return [existing.index(name) for name in wanted]
+
+
+def _weights(
+    what: str, given: Mapping[str, float] | ArrayLike, names: list[str], positive: bool = False
+) -> Matrix:
+    """A symmetric matrix of weights, semidefinite or definite."""
+    n = len(names)
+    if isinstance(given, Mapping):
+        _places(what, list(given), names)
+        given = [given.get(name, 0.0) for name in names]
+    try:
+        weights = np.asarray(given, float)
+    except (TypeError, ValueError):
+        raise KingpostError(f"{what}: found {given!r}, allowed: numbers") from None
+    if weights.ndim == 1:
+        weights = np.diag(weights)
+    if weights.shape != (n, n):
+        raise KingpostError(f"{what}: found a shape of {weights.shape}, allowed: {n} or {n} x {n} numbers")
+    if not np.isfinite(weights).all():
+        raise KingpostError(f"{what}: found NaN or infinity, allowed: finite numbers")
+    if np.abs(weights - weights.T).max() > SMALLEST_SHARE * np.abs(weights).max():
+        raise KingpostError(f"{what}: found a matrix that is not symmetric, allowed: a symmetric one")
+    values = np.linalg.eigvalsh(weights)
+    least = float(values.min())
+    if positive and least <= 0:
+        raise KingpostError(f"{what}: found an eigenvalue of {least:g}, allowed: greater than 0")
+    if least < -SMALLEST_SHARE * max(1.0, float(values.max())):
+        raise KingpostError(f"{what}: found an eigenvalue of {least:g}, allowed: 0 or greater")
+    return weights
+
+
+def _check_reach(a: Matrix, b: Matrix, names: list[str]) -> None:
+    """Popov, Belevitch and Hautus: [A - s I, B] has full rank for each s that does not decay."""
+    scale = max(float(np.abs(a).max()), 1.0)
+    for value in np.linalg.eigvals(a):
+        if value.real < -1e-9 * scale or value.imag < 0:
+            continue
+        test = np.hstack([a - value * np.eye(len(a)), b / max(float(np.abs(b).max()), 1e-300)])
+        left, singular, _ = np.linalg.svd(test)
+        if singular[-1] < SMALLEST_SHARE * singular[0] or singular[-1] < 1e-8:
+            about = names[int(np.abs(left[:, -1]).argmax())]
+            period = f" of period {2 * math.pi / value.imag:.4g} s" if value.imag > 1e-6 * scale else ""
+            raise KingpostError(
+                f"inputs: found no effect on the mode{period} in which {about} takes part, allowed: inputs that "
+                "damp every mode that does not decay; or leave its states out of states"
+            )
+
+
+def _solve(a: Matrix, b: Matrix, q: Matrix, r: Matrix, period_s: float | None) -> tuple[Matrix, Matrix]:
+    """K and P."""
+    from scipy.linalg import solve_continuous_are, solve_discrete_are
+
+    try:
+        if period_s is None:
+            p = solve_continuous_are(a, b, q, r)
+            return np.linalg.solve(r, b.T @ p), p
+        held, moved, weight, cross, of_input = _sampled(a, b, q, r, period_s)
+        p = solve_discrete_are(held, moved, weight, of_input, s=cross)
+        return np.linalg.solve(of_input + moved.T @ p @ moved, moved.T @ p @ held + cross.T), p
+    except (np.linalg.LinAlgError, ValueError) as error:
+        raise KingpostError(
+            f"Q: found weights without a regulator that settles ({error}), allowed: a weight on each motion that "
+            "does not decay by itself"
+        ) from None
+
+
+def _sampled(a: Matrix, b: Matrix, q: Matrix, r: Matrix, period_s: float) -> tuple[Matrix, ...]:
+    """A and B between samples, and the weights of x, of x with u, and of u over a sampling period."""
+    from scipy.linalg import expm
+
+    n, m = b.shape
+    whole = np.zeros((n + m, n + m))
+    whole[:n, :n], whole[:n, n:] = a, b
+    weight = np.block([[q, np.zeros((n, m))], [np.zeros((m, n)), r]])
+    both = np.block([[-whole.T, weight], [np.zeros_like(whole), whole]])
+    step = expm(both * period_s)
+    move = step[n + m :, n + m :]
+    cost = move.T @ step[: n + m, n + m :]
+    cost = (cost + cost.T) / 2
+    return move[:n, :n], move[:n, n:], cost[:n, :n], cost[:n, n:], cost[n:, n:]
+
+
+def _closed(a: Matrix, b: Matrix, gains: Matrix, period_s: float | None) -> NDArray[np.complex128]:
+    """Eigenvalues of the closed loop, 1/s, the slowest decay first."""
+    if period_s is None:
+        values = np.linalg.eigvals(a - b @ gains).astype(complex)
+    else:
+        none = np.zeros_like(a)
+        held, moved = _sampled(a, b, none, np.zeros((b.shape[1],) * 2), period_s)[:2]
+        with np.errstate(divide="ignore"):
+            values = np.log(np.linalg.eigvals(held - moved @ gains).astype(complex)) / period_s
+    return values[np.lexsort((values.imag, -values.real))]
