@@ -18,7 +18,7 @@ bodies:
   buoy:
     mass_kg: 1000
     shape: {box: {length_m: 1, width_m: 1, height_m: 1}}
-    joint: {prismatic: {name: heave, axis: [0, 0, 1], initial_extension_m: 1, spring: {stiffness_N_per_m: 616.8502750680849, rest_m: 15.89795886}}}
+    joint: {prismatic: {name: heave, axis: [0, 0, 1], initial_extension_m: 1, spring: {stiffness_N_per_m: 616.8502750680849, rest_m: 15.897942169058107}}}
   block:
     mass_kg: 50
     shape: {box: {length_m: 1, width_m: 1, height_m: 1}}
