@@ -371,11 +371,11 @@ fn a_mistake_is_told_with_its_place() {
                 "controllers.again",
                 json!({"heave_compensation": {"rope": "hoist", "drive": "drive", "period_s": 0.1}}),
             )],
-            "controllers.again.heave_compensation.drive: found drive, which keep sets, allowed: a drive that nothing else sets",
+            "controllers.again.heave_compensation.drive: found drive, which keep sets, allowed: one controller to each input",
         ),
         (
             &[("operation", json!({"steps": [{"name": "lower", "set": [{"input": "drive", "to": 1}]}]}))],
-            "operation.steps.0.set.0.input: found drive, allowed: an input that nothing else sets: keep sets it",
+            "operation.steps.0.set.0.input: found drive, allowed: an input that no controller sets, such as the command of keep",
         ),
     ];
     for (changes, expected) in cases {
