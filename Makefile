@@ -66,7 +66,7 @@ test-browser: $(APP) ## the app's tests in Chromium; skipped where there is none
 
 test-python: $(DONE)/develop $(APP) ## the Python package's tests
 	$(PLAIN)
-	$(BIN)/pytest --numprocesses auto --maxprocesses 4 --dist loadfile
+	$(BIN)/pytest --numprocesses auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
 bench: need-rust need-node need-python $(DONE)/develop $(WASM) ## compare speed with other engines
 	$(BIN)/python benches/run.py

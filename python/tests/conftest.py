@@ -17,6 +17,23 @@ from kingpost.server import serve
 from samples import CALIBRATION, SMALL
 from served import ENGINE
 
+LONG = (
+    "test_docs_run.py",
+    "test_study_cluster.py",
+    "test_study_resume.py",
+    "test_hydro_demand.py",
+    "test_hydro_importers.py",
+    "test_seeds.py",
+    "test_natural_modes.py",
+    "test_gradients.py",
+    "test_peers_bench.py",
+)
+"""Files that take longest begin first: begun last, one would run on when the other processes have ended."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    items.sort(key=lambda item: LONG.index(item.path.name) if item.path.name in LONG else len(LONG))
+
 
 def pytest_configure(config: pytest.Config) -> None:
     # Tests of what is warned of ask for it.

@@ -1,4 +1,4 @@
-// Ten thousand random changes from one seed. Others, or another number of them:
+// Three thousand random changes from one seed. Others, or another number of them:
 //
 //     KINGPOST_CHANGES_SEED=7 KINGPOST_CHANGES=50000 npx vitest run tests/changes.test.ts
 import { afterAll, beforeAll, expect, it } from "vitest";
@@ -9,7 +9,7 @@ import { bits, initEngine, read } from "./gallery";
 import { Random } from "./random";
 
 const SEED = Number(process.env.KINGPOST_CHANGES_SEED ?? 1);
-const CHANGES = Number(process.env.KINGPOST_CHANGES ?? 10_000);
+const CHANGES = Number(process.env.KINGPOST_CHANGES ?? 3_000);
 /** With levers, with live parameters, with steps that decide themselves how long they are, and one that runs away. */
 const SCENARIOS = ["lowering_by_winch", "quayside_lift", "offshore_vessel_on_dp", "paper", "tennis_racket", "chain"];
 /** How often each change is made. */
@@ -193,7 +193,7 @@ it(
     await trial.settled();
     expect(rejected).toEqual([]);
     expect(trial.made.length).toBeGreaterThan(CHANGES);
-    if (CHANGES >= 5000) expect(Object.values(trial.seen).every((times) => times > 5), JSON.stringify(trial.seen)).toBe(true);
+    if (CHANGES >= 3000) expect(Object.values(trial.seen).every((times) => times > 5), JSON.stringify(trial.seen)).toBe(true);
   },
   600_000,
 );

@@ -1,0 +1,67 @@
+"""A run that writes over a good file and is killed: run as a script with the words of the command line.
+
+Each try is a process of its own, forked when all is loaded, so that its whole life is the run and its
+writing. The system ends it after a share of the processor time that the run takes, wherever it is, with
+nothing that it could do about it, as SIGKILL does; a busy machine gives it as much as an idle one.
+
+Prints after each try whether it was killed and a digest of the file's values, which are read as a user would.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import signal
+import sys
+from pathlib import Path
+
+import pandas
+import xarray
+from kingpost import cli
+
+TRIES = 16
+LONGEST_SHARE = 0.9
+"""Of the processor time of a whole run, which a few tries take less of and end by themselves."""
+
+
+def digest(path: Path) -> str:
+    """Of the values in a file."""
+    if path.suffix == ".nc":
+        with xarray.open_dataset(path, engine="h5netcdf") as found:
+            table = found["kinetic_energy"].to_dataframe()
+    else:
+        table = pandas.read_csv(path) if path.suffix == ".csv" else pandas.read_parquet(path)
+    return hashlib.sha256(pandas.util.hash_pandas_object(table).to_numpy().tobytes()).hexdigest()
+
+
+def run(words: list[str], moment_s: float | None) -> tuple[bool, float]:
+    """Runs in a process of its own. Returns whether it was killed, and its processor time, s."""
+    child = os.fork()
+    if child == 0:
+        if moment_s is not None:
+            signal.setitimer(signal.ITIMER_PROF, moment_s)
+        os._exit(cli.main(words))
+    _, status, used = os.wait4(child, 0)
+    ended = os.waitstatus_to_exitcode(status)
+    assert ended in (-signal.SIGPROF, 0), ended
+    return ended != 0, used.ru_utime + used.ru_stime
+
+
+def main(words: list[str]) -> list[tuple[bool, str]]:
+    """Run to the end, here so that all is loaded before the forks, then kill again and again."""
+    target, found = Path(words[-1]), []
+    assert cli.main(words) == 0
+    digest(target)
+    _, took_s = run(words, None)
+    for k in range(1, TRIES + 1):
+        killed, _ = run(words, LONGEST_SHARE * took_s * k / TRIES)
+        found.append((killed, digest(target)))
+    return found
+
+
+if __name__ == "__main__":
+    with Path(os.devnull).open("w") as nowhere, contextlib.redirect_stdout(nowhere):
+        tries = main(sys.argv[1:])
+    print(json.dumps(tries))
