@@ -4,16 +4,17 @@
 //! threads. Every run gives the same bits as it would alone, whatever the other lanes and the number of threads.
 
 mod copies;
+mod members;
 mod side_by_side;
 
 pub use copies::{Asked, Copies, CopyError, Status};
+pub use members::Members;
 
 use crate::elements::Layout;
 use crate::plant::Form;
 use crate::results::{Channel, Channels};
 use crate::scalar::{LANES, Lanes};
-use crate::scenario::read::read_and_build;
-use crate::scenario::{Files, Scenario, ScenarioError, side_by_side};
+use crate::scenario::{Files, ScenarioError};
 use crate::simulation::{Run, SchemeName, Setup, Simulation};
 use core::sync::atomic::{AtomicUsize, Ordering};
 use indexmap::IndexMap;
@@ -115,7 +116,7 @@ pub fn run_within(
 ) -> Result<Batch, BatchError> {
     let pool = pool(threads)?;
     pool.install(|| {
-        let members = members(text, file, files, variants)?;
+        let members = Members::new(text, file, files, variants)?;
         run_all(&members, most_bytes, &progress)
     })
 }
@@ -199,52 +200,6 @@ fn common_channels(built: &impl Built) -> Result<Vec<Channel>, BatchError> {
     let first = of(0);
     let other = (0..built.count()).into_par_iter().position_first(|run| of(run) != first);
     other.map_or(Ok(first), |run| Err(BatchError::Channels { run }))
-}
-
-/// One variant, read and built.
-#[derive(Debug)]
-struct Member {
-    scenario: Scenario,
-    setup: Setup,
-    /// The scenario without its continuous numbers: see [`Scenario::structure`].
-    structure: String,
-}
-
-impl Built for Vec<Member> {
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    fn setup(&self, run: usize) -> &Setup {
-        &self[run].setup
-    }
-
-    fn structure(&self, run: usize) -> &str {
-        &self[run].structure
-    }
-
-    fn simulation(&self, run: usize) -> Simulation {
-        let Member { scenario, setup, .. } = &self[run];
-        scenario.simulation_of(setup.clone()).unwrap_or_else(|_| Simulation::new(setup.clone()))
-    }
-
-    fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>> {
-        let scenarios: Vec<&Scenario> = group.iter().map(|&run| &self[run].scenario).collect();
-        let setups: Vec<&Setup> = group.iter().map(|&run| &self[run].setup).collect();
-        // If a number that decides the structure differs, each runs alone.
-        side_by_side(&scenarios, &setups).ok()
-    }
-}
-
-fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Result<Vec<Member>, BatchError> {
-    variants.par_iter().enumerate().map(|(run, variant)| member(run, text, file, files, variant)).collect()
-}
-
-fn member(run: usize, text: &str, file: &str, files: &Files, variant: &Variant) -> Result<Member, BatchError> {
-    let wrong = |error| BatchError::Variant { run, error };
-    let (scenario, setup) = read_and_build(text, file, variant, files).map_err(wrong)?;
-    let structure = scenario.structure();
-    Ok(Member { scenario, setup, structure })
 }
 
 /// Groups of runs with the same structure, at most as many as there are lanes.

@@ -5,14 +5,14 @@ use serde_json::Value;
 use super::error::{Fault, ScenarioError};
 use super::files::Files;
 use super::parameters::{self, Override, OverrideTarget};
-use super::schema::Scenario;
+use super::schema::{Parameter, Scenario};
 use super::tree::{ScenarioNode, segments};
 use super::typed::{check_version, typed};
 #[cfg(not(target_family = "wasm"))]
 use crate::plant::{Form, Number};
 use crate::simulation::{Setup, Simulation};
 
-use super::{parse, parts, wording};
+use super::{conversion, parse, parts, wording};
 
 /// Reads a scenario from YAML or JSON.
 ///
@@ -40,18 +40,82 @@ pub fn read_with(
 }
 
 /// The same, with the setup of a simulation.
-pub(crate) fn read_and_build(
+fn read_and_build(
     text: &str,
     file: &str,
     overrides: &[(String, Value)],
     files: &Files,
 ) -> Result<(Scenario, Setup), ScenarioError> {
-    let (mut scenario, tree) = read_tree(text, file, overrides, files).map_err(|fault| fault.in_file(file))?;
-    let built = scenario.take_files(files).and_then(|()| super::build::build(&scenario));
-    match built {
-        Ok(setup) => Ok((scenario, setup)),
-        Err(error) => Err(Fault { place: tree.place_of(&segments(&error.field)), error }.in_file(file)),
+    Parsed::new(text, file)?.read_and_build(overrides, files)
+}
+
+/// A parsed text, to be read with one set of overrides after another.
+#[derive(Clone)]
+pub(crate) struct Parsed<'a> {
+    file: &'a str,
+    tree: ScenarioNode,
+    /// What parameters and overrides need to know; of a text with parts it depends on the overrides.
+    as_written: Option<AsWritten>,
+}
+
+/// The scenario before parameters and overrides are written into it.
+#[derive(Clone)]
+struct AsWritten {
+    parameters: Vec<Parameter>,
+    /// All of it, with every default.
+    whole: Value,
+}
+
+impl<'a> Parsed<'a> {
+    /// # Errors
+    /// Those of [`read_with`] that no override changes.
+    pub(crate) fn new(text: &str, file: &'a str) -> Result<Self, ScenarioError> {
+        let parsed = || {
+            let mut tree = parse::parse(text)?;
+            check_version(&tree)?;
+            let as_written = match tree.field("parts") {
+                Some(_) => None,
+                None => {
+                    conversion::to_si(&mut tree)?;
+                    Some(AsWritten::of(&tree)?)
+                }
+            };
+            Ok(Self { file, tree, as_written })
+        };
+        parsed().map_err(|fault: Fault| fault.in_file(file))
     }
+
+    /// # Errors
+    /// Those of [`read_with`].
+    pub(crate) fn read_and_build(
+        self,
+        overrides: &[(String, Value)],
+        files: &Files,
+    ) -> Result<(Scenario, Setup), ScenarioError> {
+        let file = self.file;
+        let (mut scenario, tree) = self.resolved(overrides, files).map_err(|fault| fault.in_file(file))?;
+        let built = scenario.take_files(files).and_then(|()| super::build::build(&scenario));
+        match built {
+            Ok(setup) => Ok((scenario, setup)),
+            Err(error) => Err(Fault { place: tree.place_of(&segments(&error.field)), error }.in_file(file)),
+        }
+    }
+
+    fn resolved(self, overrides: &[(String, Value)], files: &Files) -> Result<(Scenario, ScenarioNode), Fault> {
+        let Self { file, mut tree, as_written } = self;
+        let overrides = from_outside(overrides);
+        if let Some(as_written) = as_written {
+            return Ok((as_written.resolved(&mut tree, &overrides)?, tree));
+        }
+        let (mounted, overrides) = parts::mount(&mut tree, file, overrides, files, false)?;
+        let mut scenario = resolved(&mut tree, &overrides)?;
+        scenario.parts = mounted.parts;
+        Ok((scenario, tree))
+    }
+}
+
+fn from_outside(overrides: &[(String, Value)]) -> Vec<Override<'_>> {
+    overrides.iter().map(Override::from_outside).collect()
 }
 
 /// Names of the files that a scenario needs, as far as the given `files` show: its parts, and the files named by its
@@ -74,8 +138,9 @@ pub fn file_names(
     files: &Files,
 ) -> Result<Vec<String>, ScenarioError> {
     let names = || {
-        let (mut tree, overrides) = parsed(text, overrides)?;
-        let (mounted, overrides) = parts::mount(&mut tree, file, overrides, files, true)?;
+        let mut tree = parse::parse(text)?;
+        check_version(&tree)?;
+        let (mounted, overrides) = parts::mount(&mut tree, file, from_outside(overrides), files, true)?;
         let mut names = mounted.files;
         if !mounted.incomplete {
             let scenario = resolved(&mut tree, &overrides)?;
@@ -97,39 +162,30 @@ pub(super) fn changed(scenario: &Scenario, name: &str, value: &Value) -> Result<
     Ok(Scenario { parts: scenario.parts.clone(), files: scenario.files.clone(), ..resolved })
 }
 
-fn read_tree(
-    text: &str,
-    file: &str,
-    overrides: &[(String, Value)],
-    files: &Files,
-) -> Result<(Scenario, ScenarioNode), Fault> {
-    let (mut tree, overrides) = parsed(text, overrides)?;
-    let (mounted, overrides) = parts::mount(&mut tree, file, overrides, files, false)?;
-    let mut scenario = resolved(&mut tree, &overrides)?;
-    scenario.parts = mounted.parts;
-    Ok((scenario, tree))
-}
-
-/// The tree of a text, and the overrides.
-fn parsed<'a>(text: &str, overrides: &'a [(String, Value)]) -> Result<(ScenarioNode, Vec<Override<'a>>), Fault> {
-    let tree = parse::parse(text)?;
-    check_version(&tree)?;
-    Ok((tree, overrides.iter().map(Override::from_outside).collect()))
-}
-
 /// The scenario of a tree without parts, parameters and overrides in place.
 fn resolved(tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
-    let as_written = typed(tree)?;
-    if tree.field("bodies").is_none() {
-        return Err(Fault::new(&tree.place, "bodies", wording::NOTHING, wording::FIELDS));
+    AsWritten::of(tree)?.resolved(tree, overrides)
+}
+
+impl AsWritten {
+    fn of(tree: &ScenarioNode) -> Result<Self, Fault> {
+        let scenario = typed(tree)?;
+        if tree.field("bodies").is_none() {
+            return Err(Fault::new(&tree.place, "bodies", wording::NOTHING, wording::FIELDS));
+        }
+        let whole = serde_json::to_value(&scenario).unwrap_or_default();
+        Ok(Self { parameters: scenario.parameters, whole })
     }
-    let whole = serde_json::to_value(&as_written).unwrap_or_default();
-    parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, overrides)?;
-    let mut scenario = typed(tree)?;
-    for parameter in &mut scenario.parameters {
-        parameter.default = None;
+
+    /// The scenario of its tree with parameters and overrides in place.
+    fn resolved(&self, tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
+        parameters::apply(OverrideTarget { tree, whole: &self.whole }, &self.parameters, overrides)?;
+        let mut scenario = typed(tree)?;
+        for parameter in &mut scenario.parameters {
+            parameter.default = None;
+        }
+        Ok(scenario)
     }
-    Ok(scenario)
 }
 
 impl Scenario {

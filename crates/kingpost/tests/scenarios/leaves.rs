@@ -2,9 +2,8 @@
 //! derivative. What cannot is refused by name.
 
 use kingpost::analysis::gradient;
-use kingpost::batch;
+use kingpost::batch::{self, Built, Members, run_built};
 use kingpost::elements::{DynamicPositioning, FlowLoad, of_kind};
-use kingpost::plant::DIRECTIONS;
 use kingpost::plant::Number;
 use kingpost::results::Channel;
 use kingpost::scenario::{Files, Host, Scenario, read_with};
@@ -132,10 +131,11 @@ impl Case {
         }
     }
 
-    /// The run of a variant alone, or why there is none.
-    fn alone(&self, variant: &batch::Variant) -> Result<Run, String> {
-        let scenario = read_with(&self.text, self.name, variant, &self.files).map_err(|error| error.to_string())?;
-        Ok(scenario.simulation().map_err(|error| error.to_string())?.run(|_| true))
+    /// Variants, read and built, and their runs together.
+    fn together(&self, variants: &[batch::Variant]) -> Result<(Members, batch::Batch), batch::BatchError> {
+        let members = Members::new(&self.text, self.name, &self.files, variants)?;
+        let batch = run_built(&members, 1, |_| true)?;
+        Ok((members, batch))
     }
 }
 
@@ -168,16 +168,16 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
         let step = step_of(value, is_whole);
         let moves = if is_whole { [1.0, 2.0, 3.0, 4.0] } else { [-2.0, -1.0, 1.0, 2.0] };
         let variants = moves.map(|k| case.with(&path, value + k * step, is_whole));
-        let runs = match batch::run(&case.text, case.name, &case.files, &variants, 1, |_| true) {
-            Ok(batch) => batch.runs,
+        let (members, runs) = match case.together(&variants) {
+            Ok((members, batch)) => (members, batch.runs),
             Err(error) if error.to_string().contains("allowed: ") => continue,
             Err(error) => {
                 failures.push(format!("{}: {path}: {error}", case.name));
                 continue;
             }
         };
-        for (variant, together) in variants.iter().zip(&runs).skip(1) {
-            let alone = case.alone(variant).expect("it runs in the batch");
+        for (k, together) in runs.iter().enumerate().skip(1) {
+            let alone = members.simulation(k).run(|_| true);
             if bits(together) != bits(&alone) || together.status != alone.status {
                 failures.push(format!("{}: {path}: another run in a batch", case.name));
             }
@@ -215,7 +215,7 @@ const STRUCTURE: [&str; 39] = [
     ".acceleration_m_s2",
     ".motion_reference_unit.period_s",
     ".state_feedback.period_s",
-    ".encoder.period_s",
+    "encoder.period_s",
     ".load_cell.period_s",
     ".satellite_receiver.period_s",
     ".heave_compensation.period_s",
@@ -230,7 +230,7 @@ const STRUCTURE: [&str; 39] = [
     "sea.depth_m",
 ];
 
-/// Gradients along leaves, those of a chunk in one run; a leaf without one is told by its name.
+/// Gradients along leaves; a structural leaf without one is told by its name.
 fn check_gradients(case: &Case, leaves: &[Moved], failures: &mut Vec<String>) {
     let scenario = read_with(&case.text, case.name, &[], &case.files).expect("the scenario reads");
     let decides = |leaf: &&Moved| STRUCTURE.iter().any(|part| leaf.path.contains(part));
@@ -240,12 +240,14 @@ fn check_gradients(case: &Case, leaves: &[Moved], failures: &mut Vec<String>) {
     };
     for leaf in structural.into_iter().filter(|leaf| !refused(leaf)) {
         // A number that decides nothing here may have its derivative.
-        check_chunk(case, &scenario, &[leaf], failures);
+        check_derivatives(case, &scenario, &[leaf], failures);
     }
-    continuous.chunks(DIRECTIONS).for_each(|chunk| check_chunk(case, &scenario, chunk, failures));
+    if !continuous.is_empty() {
+        check_derivatives(case, &scenario, &continuous, failures);
+    }
 }
 
-fn check_chunk(case: &Case, scenario: &Scenario, leaves: &[&Moved], failures: &mut Vec<String>) {
+fn check_derivatives(case: &Case, scenario: &Scenario, leaves: &[&Moved], failures: &mut Vec<String>) {
     let names: Vec<&str> = leaves.iter().map(|leaf| leaf.path.as_str()).collect();
     match gradient(scenario, &names, |_| true) {
         Ok(found) => {
@@ -364,13 +366,13 @@ fn a_batch_over_the_height_of_a_wind_load_has_four_winds() {
     let case = case("offshore_vessel_on_dp.yaml", 8.0);
     let heights = [10.0, 30.0, 60.0, 120.0];
     let variants = heights.map(|height| case.with("forces.wind_on_hull.wind_load.height_m", height, false));
-    let batch = batch::run(&case.text, case.name, &case.files, &variants, 1, |_| true).expect("each variant builds");
+    let (members, batch) = case.together(&variants).expect("each variant builds");
     let simulation = Simulation::new(read_with(&case.text, case.name, &[], &case.files).unwrap().setup().unwrap());
     let force =
         simulation.channels().iter().find(|channel| channel.variable == "flow_force").expect("a wind load").offset;
     let forces: Vec<f64> = batch.runs.iter().map(|run| run.rows[force]).collect();
-    for ((run, variant), (height, found)) in batch.runs.iter().zip(&variants).zip(heights.iter().zip(&forces)) {
-        assert!(bits(run) == bits(&case.alone(variant).expect("it runs")), "height {height} m");
+    for (k, (run, (height, found))) in batch.runs.iter().zip(heights.iter().zip(&forces)).enumerate() {
+        assert!(bits(run) == bits(&members.simulation(k).run(|_| true)), "height {height} m");
         // The ship begins at rest, at an angle that hardly depends on the wind.
         let expected = forces[0] * libm::pow(height / 10.0, 2.0 / 7.0);
         assert!((found / expected - 1.0).abs() < 0.05, "height {height} m: {found} N, by the power law {expected} N");
@@ -402,11 +404,16 @@ fn what_is_not_in_proportion_to_a_number_has_its_derivative_too() {
     assert!((flow.derivative[2] / expected - 1.0).abs() < 1e-13, "{flow:?}");
 }
 
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
+}
+
 /// Builders compute with all of a number: none takes its first lane, or its value without its derivatives.
 #[test]
 fn no_builder_reads_the_first_of_several_numbers() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/scenario/build");
-    for file in fs::read_dir(folder).expect("the builders").map(|file| file.expect("a file").path()) {
+    for file in files_below(&folder) {
         let code = fs::read_to_string(&file).expect("it reads");
         for escape in [".value()", ".values()", ".to_array()", ".value,", ".shared()"] {
             let found = code.lines().find(|line| {

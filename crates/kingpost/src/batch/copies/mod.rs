@@ -6,9 +6,11 @@
 
 mod group;
 
-use super::{BatchError, Member, Variant, fits_lanes, member, pool};
+use super::members::Member;
+use super::{BatchError, Variant, fits_lanes, pool};
 use crate::scalar::LANES;
 use crate::scenario::Files;
+use crate::scenario::read::Parsed;
 use crate::simulation::{InputError, Limit, RunError, Simulation};
 use group::{Group, Slots};
 use rayon::prelude::*;
@@ -241,8 +243,12 @@ impl Copies {
 }
 
 impl Source {
+    fn parsed(&self) -> Result<Parsed<'_>, BatchError> {
+        Parsed::new(&self.text, &self.file).map_err(|error| BatchError::Variant { run: 0, error })
+    }
+
     fn build(&self, copy: usize, variant: &Variant) -> Result<Built, CopyError> {
-        let member = member(copy, &self.text, &self.file, &self.files, variant)?;
+        let member = Member::new(self.parsed()?, copy, variant, &self.files)?;
         let simulation = Simulation::recursive(member.setup.clone());
         Ok(Built { member, simulation })
     }
@@ -255,8 +261,9 @@ impl Source {
         like: &Simulation,
         keeps_ledger: bool,
     ) -> Result<Vec<Built>, CopyError> {
+        let parsed = self.parsed()?;
         let one = |(copy, variant): &(usize, Variant)| {
-            let member = member(*copy, &self.text, &self.file, &self.files, variant)?;
+            let member = Member::new(parsed.clone(), *copy, variant, &self.files)?;
             let simulation = group::simulation(&member, keeps_ledger);
             let names = |of: &Simulation| of.inputs().into_iter().map(|input| input.name).collect::<Vec<_>>();
             if simulation.channels() != like.channels() || names(&simulation) != names(like) {

@@ -19,11 +19,12 @@ const LONGEST_RATIO: f64 = 1.02;
 pub(crate) fn sub_intervals(nodes: &[f64], band: Band) -> Vec<f64> {
     let inside = nodes.iter().copied().filter(|&w| w > band.lowest_rad_s && w < band.highest_rad_s);
     let mut ends = vec![band.lowest_rad_s];
+    let longest = libm::log(LONGEST_RATIO);
     for next in inside.chain([band.highest_rad_s]) {
         let start = ends[ends.len() - 1];
         if start > 0.0 && next > start {
-            let pieces = libm::ceil(libm::log(next / start) / libm::log(LONGEST_RATIO)).max(1.0);
-            let ratio = libm::pow(next / start, 1.0 / pieces);
+            let pieces = libm::ceil(libm::log(next / start) / longest).max(1.0);
+            let ratio = if pieces > 1.0 { libm::pow(next / start, 1.0 / pieces) } else { 1.0 };
             for piece in 1..pieces as usize {
                 ends.push(start * libm::pow(ratio, piece as f64));
             }

@@ -1,0 +1,83 @@
+//! The runs of a batch, read from their variants of one text and built.
+
+use super::{BatchError, Built, Variant};
+use crate::scalar::Lanes;
+use crate::scenario::read::Parsed;
+use crate::scenario::{Files, Scenario, side_by_side};
+use crate::simulation::{Setup, Simulation};
+use rayon::prelude::*;
+
+/// Variants of one scenario, each read and built once: they run together by [`run_built`](super::run_built), or each by
+/// itself.
+///
+/// ```
+/// use kingpost::batch::{Built, Members, run_built};
+/// use kingpost::scenario::Files;
+/// let text = include_str!("../../../../scenarios/paper.yaml");
+/// let variant = |x: f64| vec![("crane_x_m".to_owned(), x.into()), ("simulation.duration_s".to_owned(), 0.1.into())];
+/// let members = Members::new(text, "paper.yaml", &Files::default(), &[variant(0.0), variant(-5.0)])?;
+/// let together = run_built(&members, 1, |_| true)?;
+/// assert_eq!(together.runs[1].rows, members.simulation(1).run(|_| true).rows);
+/// # Ok::<(), kingpost::batch::BatchError>(())
+/// ```
+pub struct Members(Vec<Member>);
+
+/// One variant, read and built.
+#[derive(Debug)]
+pub(super) struct Member {
+    pub(super) scenario: Scenario,
+    pub(super) setup: Setup,
+    /// The scenario without its continuous numbers: see [`Scenario::structure`].
+    structure: String,
+}
+
+impl Member {
+    /// The variant of this run.
+    pub(super) fn new(parsed: Parsed<'_>, run: usize, variant: &Variant, files: &Files) -> Result<Self, BatchError> {
+        let wrong = |error| BatchError::Variant { run, error };
+        let (scenario, setup) = parsed.read_and_build(variant, files).map_err(wrong)?;
+        let structure = scenario.structure();
+        Ok(Self { scenario, setup, structure })
+    }
+}
+
+impl Members {
+    /// Reads and builds each variant of a text, which is parsed once.
+    ///
+    /// # Errors
+    /// A variant that does not read or build.
+    pub fn new(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Result<Self, BatchError> {
+        if variants.is_empty() {
+            return Ok(Self(Vec::new()));
+        }
+        let parsed = Parsed::new(text, file).map_err(|error| BatchError::Variant { run: 0, error })?;
+        let member = |(run, variant): (usize, &Variant)| Member::new(parsed.clone(), run, variant, files);
+        variants.par_iter().enumerate().map(member).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+impl Built for Members {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn setup(&self, run: usize) -> &Setup {
+        &self.0[run].setup
+    }
+
+    fn structure(&self, run: usize) -> &str {
+        &self.0[run].structure
+    }
+
+    fn simulation(&self, run: usize) -> Simulation {
+        let Member { scenario, setup, .. } = &self.0[run];
+        scenario.simulation_of(setup.clone()).unwrap_or_else(|_| Simulation::new(setup.clone()))
+    }
+
+    fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>> {
+        let scenarios: Vec<&Scenario> = group.iter().map(|&run| &self.0[run].scenario).collect();
+        let setups: Vec<&Setup> = group.iter().map(|&run| &self.0[run].setup).collect();
+        // If a number that decides the structure differs, each runs alone.
+        side_by_side(&scenarios, &setups).ok()
+    }
+}
