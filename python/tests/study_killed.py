@@ -25,7 +25,7 @@ LONGEST_S = 0.4
 
 
 def main(folder: Path, study: kingpost.Study, kills: int) -> None:
-    """Kill so often, then finish. A study begins anew once it has ended, or was killed with all units done."""
+    """Kill so often, then finish. A study begins anew once it has ended, or was killed at its end."""
     draw, done, units = random.Random(kills), [], study.plan.units
     while len(done) < kills:
         moment = draw.uniform(0.01, LONGEST_S)
