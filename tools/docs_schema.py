@@ -1,4 +1,5 @@
-"""The page of the site about the fields of a scenario: name, unit, range, meaning, from the JSON Schema."""
+"""The pages of the site about the fields of a scenario and of a study: name, unit, range, meaning, from the
+JSON Schema."""
 
 from __future__ import annotations
 
@@ -24,18 +25,25 @@ UNITS = {
 }  # fmt: skip
 
 
+ABOUT = {
+    "Scenario": "A second name in another unit (`mass_t` for `mass_kg`) is listed too. How to build a "
+    "scenario step by step: [Write a scenario](../scenarios.md).",
+    "Study": "What a study is for: [From a scatter table to the operable share](../howto/operability.md).",
+}
+
+
 def page(path: Path) -> str:
     """All fields of the schema, as Markdown."""
     schema = json.loads(path.read_text(encoding="utf-8"))
+    title = schema["title"]
     lines = [
-        "# Fields of a scenario",
+        f"# Fields of a {title.lower()}",
         "",
-        "Made from [the JSON Schema](../../schema/scenario.schema.json), which is made from the engine's own "
-        "types. An editor that knows JSON Schema shows the same while you write. The unit is in the name; a "
-        "second name in another unit (`mass_t` for `mass_kg`) is listed too. How to build a scenario "
-        "step by step: [Write a scenario](../scenarios.md).",
+        f"Made from [the JSON Schema](../../schema/{path.name}), which is made from the engine's own "
+        f"types. An editor that knows JSON Schema shows the same while you write. The unit is in the name. "
+        f"{ABOUT[title]}",
         "",
-        "## Scenario",
+        f"## {title}",
         "",
         "The file.",
         "",
@@ -110,7 +118,8 @@ def value(one: Schema) -> str:
     if kinds == ["array"]:
         return f"list of {count(one)}{value(one.get('items', {})) or 'values'}"
     if kinds == ["object"]:
-        inner = [value(other) for other in one.get("patternProperties", {}).values()]
+        named = [*one.get("patternProperties", {}).values(), one.get("additionalProperties")]
+        inner = [value(other) for other in named if isinstance(other, dict)]
         return f"{inner[0]} by name" if inner else "fields by name"
     if "pattern" in one:
         return "name" if one["pattern"].startswith("^[a-z]") else "text"

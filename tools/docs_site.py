@@ -1,7 +1,7 @@
 """Further content of the documentation site: MkDocs calls these functions as its hooks.
 
-Pages that are made at every build, so that they are never outdated: the gallery, the fields of a scenario,
-the command line.
+Pages that are made at every build, so that they are never outdated: the gallery, the fields of a scenario
+and of a study, the command line.
 Links of a page to files elsewhere in the repository lead to copies of them on the site.
 """
 
@@ -40,6 +40,7 @@ def on_files(files: Files, config: Any) -> Files:
     made = {
         "gallery.md": docs_gallery.page(ROOT),
         "reference/scenario.md": docs_schema.page(ROOT / "schema" / "scenario.schema.json"),
+        "reference/study.md": docs_schema.page(ROOT / "schema" / "study.schema.json"),
         "reference/command_line.md": docs_commands.page(),
     }
     for path, text in made.items():

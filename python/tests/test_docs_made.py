@@ -14,6 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMA = ROOT / "schema" / "scenario.schema.json"
+STUDY = ROOT / "schema" / "study.schema.json"
 
 
 @pytest.fixture(scope="module")
@@ -36,6 +37,19 @@ def test_every_link_of_the_page_of_fields_leads_to_a_heading(schema) -> None:
     page = docs_schema.page(SCHEMA)
     headings = {heading.lower() for heading in re.findall(r"^## (\w+)$", page, re.MULTILINE)}
     assert {name.lower() for name in schema["$defs"]} <= headings
+    assert set(re.findall(r"\(#(\w+)\)", page)) <= headings
+
+
+def test_every_field_of_a_study_stands_on_its_page_with_links_to_headings() -> None:
+    schema = json.loads(STUDY.read_text(encoding="utf-8"))
+    page = docs_schema.page(STUDY)
+    assert page.startswith("# Fields of a study\n")
+    names = {name for one in objects(schema) for name in one["properties"]}
+    assert (
+        {"axes", "scatter", "operation_s", "from_s"} <= names <= set(re.findall(r"`([A-Za-z0-9_]+)`", page))
+    )
+    assert "| `axes` |  | [Axis](#axis) by name |" in page
+    headings = {heading.lower() for heading in re.findall(r"^## (\w+)$", page, re.MULTILINE)}
     assert set(re.findall(r"\(#(\w+)\)", page)) <= headings
 
 

@@ -12,7 +12,10 @@ ROOT = Path(__file__).resolve().parents[2]
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 # Made when the site is built; `mkdocs build` checks links to and from them.
-MADE = {"docs/gallery.md", "docs/reference/scenario.md", "docs/reference/command_line.md"}
+MADE = {
+    "docs/gallery.md",
+    *(f"docs/reference/{name}.md" for name in ("scenario", "study", "command_line")),
+}
 
 
 def pages() -> list[Path]:

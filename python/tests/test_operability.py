@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 import xarray
 from kingpost import KingpostError
+from kingpost.reports.limiting import operable
 from kingpost.study import scatter
 from kingpost.study.limiting_runs import limiting_heights
-from kingpost.study.limiting_sea import LimitingSea
+from kingpost.study.limiting_sea import OUTSIDE, LimitingSea
 from kingpost.study.operability import operability
 
 HEIGHTS, PERIODS, DIRECTIONS = (1.0, 1.5, 2.0, 3.0), (6.0, 8.0, 12.0), (150.0, 180.0)
@@ -272,3 +273,12 @@ def test_axes_that_are_left_and_a_missing_direction_are_said() -> None:
         LimitingSea.of(found.assign_attrs(sea="{}"))
     with pytest.raises(KingpostError, match="direction: found none in the scatter table"):
         operability(scatter.parse("hs,tp\n1,8\n"), curve)
+
+
+def test_the_table_says_which_periods_were_not_studied() -> None:
+    """Source: arithmetic: classes 4-6 and 10-12 s, of which the last never occurs, outside of 6 to 9 s."""
+    table = scatter.parse("Hs/Tp,4-6,6-8,10-12,12-14\n0-1,30,20,10,0\n1-2,10,30,0,0")
+    limits = lambda period_s, _: (2.0, "heel") if 6 <= period_s <= 9 else (np.nan, OUTSIDE)  # noqa: E731
+    found = operability(table, limits, direction_rad=0.0)
+    assert (found.outside, found.outside_periods_s) == (pytest.approx(0.5), (5.0, 11.0))
+    assert "50.0 % are outside of the study (Tp 5, 11 s), and count as not operable" in operable(found)[1]

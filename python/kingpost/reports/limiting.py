@@ -3,6 +3,7 @@ operable share of a scatter table."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
     from ..study.operability import Operability
 
+MOST_LISTED = 8
 MOST_ROWS = 60
 """Rows that are printed; --json and Python have all."""
 
@@ -66,11 +68,19 @@ def operable(share: Operability) -> list[str]:
     """The share of a scatter table in which work can go on."""
     lines = [f"operable        {100 * share.share:.1f} % of {share.total:g} occurrences"]
     if share.outside:
+        at = _listed(share.outside_periods_s)
         lines.append(
-            f"                {100 * share.outside:.1f} % are outside of the study, and count as not operable"
+            f"                {100 * share.outside:.1f} % are outside of the study (Tp {at} s), "
+            "and count as not operable"
         )
     lines += [f"                {100 * part:.1f} % taken by {name}" for name, part in share.by_limit.items()]
     return lines
+
+
+def _listed(values: Sequence[float]) -> str:
+    """Numbers; of many the first and the last."""
+    shown = [f"{value:.3g}" for value in values]
+    return ", ".join(shown) if len(shown) <= MOST_LISTED else f"{shown[0]} to {shown[-1]}"
 
 
 def _largest(found: xarray.Dataset) -> list[str]:

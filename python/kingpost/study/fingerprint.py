@@ -29,7 +29,7 @@ def of_value(value: Any) -> str:
 def reduction() -> str:
     """SHA-256 of what reduces the rows of a run: the text of all functions that decide its numbers."""
     parts = (reduce, peaks, up_crossing_period, fatigue)
-    return hashlib.sha256("".join(map(inspect.getsource, parts)).encode()).hexdigest()
+    return hashlib.sha256("".join(inspect.getsource(part) for part in parts).encode()).hexdigest()
 
 
 def differences(before: Mapping[str, str], now: Mapping[str, str]) -> list[str]:

@@ -33,6 +33,8 @@ class Operability:
         What of all occurrences each limit takes: the share of seas above its height where it governs.
     total
         The sum of the table's occurrences.
+    outside_periods_s
+        Peak periods of the table that are outside, s, from low to high.
     """
 
     share: float
@@ -41,6 +43,7 @@ class Operability:
     by_direction_deg: dict[int, float]
     by_limit: dict[str, float]
     total: float
+    outside_periods_s: tuple[float, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """As dictionaries and numbers."""
@@ -119,6 +122,7 @@ def operability(
             if name != OUTSIDE and lost[governs == name].sum() > 0
         },
         total=table.total,
+        outside_periods_s=tuple(np.unique(table.period_s[is_outside & (weights > 0)]).tolist()),
     )
 
 

@@ -18,7 +18,8 @@ from pathlib import Path
 from .contract import LONGEST_CASE_S, MEMORY_BYTES, Case, judge
 
 LONGEST_WAIT_S = 300.0
-"""Of the clock, where the machine is busy with other things or its system knows no such signal."""
+"""Of the clock without an answer; a process that computed meanwhile is waited for as long again. The machine
+may be busy with other things, and may know no signal of the processor's time."""
 
 
 @dataclass(frozen=True)
@@ -47,9 +48,19 @@ class Apart:
             self.begin()
         try:
             self.ends.send(case)
-            return self.ends.recv() if self.ends.poll(LONGEST_WAIT_S) else self.lost("it hangs")
+            return self.ends.recv() if self._answers() else self.lost("it hangs")
         except (EOFError, OSError):
             return self.lost("the process died")
+
+    def _answers(self) -> bool:
+        """Whether an answer comes. Its own timer ends a case of too much of the processor's time."""
+        assert self.process is not None
+        before, now = -1.0, _processor_s(self.process.pid)
+        while before < now:
+            if self.ends.poll(LONGEST_WAIT_S):
+                return True
+            before, now = now, _processor_s(self.process.pid)
+        return False
 
     def begin(self) -> None:
         context = multiprocessing.get_context("spawn")
@@ -100,6 +111,15 @@ def _timed(case: Case, folder: Path) -> Verdict:
     says = judge(use, case, folder)
     _alarm(0)
     return Verdict(says, time.process_time() - began, _peak_bytes())
+
+
+def _processor_s(pid: int | None) -> float:
+    """What a process and its children used (proc(5), Linux); always 0 elsewhere."""
+    with contextlib.suppress(OSError):
+        # The name in brackets may have blanks.
+        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        return sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
+    return 0.0
 
 
 def _alarm(seconds: float) -> None:

@@ -12,6 +12,7 @@ import numpy
 import pytest
 from kingpost.errors import KingpostError
 
+from . import apart
 from .contract import Case, judge
 from .corpus import load, save
 from .kinds import command_line, records
@@ -83,3 +84,25 @@ def test_the_same_seed_draws_the_same_case() -> None:
     for kind in (command_line, records):
         drawn = [[kind.drawn(random.Random(seed)) for seed in range(20)] for _ in range(2)]
         assert drawn[0] == drawn[1]
+
+
+def test_a_process_that_computes_does_not_hang_and_one_that_sleeps_does(monkeypatch) -> None:
+    """Source: a machine that is busy with other things: a case is judged by its own time alone."""
+    monkeypatch.setattr(apart, "LONGEST_WAIT_S", 1.0)
+    process = apart.Apart()
+    process.begin()
+    used = iter([0.1, 0.2, 0.3, 0.3])
+    monkeypatch.setattr(apart, "_processor_s", lambda _: next(used))
+
+    class Ends:
+        answers = iter([False, False, True])
+
+        def poll(self, _: float) -> bool:
+            return next(self.answers)
+
+    ends, process.ends = process.ends, Ends()  # type: ignore[assignment]
+    assert process._answers()
+    used, Ends.answers = iter([0.1, 0.2, 0.2]), iter([False, False, True])
+    assert not process._answers()
+    process.ends = ends
+    process.end()
