@@ -3523,7 +3523,7 @@ export type Cylinder = {
   stop_dissipation_s_per_m?: number;
 };
 /**
- * Sensors. A motion reference unit measures at its own interval, the others in every row of the results.
+ * Sensors. Clearances and air gaps are measured in every row of the results, the others at their own interval.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -3533,11 +3533,113 @@ export type Sensor =
       motion_reference_unit: MotionReferenceUnit;
     }
   | {
+      encoder: Encoder;
+    }
+  | {
+      linear_encoder: LinearEncoder;
+    }
+  | {
+      load_cell: LoadCell;
+    }
+  | {
+      satellite_receiver: SatelliteReceiver;
+    }
+  | {
       clearance: Clearance;
     }
   | {
       air_gap: AirGap;
     };
+/**
+ * Errors of a measured angle.
+ */
+export type AngleErrors = {
+  /**
+   * Standard deviation of its white noise in a sample, rad: the density per root hertz over the root of twice the
+   * period.
+   */
+  noise_rad?: number;
+  /**
+   * The same as `noise_rad`, in the unit of this name.
+   */
+  noise_deg?: number;
+  /**
+   * Constant error, rad.
+   */
+  bias_rad?: number;
+  /**
+   * The same as `bias_rad`, in the unit of this name.
+   */
+  bias_deg?: number;
+  /**
+   * Smallest step, rad; 0 is none. Derivatives do not go through it.
+   */
+  resolution_rad?: number;
+  /**
+   * The same as `resolution_rad`, in the unit of this name.
+   */
+  resolution_deg?: number;
+};
+/**
+ * Errors of a measured angular velocity.
+ */
+export type RateErrors = {
+  /**
+   * Standard deviation of its white noise in a sample, rad/s: the density per root hertz over the root of twice the
+   * period.
+   */
+  noise_rad_s?: number;
+  /**
+   * The same as `noise_rad_s`, in the unit of this name.
+   */
+  noise_deg_s?: number;
+  /**
+   * Constant error, rad/s.
+   */
+  bias_rad_s?: number;
+  /**
+   * The same as `bias_rad_s`, in the unit of this name.
+   */
+  bias_deg_s?: number;
+  /**
+   * Smallest step, rad/s; 0 is none. Derivatives do not go through it.
+   */
+  resolution_rad_s?: number;
+  /**
+   * The same as `resolution_rad_s`, in the unit of this name.
+   */
+  resolution_deg_s?: number;
+};
+/**
+ * Errors of a measured force.
+ */
+export type ForceErrors = {
+  /**
+   * Standard deviation of its white noise in a sample, N: the density per root hertz over the root of twice the
+   * period.
+   */
+  noise_N?: number;
+  /**
+   * The same as `noise_N`, in the unit of this name.
+   */
+  noise_kN?: number;
+  /**
+   * Constant error, N.
+   */
+  bias_N?: number;
+  /**
+   * The same as `bias_N`, in the unit of this name.
+   */
+  bias_kN?: number;
+  /**
+   * Smallest step, N; 0 is none. Derivatives do not go through it.
+   */
+  resolution_N?: number;
+  /**
+   * The same as `resolution_N`, in the unit of this name.
+   */
+  resolution_kN?: number;
+};
 /**
  * The point or solid to stay clear of.
  */
@@ -3594,6 +3696,15 @@ export type ClearanceShape =
   | {
       sphere: SphereShape;
     };
+/**
+ * Controllers read sensors and set the inputs of drives, each at its own interval.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Controller = {
+  heave_compensation: HeaveCompensation;
+};
 /**
  * The condition that ends a step of an operation.
  */
@@ -3682,6 +3793,12 @@ export interface Scenario {
    */
   wires?: {
     [k: string]: Wire;
+  };
+  /**
+   * Controllers by name.
+   */
+  controllers?: {
+    [k: string]: Controller;
   };
   /**
    * The timeline that moves levers and set-points.
@@ -4931,7 +5048,7 @@ export interface TargetLength {
   length_m: number;
 }
 /**
- * Measures the motion of a point of a body, without noise. Its outputs, which wires can use, are `measured_roll` and
+ * Measures the motion of a point of a body. Its outputs, which wires can use, are `measured_roll` and
  * `measured_pitch` (rad), `measured_heave` (m, relative to the start of the run), `measured_heave_rate` (m/s) and
  * `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples.
  */
@@ -4959,6 +5076,225 @@ export interface MotionReferenceUnit {
    * Delay of its outputs, in samples: 0 to 1000.
    */
   delay_samples?: number;
+  /**
+   * The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
+   */
+  heave_filter?: HeaveFilter | null;
+  /**
+   * Errors of roll and pitch each; without them both are exact.
+   */
+  angle_errors?: AngleErrors | null;
+  /**
+   * Errors of heave, after its filter.
+   */
+  heave_errors?: LengthErrors | null;
+  /**
+   * Errors of the heave rate, after its filter.
+   */
+  heave_rate_errors?: SpeedErrors | null;
+  /**
+   * Errors of each component of the angular velocity.
+   */
+  rate_errors?: RateErrors | null;
+  /**
+   * Its failures; without them it always works.
+   */
+  drop_outs?: DropOuts | null;
+}
+/**
+ * A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead.
+ */
+export interface HeaveFilter {
+  /**
+   * Cut-off period, s.
+   */
+  cutoff_period_s: number;
+  /**
+   * Damping ratio.
+   */
+  damping_ratio?: number;
+}
+/**
+ * Errors of a measured length or height.
+ */
+export interface LengthErrors {
+  /**
+   * Standard deviation of its white noise in a sample, m: the density per root hertz over the root of twice the
+   * period.
+   */
+  noise_m?: number;
+  /**
+   * Constant error, m.
+   */
+  bias_m?: number;
+  /**
+   * Smallest step, m; 0 is none. Derivatives do not go through it.
+   */
+  resolution_m?: number;
+}
+/**
+ * Errors of a measured speed.
+ */
+export interface SpeedErrors {
+  /**
+   * Standard deviation of its white noise in a sample, m/s: the density per root hertz over the root of twice the
+   * period.
+   */
+  noise_m_s?: number;
+  /**
+   * Constant error, m/s.
+   */
+  bias_m_s?: number;
+  /**
+   * Smallest step, m/s; 0 is none. Derivatives do not go through it.
+   */
+  resolution_m_s?: number;
+}
+/**
+ * Failures of a sensor, drawn from the run's seed. While it fails, its outputs keep their last values and its
+ * `sensor_status` is 0; the table of events has the beginning and the end of each.
+ */
+export interface DropOuts {
+  /**
+   * Mean time from the end of one to the next, s; at least the sensor's period.
+   */
+  mean_interval_s: number;
+  /**
+   * Mean duration, s; at least the sensor's period.
+   */
+  mean_duration_s: number;
+}
+/**
+ * Measures the angle of a joint: `measured_angle`, rad.
+ */
+export interface Encoder {
+  /**
+   * Whether it measures.
+   */
+  enabled?: boolean;
+  /**
+   * The revolute joint, or `joint.axis` for an axis that another joint turns about.
+   */
+  joint: string;
+  /**
+   * Time between two samples, s.
+   */
+  period_s: number;
+  /**
+   * Delay of its output, in samples: 0 to 1000.
+   */
+  delay_samples?: number;
+  /**
+   * Its errors; without them it is exact.
+   */
+  errors?: AngleErrors | null;
+  /**
+   * Its failures; without them it always works.
+   */
+  drop_outs?: DropOuts | null;
+}
+/**
+ * Measures the extension of a joint: `measured_extension`, m.
+ */
+export interface LinearEncoder {
+  /**
+   * Whether it measures.
+   */
+  enabled?: boolean;
+  /**
+   * The prismatic joint, or `joint.axis` for an axis that another joint slides along.
+   */
+  joint: string;
+  /**
+   * Time between two samples, s.
+   */
+  period_s: number;
+  /**
+   * Delay of its output, in samples: 0 to 1000.
+   */
+  delay_samples?: number;
+  /**
+   * Its errors; without them it is exact.
+   */
+  errors?: LengthErrors | null;
+  /**
+   * Its failures; without them it always works.
+   */
+  drop_outs?: DropOuts | null;
+}
+/**
+ * Measures the tension of a rope: `measured_tension`, N. It samples at the start of the first step at or after each
+ * multiple of its period.
+ */
+export interface LoadCell {
+  /**
+   * Whether it measures.
+   */
+  enabled?: boolean;
+  /**
+   * The rope.
+   */
+  rope: string;
+  /**
+   * The end of the rope.
+   */
+  end?: "last" | "first";
+  /**
+   * Time between two samples, s.
+   */
+  period_s: number;
+  /**
+   * Delay of its output, in samples: 0 to 1000.
+   */
+  delay_samples?: number;
+  /**
+   * Its errors; without them it is exact.
+   */
+  errors?: ForceErrors | null;
+  /**
+   * Its failures; without them it always works.
+   */
+  drop_outs?: DropOuts | null;
+}
+/**
+ * Measures where its antenna is: `measured_position.x`, `.y`, `.z`, m in the world.
+ */
+export interface SatelliteReceiver {
+  /**
+   * Whether it measures.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * The antenna, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Time between two samples, s.
+   */
+  period_s: number;
+  /**
+   * Delay of its outputs, in samples: 0 to 1000.
+   */
+  delay_samples?: number;
+  /**
+   * Errors along x and y each; without them both are exact.
+   */
+  horizontal_errors?: LengthErrors | null;
+  /**
+   * Errors of the height; without them it is exact.
+   */
+  vertical_errors?: LengthErrors | null;
+  /**
+   * Its failures; without them it always works.
+   */
+  drop_outs?: DropOuts | null;
 }
 /**
  * The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
@@ -5036,6 +5372,76 @@ export interface Wire {
    * The input: a drive's lever by the drive's name, or `winch.target_offset`, which a servo adds to its target.
    */
   to: string;
+}
+/**
+ * Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
+ * input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
+ * `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
+ */
+export interface HeaveCompensation {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * Whether it is switched on at the start.
+   */
+  begins_on?: boolean;
+  /**
+   * The rope, which begins at a drum. The place before its last end is the crane's tip.
+   */
+  rope: string;
+  /**
+   * The controlled drive of the drum, with a speed as its set-point. Its own speed counts as the operator's.
+   */
+  drive: string;
+  /**
+   * The motion reference unit that it measures the tip's motion by; without it, it knows that motion exactly and at once.
+   */
+  sensor?: string | null;
+  /**
+   * Time between two commands, s; at least simulation.step_s.
+   */
+  period_s: number;
+  /**
+   * Share of the tip's velocity that it commands.
+   */
+  feed_forward?: number;
+  /**
+   * Speed that it commands per error of the load's height, 1/s.
+   */
+  position_gain_per_s?: number;
+  /**
+   * Prediction over all delays; without it, it commands the velocity that it has measured.
+   */
+  prediction?: HeavePrediction | null;
+}
+/**
+ * Prediction of the tip's motion over the delay of the sensor, the time for which a command is held, and the response
+ * of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
+ */
+export interface HeavePrediction {
+  /**
+   * Shortest period of the tip's motion, s; at least four times period_s.
+   */
+  shortest_period_s?: number;
+  /**
+   * Longest period, s; longer than the shortest.
+   */
+  longest_period_s?: number;
+  /**
+   * Standard deviation of the noise in a measured velocity over that of the velocity. The larger, the smoother and
+   * the less exact is the prediction.
+   */
+  noise_share?: number;
+  /**
+   * Time by which it predicts further than over the delay of its sensor and half of period_s, s.
+   */
+  extra_delay_s?: number;
+  /**
+   * Time constant of the drive's response, which it inverts, s; without it, the response_time_s of the drive.
+   */
+  drive_response_s?: number | null;
 }
 /**
  * Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
