@@ -1,4 +1,4 @@
-"""Environments: Gymnasium's own checks and vectoriser, the plain simulation, and what a controller may do wrong."""
+"""Environments: Gymnasium's own checks and vectoriser, the plain simulation, mistakes of a controller."""
 
 from __future__ import annotations
 
@@ -176,7 +176,7 @@ def test_mistakes_are_named_with_what_is_allowed() -> None:
     reward = lambda columns, goal, actions: columns["time"]  # noqa: E731
     with pytest.raises(KingpostError, match="action hoist: no such input, allowed: slewing, luffing"):
         Task(anti_sway().based_on, ["hoist"], ["time"], reward)
-    with pytest.raises(KingpostError, match="action slewing: found -9 to 9, allowed: within -0.1"):
+    with pytest.raises(KingpostError, match=r"action slewing: found -9 to 9, allowed: within -0\.1"):
         Task(anti_sway().based_on, [Action("slewing", -9, 9)], ["time"], reward)
     with pytest.raises(KingpostError, match="column nothing: no such column in A pedestal crane"):
         Task(anti_sway().based_on, ["slewing"], ["nothing"], reward)
