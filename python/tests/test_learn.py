@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import gymnasium
@@ -223,3 +224,11 @@ def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None
     }
     worst_first = sorted(by_name, key=by_name.__getitem__)
     assert worst_first == ["do nothing", "proportional", "proportional, shaped", "swing feedback"]
+
+
+def test_the_examples_of_the_page_run() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert len(blocks) == 2
+    for block in blocks:
+        exec(compile(block, "docs/learning.md", "exec"), {})

@@ -25,7 +25,7 @@ def _distance(columns: Columns, goal: Goal) -> np.ndarray:
 
 
 def _swing_along(columns: Columns, goal: Goal) -> np.ndarray:
-    """Angle of the rope from the vertical in the boom's plane, rad; positive: the hook is nearer to the crane."""
+    """Angle of the rope from the vertical in the boom's plane, rad; positive: hook nearer to the crane."""
     return columns["luff.joint_position"] + columns["rope.second.joint_position"] + ROPE_AT_REST
 
 
@@ -105,7 +105,7 @@ def _heave_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarr
 def heave_compensation(randomised: bool = True) -> Task:
     """Keep a load at its height by the speed of the winch, on a ship in her sea.
 
-    A control step of 50 ms gives ``-0.05 |z - z_0| / 1 m``, with the load's height z, which is z_0 at the start.
+    A control step of 50 ms gives ``-0.05 |z - z_0| / 1 m``: the height z of the load, z_0 at the start.
 
     Parameters
     ----------
