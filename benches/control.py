@@ -1,7 +1,7 @@
 """Control steps a second of the environments, beside MuJoCo's rollout on an equal crane.
 
-Prints ``engine|model|threads|steps_per_wall_s|steps_per_cpu_s``: the best of many short repetitions, because a
-machine may be shared. A control step of ``anti_sway`` is 50 ms: 5 steps of semi-implicit Euler of 10 ms, inputs
+Prints ``engine|model|threads|steps_per_wall_s|steps_per_cpu_s``: the best of many short repetitions, because
+a machine may be shared. A control step of ``anti_sway`` is 50 ms: 5 steps of semi-implicit Euler of 10 ms, inputs
 set and all columns of the task read; MuJoCo's is 5 steps of its Euler, which is semi-implicit too.
 ``environment`` lines go through the whole interface of Gymnasium, the reward in NumPy included.
 """
