@@ -108,11 +108,13 @@ class Task:
     Examples
     --------
     >>> task = Task(
-    ...     "quayside_lift", ["slewing"], ["slew.joint_position"],
-    ...     reward=lambda columns, goal, actions: -abs(columns["slew.joint_position"]),
+    ...     "lowering_by_winch",
+    ...     [Action("hoist", -5, 5)],
+    ...     ["lift.velocity.z"],
+    ...     reward=lambda columns, goal, actions: -abs(columns["lift.velocity.z"]),
     ... )
     >>> task.action_units
-    ('rad/s',)
+    ('rad',)
     """
 
     scenario: Scenario | str | Path
