@@ -70,6 +70,7 @@ test-python: $(DONE)/develop $(APP) ## the Python package's tests
 
 bench: need-rust need-node need-python $(DONE)/develop $(WASM) ## compare speed with other engines
 	$(BIN)/python benches/run.py
+	$(BIN)/python benches/control.py
 
 wasm: $(WASM) ## the engine for the browser
 

@@ -32,6 +32,26 @@ def batch(
     progress: Callable[[float], None] | None = None,
 ) -> tuple[list[NDArray[np.float64]], list[RunError | None], str]: ...
 
+class Copies:
+    def __init__(
+        self,
+        text: str,
+        file: str,
+        files: dict[str, str],
+        variants_json: str,
+        asked: tuple[list[str], list[str], bool, int],
+    ) -> None: ...
+    def advance(
+        self,
+        steps: int,
+        inputs: NDArray[np.float64],
+        columns: NDArray[np.float64],
+        status: NDArray[np.int64],
+    ) -> None: ...
+    def restart(self, which_json: str) -> None: ...
+    def failure(self, copy: int) -> RunError | None: ...
+    def time_s(self, copy: int) -> float: ...
+
 class Simulation:
     def __init__(self, text: str, file: str, overrides_json: str, files: dict[str, str]) -> None: ...
     def step(self, n: int) -> None: ...

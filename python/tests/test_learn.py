@@ -1,7 +1,8 @@
-"""Environments: Gymnasium's own checks and vectoriser, the plain simulation, and what a controller may do wrong."""
+"""Environments: Gymnasium's own checks and vectoriser, the plain simulation, mistakes of a controller."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import gymnasium
@@ -176,7 +177,7 @@ def test_mistakes_are_named_with_what_is_allowed() -> None:
     reward = lambda columns, goal, actions: columns["time"]  # noqa: E731
     with pytest.raises(KingpostError, match="action hoist: no such input, allowed: slewing, luffing"):
         Task(anti_sway().based_on, ["hoist"], ["time"], reward)
-    with pytest.raises(KingpostError, match="action slewing: found -9 to 9, allowed: within -0.1"):
+    with pytest.raises(KingpostError, match=r"action slewing: found -9 to 9, allowed: within -0\.1"):
         Task(anti_sway().based_on, [Action("slewing", -9, 9)], ["time"], reward)
     with pytest.raises(KingpostError, match="column nothing: no such column in A pedestal crane"):
         Task(anti_sway().based_on, ["slewing"], ["nothing"], reward)
@@ -223,3 +224,11 @@ def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None
     }
     worst_first = sorted(by_name, key=by_name.__getitem__)
     assert worst_first == ["do nothing", "proportional", "proportional, shaped", "swing feedback"]
+
+
+def test_the_examples_of_the_page_run() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert len(blocks) == 2
+    for block in blocks:
+        exec(compile(block, "docs/learning.md", "exec"), {})

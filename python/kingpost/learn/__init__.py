@@ -1,7 +1,7 @@
 """Environments for learning controllers, in the interface of Gymnasium (docs/learning.md).
 
-Importing this module registers ``Kingpost/AntiSway-v0`` and ``Kingpost/HeaveCompensation-v0``. It needs the extra
-``learn``.
+Importing this module registers ``Kingpost/AntiSway-v0`` and ``Kingpost/HeaveCompensation-v0``. It needs
+the extra ``learn``.
 """
 
 from __future__ import annotations

@@ -12,12 +12,12 @@ Policy = Callable[[np.ndarray], np.ndarray]
 """Actions from observations, a row for each environment. A policy with a memory is made anew for each run."""
 
 SWING_PERIOD_S = 9.0
-"""Period of the pendulum that the shaped inputs are for: hook and load of `anti_sway` as one, 2 pi sqrt(L / g)."""
+"""Period that the shaped inputs are for: hook and load of `anti_sway` as one pendulum, 2 pi sqrt(L / g)."""
 CONTROL_PERIOD_S = 0.05
 SLOW = 0.2
 """Speed towards the target, 1/s, of the controller with feedback of the swing."""
 FOLLOW = 0.5
-"""Speed of slew or luff for each angle of swing, 1/s: about the square root of g / L, for a damping ratio of one half."""
+"""Speed of slew or luff for each angle of swing, 1/s: near the square root of g / L."""
 
 
 def do_nothing(task: Task) -> Policy:

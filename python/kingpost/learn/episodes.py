@@ -76,7 +76,7 @@ class Episodes:
             self.taken[copy] = 0
 
     def step(self, actions: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Take a control step; returns observations, rewards, and which episodes are terminated or truncated."""
+        """Take a control step: observations, rewards, and which episodes are terminated or truncated."""
         if self._copies is None or self.goals is None:
             raise KingpostError("step: found no episode, allowed: after reset()")
         actions = self._checked(actions)
@@ -84,7 +84,8 @@ class Episodes:
         inputs = np.clip(inputs, self._lower, [high for _, high in self.task.bounds])
         self._copies.advance(self.task.steps, inputs.ravel(), self._read, self._status)
         self.taken += 1
-        rewards = self.task.reward(self.columns, self.goals, actions)
+        goals = self.goals
+        rewards = self.task.reward(self.columns, goals, actions)
         terminated = self._status != 0
         if terminated.any():
             rewards = np.where(terminated, self.task.failure_reward, rewards)
@@ -99,9 +100,9 @@ class Episodes:
     def observations(self) -> np.ndarray:
         """The observations now, a row for each copy."""
         found = np.empty((self.count, len(self._scales)))
-        columns = self.columns
+        columns, goals = self.columns, np.empty((self.count, 0)) if self.goals is None else self.goals
         for k, one in enumerate(self.task.seen):
-            found[:, k] = columns[one.name] if one.value is None else one.value(columns, self.goals)
+            found[:, k] = columns[one.name] if one.value is None else one.value(columns, goals)
         found /= self._scales
         return np.clip(found, -LARGEST_OBSERVATION, LARGEST_OBSERVATION).astype(np.float32)
 

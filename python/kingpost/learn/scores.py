@@ -11,7 +11,7 @@ from .registered import IDS
 from .task import Task
 from .vector import ShipCraneVectorEnv
 
-EPISODES = 64
+EPISODES = 16
 FIRST_SEED = 1000
 """Seeds from here on are for scores: do not train with them."""
 

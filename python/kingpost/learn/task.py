@@ -108,11 +108,13 @@ class Task:
     Examples
     --------
     >>> task = Task(
-    ...     "quayside_lift", ["slewing"], ["slew.joint_position"],
-    ...     reward=lambda columns, goal, actions: -abs(columns["slew.joint_position"]),
+    ...     "lowering_by_winch",
+    ...     [Action("hoist", -5, 5)],
+    ...     ["lift.velocity.z"],
+    ...     reward=lambda columns, goal, actions: -abs(columns["lift.velocity.z"]),
     ... )
     >>> task.action_units
-    ('rad/s',)
+    ('rad',)
     """
 
     scenario: Scenario | str | Path
@@ -140,7 +142,8 @@ class Task:
             )
         if not self.duration_s >= self.control_period_s:
             raise KingpostError(
-                f"duration_s: found {self.duration_s}, allowed: at least control_period_s, {self.control_period_s}"
+                f"duration_s: found {self.duration_s}, allowed: at least control_period_s, "
+                f"{self.control_period_s}"
             )
         for name, (low, high) in self.randomised.items():
             if not low <= high:
@@ -201,7 +204,8 @@ class Task:
             high = one.upper if high is None else high
             if not one.lower <= low < high <= one.upper:
                 raise KingpostError(
-                    f"action {action.name}: found {low} to {high}, allowed: within {one.lower} to {one.upper} {one.unit}"
+                    f"action {action.name}: found {low} to {high}, "
+                    f"allowed: within {one.lower} to {one.upper} {one.unit}"
                 )
             found.append((low, high))
         return found

@@ -25,7 +25,7 @@ def _distance(columns: Columns, goal: Goal) -> np.ndarray:
 
 
 def _swing_along(columns: Columns, goal: Goal) -> np.ndarray:
-    """Angle of the rope from the vertical in the boom's plane, rad: positive with the hook nearer to the crane."""
+    """Angle of the rope from the vertical in the boom's plane, rad; positive: hook nearer to the crane."""
     return columns["luff.joint_position"] + columns["rope.second.joint_position"] + ROPE_AT_REST
 
 
@@ -49,8 +49,9 @@ def anti_sway(randomised: bool = False) -> Task:
     """Move a load by slewing and luffing to a target, and stop its swing there.
 
     The crane of four bodies stands on a fixed base; hook and load are a double pendulum. Each episode draws a
-    target: 20 to 90 degrees of slew to either side, 30 to 60 degrees of boom. With the distance d and the speed
-    v of the load over the ground, a control step of 50 ms gives ``-0.05 (d / 10 m + v / (1 m/s) / (1 + d^2 / 4 m^2))``.
+    target: 20 to 90 degrees of slew to either side, 30 to 60 degrees of boom. With the distance d and speed
+    v of the load over the ground, a control step of 50 ms gives
+    ``-0.05 (d / 10 m + v / (1 m/s) / (1 + d^2 / 4 m^2))``.
 
     Parameters
     ----------
@@ -104,14 +105,13 @@ def _heave_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarr
 def heave_compensation(randomised: bool = True) -> Task:
     """Keep a load at its height by the speed of the winch, on a ship in her sea.
 
-    A control step of 50 ms gives ``-0.05 |z - z_0| / 1 m``, with the load's height z and its height z_0 at the
-    start.
+    A control step of 50 ms gives ``-0.05 |z - z_0| / 1 m``: the height z of the load, z_0 at the start.
 
     Parameters
     ----------
     randomised
-        Whether each episode draws the significant wave height, 1 to 3.5 m, the peak period, 8 to 12 s, and the
-        load, 10 to 30 t. The seed of the sea is drawn in any case.
+        Whether each episode draws the significant wave height, 1 to 3.5 m, the peak period, 8 to 12 s,
+        and the load, 10 to 30 t. The seed of the sea is drawn in any case.
 
     Returns
     -------

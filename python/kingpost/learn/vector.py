@@ -31,9 +31,9 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
     threads
         Threads that compute; 0 takes as many as the machine has.
     autoreset_mode
-        ``SAME_STEP``: an episode that ends begins anew in the same step, and ``info["final_obs"]`` has its last
-        observation. ``NEXT_STEP``: it begins anew in the next step, whose action is not used and whose reward
-        is 0. ``DISABLED``: by ``reset(options={"reset_mask": ...})`` only.
+        ``SAME_STEP``: an episode that ends begins anew in the same step, and ``info["final_obs"]`` has its
+        last observation. ``NEXT_STEP``: it begins anew in the next step, whose action is not used and whose
+        reward is 0. ``DISABLED``: by ``reset(options={"reset_mask": ...})`` only.
     max_episode_steps
         Control steps in an episode; default: those of the task's duration.
 
@@ -88,8 +88,8 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
             raise KingpostError(f"seed: found {len(seeds)} seeds, allowed: {self.num_envs}")
         which = np.flatnonzero(mask)
         for i in which:
-            if seeds[i] is not None or self._random[i] is None:
-                self._random[i] = seeding.np_random(None if seeds[i] is None else int(seeds[i]))[0]
+            if (own := seeds[i]) is not None or self._random[i] is None:
+                self._random[i] = seeding.np_random(None if own is None else int(own))[0]
         self._begin(which)
         return self.episodes.observations(), {}
 

@@ -148,21 +148,18 @@ impl Group {
     pub(super) fn advance(&mut self, steps: usize, slots: Slots<'_>) {
         if steps > 0 {
             self.join();
-            let before = self.in_lanes.iter().enumerate().fold([false; LANES], |mut all, (k, now)| {
-                all[k] = *now;
-                all
-            });
+            let before: [bool; LANES] = core::array::from_fn(|k| self.in_lanes.get(k) == Some(&true));
             let left = self.step_lanes(steps, slots.inputs);
-            for k in 0..self.alone.len() {
+            for (k, &was_in_lanes) in before.iter().enumerate().take(self.alone.len()) {
                 if self.in_lanes[k] || self.failed[k].is_some() {
                     continue;
                 }
-                if !before[k] {
+                if !was_in_lanes {
                     for (i, &input) in self.inputs.iter().enumerate() {
                         self.alone[k].put_input(input, slots.inputs[k * self.inputs.len() + i]);
                     }
                 }
-                self.failed[k] = self.alone[k].step(if before[k] { left } else { steps }).err();
+                self.failed[k] = self.alone[k].step(if was_in_lanes { left } else { steps }).err();
             }
         }
         self.read(slots.columns, slots.status);

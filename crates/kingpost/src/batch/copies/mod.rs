@@ -94,6 +94,9 @@ pub struct Copies {
     count: usize,
 }
 
+/// A group, and where its columns and status go.
+type Work<'a> = (&'a mut Group, (&'a mut [f64], &'a mut [Status]));
+
 /// The text that copies are built from.
 #[derive(Debug)]
 struct Source {
@@ -189,7 +192,7 @@ impl Copies {
         }
         self.check_inputs(inputs)?;
         let of_group = |i: usize| inputs.get(LANES * wide * i..).unwrap_or_default();
-        let one = |(i, (group, (columns, status))): (usize, (&mut Group, (&mut [f64], &mut [Status])))| {
+        let one = |(i, (group, (columns, status))): (usize, Work<'_>)| {
             group.advance(steps, Slots { inputs: of_group(i), columns, status });
         };
         match &self.pool {
