@@ -113,7 +113,7 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 
 
 def _elements(described: dict[str, Any], group: str) -> list[str]:
-    """Forces, drives, sensors or controllers with their facts. A model without the last two gets no section of them."""
+    """Forces, drives, sensors or controllers with their facts; the last two only if there are any."""
     rows = [(group, "", "", "")]
     for element in described["elements"]:
         if element["group"] == group:

@@ -56,7 +56,11 @@ fn check_targets<S: Quantity>(scenario: &Scenario<S>, elements: &[AnyElement<S>]
         for (field, to) in controller.targets() {
             if let Some((_, other)) = set.iter().find(|(taken, _)| *taken == to.as_str()) {
                 let found = format!("{to}, which {other} sets");
-                return Err(FieldError::new(format!("controllers.{name}.{field}"), found, "one controller to each input"));
+                return Err(FieldError::new(
+                    format!("controllers.{name}.{field}"),
+                    found,
+                    "one controller to each input",
+                ));
             }
             set.push((to.as_str(), name.as_str()));
         }
@@ -71,12 +75,7 @@ struct Reader<'a, S> {
 }
 
 impl<S: Quantity> Reader<'_, S> {
-    fn element(
-        &self,
-        name: &str,
-        controller: &Controller<S>,
-        layout: &Layout,
-    ) -> Result<AnyElement<S>, FieldError> {
+    fn element(&self, name: &str, controller: &Controller<S>, layout: &Layout) -> Result<AnyElement<S>, FieldError> {
         let input = |to: &str| layout.inputs.iter().find(|input| input.name == to).cloned();
         Ok(match controller {
             Controller::InputShaper(given) => match input(&given.to) {
@@ -126,9 +125,8 @@ impl<S: Quantity> Reader<'_, S> {
             schema::ShaperKind::None => None,
         };
         let swing = Swing { period, damping_ratio, tolerance: given.tolerance.get() };
-        let taps = kind
-            .filter(|_| given.enabled)
-            .map_or_else(|| vec![(0, S::ONE)], |kind| shaper_taps(kind, swing, step_s));
+        let taps =
+            kind.filter(|_| given.enabled).map_or_else(|| vec![(0, S::ONE)], |kind| shaper_taps(kind, swing, step_s));
         Ok(InputShaper { name: name.to_owned(), to, taps })
     }
 
