@@ -92,8 +92,8 @@ def test_a_pendulum_on_a_trolley_is_its_textbook_linearisation() -> None:
 @pytest.mark.parametrize("period_s", [None, 0.2])
 def test_the_cost_of_a_simulated_response_is_that_of_the_regulator(period_s) -> None:
     """Source: J = integral of x' Q x + u' R u = x0' P x0. The pendulum swings by 1e-3 rad, so that it is
-    linear to 1e-6; the integral by Simpson's rule errs by (w h)^4. A continuous regulator acts at every step of
-    2 ms, which costs more in second order of the step."""
+    linear to 1e-6; the integral by Simpson's rule errs by (w h)^4. A continuous regulator acts at every step
+    of 2 ms, which costs more in second order of the step."""
     step = 0.002 if period_s is None else 0.01
     x0 = [1e-3, 1e-3, 0.0, 0.0]
     times = {"step_s": step, "record_every_s": step, "duration_s": 50}

@@ -24,8 +24,8 @@ Matrix = NDArray[np.float64]
 SMALLEST_SHARE = 1e-10
 """Singular values below this share of the largest count as zero."""
 NO_REST = (
-    "Q: found weights without a regulator that comes to rest ({}), allowed: a weight on each motion that does "
-    "not decay by itself"
+    "Q: found weights without a regulator that comes to rest ({}), allowed: a weight on each motion that "
+    "does not decay by itself"
 )
 
 

@@ -316,7 +316,7 @@ export interface PointDescription1 {
   position_m: [number, number, number];
 }
 /**
- * A force, a drive or a sensor.
+ * A force, a drive, a sensor or a controller.
  */
 export interface ElementDescription {
   /**
@@ -324,7 +324,7 @@ export interface ElementDescription {
    */
   name: string;
   /**
-   * Its section in the scenario: `forces`, `drives` or `sensors`.
+   * Its section in the scenario: `forces`, `drives`, `sensors` or `controllers`.
    */
   group: string;
   /**
