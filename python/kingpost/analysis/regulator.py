@@ -23,6 +23,10 @@ Matrix = NDArray[np.float64]
 
 SMALLEST_SHARE = 1e-10
 """Singular values below this share of the largest count as zero."""
+NO_REST = (
+    "Q: found weights without a regulator that comes to rest ({}), allowed: a weight on each motion that "
+    "does not decay by itself"
+)
 
 
 @dataclass(frozen=True)
@@ -118,8 +122,8 @@ def lqr(
     *,
     inputs: Sequence[str],
     states: Sequence[str] | None = None,
-    Q: Mapping[str, float] | ArrayLike,
-    R: Mapping[str, float] | ArrayLike,
+    Q: Mapping[str, float] | ArrayLike,  # noqa: N803
+    R: Mapping[str, float] | ArrayLike,  # noqa: N803
     period_s: float | None = None,
     **parameters: Any,
 ) -> Regulator:
@@ -177,12 +181,15 @@ def lqr(
         raise KingpostError(f"period_s: found {period_s}, allowed: a number greater than 0, or None")
     _check_reach(a, b, chosen)
     gains, cost = _solve(a, b, q, r, period_s)
+    closed = _closed(a, b, gains, period_s)
+    if not closed[0].real < -(SMALLEST_SHARE**0.5) * abs(closed).max():
+        raise KingpostError(NO_REST.format(f"an eigenvalue of {closed[0].real:.1g}/s"))
     embedded = np.zeros((len(columns), len(whole_a)))
     embedded[:, rows] = gains
     return Regulator(
         _labelled("gains", gains, {"input": list(inputs), "state": chosen}),
         _labelled("cost_matrix", cost, {"state": chosen, "other": chosen}),
-        _closed(a, b, gains, period_s),
+        closed,
         _closed(whole_a, whole_b, embedded, period_s),
         period_s,
     )
@@ -248,8 +255,8 @@ def _check_reach(a: Matrix, b: Matrix, names: list[str]) -> None:
             about = names[int(np.abs(left[:, -1]).argmax())]
             period = f" of period {2 * math.pi / value.imag:.4g} s" if value.imag > 1e-6 * scale else ""
             raise KingpostError(
-                f"inputs: found no effect on the mode{period} in which {about} takes part, allowed: inputs that "
-                "damp every mode that does not decay; or leave its states out of states"
+                f"inputs: found no effect on the mode{period} in which {about} takes part, allowed: inputs "
+                "that damp every mode that does not decay; or leave its states out of states"
             )
 
 
@@ -265,10 +272,7 @@ def _solve(a: Matrix, b: Matrix, q: Matrix, r: Matrix, period_s: float | None) -
         p = solve_discrete_are(held, moved, weight, of_input, s=cross)
         return np.linalg.solve(of_input + moved.T @ p @ moved, moved.T @ p @ held + cross.T), p
     except (np.linalg.LinAlgError, ValueError) as error:
-        raise KingpostError(
-            f"Q: found weights without a regulator that settles ({error}), allowed: a weight on each motion that "
-            "does not decay by itself"
-        ) from None
+        raise KingpostError(NO_REST.format(error)) from None
 
 
 def _sampled(a: Matrix, b: Matrix, q: Matrix, r: Matrix, period_s: float) -> tuple[Matrix, ...]:

@@ -3789,6 +3789,12 @@ export interface Scenario {
     [k: string]: Sensor;
   };
   /**
+   * Controllers by name: each stands before an input and sets it.
+   */
+  controllers?: {
+    [k: string]: Controller;
+  };
+  /**
    * Connections from a sensor's output to an input, by name.
    */
   wires?: {
@@ -5352,6 +5358,96 @@ export interface AirGap {
    * @maxItems 3
    */
   position_m?: [number, number, number];
+}
+/**
+ * Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
+ * is zero.
+ */
+export interface InputShaper {
+  /**
+   * Whether it shapes; if not, its command passes.
+   */
+  enabled?: boolean;
+  /**
+   * The input that it sets: of a drive, or the command of another controller.
+   */
+  to: string;
+  /**
+   * The impulses, or none: then its command passes.
+   */
+  shaper?: "none" | "zv" | "zvd" | "ei";
+  /**
+   * Period of the swing, between two maxima, s.
+   */
+  period_s: number;
+  /**
+   * Damping ratio of the swing, below 1.
+   */
+  damping_ratio?: number;
+  /**
+   * For ei: the swing that remains at the period, as a share of that without a shaper.
+   */
+  tolerance?: number;
+}
+/**
+ * Sets inputs to `c - K (x - reference)`, within limits: c their commands, x the columns that it reads, K the gains.
+ */
+export interface StateFeedback {
+  /**
+   * Whether it acts; if not, its commands pass.
+   */
+  enabled?: boolean;
+  /**
+   * The columns that it reads.
+   */
+  reads: FeedbackRead[];
+  /**
+   * The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+   */
+  steers: FeedbackSteer[];
+  /**
+   * Time between two samples, s: a whole number of steps; without it, one step.
+   */
+  period_s?: number | null;
+}
+/**
+ * A column that is fed back.
+ */
+export interface FeedbackRead {
+  /**
+   * The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
+   * `slewing.position`.
+   */
+  column: string;
+  /**
+   * Its value where nothing is corrected, in its SI unit.
+   */
+  reference?: number;
+  /**
+   * The input in `steers` whose command is added to the reference; both have the same unit.
+   */
+  follows?: string | null;
+}
+/**
+ * An input that a feedback sets.
+ */
+export interface FeedbackSteer {
+  /**
+   * The input.
+   */
+  to: string;
+  /**
+   * Its row of K: a gain for each column, the input's unit over the column's.
+   */
+  gains: number[];
+  /**
+   * The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
+   */
+  lower?: number | null;
+  /**
+   * The largest.
+   */
+  upper?: number | null;
 }
 /**
  * A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.

@@ -60,7 +60,8 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
 
     fn declare(&self) -> Declaration {
         let of_each = |what: &'static str| self.steers.iter().map(move |steer| format!("{what}_{}", steer.to.name));
-        let command = |steer: &FeedbackSteer<S>| Input { name: steer.command.clone(), signal: None, ..steer.to.clone() };
+        let command =
+            |steer: &FeedbackSteer<S>| Input { name: steer.command.clone(), signal: None, ..steer.to.clone() };
         Declaration {
             numbers: of_each("correction").chain(of_each("action")).collect(),
             inputs: self.steers.iter().map(command).collect(),

@@ -155,9 +155,35 @@ impl Scenario {
     /// A digest that is equal only for scenarios that, with their files, describe the same run; title, description and
     /// parameters do not count.
     pub(super) fn fingerprint(&self) -> u64 {
-        let Self { simulation, bodies, loops, sea, wind, forces, drives, sensors, controllers, wires, operation, files, .. } =
-            self;
-        let run = (simulation, bodies, loops, sea, wind, forces, drives, sensors, controllers, wires, operation, &files.digests);
+        let Self {
+            simulation,
+            bodies,
+            loops,
+            sea,
+            wind,
+            forces,
+            drives,
+            sensors,
+            controllers,
+            wires,
+            operation,
+            files,
+            ..
+        } = self;
+        let run = (
+            simulation,
+            bodies,
+            loops,
+            sea,
+            wind,
+            forces,
+            drives,
+            sensors,
+            controllers,
+            wires,
+            operation,
+            &files.digests,
+        );
         serde_json::to_vec(&run).map_or(0, |text| digest(&text))
     }
 

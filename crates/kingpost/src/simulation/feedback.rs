@@ -75,7 +75,8 @@ impl Simulation {
             return None;
         }
         let slower = |without: &[&Loop]| held.growth(without).is_none_or(|other| other < SHARE * rate);
-        let is_reason = |one: &&Loop| slower(&loops.iter().filter(|other| other.first != one.first).collect::<Vec<_>>());
+        let is_reason =
+            |one: &&Loop| slower(&loops.iter().filter(|other| other.first != one.first).collect::<Vec<_>>());
         let mut because: Vec<&Loop> = loops.iter().filter(is_reason).collect();
         if because.is_empty() && slower(&[]) {
             because = loops.iter().collect();
@@ -248,7 +249,8 @@ fn fastest(map: &DMatrix<f64>) -> Option<Complex<f64>> {
 fn vector(map: &DMatrix<f64>, value: Complex<f64>) -> DVector<Complex<f64>> {
     let n = map.nrows();
     let beside = value * (1.0 + BESIDE);
-    let shifted = DMatrix::from_fn(n, n, |i, j| Complex::from(map[(i, j)]) - if i == j { beside } else { Complex::ZERO });
+    let shifted =
+        DMatrix::from_fn(n, n, |i, j| Complex::from(map[(i, j)]) - if i == j { beside } else { Complex::ZERO });
     let factors = shifted.lu();
     let mut found = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
     for _ in 0..2 {

@@ -58,7 +58,9 @@ fn period_s(zeta: f64) -> f64 {
 }
 
 fn shaper(kind: &str, period_s: f64, zeta: f64) -> String {
-    format!("controllers: {{command: {{input_shaper: {{to: push, shaper: {kind}, period_s: {period_s}, damping_ratio: {zeta}}}}}}}\n")
+    format!(
+        "controllers: {{command: {{input_shaper: {{to: push, shaper: {kind}, period_s: {period_s}, damping_ratio: {zeta}}}}}}}\n"
+    )
 }
 
 /// The amplitude of the swing about the last command's rest position at the end, m.
@@ -166,7 +168,8 @@ fn feedback_is_its_law_between_samples_and_within_limits() {
 #[test]
 fn a_command_passes_all_controllers_in_the_step_in_which_it_is_set() {
     // The operation sets the command at once: the drive has it in the first step, and not a step later for each controller.
-    let rest = FEEDBACK.replace("gains: [2, 0.5]", "gains: [0, 0]") + "operation: {steps: [{name: push, set: [{input: command, to: 0.2}]}]}\n";
+    let rest = FEEDBACK.replace("gains: [2, 0.5]", "gains: [0, 0]")
+        + "operation: {steps: [{name: push, set: [{input: command, to: 0.2}]}]}\n";
     let mut found = simulation(&oscillator(0.0, 0.01, 1.0, &rest));
     found.step(1).expect("it runs");
     let names: Vec<(String, f64)> = found.inputs().into_iter().map(|input| (input.name, input.value)).collect();
@@ -190,31 +193,71 @@ fn mistakes_are_reported_with_their_place_and_what_exists() {
     let text = oscillator(0.0, 0.01, 1.0, FEEDBACK);
     let hold = "controllers.hold.state_feedback";
     for (set, expected) in [
-        (("controllers.command.input_shaper.to", json!("pull")), "controllers.command.input_shaper.to: found pull, allowed: "),
-        (("controllers.command.input_shaper.to", json!("push")), "controllers.hold.state_feedback.steers.0.to: found push, which command sets, allowed: one controller to each input"),
-        (("controllers.command.input_shaper.to", json!("command")), "controllers.command.input_shaper.to: found command, allowed: an input that does not lead back to it"),
-        (("controllers.command.input_shaper.period_s", json!(0.02)), "controllers.command.input_shaper.period_s: found 0.02, allowed: more than two steps"),
-        (("controllers.command.input_shaper.period_s", json!(1e9)), "controllers.command.input_shaper.period_s: found 1000000000, allowed: more than two steps"),
-        (("controllers.command.input_shaper.damping_ratio", json!(1.0)), "controllers.command.input_shaper.damping_ratio: found 1, allowed: a number from 0 to below 1"),
-        (("controllers.command.input_shaper.damping_ratio", json!(-0.1)), "controllers.command.input_shaper.damping_ratio: found -0.1, allowed: "),
-        ((&*format!("{hold}.reads.0.column"), json!("slide.joint_positon")), "reads.0.column: found slide.joint_positon, allowed: one of slide.joint_position"),
-        ((&*format!("{hold}.reads.1.follows"), json!("push")), "reads.1.follows: found push, in 1, allowed: an input in m/s, as slide.joint_velocity"),
+        (
+            ("controllers.command.input_shaper.to", json!("pull")),
+            "controllers.command.input_shaper.to: found pull, allowed: ",
+        ),
+        (
+            ("controllers.command.input_shaper.to", json!("push")),
+            "controllers.hold.state_feedback.steers.0.to: found push, which command sets, allowed: one controller to each input",
+        ),
+        (
+            ("controllers.command.input_shaper.to", json!("command")),
+            "controllers.command.input_shaper.to: found command, allowed: an input that does not lead back to it",
+        ),
+        (
+            ("controllers.command.input_shaper.period_s", json!(0.02)),
+            "controllers.command.input_shaper.period_s: found 0.02, allowed: more than two steps",
+        ),
+        (
+            ("controllers.command.input_shaper.period_s", json!(1e9)),
+            "controllers.command.input_shaper.period_s: found 1000000000, allowed: more than two steps",
+        ),
+        (
+            ("controllers.command.input_shaper.damping_ratio", json!(1.0)),
+            "controllers.command.input_shaper.damping_ratio: found 1, allowed: a number from 0 to below 1",
+        ),
+        (
+            ("controllers.command.input_shaper.damping_ratio", json!(-0.1)),
+            "controllers.command.input_shaper.damping_ratio: found -0.1, allowed: ",
+        ),
+        (
+            (&*format!("{hold}.reads.0.column"), json!("slide.joint_positon")),
+            "reads.0.column: found slide.joint_positon, allowed: one of slide.joint_position",
+        ),
+        (
+            (&*format!("{hold}.reads.1.follows"), json!("push")),
+            "reads.1.follows: found push, in 1, allowed: an input in m/s, as slide.joint_velocity",
+        ),
         ((&*format!("{hold}.reads.1.follows"), json!("pull")), "reads.1.follows: found pull, allowed: push"),
-        ((&*format!("{hold}.steers.0.gains"), json!([1.0])), "steers.0.gains: found 1 gains, allowed: 2, one for each column in reads"),
+        (
+            (&*format!("{hold}.steers.0.gains"), json!([1.0])),
+            "steers.0.gains: found 1 gains, allowed: 2, one for each column in reads",
+        ),
         ((&*format!("{hold}.steers.0.upper"), json!(1.5)), "steers.0.upper: found 1.5, allowed: -1 to 1 1"),
         ((&*format!("{hold}.steers.0.lower"), json!(0.4)), "steers.0.lower: found a range of"),
-        ((&*format!("{hold}.period_s"), json!(0.015)), "period_s: found 0.015, allowed: a whole number of steps of 0.01 s"),
+        (
+            (&*format!("{hold}.period_s"), json!(0.015)),
+            "period_s: found 0.015, allowed: a whole number of steps of 0.01 s",
+        ),
         ((&*format!("{hold}.reads"), json!([])), "reads: found none, allowed: at least one"),
     ] {
         let found = error_of(&text, &[set]);
         assert!(found.contains(expected), "{found}\n{expected}");
     }
-    let wired = text.clone() + "sensors: {mru: {motion_reference_unit: {body: cage, period_s: 0.1}}}\nwires: {one: {from: mru.measured_roll, to: push}}\n";
+    let wired = text.clone()
+        + "sensors: {mru: {motion_reference_unit: {body: cage, period_s: 0.1}}}\nwires: {one: {from: mru.measured_roll, to: push}}\n";
     let found = error_of(&wired, &[]);
-    assert!(found.contains("wires.one.to: found push, which hold sets, allowed: an input that no controller sets"), "{found}");
+    assert!(
+        found.contains("wires.one.to: found push, which hold sets, allowed: an input that no controller sets"),
+        "{found}"
+    );
     let moved = text + "operation: {steps: [{name: push, set: [{input: push, to: 0.2}]}]}\n";
     let found = error_of(&moved, &[]);
-    assert!(found.contains("operation.steps.0.set.0.input: found push, allowed: an input that no controller sets"), "{found}");
+    assert!(
+        found.contains("operation.steps.0.set.0.input: found push, allowed: an input that no controller sets"),
+        "{found}"
+    );
 }
 
 #[test]

@@ -417,8 +417,14 @@ fn no_builder_reads_the_first_of_several_numbers() {
         let code = fs::read_to_string(&file).expect("it reads");
         for escape in [".value()", ".values()", ".to_array()", ".value,", ".shared()"] {
             let found = code.lines().find(|line| {
-                let of_a_map =
-                    ["bodies.values()", "forces.values()", "thrusters.values()", "waves.values()", "wires.values()", "controllers.values()"];
+                let of_a_map = [
+                    "bodies.values()",
+                    "forces.values()",
+                    "thrusters.values()",
+                    "waves.values()",
+                    "wires.values()",
+                    "controllers.values()",
+                ];
                 line.contains(escape) && !of_a_map.iter().any(|map| line.contains(map))
             });
             assert!(found.is_none(), "{}: {found:?}", file.display());

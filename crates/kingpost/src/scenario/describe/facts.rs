@@ -44,7 +44,8 @@ pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
     let forces = scenario.forces.iter().filter_map(|(name, force)| described(name.as_str(), "forces", force));
     let drives = scenario.drives.iter().filter_map(|(name, drive)| described(name.as_str(), "drives", drive));
     let sensors = scenario.sensors.iter().filter_map(|(name, sensor)| described(name.as_str(), "sensors", sensor));
-    let controllers = scenario.controllers.iter().filter_map(|(name, one)| described(name.as_str(), "controllers", one));
+    let controllers =
+        scenario.controllers.iter().filter_map(|(name, one)| described(name.as_str(), "controllers", one));
     forces.chain(drives).chain(sensors).chain(controllers).collect()
 }
 

@@ -6,9 +6,9 @@ use crate::model::Model;
 use crate::scenario::build::wave_motion::other_unit;
 use crate::scenario::schema::{Joint, Scenario};
 use crate::scenario::ties::{floats_freely, tied_to_the_world};
-use crate::simulation::{GrowingMode, Setup, Simulation};
 use crate::sea::database::Database;
 use crate::sea::raos::OtherUnit;
+use crate::simulation::{GrowingMode, Setup, Simulation};
 use crate::world::World;
 
 /// A hull whose mass differs by more than this share from what its data displace is warned of.

@@ -65,7 +65,11 @@ fn check_targets<S: Quantity>(scenario: &Scenario<S>, elements: &[AnyElement<S>]
         for (field, to) in controller.targets() {
             if let Some((_, other)) = set.iter().find(|(taken, _)| *taken == to) {
                 let found = format!("{to}, which {other} sets");
-                return Err(FieldError::new(format!("controllers.{name}.{field}"), found, "one controller to each input"));
+                return Err(FieldError::new(
+                    format!("controllers.{name}.{field}"),
+                    found,
+                    "one controller to each input",
+                ));
             }
             set.push((to, name.as_str()));
         }
@@ -138,9 +142,8 @@ impl<S: Quantity> Reader<'_, S> {
             schema::ShaperKind::None => None,
         };
         let swing = Swing { period, damping_ratio, tolerance: given.tolerance.get() };
-        let taps = kind
-            .filter(|_| given.enabled)
-            .map_or_else(|| vec![(0, S::ONE)], |kind| shaper_taps(kind, swing, step_s));
+        let taps =
+            kind.filter(|_| given.enabled).map_or_else(|| vec![(0, S::ONE)], |kind| shaper_taps(kind, swing, step_s));
         Ok(InputShaper { name: name.to_owned(), to, taps })
     }
 
