@@ -1,6 +1,6 @@
 """A run that writes over a good file and is killed: run as a script with the words of the command line.
 
-Each try is a process of its own, forked when all is loaded, so that its whole life is the run and its
+Each try is a separate process, forked when all is loaded, so that its whole life is the run and its
 writing. The system ends it after a share of the processor time that the run takes, wherever it is, with
 nothing that it could do about it, as SIGKILL does; a busy machine gives it as much as an idle one.
 
@@ -39,7 +39,7 @@ def digest(path: Path) -> str:
 
 
 def run(words: list[str], moment_s: float | None) -> tuple[bool, float]:
-    """Runs in a process of its own. Returns whether it was killed, and its processor time, s."""
+    """Runs in a separate process. Returns whether it was killed, and its processor time, s."""
     child = os.fork()
     if child == 0:
         if moment_s is not None:
