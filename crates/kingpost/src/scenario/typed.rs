@@ -56,10 +56,10 @@ fn list_of_fields(node: &ScenarioNode, whole: &Value, path: &mut Vec<String>) ->
     }
 }
 
-pub(super) type TypeError = serde_path_to_error::Error<serde_json::Error>;
+type TypeError = serde_path_to_error::Error<serde_json::Error>;
 
 /// The path that the typed read stopped at.
-pub(super) fn path_of(error: &TypeError) -> Vec<String> {
+fn path_of(error: &TypeError) -> Vec<String> {
     let segment = |segment: &Segment| match segment {
         Segment::Seq { index } => Some(index.to_string()),
         Segment::Map { key } => Some(key.clone()),

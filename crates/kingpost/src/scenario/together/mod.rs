@@ -1,7 +1,7 @@
 //! A scenario over another scalar: with derivatives, or several scenarios in lanes.
 //!
 //! A resolved scenario is written out, and some numbers in it become lists of parts: one for each lane, or the value
-//! and its derivatives. The types read it back. A plain field refuses a list, with its path.
+//! and its derivatives. The types read it back. A plain field refuses a list.
 
 #[cfg(not(target_family = "wasm"))]
 mod side_by_side;
@@ -10,6 +10,7 @@ mod structure;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use side_by_side::side_by_side;
 
+use serde::Deserialize;
 use serde_json::Value;
 
 use super::build::assemble;
@@ -17,7 +18,6 @@ use super::error::{FieldError, ScenarioError};
 use super::leaf::{Leaf, Quantity};
 use super::schema::Scenario;
 use super::tree::segments;
-use super::typed::{TypeError, path_of};
 use super::{units, wording};
 use crate::plant::{DIRECTIONS, Number};
 use crate::simulation::Setup;
@@ -76,7 +76,7 @@ impl Scenario {
                 seeds.push((dotted, *name));
             }
         }
-        let scenario = self.over(&written).map_err(|error| refused(&seeds, untyped(&error)))?;
+        let scenario = self.over(&written).map_err(|error| self.refused_by_types(&seeds, &error))?;
         Ok(assemble(&scenario, &[alone]).map_err(|error| refused(&seeds, error))?)
     }
 
@@ -91,14 +91,28 @@ impl Scenario {
         serde_json::to_value(self).unwrap_or_default()
     }
 
-    pub(super) fn over<S: Leaf>(&self, written: &Value) -> Result<Scenario<S>, TypeError> {
-        let scenario: Scenario<S> = serde_path_to_error::deserialize(written)?;
-        Ok(Scenario { files: self.files.clone(), ..scenario })
+    /// The scenario over another scalar. Its error has no path: a reader that keeps one would have the compiler make all
+    /// types over once more for each scalar.
+    pub(super) fn over<S: Leaf>(&self, written: &Value) -> Result<Scenario<S>, serde_json::Error> {
+        Ok(Scenario { files: self.files.clone(), ..Scenario::deserialize(written)? })
+    }
+
+    /// The error of a plain field with derivatives, reported for the name that gave them.
+    fn refused_by_types(&self, seeds: &[(String, &str)], error: &serde_json::Error) -> FieldError {
+        let is_plain = |path: &str| {
+            let mut written = self.written();
+            seed(&mut written, &segments(path), false, (0, 1.0));
+            self.over::<Number>(&written).is_err()
+        };
+        match seeds.iter().find(|(path, _)| is_plain(path)) {
+            Some((_, name)) => FieldError::new(*name, wording::NO_DERIVATIVE, wording::CONTINUOUS),
+            None => untyped(error),
+        }
     }
 }
 
-pub(super) fn untyped(error: &TypeError) -> FieldError {
-    FieldError::new(path_of(error).join("."), error.inner(), wording::REQUIRED)
+pub(super) fn untyped(error: &serde_json::Error) -> FieldError {
+    FieldError::new("", error, wording::REQUIRED)
 }
 
 /// An error of a field with derivatives, reported for the name that gave them; other errors unchanged.
