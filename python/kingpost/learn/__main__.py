@@ -1,4 +1,4 @@
-"""Measures the baselines and writes their scores into docs/learning.md: ``python -m kingpost.learn [FILE]``."""
+"""Writes the baselines' scores into docs/learning.md: ``python -m kingpost.learn [FILE]``."""
 
 import sys
 from pathlib import Path

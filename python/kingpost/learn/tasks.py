@@ -26,7 +26,7 @@ def _distance(columns: Columns, goal: Goal) -> np.ndarray:
 
 def _swing_along(columns: Columns, goal: Goal) -> np.ndarray:
     """Angle of the rope from the vertical in the boom's plane, rad; positive: hook nearer to the crane."""
-    return columns["luff.joint_position"] + columns["rope.second.joint_position"] + ROPE_AT_REST
+    return columns["luff.joint_position"] + columns["pendant.second.joint_position"] + ROPE_AT_REST
 
 
 def _anti_sway_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarray:
@@ -66,7 +66,7 @@ def anti_sway(randomised: bool = False) -> Task:
     >>> anti_sway().action_names
     ('slewing', 'luffing')
     """
-    joints = ("rope.first", "rope.second", "sling.first", "sling.second")
+    joints = ("pendant.first", "pendant.second", "sling.first", "sling.second")
     observations = [
         Observation(
             "slew_error", 0.5, "rad", lambda columns, goal: columns["slew.joint_position"] - goal[:, 0]
@@ -76,7 +76,7 @@ def anti_sway(randomised: bool = False) -> Task:
         ),
         Observation("slew.joint_velocity", 0.1),
         Observation("luff.joint_velocity", 0.05),
-        Observation("swing_across", 0.1, "rad", lambda columns, goal: columns["rope.first.joint_position"]),
+        Observation("swing_across", 0.1, "rad", lambda columns, goal: columns["pendant.first.joint_position"]),
         Observation("swing_along", 0.1, "rad", _swing_along),
         *(Observation(f"{joint}.joint_position", 0.1) for joint in joints[2:]),
         *(Observation(f"{joint}.joint_velocity", 0.1) for joint in joints),
@@ -94,7 +94,7 @@ def anti_sway(randomised: bool = False) -> Task:
             *over_ground,
         ],
         goal=_anti_sway_goal,
-        randomised={"load_t": (5.0, 35.0), "rope_length_m": (8.0, 22.0)} if randomised else {},
+        randomised={"load_t": (5.0, 35.0), "pendant_length_m": (8.0, 22.0)} if randomised else {},
     )
 
 
