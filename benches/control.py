@@ -1,8 +1,8 @@
 """Control steps a second of the environments, beside MuJoCo's rollout on an equal crane.
 
 Prints ``engine|model|threads|steps_per_wall_s|steps_per_cpu_s``: the best of many short repetitions, because
-a machine may be shared. A control step of ``anti_sway`` is 50 ms: 5 steps of semi-implicit Euler of 10 ms, inputs
-set and all columns of the task read; MuJoCo's is 5 steps of its Euler, which is semi-implicit too.
+a machine may be shared. A control step of ``anti_sway`` is 50 ms: 5 steps of semi-implicit Euler of 10 ms,
+inputs set and all columns of the task read; MuJoCo's is 5 steps of its Euler, which is semi-implicit too.
 ``environment`` lines go through the whole interface of Gymnasium, the reward in NumPy included.
 """
 
@@ -28,12 +28,13 @@ CRANE = """
 <body pos="30 0 0" euler="0 45 0"><joint name="across" type="hinge" axis="1 0 0" damping="10000"/>
 <joint name="along" type="hinge" axis="0 1 0" damping="10000"/>
 <geom type="box" size="0.5 0.5 0.5" pos="0 0 -15" mass="2000"/>
-<body pos="0 0 -15"><joint type="hinge" axis="1 0 0" damping="2000"/><joint type="hinge" axis="0 1 0" damping="2000"/>
+<body pos="0 0 -15">
+<joint type="hinge" axis="1 0 0" damping="2000"/><joint type="hinge" axis="0 1 0" damping="2000"/>
 <geom type="box" size="1.5 1.5 1.25" pos="0 0 -5" mass="20000"/>
 </body></body></body></body></worldbody>
 <actuator><velocity joint="slew" kv="6e7"/><velocity joint="luff" kv="3e8"/></actuator></mujoco>
 """
-"""The crane of `anti_sway`: the same bodies and joints; servos of speed without limits and without a reference."""
+"""The crane of `anti_sway`: the same bodies and joints; servos of speed without limits or a reference."""
 
 
 def best(work: Callable[[], object], steps: int, repetitions: int) -> tuple[float, float]:

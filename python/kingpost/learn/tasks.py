@@ -76,7 +76,9 @@ def anti_sway(randomised: bool = False) -> Task:
         ),
         Observation("slew.joint_velocity", 0.1),
         Observation("luff.joint_velocity", 0.05),
-        Observation("swing_across", 0.1, "rad", lambda columns, goal: columns["pendant.first.joint_position"]),
+        Observation(
+            "swing_across", 0.1, "rad", lambda columns, goal: columns["pendant.first.joint_position"]
+        ),
         Observation("swing_along", 0.1, "rad", _swing_along),
         *(Observation(f"{joint}.joint_position", 0.1) for joint in joints[2:]),
         *(Observation(f"{joint}.joint_velocity", 0.1) for joint in joints),

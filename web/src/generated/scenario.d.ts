@@ -3697,14 +3697,22 @@ export type ClearanceShape =
       sphere: SphereShape;
     };
 /**
- * Controllers read sensors and set the inputs of drives, each at its own interval.
+ * What stands between a command, of a user or of the operation, and an input. Its own command is an input with its name.
+ * A controller may stand before another.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
  */
-export type Controller = {
-  heave_compensation: HeaveCompensation;
-};
+export type Controller =
+  | {
+      input_shaper: InputShaper;
+    }
+  | {
+      state_feedback: StateFeedback;
+    }
+  | {
+      heave_compensation: HeaveCompensation;
+    };
 /**
  * The condition that ends a step of an operation.
  */
@@ -3799,12 +3807,6 @@ export interface Scenario {
    */
   wires?: {
     [k: string]: Wire;
-  };
-  /**
-   * Controllers by name.
-   */
-  controllers?: {
-    [k: string]: Controller;
   };
   /**
    * The timeline that moves levers and set-points.
@@ -5450,26 +5452,6 @@ export interface FeedbackSteer {
   upper?: number | null;
 }
 /**
- * A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.
- *
- * This interface was referenced by `undefined`'s JSON-Schema definition
- * via the `patternProperty` "^[a-z][a-z0-9_]*$".
- */
-export interface Wire {
-  /**
-   * Whether it connects them; if not, the user sets the input.
-   */
-  enabled?: boolean;
-  /**
-   * The output, by its column in the results: `mru.measured_heave`.
-   */
-  from: string;
-  /**
-   * The input: a drive's lever by the drive's name, or `winch.target_offset`, which a servo adds to its target.
-   */
-  to: string;
-}
-/**
  * Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
  * input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
  * `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
@@ -5538,6 +5520,26 @@ export interface HeavePrediction {
    * Time constant of the drive's response, which it inverts, s; without it, the response_time_s of the drive.
    */
   drive_response_s?: number | null;
+}
+/**
+ * A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export interface Wire {
+  /**
+   * Whether it connects them; if not, the user sets the input.
+   */
+  enabled?: boolean;
+  /**
+   * The output, by its column in the results: `mru.measured_heave`.
+   */
+  from: string;
+  /**
+   * The input: a drive's lever by the drive's name, or `winch.target_offset`, which a servo adds to its target.
+   */
+  to: string;
 }
 /**
  * Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot

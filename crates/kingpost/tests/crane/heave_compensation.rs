@@ -4,7 +4,7 @@ use crate::common;
 
 use common::values;
 use kingpost::batch;
-use kingpost::elements::heave_compensation::{Band, Dynamics, FilterBank};
+use kingpost::elements::heave_compensation::{Dynamics, FilterBank, PeriodBand};
 use kingpost::scenario::{Files, read};
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
@@ -130,8 +130,8 @@ fn what_is_left_of_a_sinusoid_without_prediction_is_as_the_formula_says() {
     }
 }
 
-fn band() -> Band {
-    Band { shortest_period_s: 4.0, longest_period_s: 16.0, noise_share: 0.03, sampling_period_s: 0.05 }
+fn band() -> PeriodBand {
+    PeriodBand { shortest_period_s: 4.0, longest_period_s: 16.0, noise_share: 0.03, sampling_period_s: 0.05 }
 }
 
 /// The response of a filter at a frequency.

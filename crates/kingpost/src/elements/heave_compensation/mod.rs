@@ -4,7 +4,7 @@ mod measurement;
 mod predictor;
 
 pub use measurement::{Measured, Measurement};
-pub use predictor::{Band, Dynamics, FilterBank};
+pub use predictor::{Dynamics, FilterBank, PeriodBand};
 
 use super::lines::place;
 use super::ropes::Drum;

@@ -22,12 +22,12 @@ pub struct FilterBank {
     entry: f64,
     /// s.
     keeps: f64,
-    band: Band,
+    band: PeriodBand,
 }
 
 /// The motion that a bank is made for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Band {
+pub struct PeriodBand {
     /// Shortest period of the waves, s.
     pub shortest_period_s: f64,
     /// Longest period, s.
@@ -60,7 +60,7 @@ const REGULAR: f64 = 1e-13;
 
 impl FilterBank {
     /// The bank for a band.
-    pub fn new(band: Band) -> Self {
+    pub fn new(band: PeriodBand) -> Self {
         let [lowest, highest] = band.ends();
         let apart = (highest - lowest) / (OSCILLATORS - 1) as f64;
         let step_s = band.sampling_period_s;
@@ -166,7 +166,7 @@ impl FilterBank {
     fn penalties(&self, size: f64) -> Vec<Vec<f64>> {
         let mut sums = vec![vec![0.0; Self::STATES]; Self::STATES];
         let (mut states, mut moved) = (vec![0.0; Self::STATES], vec![0.0; Self::STATES]);
-        let Band { longest_period_s, noise_share, sampling_period_s, .. } = self.band;
+        let PeriodBand { longest_period_s, noise_share, sampling_period_s, .. } = self.band;
         let share = noise_share * self.band.middle_rad_s() * size;
         let keeps = libm::exp(-sampling_period_s * self.band.correction_rad_s());
         let samples = (1.25 * longest_period_s * DECAYS / sampling_period_s) as usize;
@@ -187,7 +187,7 @@ impl FilterBank {
     }
 }
 
-impl Band {
+impl PeriodBand {
     /// The geometric mean of both ends, rad/s.
     pub fn middle_rad_s(&self) -> f64 {
         core::f64::consts::TAU / libm::sqrt(self.longest_period_s * self.shortest_period_s)

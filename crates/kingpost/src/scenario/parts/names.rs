@@ -14,8 +14,8 @@ pub const REFERENCES: [&str; 11] = [
     "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
     "joint",  // A joint's own.
     "name",   // The signal and the input of a wire.
-    "from", "to",     // The column of a limit or of a feedback.
-    "column", // The input whose command a column follows.
+    "from", "to",      // The column of a limit or of a feedback.
+    "column",  // The input whose command a column follows.
     "follows", // The rope, the drive and the sensor of a controller.
     "rope", "drive", "sensor",
 ];

@@ -3,7 +3,7 @@
 use super::super::super::schema::{self, Drive, Scenario};
 use super::super::FieldError;
 use crate::elements::drives::{ControlledDrive, SetPoint};
-use crate::elements::heave_compensation::{Band, Dynamics, FilterBank, Measurement, Prediction};
+use crate::elements::heave_compensation::{Dynamics, FilterBank, Measurement, PeriodBand, Prediction};
 use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, Rope, of_kind};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
@@ -40,6 +40,7 @@ pub fn build<S: Quantity>(
     let built = of_kind::<S, Rope<S>>(elements).map(|rope| (rope.name.as_str(), rope)).collect();
     let rope = named(&field("rope"), &given.rope, (built, "a rope"))?;
     let drive = drive(&field("drive"), given, elements)?;
+    let ControlledDrive { value: drive_speed, .. } = *drive;
     let stations = rope.path.stations();
     let Some(drum) = rope.drum.filter(|drum| drum.coordinate == drive.coordinate) else {
         return Err(not_its_drum(scenario, &field("drive"), given, rope.drum.is_some()));
@@ -66,7 +67,7 @@ pub fn build<S: Quantity>(
         falls: stations[stations.len() - 1].falls,
         drum,
         drive: drive.name.clone(),
-        drive_speed: drive.value,
+        drive_speed,
         drive_limit: drive.limits.speed,
         feed_forward: given.feed_forward.get(),
         gain: given.position_gain_per_s.get(),
@@ -138,7 +139,7 @@ fn prediction<S: Quantity>(
         let allowed = format!("above shortest_period_s, {shortest} s, and at most {} s", MOST_SAMPLES * period_s);
         return Err(FieldError::new(format!("{field}.longest_period_s"), longest, allowed));
     }
-    let band = Band {
+    let band = PeriodBand {
         shortest_period_s: shortest,
         longest_period_s: longest,
         noise_share: given.noise_share.get(),
