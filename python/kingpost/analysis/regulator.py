@@ -55,7 +55,25 @@ class Regulator:
     period_s: float | None = None
 
     def cost(self, x0: ArrayLike) -> float:
-        """The cost from the state x0, with the states in the order of ``gains``."""
+        """The cost ``x0' P x0`` from a state.
+
+        Parameters
+        ----------
+        x0
+            The states x0, in the order and the units of ``gains``.
+
+        Returns
+        -------
+        float
+            The cost, in the units of the weights.
+
+        Examples
+        --------
+        >>> import xarray
+        >>> one = xarray.DataArray([[2.0]], {"state": ["x"], "other": ["x"]})
+        >>> Regulator(one.rename(other="input"), one, np.zeros(1), np.zeros(1)).cost([3.0])
+        18.0
+        """
         start = np.asarray(x0, float)
         return float(start @ self.cost_matrix.values @ start)
 
@@ -65,10 +83,32 @@ class Regulator:
         A coordinate's column is ``slew.joint_position``, its rate's ``slew.joint_velocity``; a drive's state
         is read by its own name. Columns that are no states of the regulator get the gain 0.
 
+        Parameters
+        ----------
+        scenario
+            A scenario with the controller.
+        controller
+            The controller's name.
+
+        Returns
+        -------
+        Scenario
+            The scenario with these gains, and the sampling period if there is one.
+
         Raises
         ------
         KingpostError
             If there is no such controller, it does not read a state, or it does not set an input.
+
+        Examples
+        --------
+        >>> import kingpost
+        >>> slew = kingpost.load("slew_without_swing", feedback=True)
+        >>> inputs = ["slewing.target_offset", "luffing.target_offset"]
+        >>> weights = {"slew": 1, "luff": 1, "pendant.first": 20, "pendant.second": 20}
+        >>> regulator = kingpost.lqr(slew, inputs=inputs, Q=weights, R=[1, 1], period_s=0.1)
+        >>> regulator.scenario(slew, "swing_feedback").title == slew.title
+        True
         """
         controllers = scenario.resolved.get("controllers", {})
         feedback = {
@@ -151,15 +191,23 @@ def lqr(
     period_s
         Sampling period, s; None for a continuous regulator.
 
+    Returns
+    -------
+    Regulator
+        Gains, cost and the eigenvalues of the closed loop.
+
     Raises
     ------
     KingpostError
         If a name is unknown, a weight is not allowed, the inputs cannot damp a mode (the error names it), or
         Q does not see a mode that grows or stays.
 
+    Examples
+    --------
     A mass of 2 kg on a slide, and its position and force weighed equally: the double integrator.
 
-    >>> body = {"mass_kg": 2, "shape": {"point": {}}, "joint": {"prismatic": {"name": "slide"}}}
+    >>> joint = {"prismatic": {"name": "slide", "axis": [1, 0, 0]}}
+    >>> body = {"mass_kg": 2, "shape": {"point": {}}, "joint": joint}
     >>> drive = {"linear_motor": {"joint": "slide", "force_N": 1, "history": "lever"}}
     >>> cage = {"version": 1, "title": "Cage", "bodies": {"cage": body}, "drives": {"push": drive}}
     >>> import json

@@ -12,7 +12,7 @@ from .task import Task
 from .vector import ShipCraneVectorEnv
 
 EPISODES = 16
-FIRST_SEED = 1000
+FIRST_SEED = 50_000
 """Seeds from here on are for scores: do not train with them."""
 
 
