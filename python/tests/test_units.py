@@ -63,12 +63,12 @@ def test_every_column_of_the_gallery_has_one_unit_that_pint_parses(name) -> None
 
 
 @pytest.mark.parametrize("name", gallery.names())
-def test_what_is_given_of_forces_drives_and_sensors_has_units_that_pint_parses(name) -> None:
+def test_what_is_given_of_elements_has_units_that_pint_parses(name) -> None:
     """Source: pint; the fields of the resolved scenario, whose names end in their units."""
     scenario = kingpost.load(name)
     described = scenario.model["elements"]
     given = {}
-    for section in ("forces", "drives", "sensors"):
+    for section in ("forces", "drives", "sensors", "controllers"):
         given |= scenario.resolved.get(section, {})
     assert {element["name"] for element in described} == set(given)
     for element in described:

@@ -66,7 +66,7 @@ impl Simulation {
         self.plant.set_situation(Situation::AtRest);
         let (b, loops) = self.loops(laws, a.nrows());
         self.plant.set_situation(Situation::Running);
-        let held = Held { a, b, step_s: self.settings.step_s };
+        let held = HeldInputs { a, b, step_s: self.settings.step_s };
         let all: Vec<&Loop> = loops.iter().collect();
         let (map, time_s) = held.map(&all)?;
         let value = fastest(&map)?;
@@ -188,13 +188,13 @@ impl Simulation {
 }
 
 /// A and B between samples.
-struct Held {
+struct HeldInputs {
     a: DMatrix<f64>,
     b: DMatrix<f64>,
     step_s: f64,
 }
 
-impl Held {
+impl HeldInputs {
     /// The map of states and held inputs over the time in which all laws begin anew, and this time, s.
     fn map(&self, loops: &[&Loop]) -> Option<(DMatrix<f64>, f64)> {
         let (n, m) = self.b.shape();

@@ -1,6 +1,6 @@
 //! Up to four copies that step in lanes while they are at the same time.
 
-use super::{Asked, Built, Member, Status, fits_lanes};
+use super::{Asked, Member, NewCopy, Status, fits_lanes};
 use crate::plant::{Form, ObservedPart};
 use crate::results::Readings;
 use crate::scalar::{LANES, Lanes};
@@ -50,7 +50,7 @@ struct Together {
 }
 
 /// Whether columns are asked for that need the ledger, or all forces, which come with it.
-pub(super) fn needs_ledger(first: &Built, asked: &Asked) -> bool {
+pub(super) fn needs_ledger(first: &NewCopy, asked: &Asked) -> bool {
     let watched = first.member.setup.limits.iter().filter(|_| asked.limits).map(|limit| limit.column.clone());
     let columns: Vec<String> = asked.columns.iter().cloned().chain(watched).collect();
     *first.simulation.readings(&columns).extent() == ObservedPart::Everything
@@ -67,9 +67,9 @@ pub(super) fn simulation(member: &Member, keeps_ledger: bool) -> Simulation {
 }
 
 impl Group {
-    pub(super) fn new(built: Vec<Built>, asked: &Asked, keeps_ledger: bool) -> Self {
+    pub(super) fn new(built: Vec<NewCopy>, asked: &Asked, keeps_ledger: bool) -> Self {
         let (members, alone): (Vec<Member>, Vec<Simulation>) =
-            built.into_iter().map(|Built { member, simulation }| (member, simulation)).unzip();
+            built.into_iter().map(|NewCopy { member, simulation }| (member, simulation)).unzip();
         let table = alone[0].inputs();
         let place = |name: &String| table.iter().position(|input| input.name == *name);
         let inputs = asked.inputs.iter().filter_map(place).collect();
@@ -133,7 +133,7 @@ impl Group {
         Some(InputError::Range { name, found: *found, lower: *lower, upper: *upper })
     }
 
-    pub(super) fn replace(&mut self, k: usize, built: Built) {
+    pub(super) fn replace(&mut self, k: usize, built: NewCopy) {
         self.leave_lanes();
         (self.members[k], self.alone[k], self.failed[k]) = (built.member, built.simulation, None);
         self.lanes = SharedLanes::NotBuilt;

@@ -107,7 +107,7 @@ struct Source {
 
 /// A copy that is built, with its simulation at its start.
 #[derive(Debug)]
-struct Built {
+struct NewCopy {
     member: Member,
     simulation: Simulation,
 }
@@ -250,10 +250,10 @@ impl Source {
         Parsed::new(&self.text, &self.file).map_err(|error| BatchError::Variant { run: 0, error })
     }
 
-    fn build(&self, copy: usize, variant: &Variant) -> Result<Built, CopyError> {
+    fn build(&self, copy: usize, variant: &Variant) -> Result<NewCopy, CopyError> {
         let member = Member::new(self.parsed()?, copy, variant, &self.files)?;
         let simulation = Simulation::recursive(member.setup.clone());
-        Ok(Built { member, simulation })
+        Ok(NewCopy { member, simulation })
     }
 
     /// Builds copies, all with the columns and inputs of another one.
@@ -263,7 +263,7 @@ impl Source {
         which: &[(usize, Variant)],
         like: &Simulation,
         keeps_ledger: bool,
-    ) -> Result<Vec<Built>, CopyError> {
+    ) -> Result<Vec<NewCopy>, CopyError> {
         let parsed = self.parsed()?;
         let one = |(copy, variant): &(usize, Variant)| {
             let member = Member::new(parsed.clone(), *copy, variant, &self.files)?;
@@ -272,7 +272,7 @@ impl Source {
             if simulation.channels() != like.channels() || names(&simulation) != names(like) {
                 return Err(BatchError::Channels { run: *copy }.into());
             }
-            Ok(Built { member, simulation })
+            Ok(NewCopy { member, simulation })
         };
         match pool {
             Some(pool) => pool.install(|| which.par_iter().map(one).collect()),

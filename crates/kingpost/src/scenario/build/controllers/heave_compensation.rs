@@ -9,7 +9,7 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
 
 /// An enabled entry among these, or an error that lists them.
-fn named<'a, T>(field: &str, found: &str, (all, names): (Vec<(&'a str, T)>, &str)) -> Result<T, FieldError> {
+fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
     let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
     let allowed = if listed.is_empty() {
         format!("none: the scenario does not have {names} that is enabled")
