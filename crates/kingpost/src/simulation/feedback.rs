@@ -41,7 +41,7 @@ const MOST_ITERATIONS: usize = 20_000;
 const BESIDE: f64 = 1e-9;
 
 /// A law with the inputs that it sets, among those of all laws, and how often it samples, in steps.
-struct Loop {
+struct FeedbackLoop {
     name: String,
     gains: DMatrix<f64>,
     reads: DMatrix<f64>,
@@ -67,17 +67,17 @@ impl Simulation {
         let (b, loops) = self.loops(laws, a.nrows());
         self.plant.set_situation(Situation::Running);
         let held = HeldInputs { a, b, step_s: self.settings.step_s };
-        let all: Vec<&Loop> = loops.iter().collect();
+        let all: Vec<&FeedbackLoop> = loops.iter().collect();
         let (map, time_s) = held.map(&all)?;
         let value = fastest(&map)?;
         let rate = libm::log(value.norm_sqr()) / (2.0 * time_s);
         if rate < SLOWEST_GROWTH {
             return None;
         }
-        let slower = |without: &[&Loop]| held.growth(without).is_none_or(|other| other < SHARE * rate);
+        let slower = |without: &[&FeedbackLoop]| held.growth(without).is_none_or(|other| other < SHARE * rate);
         let is_reason =
-            |one: &&Loop| slower(&loops.iter().filter(|other| other.first != one.first).collect::<Vec<_>>());
-        let mut because: Vec<&Loop> = loops.iter().filter(is_reason).collect();
+            |one: &&FeedbackLoop| slower(&loops.iter().filter(|other| other.first != one.first).collect::<Vec<_>>());
+        let mut because: Vec<&FeedbackLoop> = loops.iter().filter(is_reason).collect();
         if because.is_empty() && slower(&[]) {
             because = loops.iter().collect();
         }
@@ -97,7 +97,7 @@ impl Simulation {
     }
 
     /// B of the inputs that the laws set, and the laws with C of the columns that they read.
-    fn loops(&mut self, laws: Vec<(usize, LinearLaw)>, size: usize) -> (DMatrix<f64>, Vec<Loop>) {
+    fn loops(&mut self, laws: Vec<(usize, LinearLaw)>, size: usize) -> (DMatrix<f64>, Vec<FeedbackLoop>) {
         let (mut columns, mut loops) = (Vec::new(), Vec::new());
         for (steer, law) in laws {
             let steering = &self.plant.layout().steers[steer];
@@ -107,7 +107,7 @@ impl Simulation {
             let reads: Vec<DVector<f64>> = (0..size).map(|state| self.columns_by_state(steer, state)).collect();
             let gains = DMatrix::from_fn(law.gains.len(), reads[0].len(), |i, j| law.gains[i][j]);
             let steps = libm::round(law.period_s / self.settings.step_s).max(1.0) as u64;
-            loops.push(Loop { name, gains, reads: DMatrix::from_columns(&reads), first, steps });
+            loops.push(FeedbackLoop { name, gains, reads: DMatrix::from_columns(&reads), first, steps });
         }
         (DMatrix::from_columns(&columns), loops)
     }
@@ -196,7 +196,7 @@ struct HeldInputs {
 
 impl HeldInputs {
     /// The map of states and held inputs over the time in which all laws begin anew, and this time, s.
-    fn map(&self, loops: &[&Loop]) -> Option<(DMatrix<f64>, f64)> {
+    fn map(&self, loops: &[&FeedbackLoop]) -> Option<(DMatrix<f64>, f64)> {
         let (n, m) = self.b.shape();
         let unit = loops.iter().fold(0, |unit, one| divisor(unit, one.steps)).max(1);
         let samples = loops.iter().try_fold(1, |all: u64, one| {
@@ -230,7 +230,7 @@ impl HeldInputs {
     }
 
     /// The rate of the fastest growth with these laws, 1/s.
-    fn growth(&self, loops: &[&Loop]) -> Option<f64> {
+    fn growth(&self, loops: &[&FeedbackLoop]) -> Option<f64> {
         let (map, time_s) = self.map(loops)?;
         Some(libm::log(fastest(&map)?.norm_sqr()) / (2.0 * time_s))
     }

@@ -87,7 +87,7 @@ pub enum Status {
 /// ```
 #[derive(Debug)]
 pub struct Copies {
-    source: Source,
+    source: CopySource,
     asked: Asked,
     pool: Option<rayon::ThreadPool>,
     groups: Vec<Group>,
@@ -99,7 +99,7 @@ type Work<'a> = (&'a mut Group, (&'a mut [f64], &'a mut [Status]));
 
 /// The text that copies are built from.
 #[derive(Debug)]
-struct Source {
+struct CopySource {
     text: String,
     file: String,
     files: Files,
@@ -125,7 +125,7 @@ impl Copies {
         asked: Asked,
         threads: usize,
     ) -> Result<Self, CopyError> {
-        let source = Source { text: text.to_owned(), file: file.to_owned(), files };
+        let source = CopySource { text: text.to_owned(), file: file.to_owned(), files };
         let count = variants.len();
         check_count("copies", count, count > 0, "1 or more")?;
         check_count("columns", asked.columns.len(), !asked.columns.is_empty(), "1 or more")?;
@@ -245,7 +245,7 @@ impl Copies {
     }
 }
 
-impl Source {
+impl CopySource {
     fn parsed(&self) -> Result<Parsed<'_>, BatchError> {
         Parsed::new(&self.text, &self.file).map_err(|error| BatchError::Variant { run: 0, error })
     }

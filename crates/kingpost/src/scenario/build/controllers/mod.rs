@@ -22,7 +22,7 @@ pub fn add<S: Quantity>(
     model: &Model<S>,
     elements: &mut Vec<AnyElement<S>>,
 ) -> Result<usize, FieldError> {
-    let reader = Reader { scenario, known: known_columns(model, elements) };
+    let reader = ControllerReader { scenario, known: known_columns(model, elements) };
     check_targets(scenario, elements)?;
     let first = elements.len();
     let mut open: Vec<(&schema::Name, &Controller<S>)> = scenario.controllers.iter().collect();
@@ -78,12 +78,12 @@ fn check_targets<S: Quantity>(scenario: &Scenario<S>, elements: &[AnyElement<S>]
 }
 
 /// What controllers may name.
-struct Reader<'a, S> {
+struct ControllerReader<'a, S> {
     scenario: &'a Scenario<S>,
     known: Vec<Column>,
 }
 
-impl<S: Quantity> Reader<'_, S> {
+impl<S: Quantity> ControllerReader<'_, S> {
     fn element(
         &self,
         name: &str,
