@@ -1,9 +1,9 @@
 //! Small motions with the feedback of the elements that state a linear law: which modes grow.
 
+use super::small_motions::{Changed, DIFFERENCE};
 use super::{Simulation, stage};
 use crate::elements::{LinearLaw, Situation};
-use crate::integrate::{Stage, System};
-use crate::ledger;
+use crate::integrate::Stage;
 use crate::results::Sample;
 use core::f64::consts::{PI, TAU};
 use nalgebra::{Complex, DMatrix, DVector, Schur};
@@ -26,11 +26,6 @@ pub struct GrowingMode {
 const SLOWEST_GROWTH: f64 = 1e-3;
 /// A law is the reason if without it nothing grows at more than this share of the rate.
 const SHARE: f64 = 0.5;
-/// Displacement of a central difference, as in `small_motions`.
-const DIFFERENCE: f64 = 6e-6;
-/// A change of an input is made ten times as large until rates change by more than this, or it is the largest.
-const SEEN: f64 = 1e-4;
-const LARGEST: f64 = 1e6;
 /// A larger norm of A times a sampling period says nothing: the exponential would be rounding.
 const LARGEST_NORM: f64 = 1e9;
 /// Most samples after which all laws sample at once again.
@@ -103,7 +98,7 @@ impl Simulation {
             let steering = &self.plant.layout().steers[steer];
             let (name, inputs) = (self.plant.layout().names[steering.element].clone(), steering.inputs.clone());
             let first = columns.len();
-            columns.extend(inputs.into_iter().map(|input| self.rates_by_input(input, size)));
+            columns.extend(inputs.into_iter().map(|input| self.rates_by(Changed::Input(input))));
             let reads: Vec<DVector<f64>> = (0..size).map(|state| self.columns_by_state(steer, state)).collect();
             let gains = DMatrix::from_fn(law.gains.len(), reads[0].len(), |i, j| law.gains[i][j]);
             let steps = libm::round(law.period_s / self.settings.step_s).max(1.0) as u64;
@@ -112,60 +107,14 @@ impl Simulation {
         (DMatrix::from_columns(&columns), loops)
     }
 
-    /// Rates of the states by an input.
-    fn rates_by_input(&mut self, input: usize, size: usize) -> DVector<f64> {
-        let mut step = DIFFERENCE;
-        loop {
-            let [more, less] = [step, -step].map(|change| self.rates_with(None, Some((input, change))));
-            let difference = (more - less) / (2.0 * step);
-            if step >= LARGEST || difference.amax() * step > SEEN {
-                debug_assert_eq!(difference.len(), size);
-                return difference;
-            }
-            step *= 10.0;
-        }
-    }
-
     /// The columns that a steering element reads, by a state.
     fn columns_by_state(&mut self, steer: usize, state: usize) -> DVector<f64> {
-        let [more, less] = [DIFFERENCE, -DIFFERENCE].map(|change| self.columns_with(steer, (state, change)));
+        let [more, less] = [DIFFERENCE, -DIFFERENCE].map(|change| self.columns_with(steer, state, change));
         (more - less) / (2.0 * DIFFERENCE)
     }
 
-    /// q, v and s with a state changed.
-    fn displaced(&self, change: Option<(usize, f64)>) -> [Vec<f64>; 3] {
-        let free = self.plant.model.free_coordinates();
-        let (from, mut v, mut s) = (self.state.q.clone(), self.state.v.clone(), self.state.s.clone());
-        let (mut xi, mut q) = (vec![0.0; v.len()], from.clone());
-        if let Some((state, change)) = change {
-            match (state.checked_sub(2 * free.len()), state.checked_sub(free.len())) {
-                (Some(extra), _) => s[ledger::COUNT + extra] += change,
-                (_, Some(rate)) => v[free[rate]] += change,
-                _ => xi[free[state]] = change,
-            }
-        }
-        self.plant.retract(&from, &xi, &mut q);
-        [q, v, s]
-    }
-
-    fn rates_with(&mut self, state: Option<(usize, f64)>, input: Option<(usize, f64)>) -> DVector<f64> {
-        let [q, v, s] = self.displaced(state);
-        let mut d = self.state.d.clone();
-        input.into_iter().for_each(|(input, change)| d[input] += change);
-        let interval = self.interval();
-        let at = Stage { q: &q, v: &v, s: &s, d: &d, ..stage(interval, &self.state) };
-        let (mut v_dot, mut s_dot) = (vec![0.0; v.len()], vec![0.0; s.len()]);
-        self.plant.rates(at, &mut v_dot, &mut s_dot);
-        let free = self.plant.model.free_coordinates();
-        let rates = free.iter().map(|&i| v[i]).chain(free.iter().map(|&i| v_dot[i]));
-        DVector::from_iterator(
-            2 * free.len() + s.len() - ledger::COUNT,
-            rates.chain(s_dot[ledger::COUNT..].iter().copied()),
-        )
-    }
-
-    fn columns_with(&mut self, steer: usize, state: (usize, f64)) -> DVector<f64> {
-        let [q, v, s] = self.displaced(Some(state));
+    fn columns_with(&mut self, steer: usize, state: usize, change: f64) -> DVector<f64> {
+        let [q, v, s] = self.displaced(state, change);
         let interval = self.interval();
         let Self { plant, channels, state, steering, v_dot, .. } = self;
         let at = Stage { q: &q, v: &v, s: &s, ..stage(interval, state) };

@@ -4,16 +4,25 @@ use super::{Simulation, stage};
 use crate::elements::Situation;
 use crate::integrate::{Stage, System};
 use crate::ledger;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 /// Displacement (m, rad) and change of rate (m/s, rad/s) of a central difference: the cube root of the rounding unit,
 /// where its error is smallest (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006, section 8.1).
-const DIFFERENCE: f64 = 6e-6;
-/// If rates change by less than this with a state of an element, it is rounding, 1/s^2: the change of the state is then
-/// made ten times as large.
+pub(super) const DIFFERENCE: f64 = 6e-6;
+/// If rates change by less than this with a state of an element or an input, it is rounding, 1/s^2: the change is then made
+/// ten times as large.
 const SEEN: f64 = 1e-4;
-/// The largest change of such a state.
+/// The largest such change.
 const LARGEST: f64 = 1e6;
+
+/// A number that is changed for a difference.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Changed {
+    /// A state: a local coordinate, a rate or a state of an element.
+    State(usize),
+    /// An input.
+    Input(usize),
+}
 
 impl Simulation {
     /// A of `x' = A x` for small motions from here in still water, with prescribed coordinates held, by central
@@ -23,44 +32,59 @@ impl Simulation {
     /// it equals A of [`Linearization`](crate::analysis::Linearization), which is exact but needs a second engine over
     /// dual numbers: too large for a browser.
     pub fn small_motions(&mut self) -> DMatrix<f64> {
-        let free = self.plant.model.free_coordinates();
-        let (n, extras) = (free.len(), self.plant.layout().states.len());
-        let size = 2 * n + extras;
-        let mut a = DMatrix::zeros(size, size);
+        let size = 2 * self.plant.model.free_coordinates().len() + self.plant.layout().states.len();
         self.plant.set_situation(Situation::AtRest);
-        for column in 0..size {
-            let mut step = DIFFERENCE;
-            loop {
-                let [more, less] = [step, -step].map(|change| self.rates_beside_here(&free, column, change));
-                let difference = (more - less) / (2.0 * step);
-                if column < 2 * n || step >= LARGEST || difference.amax() * step > SEEN {
-                    a.set_column(column, &difference);
-                    break;
-                }
-                step *= 10.0;
-            }
-        }
+        let columns: Vec<DVector<f64>> = (0..size).map(|state| self.rates_by(Changed::State(state))).collect();
         self.plant.set_situation(Situation::Running);
+        let mut a = DMatrix::zeros(size, size);
+        columns.into_iter().enumerate().for_each(|(state, column)| a.set_column(state, &column));
         a
     }
 
-    /// Rates of the states with one of them changed.
-    fn rates_beside_here(&mut self, free: &[usize], state: usize, change: f64) -> nalgebra::DVector<f64> {
-        let n = free.len();
-        let at = stage(self.interval(), &self.state);
-        let (mut q, mut v, mut s) = (at.q.to_vec(), at.v.to_vec(), at.s.to_vec());
+    /// Rates of the states by a state or an input, in the present situation.
+    pub(super) fn rates_by(&mut self, changed: Changed) -> DVector<f64> {
+        let of_motion = 2 * self.plant.model.free_coordinates().len();
+        let once = matches!(changed, Changed::State(state) if state < of_motion);
+        let mut step = DIFFERENCE;
+        loop {
+            let [more, less] = [step, -step].map(|change| self.rates_beside_here(changed, change));
+            let difference = (more - less) / (2.0 * step);
+            if once || step >= LARGEST || difference.amax() * step > SEEN {
+                return difference;
+            }
+            step *= 10.0;
+        }
+    }
+
+    /// Rates of the states with a state or an input changed.
+    fn rates_beside_here(&mut self, changed: Changed, change: f64) -> DVector<f64> {
+        let [mut q, mut v, mut s] = [&self.state.q, &self.state.v, &self.state.s].map(Clone::clone);
+        let mut d = self.state.d.clone();
+        match changed {
+            Changed::State(state) => [q, v, s] = self.displaced(state, change),
+            Changed::Input(input) => d[input] += change,
+        }
+        let at = Stage { q: &q, v: &v, s: &s, d: &d, ..stage(self.interval(), &self.state) };
+        let (mut v_dot, mut s_dot) = (vec![0.0; v.len()], vec![0.0; s.len()]);
+        self.plant.rates(at, &mut v_dot, &mut s_dot);
+        let free = self.plant.model.free_coordinates();
+        let rates = free.iter().map(|&i| v[i]).chain(free.iter().map(|&i| v_dot[i]));
+        let rates: Vec<f64> = rates.chain(s_dot[ledger::COUNT..].iter().copied()).collect();
+        rates.into()
+    }
+
+    /// q, v and s with a state changed.
+    pub(super) fn displaced(&self, state: usize, change: f64) -> [Vec<f64>; 3] {
+        let free = self.plant.model.free_coordinates();
+        let (n, from) = (free.len(), &self.state.q);
+        let (mut q, mut v, mut s) = (from.clone(), self.state.v.clone(), self.state.s.clone());
         let mut xi = vec![0.0; v.len()];
         match state.checked_sub(2 * n) {
             Some(extra) => s[ledger::COUNT + extra] += change,
             None if state < n => xi[free[state]] = change,
             None => v[free[state - n]] += change,
         }
-        let from = q.clone();
-        self.plant.retract(&from, &xi, &mut q);
-        let (mut v_dot, mut s_dot) = (vec![0.0; v.len()], vec![0.0; s.len()]);
-        self.plant.rates(Stage { q: &q, v: &v, s: &s, ..at }, &mut v_dot, &mut s_dot);
-        let rates = free.iter().map(|&i| v[i]).chain(free.iter().map(|&i| v_dot[i]));
-        let rates: Vec<f64> = rates.chain(s_dot[ledger::COUNT..].iter().copied()).collect();
-        rates.into()
+        self.plant.retract(from, &xi, &mut q);
+        [q, v, s]
     }
 }
