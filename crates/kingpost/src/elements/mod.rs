@@ -40,6 +40,7 @@ mod slack_tank;
 mod soft_hold;
 mod state_feedback;
 pub mod submerged;
+mod ticks;
 mod viscous_damping;
 mod watcher;
 

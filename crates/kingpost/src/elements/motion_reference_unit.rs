@@ -57,7 +57,6 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
             ..number("measured_angular_velocity", "measured angular velocity of a sensor's body", &["rad/s"])
         };
         let removed = [ElementState::memory("removed_heave", "m"), ElementState::memory("removed_heave_rate", "m/s")];
-        let zero = core::iter::once("zero_height".to_owned());
         let outputs = vec![
             number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
             number("measured_pitch", "measured pitch of a sensor's body, positive bow down", &["rad"]),
@@ -65,16 +64,9 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
             number("measured_heave_rate", "measured vertical velocity of a sensor", &["m/s"]),
             angular_velocity,
         ];
-        Declaration {
-            states: removed.into_iter().filter(|_| self.heave_filter.is_some()).collect(),
-            numbers: self.sampler.number_names(&KEPT).into_iter().chain(zero).collect(),
-            modes: self.sampler.mode_names(&KEPT),
-            outputs: outputs.into_iter().chain(self.sampler.status(&self.name)).collect(),
-            events: self.sampler.events(),
-            goes_alone: self.sampler.drop_outs.is_some(),
-            period_s: Some(self.sampler.period_s),
-            ..Declaration::default()
-        }
+        let mut declaration = self.sampler.declaration(&self.name, &KEPT, outputs);
+        declaration.numbers.push("zero_height".to_owned());
+        Declaration { states: removed.into_iter().filter(|_| self.heave_filter.is_some()).collect(), ..declaration }
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {

@@ -8,6 +8,7 @@ pub use predictor::{Dynamics, FilterBank, PeriodBand};
 
 use super::lines::place;
 use super::ropes::Drum;
+use super::ticks::{Due, due};
 use super::{Context, Declaration, Element, Input, Output, Own};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
@@ -107,8 +108,6 @@ const NUMBERS: [&str; BANKS] = [
 /// The modes: the number of the next tick, from 1; whether its sensor has dropped out.
 const NEXT_TICK: usize = 0;
 const SENSOR_OUT: usize = 1;
-/// Share of the period by which a tick may be late: rounding.
-const SLACK: f64 = 1e-9;
 /// The lever at which it is switched on.
 const ON: f64 = 0.5;
 
@@ -171,10 +170,9 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
         own: &mut Own<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let tick = libm::floor(at.clock.time_s / self.period_s + SLACK) as i64 + 1;
-        let Some(input) = inputs.first_mut().filter(|_| own.modes[NEXT_TICK] != tick) else { return Ok(Vec::new()) };
-        let begins = own.modes[NEXT_TICK] == 0;
-        own.modes[NEXT_TICK] = tick;
+        let Some(input) = inputs.first_mut() else { return Ok(Vec::new()) };
+        let due = due(at.clock.time_s, self.period_s, &mut own.modes[NEXT_TICK]);
+        let Some(Due { is_first: begins, .. }) = due else { return Ok(Vec::new()) };
         let measured = self.measurement.measure(at, &self.tip, read);
         let happened = sensor_changes(measured.delivers, own);
         let [velocity, height] = self.now(&measured, begins, own);

@@ -31,15 +31,7 @@ impl<S: Scalar> Element<S> for Encoder<S> {
                 ("extension", number("measured_extension", "measured extension of a joint", &["m"]))
             }
         };
-        Declaration {
-            numbers: self.sampler.number_names(&[kept]),
-            modes: self.sampler.mode_names(&[kept]),
-            outputs: core::iter::once(output).chain(self.sampler.status(&self.name)).collect(),
-            events: self.sampler.events(),
-            goes_alone: self.sampler.drop_outs.is_some(),
-            period_s: Some(self.sampler.period_s),
-            ..Declaration::default()
-        }
+        self.sampler.declaration(&self.name, &[kept], vec![output])
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {

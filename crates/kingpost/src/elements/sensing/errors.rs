@@ -2,6 +2,7 @@
 
 use crate::scalar::Scalar;
 use crate::sea::waves::Noise;
+use crate::state::digest;
 
 /// The errors of one signal. Of a value x, sample k gives
 ///
@@ -49,11 +50,7 @@ impl SensorNoise {
     /// The numbers of the sensor of this name in a run with this seed. A name has the same numbers whatever other
     /// sensors there are.
     pub fn new(seed: u64, name: &str) -> Self {
-        // FNV-1a of 64 bits (Fowler, Noll & Vo).
-        let hash = name
-            .bytes()
-            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
-        Self { noise: Noise::new(seed), channel: CHANNELS_OF_SENSORS | (hash & !(SIGNALS - 1)) }
+        Self { noise: Noise::new(seed), channel: CHANNELS_OF_SENSORS | (digest(name.as_bytes()) & !(SIGNALS - 1)) }
     }
 
     /// n_k of a signal.

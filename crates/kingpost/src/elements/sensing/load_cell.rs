@@ -1,6 +1,7 @@
 //! A load cell: a sensor of a rope's tension.
 
 use super::Sampler;
+use crate::elements::ticks::{Due, due};
 use crate::elements::{Context, Declaration, Element, Output, Own};
 use crate::scalar::Scalar;
 
@@ -18,8 +19,6 @@ pub struct LoadCell<S = f64> {
 }
 
 const KEPT: [&str; 1] = ["tension"];
-/// Share of the period by which a sampling time may be late: rounding.
-const SLACK: f64 = 1e-9;
 
 impl<S: Scalar> Element<S> for LoadCell<S> {
     fn name(&self) -> &str {
@@ -28,18 +27,9 @@ impl<S: Scalar> Element<S> for LoadCell<S> {
 
     fn declare(&self) -> Declaration {
         let tension = Output::number("measured_tension", "measured tension of a rope", "sensor", &self.name, &["N"]);
-        let mut modes = self.sampler.mode_names(&KEPT);
-        modes.push("next_sample".to_owned());
-        Declaration {
-            numbers: self.sampler.number_names(&KEPT),
-            modes,
-            outputs: core::iter::once(tension).chain(self.sampler.status(&self.name)).collect(),
-            events: self.sampler.events(),
-            goes_alone: self.sampler.drop_outs.is_some(),
-            period_s: Some(self.sampler.period_s),
-            reads: vec![self.column.clone()],
-            ..Declaration::default()
-        }
+        let mut declaration = self.sampler.declaration(&self.name, &KEPT, vec![tension]);
+        declaration.modes.push("next_sample".to_owned());
+        Declaration { reads: vec![self.column.clone()], ..declaration }
     }
 
     fn steer(
@@ -51,14 +41,14 @@ impl<S: Scalar> Element<S> for LoadCell<S> {
     ) -> Result<Vec<String>, String> {
         let Some(&tension) = read.first() else { return Ok(Vec::new()) };
         let next = own.modes.len() - 1;
-        let due = libm::floor(at.clock.time_s / self.sampler.period_s + SLACK) as i64 + 1;
-        if own.modes[next] == 0 {
+        let period_s = self.sampler.period_s;
+        let Some(Due { sample, is_first }) = due(at.clock.time_s, period_s, &mut own.modes[next]) else {
+            return Ok(Vec::new());
+        };
+        if is_first {
             self.sampler.begin(own, &[tension]);
         }
-        if own.modes[next] < due {
-            own.modes[next] = due;
-            self.sampler.take((due - 1) as f64 * self.sampler.period_s, own, &[tension]);
-        }
+        self.sampler.take(sample as f64 * period_s, own, &[tension]);
         Ok(Vec::new())
     }
 

@@ -1,7 +1,7 @@
 //! The sampling of a sensor's signals: errors, a delay, and a last value that is held while the sensor drops out.
 
 use super::errors::{DropOuts, SensorNoise, SignalErrors};
-use crate::elements::{Crossing, Delay, Event, Output, Own};
+use crate::elements::{Crossing, Declaration, Delay, Event, Output, Own};
 use crate::scalar::Scalar;
 
 /// Samples a fixed list of signals. Its numbers stand first among the element's: the outputs, then a ring buffer for
@@ -37,26 +37,39 @@ impl<S: Scalar> Sampler<S> {
         self.count() * (1 + self.delay_samples)
     }
 
+    /// The declaration of a sensor of this name with these signals and outputs, its status behind them if it can drop out.
+    pub fn declaration(&self, name: &str, signals: &[&str], outputs: Vec<Output>) -> Declaration {
+        Declaration {
+            numbers: self.number_names(signals),
+            modes: self.mode_names(signals),
+            outputs: outputs.into_iter().chain(self.status(name)).collect(),
+            events: self.events(),
+            goes_alone: self.drop_outs.is_some(),
+            period_s: Some(self.period_s),
+            ..Declaration::default()
+        }
+    }
+
     /// Names of its numbers, for these names of signals.
-    pub fn number_names(&self, signals: &[&str]) -> Vec<String> {
+    fn number_names(&self, signals: &[&str]) -> Vec<String> {
         let late = |name: &&str| (0..self.delay_samples).map(|tick| format!("{name}_{tick}")).collect::<Vec<_>>();
         signals.iter().map(ToString::to_string).chain(signals.iter().flat_map(late)).collect()
     }
 
     /// Names of its modes.
-    pub fn mode_names(&self, signals: &[&str]) -> Vec<String> {
+    fn mode_names(&self, signals: &[&str]) -> Vec<String> {
         let heads = signals.iter().filter(|_| self.delay_samples > 0).map(|name| format!("{name}_oldest"));
         heads.chain(self.drop_outs.map(|_| "drop_out".to_owned())).collect()
     }
 
     /// Its status as an output, if it can drop out.
-    pub fn status(&self, name: &str) -> Option<Output> {
+    fn status(&self, name: &str) -> Option<Output> {
         let what = "1 while a sensor delivers new samples, 0 while it holds its last";
         self.drop_outs.map(|_| Output::number("sensor_status", what, "sensor", name, &["1"]))
     }
 
     /// Its events, if it can drop out: they are brought about by samples, not by witnesses.
-    pub fn events(&self) -> Vec<Event> {
+    fn events(&self) -> Vec<Event> {
         let of = |what| Event { what, crossing: Crossing::Rising };
         self.drop_outs.map_or_else(Vec::new, |_| vec![of("drops out"), of("delivers again")])
     }

@@ -31,15 +31,7 @@ impl<S: Scalar> Element<S> for SatelliteReceiver<S> {
             frame: VectorFrame::World,
             ..Output::number("measured_position", what, "sensor", &self.name, &["m"])
         };
-        Declaration {
-            numbers: self.sampler.number_names(&KEPT),
-            modes: self.sampler.mode_names(&KEPT),
-            outputs: core::iter::once(position).chain(self.sampler.status(&self.name)).collect(),
-            events: self.sampler.events(),
-            goes_alone: self.sampler.drop_outs.is_some(),
-            period_s: Some(self.sampler.period_s),
-            ..Declaration::default()
-        }
+        self.sampler.declaration(&self.name, &KEPT, vec![position])
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
