@@ -39,6 +39,11 @@ impl Member {
         let structure = scenario.structure();
         Ok(Self { scenario, setup, structure })
     }
+
+    /// A simulation of it by itself, at its start.
+    pub(super) fn simulation(&self) -> Simulation {
+        self.scenario.simulation_of(self.setup.clone()).unwrap_or_else(|_| Simulation::new(self.setup.clone()))
+    }
 }
 
 impl Members {
@@ -70,8 +75,7 @@ impl Built for Members {
     }
 
     fn simulation(&self, run: usize) -> Simulation {
-        let Member { scenario, setup, .. } = &self.0[run];
-        scenario.simulation_of(setup.clone()).unwrap_or_else(|_| Simulation::new(setup.clone()))
+        self.0[run].simulation()
     }
 
     fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>> {

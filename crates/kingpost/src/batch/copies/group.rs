@@ -58,12 +58,11 @@ pub(super) fn needs_ledger(first: &NewCopy, asked: &Asked) -> bool {
 
 /// The simulation of a copy at its start.
 pub(super) fn simulation(member: &Member, keeps_ledger: bool) -> Simulation {
-    let setup = member.setup.clone();
-    let plain = setup.settings.form == Form::Recursive && !setup.settings.scheme.is_implicit();
-    if plain {
-        return Simulation::recursive_with(setup, keeps_ledger);
+    let settings = &member.setup.settings;
+    if settings.form == Form::Recursive && !settings.scheme.is_implicit() {
+        return Simulation::recursive_with(member.setup.clone(), keeps_ledger);
     }
-    member.scenario.simulation_of(setup).unwrap_or_else(|_| Simulation::new(member.setup.clone()))
+    member.simulation()
 }
 
 impl Group {

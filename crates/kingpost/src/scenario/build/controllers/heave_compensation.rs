@@ -1,21 +1,16 @@
 //! Heave compensation.
 
 use super::super::super::schema::{self, Drive, Scenario};
-use super::super::FieldError;
+use super::super::{FieldError, sensors};
 use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::heave_compensation::{Dynamics, FilterBank, Measurement, PeriodBand, Prediction};
 use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, Rope, of_kind};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::wording::one_of_with_hint;
 
 /// An enabled entry among these, or an error that lists them.
 fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
     let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
-    let allowed = if listed.is_empty() {
-        format!("none: the scenario does not have {names} that is enabled")
-    } else {
-        one_of_with_hint(&listed, found)
-    };
+    let allowed = sensors::allowed(&listed, found, &format!("{names} that is enabled"));
     let one = all.into_iter().find(|(name, _)| *name == found);
     one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
 }
