@@ -13,7 +13,6 @@ Policy = Callable[[np.ndarray], np.ndarray]
 
 SWING_PERIOD_S = 9.0
 """Period that the shaped inputs are for: hook and load of `anti_sway` as one pendulum, 2 pi sqrt(L / g)."""
-CONTROL_PERIOD_S = 0.05
 SLOW = 0.2
 """Speed towards the target, 1/s, of the controller with feedback of the swing."""
 FOLLOW = 0.5
@@ -66,7 +65,7 @@ class _Shaped:
         self.task = task
         self.command = proportional(task)
         self.past: list[np.ndarray] = []
-        self.delay = round(0.5 * SWING_PERIOD_S / CONTROL_PERIOD_S)
+        self.delay = round(0.5 * SWING_PERIOD_S / task.control_period_s)
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
         self.past.append(self.command(seen))

@@ -49,7 +49,8 @@ class Episodes:
         self.taken = np.zeros(count, dtype=np.int64)
         self.goals: np.ndarray | None = None
         self._lower = np.array([low for low, _ in task.bounds])
-        self._half = np.array([0.5 * (high - low) for low, high in task.bounds])
+        self._upper = np.array([high for _, high in task.bounds])
+        self._half = 0.5 * (self._upper - self._lower)
         self._scales = np.array([one.scale for one in task.seen])
         self._read = np.empty(count * len(task.read))
         self._status = np.zeros(count, dtype=np.int64)
@@ -81,7 +82,7 @@ class Episodes:
             raise KingpostError("step: found no episode, allowed: after reset()")
         actions = self._checked(actions)
         inputs = self._lower + (actions + 1.0) * self._half
-        inputs = np.clip(inputs, self._lower, [high for _, high in self.task.bounds])
+        inputs = np.clip(inputs, self._lower, self._upper)
         self._copies.advance(self.task.steps, inputs.ravel(), self._read, self._status)
         self.taken += 1
         goals = self.goals
