@@ -14,6 +14,15 @@ class KingpostWarning(UserWarning):
     """A warning about a run that goes on; use this category in `warnings.filterwarnings`."""
 
 
+def shortened(text: str, longest: int = 200) -> str:
+    """A found text for a message: a file may hold one of any length.
+
+    >>> shortened("barge" * 100, longest=8)
+    'bargebar...'
+    """
+    return text if len(text) <= longest else f"{text[:longest]}..."
+
+
 def flag(name: str) -> str:
     """The command-line option of a parameter, as messages name it.
 

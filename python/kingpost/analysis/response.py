@@ -292,7 +292,8 @@ def parse_range(text: str) -> list[float]:
     """
     try:
         start, stop, count = text.split(":")
-        spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_RANGE + 1)).tolist()
+        with np.errstate(invalid="ignore", over="ignore"):
+            spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_RANGE + 1)).tolist()
     except ValueError:
         spaced = []
     if not (0 < len(spaced) <= MOST_IN_RANGE and np.isfinite(spaced).all()):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import HydrodynamicsError
+from ..errors import HydrodynamicsError, shortened
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -120,8 +120,7 @@ class Fields:
 
 def shown(value: object) -> str:
     """A value for an error message, shortened if it is long."""
-    text = "null" if value is None else repr(value)
-    return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}..."
+    return shortened("null" if value is None else repr(value), _LONGEST_SHOWN)
 
 
 def _shape(shape: Sequence[int | None]) -> str:

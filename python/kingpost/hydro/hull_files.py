@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import HydrodynamicsError
+from ..errors import HydrodynamicsError, shortened
 from ..results.files import is_whole
 from .database import Mesh
 from .meshes import HullMeshes, whole
@@ -190,7 +190,7 @@ def _read_meshio(path: Path) -> Surface:
             points = np.asarray(found.points, float)
             faces = [_halved(np.asarray(some)) for some in cells if len(some)]
     except (Exception, SystemExit) as error:
-        reason = str(error).strip() or type(error).__name__
+        reason = shortened(str(error).strip()) or type(error).__name__
         allowed = "STL, OBJ, GDF or another format that meshio reads"
         raise HydrodynamicsError(
             "hull", f"a file that cannot be read ({reason})", allowed, str(path)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..errors import RollDampingError
+from ..errors import RollDampingError, shortened
 from .sections import Array, read_columns
 
 TIMES = ("time_s", "time")
@@ -69,7 +69,7 @@ class DecayRecord:
         if len(times) != 1 or len(rolls) != 1:
             wanted = f"the column {column}" if column else "one of roll_rad, roll_deg, NAME.roll"
             allowed = f"time_s or time, and {wanted}"
-            raise RollDampingError("columns", ", ".join(columns), allowed, str(path))
+            raise RollDampingError("columns", shortened(", ".join(columns)), allowed, str(path))
         roll = columns[rolls[0]]
         try:
             return cls(columns[times[0]], np.radians(roll) if rolls[0].endswith("_deg") else roll)
