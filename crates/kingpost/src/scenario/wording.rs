@@ -280,7 +280,7 @@ pub(super) fn with_fields(kind: &str) -> String {
 
 /// A kind without fields.
 pub(super) fn without_fields(kind: &str) -> String {
-    format!("{kind} alone")
+    format!("the word {kind}, without fields")
 }
 
 /// The allowed continuations of a path, within a value with these names.

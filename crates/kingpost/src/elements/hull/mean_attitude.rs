@@ -50,7 +50,7 @@ impl Watcher for MeanAttitude {
             let text = || {
                 format!(
                     "its mean {what} was {mean:.2} deg, its hydrodynamic coefficients are for {data:.2} deg (warned of beyond \
-                     {LARGEST_LIST_DEG} deg): kingpost hydro --attitude_of computes them for a hull that lists"
+                     {LARGEST_LIST_DEG} deg): kingpost hydro --attitude-of computes them for a hull that lists"
                 )
             };
             let beyond = self.rows > 0 && (mean - data).abs() > LARGEST_LIST_DEG;
