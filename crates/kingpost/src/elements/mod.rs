@@ -41,6 +41,7 @@ mod soft_hold;
 mod state_feedback;
 pub mod submerged;
 mod ticks;
+pub mod u_tank;
 mod viscous_damping;
 mod watcher;
 
@@ -78,5 +79,6 @@ pub use slack_tank::SlackTank;
 pub use soft_hold::SoftHold;
 pub use state_feedback::{FeedbackRead, FeedbackSteer, StateFeedback};
 pub use submerged::Submerged;
+pub use u_tank::UTank;
 pub use viscous_damping::ViscousDamping;
 pub use watcher::{AnyWatcher, Extreme, Warning, Watcher, significant};

@@ -3,7 +3,7 @@
 use super::super::schema::{self, Inertia, Scenario};
 use super::axes::{axes, forces_in_axis};
 use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
-use super::{FieldError, known};
+use super::{FieldError, known, u_tanks};
 use crate::elements::{AnyElement, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
 use crate::model::{Axis, BodyDefinition, Joint, JointKind, Mode, Model, Shape};
@@ -25,6 +25,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<Bodies<S>, FieldErro
     for name in order(scenario)? {
         growth.add(scenario, name)?;
     }
+    growth.add_liquids(scenario)?;
     Ok(growth.finish())
 }
 
@@ -98,6 +99,18 @@ impl<S: Quantity> TreeBuilder<S> {
             self.descriptions.push(beam.describe(segment, parent, beam.joint(segment), points(segment)));
             self.q.extend([S::ZERO; ELASTIC_AXES]);
             self.v.extend([S::ZERO; ELASTIC_AXES]);
+        }
+        Ok(())
+    }
+
+    /// The liquid of U-tanks: bodies that the scenario gives as forces.
+    fn add_liquids(&mut self, scenario: &Scenario<S>) -> Result<(), FieldError> {
+        let place = |name: &str| self.descriptions.iter().position(|description| description.name == name);
+        for liquid in u_tanks::bodies(scenario, place)? {
+            self.rotors.push((self.v.len(), liquid.rotor_inertia));
+            self.q.push(liquid.angle);
+            self.v.push(S::ZERO);
+            self.descriptions.push(liquid.definition);
         }
         Ok(())
     }

@@ -35,7 +35,7 @@ pub fn given_motions<S: Quantity>(
     let mut motions = Vec::new();
     for (i, body) in model.bodies.iter().enumerate() {
         let (name, 0) = owner(&body.name) else { continue };
-        let joint = &scenario.bodies[name].joint;
+        let Some(joint) = scenario.bodies.get(name).map(|body| &body.joint) else { continue };
         for (k, axis) in axes(joint).iter().enumerate() {
             let Some(given) = &axis.given else { continue };
             let path = format!("bodies.{}.joint.{}", body.name, joint.kind());

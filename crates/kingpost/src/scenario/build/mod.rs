@@ -32,6 +32,7 @@ mod station;
 mod still_water;
 mod submerged;
 mod tanks;
+mod u_tanks;
 mod watchers;
 mod water;
 pub(super) mod wave_motion;
@@ -245,6 +246,7 @@ fn forces<S: Quantity>(
             ForceSchema::ViscousDamping(given) => forces.extend(damping::viscous(scenario, name, given, model)?),
             ForceSchema::QuadraticDamping(given) => forces.extend(damping::quadratic(scenario, name, given, model)?),
             ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
+            ForceSchema::UTank(given) => forces.extend(u_tanks::build(scenario, name, given, model)?),
             ForceSchema::Submerged(given) => forces.extend(submerged::build(scenario, name, given, model, world)?),
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),

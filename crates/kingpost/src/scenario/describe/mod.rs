@@ -189,27 +189,28 @@ impl Scenario {
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
         let body = |(index, (body, node)): (usize, (&crate::model::Body, &Node))| {
             let (owner, segment) = owner(&body.name);
-            let given = &self.bodies[owner];
+            // A body that is none of the scenario's is the liquid of a tank.
+            let given = self.bodies.get(owner);
             let parent = node.parent.map_or(schema::WORLD, |parent| model.bodies[parent].name.as_str());
             BodyDescription {
                 name: body.name.clone(),
                 parent: parent.to_owned(),
-                floats: segment == 0 && afloat::floats(&given.joint),
+                floats: segment == 0 && given.is_some_and(|given| afloat::floats(&given.joint)),
                 mass_kg: body.mass,
                 inertia_kg_m2: dry_inertia(&model, index, node),
-                shape: shape(given, segment),
-                colour: given.colour.clone(),
+                shape: given.and_then(|given| shape(given, segment)),
+                colour: given.and_then(|given| given.colour.clone()),
             }
         };
         let joint = |(joint, body): (&crate::model::Joint, &crate::model::Body)| JointDescription {
             name: joint.name.clone(),
             body: body.name.clone(),
             kind: match owner(&body.name) {
-                (name, 0) => self.bodies[name].joint.kind(),
+                (name, 0) => self.bodies.get(name).map_or("revolute", |body| body.joint.kind()),
                 _ => "elastic",
             },
             prescribed: match owner(&body.name) {
-                (name, 0) => facts::prescribed(&self.bodies[name].joint),
+                (name, 0) => self.bodies.get(name).map_or_else(Vec::new, |body| facts::prescribed(&body.joint)),
                 _ => Vec::new(),
             },
             free_coordinates: joint.coordinate_names().into_iter().filter(|name| free.contains(name)).collect(),

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     CatenaryLine, Contact, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank,
-    SoftHold, SpringLine, Submerged, TuggerLine, WindLoad, yes,
+    SoftHold, SpringLine, Submerged, TuggerLine, UTank, WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -27,6 +27,8 @@ pub enum Force<S = f64> {
     Hydrodynamics(Hydrodynamics<S>),
     /// The free surface of a tank that is neither empty nor full.
     SlackTank(Box<SlackTank<S>>),
+    /// A U-tank: an anti-roll tank, or with a pump an anti-heeling tank.
+    UTank(Box<UTank<S>>),
     /// The water on a lifted object, in the splash zone and below.
     Submerged(Box<Submerged<S>>),
     /// A line without weight that pulls between two points.

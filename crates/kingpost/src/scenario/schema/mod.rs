@@ -36,6 +36,7 @@ mod slack_tank;
 mod soft_hold;
 mod submerged;
 mod top;
+mod u_tank;
 mod waves;
 
 use indexmap::IndexMap;
@@ -101,6 +102,7 @@ pub use submerged::{
     EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
 };
 pub(super) use top::is_top_field;
+pub use u_tank::{UTank, UTankPump};
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,
