@@ -6,7 +6,7 @@ import json
 
 import kingpost
 import pytest
-from kingpost.verify import control
+from kingpost.verify.control import heave
 
 SHORT = {"simulation.duration_s": 3, "simulation.record_every_s": 0.5}
 
@@ -28,20 +28,20 @@ def test_check_lists_the_controller_with_its_facts(capsys):
 
 
 def test_a_batch_over_the_gain_gives_the_rows_that_each_run_has_alone():
-    field = f"{control.CONTROLLER}.position_gain_per_s"
+    field = f"{heave.CONTROLLER}.position_gain_per_s"
     batch = kingpost.Batch("heave_compensation", {field: [0.0, 0.1, 0.3]}, SHORT).run()
     alone = kingpost.run("heave_compensation", SHORT | {field: 0.3})
     assert (batch["compensation_residual"].isel(run=2).values == alone["compensation_residual"].values).all()
 
 
 def test_a_case_of_the_standard_seas_is_measured_and_printed():
-    row = control.measure("Hs 2.5 m, Tp 8 s", "30 m", "off", length_s=2.0)
+    row = heave.measure("Hs 2.5 m, Tp 8 s", "30 m", "off", length_s=2.0)
     assert row.verdict == "-"
-    assert "off" in control.text([row])
+    assert "off" in heave.text([row])
 
 
 def test_drop_outs_are_in_the_table_of_events():
-    field = f"{control.UNIT}.drop_outs"
+    field = f"{heave.UNIT}.drop_outs"
     ds = kingpost.run("heave_compensation", SHORT | {field: {"mean_interval_s": 0.5, "mean_duration_s": 0.2}})
     happened = {event["what"] for event in json.loads(ds.attrs["events"])}
     assert "drops out" in happened

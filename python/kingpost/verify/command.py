@@ -55,10 +55,10 @@ def command(options: argparse.Namespace) -> int:
 def _control() -> int:
     from . import control
 
-    with progress.bar(len(list(control.cases())), "runs") as update:
-        rows = control.measured(update)
-    print(control.text(rows))
-    return int(any(row.verdict == "at a limit" for row in rows))
+    with progress.bar(control.count(), "runs") as update:
+        found = list(control.tables(update))
+    print("\n\n".join(text for text, _ in found))
+    return int(any(failed for _, failed in found))
 
 
 def _draw(folder: Path) -> int:

@@ -1,6 +1,6 @@
-"""`kingpost verify --control`: every controller on its standard seas, with and without.
+"""Heave compensation on its standard seas, with and without.
 
-Heave compensation is measured on the gallery's scenario of it: the residual at the winch, which is what the
+It is measured on the gallery's scenario of it: the residual at the winch, which is what the
 controller leaves of the tip's heave, and at the hook, each over the heave of the tip; a load far below the
 ship hangs on a long elastic rope, which adds its own stretch and resonance.
 """
@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import KingpostWarning
-from ..reports.tables import table
-from ..simulation.simulate import run
+from ...errors import KingpostWarning
+from ...reports.tables import table
+from ...simulation.simulate import run
 
 SCENARIO = "heave_compensation"
 CONTROLLER = "controllers.compensation.heave_compensation"

@@ -1,0 +1,46 @@
+"""`kingpost verify --control`: every controller on its standard seas, with and without.
+
+Each controller is one module of this folder; a new one is a line in `CONTROLLERS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Protocol
+
+from . import heave
+
+
+class Controller(Protocol):
+    """What the module of a controller offers."""
+
+    def cases(self) -> Iterator[Any]:
+        """Its runs."""
+
+    def measured(self, update: Callable[[float], None]) -> Sequence[Any]:
+        """Every run as a row, which has a `verdict`; `update` is called with the number of runs done."""
+
+    def text(self, rows: Sequence[Any]) -> str:
+        """Its table."""
+
+
+CONTROLLERS: tuple[Controller, ...] = (heave,)
+"""In the order in which they are measured and printed."""
+
+AT_A_LIMIT = "at a limit"
+"""The verdict on a run whose drive exceeds a limit: the command fails."""
+
+
+def count() -> int:
+    """Number of runs of all controllers."""
+    return sum(len(list(controller.cases())) for controller in CONTROLLERS)
+
+
+def tables(update: Callable[[float], None]) -> Iterator[tuple[str, bool]]:
+    """Each controller's table, and whether one of its runs fails; `update` is called with the number of runs done."""
+    before = 0
+    for controller in CONTROLLERS:
+        done = before
+        rows = controller.measured(lambda runs, done=done: update(done + runs))
+        before += len(rows)
+        yield controller.text(rows), any(row.verdict == AT_A_LIMIT for row in rows)
