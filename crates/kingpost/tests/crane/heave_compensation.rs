@@ -4,7 +4,7 @@ use crate::common;
 
 use common::values;
 use kingpost::batch;
-use kingpost::elements::heave_compensation::{Dynamics, FilterBank, PeriodBand};
+use kingpost::elements::compensation::{Dynamics, FilterBank, PeriodBand};
 use kingpost::scenario::{Files, read};
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};

@@ -43,7 +43,8 @@ fn motion_reference_unit<S: Quantity>(
     let rate = given.rate_errors.as_ref().map(crane_sensors::of_rate);
     let heave = given.heave_errors.as_ref().map(crane_sensors::of_length);
     let heave_rate = given.heave_rate_errors.as_ref().map(crane_sensors::of_speed);
-    let errors = vec![angle, angle, heave, heave_rate, rate, rate, rate];
+    let mut errors = vec![angle, angle, heave, heave_rate, rate, rate, rate, heave, heave_rate, heave, heave_rate, angle];
+    errors.truncate(MotionReferenceUnit::<S>::signals(given.horizontal_motion));
     let sampling = (given.period_s, given.delay_samples);
     let sampler = crane_sensors::sampler(scenario, [name, "motion_reference_unit"], errors, sampling, given.drop_outs)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
@@ -52,7 +53,8 @@ fn motion_reference_unit<S: Quantity>(
         damping_ratio: filter.damping_ratio.get(),
     });
     let place = HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) };
-    Ok(Some(Box::new(MotionReferenceUnit { name: name.to_owned(), place, sampler, heave_filter })))
+    let horizontal = given.horizontal_motion;
+    Ok(Some(Box::new(MotionReferenceUnit { name: name.to_owned(), place, horizontal, sampler, heave_filter })))
 }
 
 /// The input that a servo adds to its target; it exists if a wire leads to it.

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Fraction, HeaveCompensation, Positive, SignalName, yes};
+use super::{
+    CompensationDrive, Fraction, HeaveCompensation, PlatformCompensation, Positive, SignalName, ThreeAxisCompensation, yes,
+};
 use crate::scenario::leaf::Leaf;
 
 /// What stands between a command, of a user or of the operation, and an input. Its own command is an input with its name.
@@ -21,6 +23,10 @@ pub enum Controller<S = f64> {
     StateFeedback(StateFeedback<S>),
     /// A winch pays out what the crane's tip rises, so that the load keeps its height.
     HeaveCompensation(HeaveCompensation<S>),
+    /// Slewing and luffing hold the crane's tip over a point of the world, the winch the load's height.
+    ThreeAxisCompensation(ThreeAxisCompensation<S>),
+    /// Driven joints below the pedestal keep it level and at its height.
+    PlatformCompensation(PlatformCompensation<S>),
 }
 
 impl<S> Controller<S> {
@@ -35,9 +41,28 @@ impl<S> Controller<S> {
             Self::HeaveCompensation(given) if given.enabled => {
                 vec![("heave_compensation.drive".to_owned(), &*given.drive)]
             }
-            Self::HeaveCompensation(_) => Vec::new(),
+            Self::ThreeAxisCompensation(given) if given.enabled => {
+                let winch = ("three_axis_compensation.drive".to_owned(), &*given.drive);
+                joint_targets("three_axis_compensation", &given.joints).chain([winch]).collect()
+            }
+            Self::PlatformCompensation(given) if given.enabled => {
+                joint_targets("platform_compensation", &given.joints).collect()
+            }
+            Self::HeaveCompensation(_) | Self::ThreeAxisCompensation(_) | Self::PlatformCompensation(_) => Vec::new(),
         }
     }
+
+    /// Whether it sets drives and nothing that another controller commands.
+    pub fn is_compensation(&self) -> bool {
+        matches!(
+            self,
+            Self::HeaveCompensation(_) | Self::ThreeAxisCompensation(_) | Self::PlatformCompensation(_)
+        )
+    }
+}
+
+fn joint_targets<'a>(kind: &'static str, joints: &'a [CompensationDrive]) -> impl Iterator<Item = (String, &'a str)> {
+    joints.iter().enumerate().map(move |(k, joint)| (format!("{kind}.joints.{k}.drive"), &*joint.drive))
 }
 
 /// Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping

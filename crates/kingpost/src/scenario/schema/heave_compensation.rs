@@ -42,7 +42,7 @@ pub struct HeaveCompensation<S = f64> {
     pub prediction: Option<HeavePrediction<S>>,
 }
 
-/// Prediction of the tip's motion over the delay of the sensor, the time for which a command is held, and the response
+/// Prediction of the ship's motion over the delay of the sensor, the time for which a command is held, and the response
 /// of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
@@ -65,7 +65,7 @@ pub struct HeavePrediction<S = f64> {
     /// Time by which it predicts further than over the delay of its sensor and half of period_s, s.
     #[serde(default)]
     pub extra_delay_s: NonNegative<S>,
-    /// Time constant of the drive's response, which it inverts, s; without it, the response_time_s of the drive.
+    /// Time constant of the drive's response, which it inverts, s; without it, the response_time_s of each drive.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive_response_s: Option<NonNegative<S>>,
 }

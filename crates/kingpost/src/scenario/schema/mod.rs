@@ -23,6 +23,7 @@ mod joints;
 mod joints_of_several_axes;
 mod lines;
 mod loops;
+mod motion_compensation;
 mod mounting;
 mod moved_by_waves;
 mod operation;
@@ -85,6 +86,7 @@ pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, Pr
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
 pub use lines::{CatenaryLine, SpringLine};
 pub use loops::{Attachment, Constraint, Distance, Loop};
+pub use motion_compensation::{CompensationDrive, PlatformCompensation, ThreeAxisCompensation};
 pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use operation::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};

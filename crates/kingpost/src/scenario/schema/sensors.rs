@@ -35,7 +35,9 @@ pub enum Sensor<S = f64> {
 
 /// Measures the motion of a point of a body. Its outputs, which wires can use, are `measured_roll` and
 /// `measured_pitch` (rad), `measured_heave` (m, relative to the start of the run), `measured_heave_rate` (m/s) and
-/// `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples.
+/// `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples; with horizontal motion also
+/// `measured_x`, `measured_y` (m, along the world's axes, relative to the start), `measured_x_velocity`,
+/// `measured_y_velocity` (m/s) and `measured_yaw` (rad).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -57,6 +59,10 @@ pub struct MotionReferenceUnit<S = f64> {
     /// Delay of its outputs, in samples: 0 to 1000.
     #[serde(default)]
     pub delay_samples: usize,
+    /// Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with those of
+    /// the angles, as a unit with a gyrocompass does.
+    #[serde(default)]
+    pub horizontal_motion: bool,
     /// The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heave_filter: Option<HeaveFilter<S>>,

@@ -1,6 +1,7 @@
 //! Controllers, which stand before inputs.
 
-mod heave_compensation;
+mod compensation;
+mod compensation_in_axes;
 
 use super::super::schema::{self, Controller, Scenario};
 use super::columns::{self, Column};
@@ -22,18 +23,15 @@ pub fn add<S: Quantity>(
     model: &Model<S>,
     elements: &mut Vec<AnyElement<S>>,
 ) -> Result<usize, FieldError> {
-    let reader = ControllerReader { scenario, known: known_columns(model, elements) };
+    let reader = ControllerReader { scenario, model, known: known_columns(model, elements) };
     check_targets(scenario, elements)?;
     let first = elements.len();
     let mut open: Vec<(&schema::Name, &Controller<S>)> = scenario.controllers.iter().collect();
     while !open.is_empty() {
         let layout = Layout::new(elements, 0);
         let has = |to: &str| layout.inputs.iter().any(|input| input.name == to);
-        let ready = |one: &Controller<S>| match one {
-            // Its drive is no command of another controller.
-            Controller::HeaveCompensation(_) => true,
-            _ => one.targets().into_iter().all(|(_, to)| has(to)),
-        };
+        // The drives of a compensation are no commands of another controller.
+        let ready = |one: &Controller<S>| one.is_compensation() || one.targets().into_iter().all(|(_, to)| has(to));
         let Some(next) = open.iter().position(|(_, one)| ready(one)) else {
             return Err(reader.unknown_target(&layout, &open));
         };
@@ -80,6 +78,7 @@ fn check_targets<S: Quantity>(scenario: &Scenario<S>, elements: &[AnyElement<S>]
 /// What controllers may name.
 struct ControllerReader<'a, S> {
     scenario: &'a Scenario<S>,
+    model: &'a Model<S>,
     known: Vec<Column>,
 }
 
@@ -101,7 +100,13 @@ impl<S: Quantity> ControllerReader<'_, S> {
                 Box::new(self.feedback(name, given, &inputs)?)
             }
             Controller::HeaveCompensation(given) => {
-                return heave_compensation::build(self.scenario, name, given, elements);
+                return compensation::heave(self.scenario, name, given, elements);
+            }
+            Controller::ThreeAxisCompensation(given) => {
+                return compensation_in_axes::three_axis((self.scenario, self.model), name, given, elements);
+            }
+            Controller::PlatformCompensation(given) => {
+                return compensation_in_axes::platform((self.scenario, self.model), name, given, elements);
             }
         }))
     }

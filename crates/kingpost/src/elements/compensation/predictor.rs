@@ -231,7 +231,7 @@ impl<S: Scalar> Dynamics<S> {
 }
 
 /// Solves a positive definite system, of which the lower triangle is given, by Cholesky's factors.
-fn solve<S: Scalar>(mut a: Vec<Vec<S>>, mut b: Vec<S>) -> Vec<S> {
+pub(super) fn solve<S: Scalar>(mut a: Vec<Vec<S>>, mut b: Vec<S>) -> Vec<S> {
     let n = b.len();
     for i in 0..n {
         for j in 0..=i {

@@ -1,0 +1,112 @@
+//! A chain of driven joints and its Jacobian: how their rates move a point.
+
+use super::predictor::solve;
+use crate::elements::Context;
+use crate::model::Attachment;
+use crate::scalar::Scalar;
+use crate::spatial::{Twist, Vector3};
+
+/// The joints between a ship and a point that drives move.
+#[derive(Clone, Debug)]
+pub struct DrivenChain<S = f64> {
+    /// Each joint with its drive.
+    pub joints: Vec<DrivenJoint<S>>,
+    /// Where the drives at full speed give no more than this in some direction, that direction is damped, m/s.
+    pub damped_below: S,
+}
+
+/// A joint of one axis and the drive that sets its speed.
+#[derive(Clone, Debug)]
+pub struct DrivenJoint<S = f64> {
+    /// The drive.
+    pub drive: String,
+    /// The link of the joint.
+    pub link: usize,
+    /// Its index in v.
+    pub coordinate: usize,
+    /// The speed that the drive has as its own set-point, rad/s or m/s: the controller's takes its place.
+    pub set_point: S,
+    /// The speed limit of the drive.
+    pub limit: S,
+}
+
+impl<S: Scalar> DrivenChain<S> {
+    /// The velocity of a point, and its body's angular velocity, per rate of each joint, world axes.
+    pub fn jacobian(&self, at: &Context<'_, S>, point: &Attachment<S>) -> Vec<Twist<S>> {
+        let place = at.links.attachment_frame(at.model, point).position;
+        let column = |joint: &DrivenJoint<S>| {
+            let root = at.links.root_in_world(at.model.roots[joint.link]);
+            let axis = at.links.axis(joint.link);
+            let arm = root.rotation.transpose_times(place - root.position);
+            let linear = axis.linear + axis.angular.cross(arm);
+            Twist { angular: root.rotation * axis.angular, linear: root.rotation * linear }
+        };
+        self.joints.iter().map(column).collect()
+    }
+
+    /// The velocity that the joints' present rates give, for the Jacobian's columns.
+    pub fn driven(&self, at: &Context<'_, S>, columns: &[Twist<S>]) -> Twist<S> {
+        let rates = self.joints.iter().map(|joint| at.v[joint.coordinate]);
+        rates.zip(columns).fold(Twist::zero(), |sum, (rate, column)| sum + *column * rate)
+    }
+
+    /// The rates x' that give a velocity w by the rows J of the joints, with J_s = J diag(limits), so that angles and lengths
+    /// compare:
+    ///
+    /// ```text
+    /// x' = diag(limits) J_s^T (J_s J_s^T + lambda^2 I)^-1 w,    lambda^2 = max(0, d^2 - s^2)
+    /// ```
+    ///
+    /// Damped least squares (Nakamura & Hanafusa, "Inverse kinematic solutions with singularity robustness for robot
+    /// manipulator control", *J. Dyn. Sys., Meas., Control* 108, 1986, pp. 163-171; a damping that sets in near the
+    /// singularity: Chiaverini, *IEEE Trans. Robotics Automation* 13, 1997, pp. 398-410). d is `damped_below`; s is near the
+    /// smallest singular value: the product of all over the mean square of all to the power of their number less one. A
+    /// direction then gets at most the share |w| / d of the limits, and none where the joints cannot move it.
+    pub fn rates(&self, rows: &[Vec<S>], wanted: &[S]) -> Vec<S> {
+        let (m, n) = (rows.len(), self.joints.len());
+        let scaled = |i: usize, j: usize| rows[i][j] * self.joints[j].limit;
+        let mut square = vec![vec![S::ZERO; m]; m];
+        for i in 0..m {
+            (0..=i).for_each(|k| square[i][k] = (0..n).fold(S::ZERO, |sum, j| sum + scaled(i, j) * scaled(k, j)));
+        }
+        let trace = (0..m).fold(S::ZERO, |sum, i| sum + square[i][i]);
+        let mean = trace * S::constant(1.0 / m as f64) + S::constant(f64::MIN_POSITIVE);
+        let smallest = (1..m).fold(determinant(&square), |product, _| product / mean);
+        let lacks = self.damped_below * self.damped_below - smallest;
+        let damping = lacks.select_below(0.0, || S::ZERO, || lacks);
+        (0..m).for_each(|i| square[i][i] += damping);
+        let pulls = solve(square, wanted.to_vec());
+        let rate = |j: usize| (0..m).fold(S::ZERO, |sum, i| sum + scaled(i, j) * pulls[i]) * self.joints[j].limit;
+        (0..n).map(rate).collect()
+    }
+
+    /// The largest of these rates over their limits.
+    pub fn utilisation(&self, rates: &[S]) -> S {
+        let share = |(joint, rate): (&DrivenJoint<S>, &S)| {
+            let share = *rate / joint.limit;
+            share.select_below(0.0, || -share, || share)
+        };
+        self.joints.iter().zip(rates).map(share).fold(S::ZERO, |most, share| most.select_less(share, || share, || most))
+    }
+
+    /// The rates, all reduced by the same share so that each is within its limit: the direction stays.
+    pub fn within_limits(&self, rates: &[S]) -> Vec<S> {
+        let most = self.utilisation(rates);
+        let share = S::ONE / most.select_below(1.0, || S::ONE, || most);
+        rates.iter().map(|rate| *rate * share).collect()
+    }
+}
+
+/// The determinant of a symmetric matrix of at most three rows, of which the lower triangle is given.
+fn determinant<S: Scalar>(a: &[Vec<S>]) -> S {
+    match a {
+        [] => S::ONE,
+        [one] => one[0],
+        [one, two] => one[0] * two[1] - two[0] * two[0],
+        [one, two, three, ..] => {
+            let columns = [[one[0], two[0], three[0]], [two[0], two[1], three[1]], [three[0], three[1], three[2]]];
+            let [x, y, z] = columns.map(Vector3);
+            x.dot(y.cross(z))
+        }
+    }
+}

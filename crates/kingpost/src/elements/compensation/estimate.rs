@@ -1,0 +1,137 @@
+//! What a compensation knows of a point's motion along one axis: measured, or predicted.
+
+use super::measurement::{Measured, Measurement};
+use super::predictor::FilterBank;
+use crate::elements::Own;
+use crate::scalar::Scalar;
+
+/// Estimates velocity and position along axes of the world.
+#[derive(Clone, Debug)]
+pub struct Estimator<S = f64> {
+    /// Their source.
+    pub measurement: Measurement<S>,
+    /// Prediction, if it predicts.
+    pub prediction: Option<Prediction<S>>,
+    /// Sampling period T_s, s.
+    pub period_s: f64,
+}
+
+/// The weights of a filter bank for each result.
+#[derive(Clone, Debug)]
+pub struct Prediction<S = f64> {
+    /// The bank.
+    pub bank: FilterBank,
+    /// Rate at which the measured position corrects the measured velocity, k, 1/s; 0 if both are exact. With the
+    /// measured position x and velocity v, the complementary filter `s (v + k x) / (s + k)` takes v above k and the rate of x
+    /// below, so that neither a bias nor the slow noise of v is integrated (Fossen, 2021, sec. 13.2).
+    pub correction: f64,
+    /// The velocity to command each drive, from the linear and from the angular part of the measured velocity.
+    pub velocity: Vec<[Vec<S>; 2]>,
+    /// The position, from both.
+    pub position: [Vec<S>; 2],
+    /// Age of the measurement, s.
+    pub age: S,
+    /// Share of a velocity that is left at the next tick while the sensor is out: it fades at the middle frequency of the
+    /// band.
+    pub fades: f64,
+}
+
+/// A point's motion along an axis.
+#[derive(Clone, Debug)]
+pub struct Estimate<S> {
+    /// The velocity that the ship gives it, for each drive, m/s.
+    pub velocities: Vec<S>,
+    /// Its position, m.
+    pub position: S,
+}
+
+/// Numbers of an axis: what the crane's own motion adds to a predicted position; the position that each part of the
+/// velocity has led to; then the states of both banks.
+const BY_CRANE: usize = 0;
+const LED_TO: usize = 1;
+const BANKS: usize = 3;
+
+impl<S: Scalar> Estimator<S> {
+    /// Names of the numbers of an axis.
+    pub fn number_names(&self, axis: &str) -> Vec<String> {
+        let own = ["by_crane", "led_to_linear", "led_to_angular"].map(str::to_owned);
+        let states = |bank| (0..FilterBank::STATES).map(move |state| format!("bank_{bank}_{state}"));
+        let banks = ["linear", "angular"].into_iter().flat_map(states).filter(|_| self.prediction.is_some());
+        own.into_iter().chain(banks).map(|name| format!("{axis}{name}")).collect()
+    }
+
+    /// How many there are.
+    pub fn numbers(&self) -> usize {
+        if self.prediction.is_some() { BANKS + 2 * FilterBank::STATES } else { BANKS }
+    }
+
+    /// Takes a sample of an axis; `begins` at the first.
+    pub fn take(&self, measured: &Measured<S>, axis: usize, begins: bool, numbers: &mut [S]) -> Estimate<S> {
+        let position = measured.positions[0][axis] + measured.positions[1][axis];
+        let Some(prediction) = &self.prediction else {
+            // A velocity that is held would move the load away: without a sensor the drives only keep the position.
+            let velocity = measured.velocities[0][axis] + measured.velocities[1][axis];
+            let velocity = if measured.delivers { velocity } else { S::ZERO };
+            return Estimate { velocities: vec![velocity], position };
+        };
+        let mut velocities = vec![S::ZERO; prediction.velocity.len()];
+        let mut predicted = numbers[BY_CRANE];
+        for bank in 0..2 {
+            let sample = self.corrected(prediction, measured, (bank, axis, begins), numbers);
+            let states = &mut numbers[BANKS + bank * FilterBank::STATES..][..FilterBank::STATES];
+            prediction.bank.take(states, sample);
+            for (velocity, weights) in velocities.iter_mut().zip(&prediction.velocity) {
+                *velocity += FilterBank::read(&weights[bank], states);
+            }
+            predicted += FilterBank::read(&prediction.position[bank], states);
+        }
+        numbers[BY_CRANE] += S::constant(self.period_s) * measured.by_crane[axis];
+        let exact = matches!(self.measurement, Measurement::Ideal);
+        Estimate { velocities, position: if exact { position } else { predicted } }
+    }
+
+    /// A measured velocity, corrected by the measured position; while the sensor is out, the last one, which fades.
+    fn corrected(
+        &self,
+        prediction: &Prediction<S>,
+        measured: &Measured<S>,
+        (bank, axis, begins): (usize, usize, bool),
+        numbers: &mut [S],
+    ) -> S {
+        let last = numbers[BANKS + (bank + 1) * FilterBank::STATES - 1];
+        let (half, correction) = (S::constant(0.5 * self.period_s), S::constant(prediction.correction));
+        // The crane's own motion changes the position by the rotation of the body, too.
+        let by_crane = if bank == 1 { measured.by_crane[axis] } else { S::ZERO };
+        let velocity =
+            if measured.delivers { measured.velocities[bank][axis] } else { last * S::constant(prediction.fades) };
+        let led_to = &mut numbers[LED_TO + bank];
+        if begins {
+            *led_to = measured.positions[bank][axis];
+            return velocity;
+        }
+        *led_to += half * (last + velocity + by_crane + by_crane);
+        if !measured.delivers {
+            return velocity;
+        }
+        let pull = correction * (measured.positions[bank][axis] - *led_to);
+        *led_to += S::constant(self.period_s) * pull;
+        velocity + pull
+    }
+}
+
+impl<S: Copy> Estimate<S> {
+    /// The velocity for a drive; without a prediction all have the same.
+    pub fn velocity_for(&self, drive: usize) -> S {
+        self.velocities.get(drive).copied().unwrap_or(self.velocities[0])
+    }
+}
+
+/// What happened to the sensor, whose last state is the mode `out`.
+pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut Own<'_, S>) -> Vec<String> {
+    let was_out = core::mem::replace(&mut own.modes[out], i64::from(!delivers)) == 1;
+    match (was_out, delivers) {
+        (false, false) => vec!["goes on without its sensor, which has dropped out".to_owned()],
+        (true, true) => vec!["has its sensor again".to_owned()],
+        _ => Vec::new(),
+    }
+}

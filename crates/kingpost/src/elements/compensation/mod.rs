@@ -1,0 +1,18 @@
+//! Compensation of a ship's motion: what is measured and predicted of it, the drives that move against it, and the
+//! controllers.
+
+mod chain;
+mod estimate;
+mod heave;
+mod measurement;
+mod platform;
+mod predictor;
+mod three_axis;
+
+pub use chain::{DrivenChain, DrivenJoint};
+pub use estimate::{Estimate, Estimator, Prediction};
+pub use heave::HeaveCompensation;
+pub use measurement::{Measured, Measurement};
+pub use platform::PlatformCompensation;
+pub use predictor::{Dynamics, FilterBank, PeriodBand};
+pub use three_axis::ThreeAxisCompensation;

@@ -1,0 +1,220 @@
+//! Heave compensation, and what all compensations share.
+
+use super::super::super::schema::{self, Drive, Scenario};
+use super::super::{FieldError, sensors};
+use crate::elements::drives::{ControlledDrive, SetPoint};
+use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
+use crate::elements::ropes::Drum;
+use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, Rope, of_kind};
+use crate::model::Attachment;
+use crate::scenario::leaf::Quantity;
+
+/// An enabled entry among these, or an error that lists them.
+fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
+    let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    let allowed = sensors::allowed(&listed, found, &format!("{names} that is enabled"));
+    let one = all.into_iter().find(|(name, _)| *name == found);
+    one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
+}
+
+/// The controller, if it is enabled.
+pub fn heave<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::HeaveCompensation<S>,
+    elements: &[AnyElement<S>],
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let lead = format!("controllers.{name}.heave_compensation");
+    check(scenario, name, &lead, given.period_s.get())?;
+    if !given.enabled {
+        return Ok(None);
+    }
+    let rope = hung(scenario, &lead, [&given.rope, &given.drive], elements)?;
+    let source = Source { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
+    Ok(Some(Box::new(HeaveCompensation {
+        name: name.to_owned(),
+        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &[rope.drive]))?,
+        tip: rope.tip,
+        falls: rope.falls,
+        drum: rope.drum,
+        drive: rope.drive.name.clone(),
+        drive_speed: rope.drive.value,
+        drive_limit: rope.drive.limits.speed,
+        feed_forward: given.feed_forward.get(),
+        gain: given.position_gain_per_s.get(),
+        begins_on: given.begins_on,
+    })))
+}
+
+/// The period, and the inputs, which have its name: no drive and no rope may have it.
+pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -> Result<(), FieldError> {
+    let step_s = scenario.simulation.step_s.get();
+    if period_s < step_s {
+        let allowed = format!("at least simulation.step_s, {step_s} s");
+        return Err(FieldError::new(format!("{lead}.period_s"), period_s, allowed));
+    }
+    if scenario.drives.contains_key(name) || scenario.forces.contains_key(name) || scenario.sensors.contains_key(name) {
+        return Err(FieldError::new(lead, format!("the name {name} of another entry"), "a name of its own"));
+    }
+    Ok(())
+}
+
+/// A rope from a driven drum over the crane's tip.
+pub struct Hung<'a, S> {
+    /// The drive of the drum.
+    pub drive: &'a ControlledDrive<S>,
+    /// The drum.
+    pub drum: Drum<S>,
+    /// The place before the rope's last end.
+    pub tip: Attachment<S>,
+    /// Falls of the last part.
+    pub falls: S,
+}
+
+/// The rope and the drive of its drum.
+pub fn hung<'a, S: Quantity>(
+    scenario: &Scenario<S>,
+    lead: &str,
+    [rope, drive]: [&str; 2],
+    elements: &'a [AnyElement<S>],
+) -> Result<Hung<'a, S>, FieldError> {
+    let built = of_kind::<S, Rope<S>>(elements).map(|rope| (rope.name.as_str(), rope)).collect();
+    let found = named(&format!("{lead}.rope"), rope, (built, "a rope"))?;
+    let driven = self::drive(&format!("{lead}.drive"), drive, elements)?;
+    let stations = found.path.stations();
+    let Some(drum) = found.drum.filter(|drum| drum.coordinate == driven.coordinate) else {
+        return Err(not_its_drum(scenario, lead, [rope, drive], found.drum.is_some()));
+    };
+    let (tip, falls) = (stations[stations.len() - 2].centre, stations[stations.len() - 1].falls);
+    Ok(Hung { drive: driven, drum, tip, falls })
+}
+
+/// A controlled drive, which follows a speed.
+pub fn drive<'a, S: Quantity>(
+    field: &str,
+    found: &str,
+    elements: &'a [AnyElement<S>],
+) -> Result<&'a ControlledDrive<S>, FieldError> {
+    let built = of_kind::<S, ControlledDrive<S>>(elements).map(|drive| (drive.name.as_str(), drive)).collect();
+    let drive = named(field, found, (built, "a controlled drive"))?;
+    let mode = match drive.set_point {
+        SetPoint::Speed => return Ok(drive),
+        SetPoint::Effort => "torque",
+        SetPoint::Position => "position",
+    };
+    let found = format!("{found}, whose set-point is a {mode}");
+    Err(FieldError::new(field, found, "a drive with set_point: {speed: {}}"))
+}
+
+/// What a compensation knows the motion by.
+pub struct Source<'a, S> {
+    /// The motion reference unit.
+    pub sensor: Option<&'a schema::Name>,
+    /// Whether it has to measure horizontal motion.
+    pub horizontal: bool,
+    /// The prediction.
+    pub prediction: Option<&'a schema::HeavePrediction<S>>,
+}
+
+/// The motion reference unit of a compensation, if it has one.
+pub fn unit<'a, S: Quantity>(
+    lead: &str,
+    source: &Source<'_, S>,
+    elements: &'a [AnyElement<S>],
+) -> Result<Option<&'a MotionReferenceUnit<S>>, FieldError> {
+    let Some(sensor) = source.sensor else { return Ok(None) };
+    let field = format!("{lead}.sensor");
+    let built = of_kind::<S, MotionReferenceUnit<S>>(elements).map(|unit| (unit.name.as_str(), unit)).collect();
+    let unit = named(&field, sensor, (built, "a motion reference unit"))?;
+    if source.horizontal && !unit.horizontal {
+        let found = format!("{}, which measures no horizontal motion", sensor.as_str());
+        return Err(FieldError::new(field, found, "a motion reference unit with horizontal_motion: true"));
+    }
+    Ok(Some(unit))
+}
+
+/// What a compensation knows of the motion, for these drives.
+pub fn estimator<S: Quantity>(
+    lead: &str,
+    source: &Source<'_, S>,
+    period_s: f64,
+    (elements, drives): (&[AnyElement<S>], &[&ControlledDrive<S>]),
+) -> Result<Estimator<S>, FieldError> {
+    let unit = unit(lead, source, elements)?;
+    let responses: Vec<S> = drives.iter().map(|drive| drive.response_time).collect();
+    let field = format!("{lead}.prediction");
+    let prediction = source.prediction.map(|with| prediction(&field, with, period_s, (unit, &responses)));
+    let measurement = unit.map_or(Measurement::Ideal, |unit| Measurement::Unit {
+        name: unit.name.clone(),
+        place: unit.place,
+        horizontal: unit.horizontal,
+        has_status: unit.sampler.drop_outs.is_some(),
+    });
+    Ok(Estimator { measurement, prediction: prediction.transpose()?, period_s })
+}
+
+fn not_its_drum<S: Quantity>(
+    scenario: &Scenario<S>,
+    lead: &str,
+    [rope, drive]: [&str; 2],
+    has_drum: bool,
+) -> FieldError {
+    if !has_drum {
+        let found = format!("{rope}, which has no drum");
+        return FieldError::new(format!("{lead}.rope"), found, "a rope whose path begins at a drum");
+    }
+    let joint = |drive: &Drive<S>| match drive {
+        Drive::ControlledDrive(drive) => drive.joint.to_string(),
+        _ => String::new(),
+    };
+    let joint = scenario.drives.get(drive).map(joint).unwrap_or_default();
+    let allowed = format!("the drive of the drum of {rope}");
+    FieldError::new(format!("{lead}.drive"), format!("{drive}, which drives {joint}"), allowed)
+}
+
+fn prediction<S: Quantity>(
+    field: &str,
+    given: &schema::HeavePrediction<S>,
+    period_s: f64,
+    (unit, responses_s): (Option<&MotionReferenceUnit<S>>, &[S]),
+) -> Result<Prediction<S>, FieldError> {
+    let (shortest, longest) = (given.shortest_period_s.get(), given.longest_period_s.get());
+    if shortest < 4.0 * period_s {
+        let allowed = format!("at least four times period_s, {} s", 4.0 * period_s);
+        return Err(FieldError::new(format!("{field}.shortest_period_s"), shortest, allowed));
+    }
+    if longest <= shortest || longest > MOST_SAMPLES * period_s {
+        let allowed = format!("above shortest_period_s, {shortest} s, and at most {} s", MOST_SAMPLES * period_s);
+        return Err(FieldError::new(format!("{field}.longest_period_s"), longest, allowed));
+    }
+    let band = PeriodBand {
+        shortest_period_s: shortest,
+        longest_period_s: longest,
+        noise_share: given.noise_share.get(),
+        sampling_period_s: period_s,
+    };
+    let bank = FilterBank::new(band);
+    let age = unit.map_or(0.0, |unit| unit.sampler.period_s * unit.sampler.delay_samples as f64);
+    let filter = unit.and_then(|unit| unit.heave_filter);
+    let delay = S::constant(age) + given.extra_delay_s.get();
+    let high_pass = filter.map(|filter| [filter.cutoff, filter.damping_ratio]);
+    let position = Dynamics { high_pass, delay, lag: S::ZERO };
+    let of_drive = |response_s: &S| {
+        let lag = given.drive_response_s.map_or(*response_s, |time| time.get());
+        Dynamics { delay: delay + S::constant(0.5 * period_s), lag, ..position }
+    };
+    // Roll and pitch come without the filter of heave.
+    let both = |of: Dynamics<S>| [of, Dynamics { high_pass: None, ..of }];
+    let weights = |of: Dynamics<S>| both(of).map(|of| bank.velocity_weights(|frequency| of.velocity(frequency)));
+    Ok(Prediction {
+        velocity: responses_s.iter().map(|response_s| weights(of_drive(response_s))).collect(),
+        position: both(position).map(|of| bank.position_weights(|frequency| of.position(frequency))),
+        age: S::constant(age),
+        fades: libm::exp(-period_s * band.middle_rad_s()),
+        correction: if unit.is_some() { band.correction_rad_s() } else { 0.0 },
+        bank,
+    })
+}
+
+/// Samples in the longest period, at most: the weights are found from sums over some of it.
+const MOST_SAMPLES: f64 = 1e4;
