@@ -12,6 +12,7 @@ from . import results, verify
 from .accessor import Accessor
 from .analysis import extremes, fatigue, lift_rules, statistics
 from .analysis.gradients import gradient
+from .analysis.predictive import Plan, PredictiveRegulator, mpc
 from .analysis.regulator import Regulator, lqr
 from .analysis.response import rao
 from .analysis.spectral import spectral_response
@@ -40,6 +41,8 @@ __all__ = [
     "KingpostError",
     "KingpostWarning",
     "Linearization",
+    "Plan",
+    "PredictiveRegulator",
     "Regulator",
     "RunError",
     "Scenario",
@@ -56,6 +59,7 @@ __all__ = [
     "load",
     "lqr",
     "modes",
+    "mpc",
     "open_study",
     "rao",
     "results",
