@@ -40,6 +40,8 @@ const SHOTS = {
   vessel_knuckle_boom: { time_s: 20, values: "waves=true" },
   vessel_dual_draglink: { time_s: 20 },
   two_ships: { time_s: 20 },
+  roll_reduction_tank: { time_s: 60 },
+  roll_reduction_gyros: { time_s: 60 },
   floating_hemisphere: { time_s: 40 },
   sphere_decay: { time_s: 1.5 },
   chain: { time_s: 1.5, nearer: 0 },

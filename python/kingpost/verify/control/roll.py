@@ -1,7 +1,7 @@
 """Roll reduction in beam seas, with and without: a U-tank, and two gyros that precess against each other.
 
-Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen or the gimbals
-held: the mass stays.
+Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen or
+the gimbals held: the mass stays.
 """
 
 from __future__ import annotations
