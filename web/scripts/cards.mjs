@@ -40,6 +40,7 @@ const SHOTS = {
   vessel_knuckle_boom: { time_s: 20, values: "waves=true" },
   vessel_dual_draglink: { time_s: 20 },
   two_ships: { time_s: 20 },
+  anti_heeling_tank: { time_s: 80 },
   roll_reduction_tank: { time_s: 60 },
   roll_reduction_gyros: { time_s: 60 },
   floating_hemisphere: { time_s: 40 },
