@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Protocol
 
-from . import heave
+from . import heave, roll
 
 
 class Controller(Protocol):
@@ -24,7 +24,7 @@ class Controller(Protocol):
         """Its table."""
 
 
-CONTROLLERS: tuple[Controller, ...] = (heave,)
+CONTROLLERS: tuple[Controller, ...] = (heave, roll)
 """In the order in which they are measured and printed."""
 
 AT_A_LIMIT = "at a limit"
@@ -37,7 +37,7 @@ def count() -> int:
 
 
 def tables(update: Callable[[float], None]) -> Iterator[tuple[str, bool]]:
-    """Each controller's table, and whether one of its runs fails; `update` is called with the number of runs done."""
+    """Each controller's table, and whether a run of it fails; `update` gets the number of runs done."""
     before = 0
     for controller in CONTROLLERS:
         done = before

@@ -1,0 +1,161 @@
+"""Roll reduction in beam seas, with and without: a U-tank, and two gyros that precess against each other.
+
+Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen or
+the gimbals held: the mass stays.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...errors import KingpostWarning
+from ...reports.tables import table
+from ...simulation.simulate import run
+
+LENGTH_S = 700.0
+SETTLED_S = 100.0
+"""The ramp of the sea and the ship's first swings are over then, s."""
+
+SEAS: dict[str, dict[str, Any]] = {
+    "Hs 2.0 m, Tp 11.5 s": {"significant_height_m": 2.0, "peak_period_s": 11.5},
+    "Hs 2.5 m, Tp 9 s": {"significant_height_m": 2.5, "peak_period_s": 9.0},
+    "Hs 2.0 m, Tp 14 s": {"significant_height_m": 2.0, "peak_period_s": 14.0},
+}
+"""JONSWAP, gamma 3.3, from the side; the first has its peak at the ship's period of roll."""
+
+TOP_M, LEVEL_M, DUCT_TOP_M = 5.8, 3.0, 0.31
+LARGEST_PRECESSION_RAD = 1.2
+DRIVE_N_M = 1.0e5
+
+
+@dataclass(frozen=True)
+class Device:
+    """A device in one of its states."""
+
+    scenario: str
+    given: dict[str, Any]
+    without: str | None
+    """The device whose roll it is compared with."""
+
+
+DEVICES: dict[str, Device] = {
+    "liquid frozen": Device("roll_reduction_tank", {"tank": False}, None),
+    "U-tank": Device("roll_reduction_tank", {}, "liquid frozen"),
+    "gimbals held": Device("roll_reduction_gyros", {"gimbals": "held"}, None),
+    "gyros, dampers": Device("roll_reduction_gyros", {}, "gimbals held"),
+    "gyros, driven": Device("roll_reduction_gyros", {"active": True}, "gimbals held"),
+}
+
+ALLOWED = 0.5
+"""Share of the roll that may be left, of standard deviations."""
+
+
+@dataclass(frozen=True)
+class Rolled:
+    """One run."""
+
+    sea: str
+    device: str
+    roll_deg: float
+    """Standard deviation of roll, degrees."""
+    largest_deg: float
+    left: float | None
+    """The share of the roll without the device that is left."""
+    utilisation: float | None
+    """Largest share of the travel: of the level's room, or of the gimbal's angle."""
+    effort: float | None
+    """Largest share of the drive's torque."""
+    power_kw: float | None
+    """Mean power that the drives deliver while they drive, kW."""
+
+    @property
+    def verdict(self) -> str:
+        """Whether the roll is within what is asked for, and the device within its travel."""
+        if self.left is None:
+            return "-"
+        reached = "reached" if self.left <= ALLOWED else f"misses by {100 * (self.left - ALLOWED):.0f} %"
+        beyond = self.utilisation is not None and self.utilisation > 1.0
+        return reached + (", meets its stops" if beyond else "")
+
+
+def cases() -> Iterator[tuple[str, str]]:
+    """Sea and device of each run.
+
+    >>> len(list(cases()))
+    15
+    """
+    return ((sea, device) for sea in SEAS for device in DEVICES)
+
+
+def measure(sea: str, device: str, without_deg: float | None = None, length_s: float = LENGTH_S) -> Rolled:
+    """Run one case, and measure from `SETTLED_S` on; `without_deg` is the roll without the device."""
+    case = DEVICES[device]
+    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
+        # The stops of the level and of the gimbals are in the table.
+        found = run(case.scenario, SEAS[sea] | case.given | {"simulation.duration_s": length_s})
+    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None)).kingpost
+
+    def column(name: str) -> np.ndarray:
+        return np.asarray(settled[name].values)
+
+    roll = np.degrees(column("hull.roll"))
+    deviation = float(roll.std())
+    left = None if without_deg is None else deviation / without_deg
+    utilisation = effort = power = None
+    if device == "U-tank":
+        levels = np.concatenate([column("tank.level_port"), column("tank.level_starboard")]) - LEVEL_M
+        room = min(TOP_M - LEVEL_M, LEVEL_M - DUCT_TOP_M)
+        utilisation = float(np.abs(levels).max()) / room
+    elif device.startswith("gyros"):
+        angle = column("precession_port.joint_position")
+        utilisation = float(np.abs(angle).max()) / LARGEST_PRECESSION_RAD
+        if case.given.get("active"):
+            lever = column("precession.push_port.commanded_lever")
+            work = DRIVE_N_M * lever * column("precession_port.joint_velocity")
+            effort, power = float(np.abs(lever).max()), 2 * float(np.maximum(work, 0.0).mean()) / 1e3
+        else:
+            effort, power = 0.0, 0.0
+    return Rolled(sea, device, deviation, float(np.abs(roll).max()), left, utilisation, effort, power)
+
+
+def measured(update: Callable[[float], None]) -> list[Rolled]:
+    """Every case; `update` is called after each."""
+    rows: dict[tuple[str, str], Rolled] = {}
+    for done, (sea, device) in enumerate(cases(), 1):
+        without = DEVICES[device].without
+        rows[sea, device] = measure(sea, device, rows[sea, without].roll_deg if without else None)
+        update(done)
+    return list(rows.values())
+
+
+HEAD = ("sea", "device", "roll, deg", "largest, deg", "left, %", "travel", "torque", "drives, kW", "verdict")
+
+
+def text(rows: Sequence[Rolled]) -> str:
+    """The table: roll, the share that is left, largest shares of the limits, mean power of the drives."""
+
+    def number(value: float | None, form: str) -> str:
+        return "-" if value is None else format(value, form)
+
+    cells = [
+        (
+            row.sea,
+            row.device,
+            f"{row.roll_deg:.2f}",
+            f"{row.largest_deg:.1f}",
+            number(None if row.left is None else 100 * row.left, ".0f"),
+            number(row.utilisation, ".2f"),
+            number(row.effort, ".2f"),
+            number(row.power_kw, ".1f"),
+            row.verdict,
+        )
+        for row in rows
+    ]
+    return "\n".join(
+        [*table([HEAD, *cells], "<<>>>>>><"), f"asked for: at most {100 * ALLOWED:g} % of the roll"]
+    )
