@@ -2,8 +2,8 @@
 
 use super::super::super::schema::{self, Drive, Scenario};
 use super::super::{FieldError, sensors};
-use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
+use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::ropes::Drum;
 use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, Rope, of_kind};
 use crate::model::Attachment;
