@@ -6,7 +6,7 @@ import json
 
 import kingpost
 import pytest
-from kingpost.verify.control import heave
+from kingpost.verify.control import heave, three_axis
 
 SHORT = {"simulation.duration_s": 3, "simulation.record_every_s": 0.5}
 
@@ -46,3 +46,12 @@ def test_drop_outs_are_in_the_table_of_events():
     happened = {event["what"] for event in json.loads(ds.attrs["events"])}
     assert "drops out" in happened
     assert "goes on without its sensor, which has dropped out" in happened
+
+
+def test_a_case_of_three_axes_is_measured_over_the_motion_without_compensation():
+    sea = "Hs 2.5 m, Tp 8 s"
+    off = three_axis.measure(sea, "off", length_s=4.0)
+    assert off.residual == pytest.approx(100.0)
+    ideal = three_axis.measure(sea, "ideal", off.still_m, length_s=4.0)
+    assert ideal.verdict in ("reached", "-") or ideal.verdict.startswith("misses")
+    assert "off" in three_axis.text([off, ideal])

@@ -45,20 +45,8 @@ pub struct HeaveFilter<S = f64> {
 /// Roll, pitch, heave, heave rate, angular velocity; then what a unit with horizontal motion adds.
 const COUNT: usize = 12;
 const VERTICAL_ONLY: usize = 7;
-const KEPT: [&str; COUNT] = [
-    "roll",
-    "pitch",
-    "heave",
-    "heave_rate",
-    "x_rate",
-    "y_rate",
-    "z_rate",
-    "x",
-    "x_velocity",
-    "y",
-    "y_velocity",
-    "yaw",
-];
+const KEPT: [&str; COUNT] =
+    ["roll", "pitch", "heave", "heave_rate", "x_rate", "y_rate", "z_rate", "x", "x_velocity", "y", "y_velocity", "yaw"];
 /// The axes with a filter in the order of its states: z, then x and y.
 const FILTERED: [&str; 3] = ["heave", "x", "y"];
 
@@ -116,7 +104,8 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         let Some(filter) = &self.heave_filter else { return };
         let exact = self.measured(at, &at.numbers[self.sampler.numbers()..], &[]);
         let two = S::constant(2.0);
-        for ((rates, removed), [place, velocity]) in rates.chunks_exact_mut(2).zip(at.states.chunks_exact(2)).zip(PAIRS) {
+        for ((rates, removed), [place, velocity]) in rates.chunks_exact_mut(2).zip(at.states.chunks_exact(2)).zip(PAIRS)
+        {
             rates[0] = removed[1];
             rates[1] = two * filter.damping_ratio * filter.cutoff * (exact[velocity] - removed[1])
                 + filter.cutoff * filter.cutoff * (exact[place] - removed[0]);

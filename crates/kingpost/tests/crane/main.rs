@@ -15,6 +15,7 @@ mod entrained_water;
 mod heave_compensation;
 mod inextensible_ropes;
 mod load_charts;
+mod motion_compensation;
 mod operations;
 mod replays;
 mod rope_leads;

@@ -178,13 +178,7 @@ impl<S: Scalar> HeaveCompensation<S> {
     }
 
     /// The speed for the drive's input, rad/s.
-    fn command(
-        &self,
-        at: &Context<'_, S>,
-        begins: bool,
-        [velocity, height]: [S; 2],
-        own: &mut Own<'_, S>,
-    ) -> S {
+    fn command(&self, at: &Context<'_, S>, begins: bool, [velocity, height]: [S; 2], own: &mut Own<'_, S>) -> S {
         let numbers = &mut *own.numbers;
         let paid_out = self.drum.paid_out(at);
         let per_speed = self.falls / paid_out.per_angle;

@@ -75,7 +75,9 @@ impl<S: Scalar> Measurement<S> {
 
     /// The attitude of the unit's body by these columns; `None` if the measurement is ideal.
     pub fn attitude(&self, read: &[S]) -> Option<Attitude<S>> {
-        let (Self::Unit { horizontal, .. }, [roll, pitch, _, _, x, y, z, rest @ ..]) = (self, read) else { return None };
+        let (Self::Unit { horizontal, .. }, [roll, pitch, _, _, x, y, z, rest @ ..]) = (self, read) else {
+            return None;
+        };
         let yaw = rest.get(4).copied().filter(|_| *horizontal).unwrap_or(S::ZERO);
         let rotation = rotation_from_roll_pitch_yaw(Vector3([*roll, *pitch, yaw]));
         Some(Attitude { rotation, angular: Vector3([*x, *y, *z]) })
@@ -83,13 +85,7 @@ impl<S: Scalar> Measurement<S> {
 
     /// The point by these columns. `driven` is the velocity that driven joints give it, m/s, which an ideal measurement
     /// tells from the ship's.
-    pub fn measure(
-        &self,
-        at: &Context<'_, S>,
-        point: &Attachment<S>,
-        driven: Vector3<S>,
-        read: &[S],
-    ) -> Measured<S> {
+    pub fn measure(&self, at: &Context<'_, S>, point: &Attachment<S>, driven: Vector3<S>, read: &[S]) -> Measured<S> {
         let (position, moving) = (place(point, at.model, at.links), velocity(point, at));
         let (Self::Unit { place, horizontal, has_status, .. }, Some(Attitude { rotation, angular })) =
             (self, self.attitude(read))

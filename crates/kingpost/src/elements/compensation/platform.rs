@@ -180,7 +180,8 @@ impl<S: Scalar> PlatformCompensation<S> {
         (numbers, inputs): (&mut [S], &mut [S]),
     ) {
         let row = |of: fn(&Twist<S>) -> S| columns.iter().map(of).collect::<Vec<S>>();
-        let rows = [row(|column| column.angular[0]), row(|column| column.angular[1]), row(|column| column.linear[UPWARD])];
+        let rows =
+            [row(|column| column.angular[0]), row(|column| column.angular[1]), row(|column| column.linear[UPWARD])];
         // The measured tilt is absolute, and old.
         let age = self.estimator.prediction.as_ref().map_or(S::ZERO, |prediction| prediction.age);
         let known = self.in_known_axes(at, &rows);

@@ -43,7 +43,8 @@ fn motion_reference_unit<S: Quantity>(
     let rate = given.rate_errors.as_ref().map(crane_sensors::of_rate);
     let heave = given.heave_errors.as_ref().map(crane_sensors::of_length);
     let heave_rate = given.heave_rate_errors.as_ref().map(crane_sensors::of_speed);
-    let mut errors = vec![angle, angle, heave, heave_rate, rate, rate, rate, heave, heave_rate, heave, heave_rate, angle];
+    let mut errors =
+        vec![angle, angle, heave, heave_rate, rate, rate, rate, heave, heave_rate, heave, heave_rate, angle];
     errors.truncate(MotionReferenceUnit::<S>::signals(given.horizontal_motion));
     let sampling = (given.period_s, given.delay_samples);
     let sampler = crane_sensors::sampler(scenario, [name, "motion_reference_unit"], errors, sampling, given.drop_outs)?;

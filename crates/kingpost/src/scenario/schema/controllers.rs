@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CompensationDrive, Fraction, HeaveCompensation, PlatformCompensation, Positive, SignalName, ThreeAxisCompensation, yes,
+    CompensationDrive, Fraction, HeaveCompensation, PlatformCompensation, Positive, SignalName, ThreeAxisCompensation,
+    yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -54,10 +55,7 @@ impl<S> Controller<S> {
 
     /// Whether it sets drives and nothing that another controller commands.
     pub fn is_compensation(&self) -> bool {
-        matches!(
-            self,
-            Self::HeaveCompensation(_) | Self::ThreeAxisCompensation(_) | Self::PlatformCompensation(_)
-        )
+        matches!(self, Self::HeaveCompensation(_) | Self::ThreeAxisCompensation(_) | Self::PlatformCompensation(_))
     }
 }
 

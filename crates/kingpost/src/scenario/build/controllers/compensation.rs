@@ -2,8 +2,8 @@
 
 use super::super::super::schema::{self, Drive, Scenario};
 use super::super::{FieldError, sensors};
-use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
+use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::ropes::Drum;
 use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, Rope, of_kind};
 use crate::model::Attachment;
@@ -208,7 +208,7 @@ fn prediction<S: Quantity>(
     let weights = |of: Dynamics<S>| both(of).map(|of| bank.velocity_weights(|frequency| of.velocity(frequency)));
     Ok(Prediction {
         velocity: responses_s.iter().map(|response_s| weights(of_drive(response_s))).collect(),
-        position: both(position).map(|of| bank.position_weights(|frequency| of.position(frequency))),
+        position: bank.position_weights(|frequency| position.position(frequency)),
         age: S::constant(age),
         fades: libm::exp(-period_s * band.middle_rad_s()),
         correction: if unit.is_some() { band.correction_rad_s() } else { 0.0 },

@@ -63,8 +63,7 @@ pub fn platform<S: Quantity>(
     let top = attachment(scenario, model, &lead, &pin)?;
     let joints = Joints { lead: &lead, given: &given.joints, least: 3, moves: &given.body };
     let drives = joints.drives(elements)?;
-    let chain =
-        DrivenChain { joints: joints.below(model, top.link, &drives)?, damped_below: S::ZERO };
+    let chain = DrivenChain { joints: joints.below(model, top.link, &drives)?, damped_below: S::ZERO };
     let source = Source { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
     Ok(Some(Box::new(PlatformCompensation {
         name: name.to_owned(),
@@ -117,7 +116,11 @@ impl Joints<'_> {
             let owns = |link: &&usize| model.plan[**link].velocities == drive.coordinate;
             let Some(link) = way.iter().find(owns) else {
                 let found = format!("{}, which drives {}", drive.name, model.coordinate_names()[drive.coordinate]);
-                return Err(FieldError::new(self.field(k), found, format!("the drive of a joint that carries {}", self.moves)));
+                return Err(FieldError::new(
+                    self.field(k),
+                    found,
+                    format!("the drive of a joint that carries {}", self.moves),
+                ));
             };
             Ok(DrivenJoint {
                 drive: drive.name.clone(),

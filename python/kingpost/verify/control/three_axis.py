@@ -1,0 +1,138 @@
+"""Compensation in three axes on its standard seas, with and without.
+
+It is measured on the gallery's scenario of it: the crane's tip in the horizontal and the load's height, together as one
+standard deviation, over the same without compensation in the same sea.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...errors import KingpostWarning
+from ...reports.tables import table
+from ...simulation.simulate import run
+from .heave import LENGTH_S, LONGEST, SEAS, SETTLED_S
+
+SCENARIO = "three_axis_compensation"
+CONTROLLER = "controllers.compensation.three_axis_compensation"
+DRIVES = ("slewing", "luffing", "hoist")
+
+CONTROLS: dict[str, dict[str, Any]] = {
+    "off": {"compensation": False},
+    "ideal": {f"{CONTROLLER}.sensor": None},
+    "sensor": {},
+    "sensor, no prediction": {f"{CONTROLLER}.prediction": None},
+}
+"""`sensor`: noise, bias, high-pass filter of displacements with 20 s, 0.1 s of delay."""
+
+ALLOWED = {"ideal": 8.0}
+"""Residual in three axes that is asked for, % of the motion without compensation."""
+
+
+@dataclass(frozen=True)
+class HeldInThreeAxes:
+    """One run of compensation in three axes."""
+
+    sea: str
+    control: str
+    deviations_m: tuple[float, float, float]
+    """Standard deviations of x and y of the tip and of the load's height, m."""
+    still_m: float
+    """Their root of the sum of squares without compensation, m."""
+    utilisation: dict[str, float]
+    """The largest share of all drives' limits: speed, torque, power."""
+    power_kw: float
+    """Mean power that the drives deliver while they drive, kW."""
+
+    @property
+    def residual(self) -> float:
+        """The motion in three axes over that without compensation, %."""
+        return 100 * math.hypot(*self.deviations_m) / self.still_m
+
+    @property
+    def verdict(self) -> str:
+        """Whether the residual is within what is asked for, and the drives within their limits."""
+        if self.utilisation["speed"] > 1.0:
+            return "at a limit"
+        allowed = ALLOWED.get(self.control)
+        if allowed is None:
+            return "-"
+        return "reached" if self.residual <= allowed else f"misses by {self.residual - allowed:.1f} %"
+
+
+def cases() -> Iterator[tuple[str, str]]:
+    """Sea and control of each run.
+
+    >>> len(list(cases()))
+    12
+    """
+    return ((sea, control) for sea in SEAS for control in CONTROLS)
+
+
+def measure(sea: str, control: str, still_m: float = math.nan, length_s: float = LENGTH_S) -> HeldInThreeAxes:
+    """Run one case, and measure from `SETTLED_S` on; without compensation, `still_m` is measured."""
+    band = {f"{CONTROLLER}.prediction.longest_period_s": LONGEST * SEAS[sea]["peak_period_s"]}
+    if f"{CONTROLLER}.prediction" in CONTROLS[control]:
+        band = {}
+    given = SEAS[sea] | CONTROLS[control] | band | {"simulation.duration_s": length_s}
+    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
+        found = run(SCENARIO, given)
+    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
+
+    def column(name: str) -> np.ndarray:
+        return np.asarray(settled.kingpost[name].values)
+
+    def most(share: str) -> float:
+        return max(float(np.abs(column(f"{drive}.drive_{share}_utilisation")).max()) for drive in DRIVES)
+
+    places = ("boom.tip.point_position.x", "boom.tip.point_position.y", "lift.hook.point_position.z")
+    x, y, z = (float(column(place).std()) for place in places)
+    power = sum(np.maximum(column(f"{drive}.drive_power"), 0.0).mean() for drive in DRIVES)
+    return HeldInThreeAxes(
+        sea,
+        control,
+        deviations_m=(x, y, z),
+        still_m=math.hypot(x, y, z) if control == "off" else still_m,
+        utilisation={name: most(of) for name, of in {"speed": "speed", "torque": "effort", "power": "power"}.items()},
+        power_kw=float(power) / 1e3,
+    )
+
+
+def measured(update: Callable[[float], None]) -> list[HeldInThreeAxes]:
+    """Every case; `update` is called after each."""
+    rows: list[HeldInThreeAxes] = []
+    still_m = math.nan
+    for done, (sea, control) in enumerate(cases(), 1):
+        rows.append(measure(sea, control, still_m))
+        if control == "off":
+            still_m = rows[-1].still_m
+        update(done)
+    return rows
+
+
+HEAD = ("sea, 30 deg off the bow", "compensation", "x, m", "y, m", "z, m", "residual, %",
+        "speed", "torque", "power", "mean, kW", "verdict")  # fmt: skip
+
+
+def text(rows: Sequence[HeldInThreeAxes]) -> str:
+    """The table: deviations, residual over that without compensation, largest shares of the drives' limits, mean power."""
+    cells = [
+        (
+            row.sea,
+            row.control,
+            *(f"{deviation:.3f}" for deviation in row.deviations_m),
+            f"{row.residual:.1f}",
+            *(f"{share:.2f}" for share in row.utilisation.values()),
+            f"{row.power_kw:.1f}",
+            row.verdict,
+        )
+        for row in rows
+    ]
+    asked = f"asked for: {ALLOWED['ideal']:g} % in three axes with ideal sensors"
+    return "\n".join([*table([HEAD, *cells], "<<>>>>>>>><"), asked])
