@@ -1,7 +1,7 @@
 """Roll reduction in beam seas, with and without: a U-tank, and two gyros that precess against each other.
 
-Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen or
-the gimbals held: the mass stays.
+Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen, or
+without the wheels of the gyros, 0.7 % of its mass.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ...errors import KingpostWarning
 from ...reports.tables import table
 from ...simulation.simulate import run
 
-LENGTH_S = 700.0
+LENGTH_S = 400.0
 SETTLED_S = 100.0
 """The ramp of the sea and the ship's first swings are over then, s."""
 
@@ -46,9 +46,9 @@ class Device:
 DEVICES: dict[str, Device] = {
     "liquid frozen": Device("roll_reduction_tank", {"tank": False}, None),
     "U-tank": Device("roll_reduction_tank", {}, "liquid frozen"),
-    "gimbals held": Device("roll_reduction_gyros", {"gimbals": "held"}, None),
-    "gyros, dampers": Device("roll_reduction_gyros", {}, "gimbals held"),
-    "gyros, driven": Device("roll_reduction_gyros", {"active": True}, "gimbals held"),
+    "gyros out": Device("roll_reduction_gyros", {"wheels": False}, None),
+    "gyros, dampers": Device("roll_reduction_gyros", {}, "gyros out"),
+    "gyros, driven": Device("roll_reduction_gyros", {"active": True}, "gyros out"),
 }
 
 ALLOWED = 0.5
