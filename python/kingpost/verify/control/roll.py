@@ -28,7 +28,7 @@ SEAS: dict[str, dict[str, Any]] = {
 }
 """JONSWAP, gamma 3.3, from the side; the first has its peak at the ship's period of roll."""
 
-TOP_M, LEVEL_M, DUCT_TOP_M = 5.8, 3.0, 0.31
+TOP_M, LEVEL_M, DUCT_TOP_M = 5.8, 3.0, 0.35
 LARGEST_PRECESSION_RAD = 1.2
 DRIVE_N_M = 1.0e5
 
