@@ -1962,6 +1962,9 @@ export type Force =
       slack_tank: SlackTank;
     }
   | {
+      u_tank: UTank;
+    }
+  | {
       submerged: Submerged;
     }
   | {
@@ -2130,6 +2133,26 @@ export type Hydrodynamics = {
    * The same as `slow_motion_cutoff_rad_s`, in the unit of this name.
    */
   slow_motion_cutoff_deg_s?: number;
+};
+/**
+ * A reversible pump whose pressure falls linearly with the flow that it drives. Its largest power is a quarter of the
+ * product of its limits.
+ */
+export type UTankPump = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Pressure at no flow, Pa.
+   */
+  pressure_limit_Pa?: number;
+  /**
+   * The same as `pressure_limit_Pa`, in the unit of this name.
+   */
+  pressure_limit_GPa?: number;
+  /**
+   * Flow at no pressure, m^3/s.
+   */
+  flow_limit_m3_s: number;
 };
 /**
  * Its added mass.
@@ -4482,6 +4505,76 @@ export interface SlackTank {
    * Density of the liquid, kg/m^3; without it, the sea's density.
    */
   density_kg_m3?: number | null;
+}
+/**
+ * Two columns of liquid at the sides of a ship and a duct between them, all of rectangular sections. The liquid is a
+ * body of its own, with the tank's name, whose flow is a degree of freedom: the body that carries the tank must not
+ * contain its mass.
+ */
+export interface UTank {
+  /**
+   * Whether the liquid flows; if not, it is frozen, and its mass stays.
+   */
+  enabled?: boolean;
+  /**
+   * The body that carries the tank.
+   */
+  body: string;
+  /**
+   * Middle of the duct in the body's drawing frame, m. The columns stand to port and to starboard of it.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Distance between the middles of the columns along the body's y axis, m.
+   */
+  column_distance_m: number;
+  /**
+   * Inner length of a column along the body's x axis, m.
+   */
+  column_length_m: number;
+  /**
+   * Inner breadth of a column along the body's y axis, m: less than `column_distance_m`.
+   */
+  column_breadth_m: number;
+  /**
+   * Top of the columns above the middle of the duct, m.
+   */
+  column_height_m: number;
+  /**
+   * Level of the liquid at rest above the middle of the duct, m: above the duct's top and below the columns' top.
+   */
+  level_m: number;
+  /**
+   * Inner height of the duct, m.
+   */
+  duct_height_m: number;
+  /**
+   * Inner length of the duct along the body's x axis, m; without it, that of the columns.
+   */
+  duct_length_m?: number | null;
+  /**
+   * Density of the liquid, kg/m^3; without it, the sea's density.
+   */
+  density_kg_m3?: number | null;
+  /**
+   * Linear damping over the critical damping of the liquid in a ship at rest.
+   */
+  damping_ratio?: number;
+  /**
+   * Pressure lost in bends and valve over the dynamic pressure in the duct, rho u^2 / 2.
+   */
+  loss_coefficient?: number;
+  /**
+   * Level in the port column above `level_m` at the start, m; to starboard it is as much below.
+   */
+  initial_rise_m?: number;
+  /**
+   * A pump in the duct: an input with the tank's name, from -1 to 1, positive towards port.
+   */
+  pump?: UTankPump | null;
 }
 /**
  * The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,

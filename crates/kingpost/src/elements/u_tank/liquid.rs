@@ -47,6 +47,8 @@ pub struct UTankLiquid<S = f64> {
     pub mass: S,
     /// Inertia about its centre, kg m^2.
     pub inertia: SpatialInertia<S>,
+    /// Of it, the moment about x.
+    pub moment_about_x: S,
     /// Height of its centre above the middle of the duct, m.
     pub centre: S,
     /// Height of the hinge above its centre, m.
@@ -88,6 +90,7 @@ impl<S: Scalar> UTankGeometry<S> {
             contraction: area / duct_area,
             mass,
             inertia: SpatialInertia::rigid(mass, Symmetric3::diagonal(moments)),
+            moment_about_x: moments[0],
             centre,
             arm: along / (mass * turn),
             turn,
@@ -100,19 +103,7 @@ impl<S: Scalar> UTankGeometry<S> {
 impl<S: Scalar> UTankLiquid<S> {
     /// Inertia of the rotor on the hinge, `(m_t - c . s) / turn^2`, kg m^2: never negative, by Cauchy and Schwarz.
     pub fn rotor_inertia(&self) -> S {
-        let [along, about] = [self.arm * self.turn, self.turn];
-        self.flow_mass / (about * about)
-            - (self.mass * along * along / (about * about) + self.inertia_about_x())
-    }
-
-    /// Of the frozen liquid about its centre, kg m^2.
-    fn inertia_about_x(&self) -> S {
-        self.inertia.times(&crate::spatial::Twist {
-            angular: crate::spatial::Vector3([S::ONE, S::ZERO, S::ZERO]),
-            linear: crate::spatial::Vector3::zero(),
-        })
-        .moment
-        .0[0]
+        self.flow_mass / (self.turn * self.turn) - (self.mass * self.arm * self.arm + self.moment_about_x)
     }
 
     /// Stiffness against a level, `2 rho g A`, N/m, in a tank that stands upright.

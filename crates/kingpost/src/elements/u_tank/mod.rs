@@ -56,13 +56,13 @@ impl<S: Scalar> Element<S> for UTank<S> {
     fn declare(&self) -> Declaration {
         let number = |variable, description, unit| Output::number(variable, description, "tank", &self.name, unit);
         let mut outputs = vec![
-            number("level_port", "Level in the port column above the middle of the duct.", &["m"]),
-            number("level_starboard", "Level in the starboard column above the middle of the duct.", &["m"]),
-            number("tank_flow", "Flow through the duct towards port.", &["m^3/s"]),
+            number("level_port", "level in the port column above the middle of the duct", &["m"]),
+            number("level_starboard", "level in the starboard column above the middle of the duct", &["m"]),
+            number("tank_flow", "flow through the duct towards port", &["m^3/s"]),
         ];
         if self.pump.is_some() {
-            outputs.push(number("pump_pressure", "Pressure of the pump towards port.", &["Pa"]));
-            outputs.push(number("pump_power", "Power of the pump on the liquid.", &["W"]));
+            outputs.push(number("pump_pressure", "pressure of the pump towards port", &["Pa"]));
+            outputs.push(number("pump_power", "power of the pump on the liquid", &["W"]));
         }
         let inputs = self.pump.iter().map(|_| Input::lever(&self.name, -1.0, 0.0)).collect();
         Declaration { outputs, inputs, ..Declaration::default() }
