@@ -6,7 +6,7 @@ import json
 
 import kingpost
 import pytest
-from kingpost.verify.control import heave, three_axis
+from kingpost.verify.control import heave, platform, three_axis
 
 SHORT = {"simulation.duration_s": 3, "simulation.record_every_s": 0.5}
 
@@ -55,3 +55,9 @@ def test_a_case_of_three_axes_is_measured_over_the_motion_without_compensation()
     ideal = three_axis.measure(sea, "ideal", off.still_m, length_s=4.0)
     assert ideal.verdict in ("reached", "-") or ideal.verdict.startswith("misses")
     assert "off" in three_axis.text([off, ideal])
+
+
+def test_a_case_of_the_platform_is_measured_and_printed():
+    row = platform.measure("Hs 2.5 m, Tp 8 s", "off", length_s=2.0)
+    assert row.verdict == "-"
+    assert "off" in platform.text([row])
