@@ -1,7 +1,7 @@
 """The platform that keeps a crane level, on its standard seas, with and without.
 
-It is measured on the gallery's scenario of it: tilt and height of the platform, each over those without compensation in
-the same sea.
+It is measured on the gallery's scenario of it: tilt and height of the platform, each over those without
+compensation in the same sea.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ HEAD = ("sea, 30 deg off the bow", "platform", "tilt, deg", "height, m", "tilt, 
 
 
 def text(rows: Sequence[LevelPlatform]) -> str:
-    """The table: deviations, their shares of those without compensation, largest shares of the drives' limits, mean power."""
+    """The table: deviations, their shares of those without compensation, drives' largest shares, power."""
     still = {row.sea: row for row in rows if row.control == "off"}
     cells = [
         (
