@@ -51,7 +51,7 @@ drives:
   slewing:
     controlled_drive: {joint: slew, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 1.0e6, damping_N_m_s_per_rad: 50000, response_time_s: 0.1}
   luffing:
-    controlled_drive: {joint: luff, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 1.0e6, damping_N_m_s_per_rad: 50000, response_time_s: 0.1}
+    controlled_drive: {joint: luff, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e6, damping_N_m_s_per_rad: 2.0e5, response_time_s: 0.1}
 sensors:
   mru: {motion_reference_unit: {body: deck, position_m: [0, 0, 0], period_s: 0.05, delay_samples: 2, horizontal_motion: true}}
   blind: {motion_reference_unit: {body: deck, position_m: [0, 0, 0], period_s: 0.05}}
