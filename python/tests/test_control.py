@@ -61,3 +61,14 @@ def test_a_case_of_the_platform_is_measured_and_printed():
     row = platform.measure("Hs 2.5 m, Tp 8 s", "off", length_s=2.0)
     assert row.verdict == "-"
     assert "off" in platform.text([row])
+
+
+def test_a_winch_at_its_speed_limit_leaves_more_in_a_higher_sea_and_less_than_without_compensation():
+    slow = {"drives.hoist.controlled_drive.speed_limit_rad_s": 1.0, f"{heave.CONTROLLER}.sensor": None}
+    left = []
+    for height_m in (2.0, 4.0, 6.0):
+        sea = {"sea.waves.wind_sea.jonswap.significant_height_m": height_m, "simulation.duration_s": 80}
+        ds = kingpost.run("heave_compensation", slow | sea).sel(time=slice(40, None)).kingpost
+        residual, tip = ds["compensation.compensation_residual"], ds["boom.tip.point_position.z"]
+        left.append(float(residual.std() / tip.std()))
+    assert left[0] < 0.02 < left[1] < left[2] < 1.0, left

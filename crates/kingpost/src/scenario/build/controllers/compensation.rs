@@ -208,7 +208,7 @@ fn prediction<S: Quantity>(
     let weights = |of: Dynamics<S>| both(of).map(|of| bank.velocity_weights(|frequency| of.velocity(frequency)));
     Ok(Prediction {
         velocity: responses_s.iter().map(|response_s| weights(of_drive(response_s))).collect(),
-        position: bank.position_weights(|frequency| position.position(frequency)),
+        position: both(position).map(|of| bank.position_weights(|frequency| of.position(frequency))).to_vec(),
         age: S::constant(age),
         fades: libm::exp(-period_s * band.middle_rad_s()),
         correction: if unit.is_some() { band.correction_rad_s() } else { 0.0 },

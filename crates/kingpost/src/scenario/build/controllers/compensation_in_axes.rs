@@ -33,7 +33,7 @@ pub fn three_axis<S: Quantity>(
     let source = Source { sensor: given.sensor.as_ref(), horizontal: true, prediction: given.prediction.as_ref() };
     Ok(Some(Box::new(ThreeAxisCompensation {
         name: name.to_owned(),
-        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?,
+        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?.with_measured_arms(),
         chain,
         tip: rope.tip,
         falls: rope.falls,
@@ -68,7 +68,7 @@ pub fn platform<S: Quantity>(
     Ok(Some(Box::new(PlatformCompensation {
         name: name.to_owned(),
         base: unit(&lead, &source, elements)?.map(|unit| unit.place.body),
-        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?,
+        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?.with_measured_arms(),
         chain,
         top,
         feed_forward: given.feed_forward.get(),
