@@ -30,7 +30,8 @@ pub fn heave<S: Quantity>(
         return Ok(None);
     }
     let rope = hung(scenario, &lead, [&given.rope, &given.drive], elements)?;
-    let source = Source { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
+    let source =
+        MotionSource { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
     Ok(Some(Box::new(HeaveCompensation {
         name: name.to_owned(),
         estimator: estimator(&lead, &source, given.period_s.get(), (elements, &[rope.drive]))?,
@@ -107,7 +108,7 @@ pub fn drive<'a, S: Quantity>(
 }
 
 /// What a compensation knows the motion by.
-pub struct Source<'a, S> {
+pub struct MotionSource<'a, S> {
     /// The motion reference unit.
     pub sensor: Option<&'a schema::Name>,
     /// Whether it has to measure horizontal motion.
@@ -119,7 +120,7 @@ pub struct Source<'a, S> {
 /// The motion reference unit of a compensation, if it has one.
 pub fn unit<'a, S: Quantity>(
     lead: &str,
-    source: &Source<'_, S>,
+    source: &MotionSource<'_, S>,
     elements: &'a [AnyElement<S>],
 ) -> Result<Option<&'a MotionReferenceUnit<S>>, FieldError> {
     let Some(sensor) = source.sensor else { return Ok(None) };
@@ -136,7 +137,7 @@ pub fn unit<'a, S: Quantity>(
 /// What a compensation knows of the motion, for these drives.
 pub fn estimator<S: Quantity>(
     lead: &str,
-    source: &Source<'_, S>,
+    source: &MotionSource<'_, S>,
     period_s: f64,
     (elements, drives): (&[AnyElement<S>], &[&ControlledDrive<S>]),
 ) -> Result<Estimator<S>, FieldError> {
