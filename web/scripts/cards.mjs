@@ -28,6 +28,7 @@ const SHOTS = {
   lowering_by_winch: { time_s: 30, values: "waves=true", nearer: 1 },
   heave_compensation: { time_s: 60, nearer: 1 },
   three_axis_compensation: { time_s: 60, nearer: 1 },
+  level_platform: { time_s: 60, nearer: 1 },
   a_frame_over_the_stern: { time_s: 30 },
   spreader_bar_lift: { time_s: 60 },
   four_leg_lift: { time_s: 90 },

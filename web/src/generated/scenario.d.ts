@@ -3735,6 +3735,12 @@ export type Controller =
     }
   | {
       heave_compensation: HeaveCompensation;
+    }
+  | {
+      three_axis_compensation: ThreeAxisCompensation;
+    }
+  | {
+      platform_compensation: PlatformCompensation;
     };
 /**
  * The condition that ends a step of an operation.
@@ -5151,7 +5157,9 @@ export interface TargetLength {
 /**
  * Measures the motion of a point of a body. Its outputs, which wires can use, are `measured_roll` and
  * `measured_pitch` (rad), `measured_heave` (m, relative to the start of the run), `measured_heave_rate` (m/s) and
- * `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples.
+ * `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples; with horizontal motion also
+ * `measured_x`, `measured_y` (m, along the world's axes, relative to the start), `measured_x_velocity`,
+ * `measured_y_velocity` (m/s) and `measured_yaw` (rad).
  */
 export interface MotionReferenceUnit {
   /**
@@ -5177,6 +5185,11 @@ export interface MotionReferenceUnit {
    * Delay of its outputs, in samples: 0 to 1000.
    */
   delay_samples?: number;
+  /**
+   * Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with those of
+   * the angles, as a unit with a gyrocompass does.
+   */
+  horizontal_motion?: boolean;
   /**
    * The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
    */
@@ -5588,7 +5601,7 @@ export interface HeaveCompensation {
   prediction?: HeavePrediction | null;
 }
 /**
- * Prediction of the tip's motion over the delay of the sensor, the time for which a command is held, and the response
+ * Prediction of the ship's motion over the delay of the sensor, the time for which a command is held, and the response
  * of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
  */
 export interface HeavePrediction {
@@ -5610,9 +5623,124 @@ export interface HeavePrediction {
    */
   extra_delay_s?: number;
   /**
-   * Time constant of the drive's response, which it inverts, s; without it, the response_time_s of the drive.
+   * Time constant of the drive's response, which it inverts, s; without it, the response_time_s of each drive.
    */
   drive_response_s?: number | null;
+}
+/**
+ * Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of the
+ * world, and the winch the load's height. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
+ * inputs `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s at the
+ * load, positive: down) ask for. Its outputs are `compensation_offset` (m), `compensation_ship_velocity` (m/s) and
+ * `compensation_utilisation`. The set-points of its drives do not count.
+ */
+export interface ThreeAxisCompensation {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * Whether it is switched on at the start.
+   */
+  begins_on?: boolean;
+  /**
+   * The rope, which begins at a drum. The place before its last end is the crane's tip.
+   */
+  rope: string;
+  /**
+   * The controlled drive of the drum, with a speed as its set-point.
+   */
+  drive: string;
+  /**
+   * The controlled drives that move the tip: of slewing, luffing, knuckle, telescope. At least two.
+   */
+  joints: CompensationDrive[];
+  /**
+   * The motion reference unit, with horizontal motion, that it measures the tip's motion by; without it, it knows that
+   * motion exactly and at once.
+   */
+  sensor?: string | null;
+  /**
+   * Time between two commands, s; at least simulation.step_s.
+   */
+  period_s: number;
+  /**
+   * Share of the ship's velocity at the tip that it commands.
+   */
+  feed_forward?: number;
+  /**
+   * Speed that it commands per error of the position, 1/s.
+   */
+  position_gain_per_s?: number;
+  /**
+   * Near a singularity, where the joints at full speed move the tip slower than this in some direction, the commands in
+   * that direction are reduced, m/s.
+   */
+  damped_below_m_s?: number;
+  /**
+   * Prediction over all delays; without it, it commands the velocity that it has measured.
+   */
+  prediction?: HeavePrediction | null;
+}
+/**
+ * A drive that a compensation commands.
+ */
+export interface CompensationDrive {
+  /**
+   * The controlled drive, with a speed as its set-point.
+   */
+  drive: string;
+}
+/**
+ * A platform below a crane's pedestal that stays level and at its height by three or more driven joints. Its lever is an
+ * input with its name, from 0 (off) to 1 (on). Its outputs are `platform_offset` (sines of the tilt, and m) and
+ * `compensation_utilisation`. The set-points of its drives do not count.
+ */
+export interface PlatformCompensation {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * Whether it is switched on at the start.
+   */
+  begins_on?: boolean;
+  /**
+   * The body that stays level.
+   */
+  body: string;
+  /**
+   * The point of it that stays at its height, in its drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The controlled drives that move it. At least three.
+   */
+  joints: CompensationDrive[];
+  /**
+   * The motion reference unit, on the ship, that it measures the motion by; without it, it knows the motion exactly and at
+   * once.
+   */
+  sensor?: string | null;
+  /**
+   * Time between two commands, s; at least simulation.step_s.
+   */
+  period_s: number;
+  /**
+   * Share of the ship's motion that it commands.
+   */
+  feed_forward?: number;
+  /**
+   * Speed that it commands per error of tilt and height, 1/s.
+   */
+  position_gain_per_s?: number;
+  /**
+   * Prediction over all delays; without it, it commands the velocities that it has measured.
+   */
+  prediction?: HeavePrediction | null;
 }
 /**
  * A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.

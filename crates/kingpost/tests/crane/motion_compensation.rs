@@ -47,11 +47,11 @@ forces:
       damping_time_s: 0.05
 drives:
   winching:
-    controlled_drive: {joint: winch, set_point: {speed: {}}, speed_limit_rad_s: 20, acceleration_limit_rad_s2: 200, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e7, damping_N_m_s_per_rad: 3.0e5, response_time_s: 0.1}
+    controlled_drive: {joint: winch, set_point: {speed: {}}, speed_limit_rad_s: 20, acceleration_limit_rad_s2: 200, torque_limit_N_m: 50000, stiffness_N_m_per_rad: 1.0e6, damping_N_m_s_per_rad: 10000, response_time_s: 0.1}
   slewing:
-    controlled_drive: {joint: slew, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e7, damping_N_m_s_per_rad: 3.0e5, response_time_s: 0.1}
+    controlled_drive: {joint: slew, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 1.0e6, damping_N_m_s_per_rad: 50000, response_time_s: 0.1}
   luffing:
-    controlled_drive: {joint: luff, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e7, damping_N_m_s_per_rad: 3.0e5, response_time_s: 0.1}
+    controlled_drive: {joint: luff, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e6, damping_N_m_s_per_rad: 2.0e5, response_time_s: 0.1}
 sensors:
   mru: {motion_reference_unit: {body: deck, position_m: [0, 0, 0], period_s: 0.05, delay_samples: 2, horizontal_motion: true}}
   blind: {motion_reference_unit: {body: deck, position_m: [0, 0, 0], period_s: 0.05}}
@@ -78,20 +78,20 @@ bodies:
     joint: {prismatic: {name: rise, axis: [0, 0, 1], position_m: [0, 3, 2]}}
   ring:
     parent: column
-    mass_kg: 50
+    mass_kg: 1000
     shape: {box: {length_m: 1, width_m: 1, height_m: 0.2}}
     joint: {revolute: {name: tilt_x, axis: [1, 0, 0]}}
   platform:
     parent: ring
-    mass_kg: 100
+    mass_kg: 10000
     shape: {box: {length_m: 2, width_m: 2, height_m: 0.2}}
     joint: {revolute: {name: tilt_y, axis: [0, 1, 0]}}
 forces:
   gravity: {gravity: {}}
 drives:
-  rising: {linear_controlled_drive: {joint: rise, set_point: {speed: {}}, speed_limit_m_s: 1, acceleration_limit_m_s2: 20, force_limit_N: 1.0e6, stiffness_N_per_m: 3.0e7, damping_N_s_per_m: 3.0e5, response_time_s: 0.1}}
-  about_x: {controlled_drive: {joint: tilt_x, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e7, damping_N_m_s_per_rad: 3.0e5, response_time_s: 0.1}}
-  about_y: {controlled_drive: {joint: tilt_y, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e7, damping_N_m_s_per_rad: 3.0e5, response_time_s: 0.1}}
+  rising: {linear_controlled_drive: {joint: rise, set_point: {speed: {}}, speed_limit_m_s: 1, acceleration_limit_m_s2: 20, force_limit_N: 1.0e6, stiffness_N_per_m: 1.0e7, damping_N_s_per_m: 5.0e5, response_time_s: 0.1}}
+  about_x: {controlled_drive: {joint: tilt_x, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e6, damping_N_m_s_per_rad: 1.5e5, response_time_s: 0.1}}
+  about_y: {controlled_drive: {joint: tilt_y, set_point: {speed: {}}, speed_limit_rad_s: 1, acceleration_limit_rad_s2: 20, torque_limit_N_m: 1.0e6, stiffness_N_m_per_rad: 3.0e6, damping_N_m_s_per_rad: 1.5e5, response_time_s: 0.1}}
 sensors:
   mru: {motion_reference_unit: {body: deck, position_m: [0, 0, 0], period_s: 0.05, delay_samples: 2}}
 controllers:

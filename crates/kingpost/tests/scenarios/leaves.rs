@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 39] = [
+const STRUCTURE: [&str; 41] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -219,6 +219,8 @@ const STRUCTURE: [&str; 39] = [
     ".load_cell.period_s",
     ".satellite_receiver.period_s",
     ".heave_compensation.period_s",
+    ".three_axis_compensation.period_s",
+    ".platform_compensation.period_s",
     ".prediction.",
     ".delay_samples",
     ".gusts.components",

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Protocol
 
-from . import heave, roll, three_axis
+from . import heave, platform, roll, three_axis
 
 
 class Controller(Protocol):
@@ -24,7 +24,7 @@ class Controller(Protocol):
         """Its table."""
 
 
-CONTROLLERS: tuple[Controller, ...] = (heave, roll, three_axis)
+CONTROLLERS: tuple[Controller, ...] = (heave, roll, three_axis, platform)
 """In the order in which they are measured and printed."""
 
 AT_A_LIMIT = "at a limit"

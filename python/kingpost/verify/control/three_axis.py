@@ -1,7 +1,7 @@
 """Compensation in three axes on its standard seas, with and without.
 
-It is measured on the gallery's scenario of it: the crane's tip in the horizontal and the load's height, together as one
-standard deviation, over the same without compensation in the same sea.
+It is measured on the gallery's scenario of it: the crane's tip in the horizontal and the load's height,
+together as one standard deviation, over the same without compensation in the same sea.
 """
 
 from __future__ import annotations
@@ -99,7 +99,9 @@ def measure(sea: str, control: str, still_m: float = math.nan, length_s: float =
         control,
         deviations_m=(x, y, z),
         still_m=math.hypot(x, y, z) if control == "off" else still_m,
-        utilisation={name: most(of) for name, of in {"speed": "speed", "torque": "effort", "power": "power"}.items()},
+        utilisation={
+            name: most(of) for name, of in {"speed": "speed", "torque": "effort", "power": "power"}.items()
+        },
         power_kw=float(power) / 1e3,
     )
 
@@ -121,7 +123,7 @@ HEAD = ("sea, 30 deg off the bow", "compensation", "x, m", "y, m", "z, m", "resi
 
 
 def text(rows: Sequence[HeldInThreeAxes]) -> str:
-    """The table: deviations, residual over that without compensation, largest shares of the drives' limits, mean power."""
+    """The table: deviations, residual over that without compensation, drives' largest shares, power."""
     cells = [
         (
             row.sea,

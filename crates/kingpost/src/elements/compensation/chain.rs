@@ -65,10 +65,8 @@ impl<S: Scalar> DrivenChain<S> {
     pub fn rates(&self, rows: &[Vec<S>], wanted: &[S]) -> Vec<S> {
         let (m, n) = (rows.len(), self.joints.len());
         let scaled = |i: usize, j: usize| rows[i][j] * self.joints[j].limit;
-        let mut square = vec![vec![S::ZERO; m]; m];
-        for i in 0..m {
-            (0..=i).for_each(|k| square[i][k] = (0..n).fold(S::ZERO, |sum, j| sum + scaled(i, j) * scaled(k, j)));
-        }
+        let product = |i: usize, k: usize| (0..n).fold(S::ZERO, |sum, j| sum + scaled(i, j) * scaled(k, j));
+        let mut square: Vec<Vec<S>> = (0..m).map(|i| (0..m).map(|k| product(i, k)).collect()).collect();
         let trace = (0..m).fold(S::ZERO, |sum, i| sum + square[i][i]);
         let mean = trace * S::constant(1.0 / m as f64) + S::constant(f64::MIN_POSITIVE);
         let smallest = (1..m).fold(determinant(&square), |product, _| product / mean);

@@ -27,9 +27,9 @@ pub struct Prediction<S = f64> {
     pub correction: f64,
     /// The velocity to command each drive, from the linear and from the angular part of the measured velocity.
     pub velocity: Vec<[Vec<S>; 2]>,
-    /// The position of the unit's place, from its measured velocity. That by the rotation of its body is measured: an angle
-    /// needs no filter, and the integral of a velocity at a lever arm that changes with the motion would wander.
-    pub position: Vec<S>,
+    /// The position from the linear and from the angular part of the measured velocity. Without the second, that by the
+    /// rotation of the body is measured: where the lever arm changes with the motion, its integral would wander.
+    pub position: Vec<Vec<S>>,
     /// Age of the measurement, s.
     pub age: S,
     /// Share of a velocity that is left at the next tick while the sensor is out: it fades at the middle frequency of the
@@ -46,17 +46,27 @@ pub struct Estimate<S> {
     pub position: S,
 }
 
-/// Numbers of an axis: the position that each part of the velocity has led to; then the states of both banks.
-const LED_TO: usize = 0;
-const BANKS: usize = 2;
+/// Numbers of an axis: what the crane's own motion adds to a predicted position; the position that each part of the
+/// velocity has led to; then the states of both banks.
+const BY_CRANE: usize = 0;
+const LED_TO: usize = 1;
+const BANKS: usize = 3;
 /// The parts of a velocity.
 const LINEAR: usize = 0;
 const ANGULAR: usize = 1;
 
 impl<S: Scalar> Estimator<S> {
+    /// The same for a lever arm that changes with the motion: the position by the rotation of the body is measured.
+    pub fn with_measured_arms(mut self) -> Self {
+        if let Some(prediction) = &mut self.prediction {
+            prediction.position.truncate(ANGULAR);
+        }
+        self
+    }
+
     /// Names of the numbers of an axis.
     pub fn number_names(&self, axis: &str) -> Vec<String> {
-        let own = ["led_to_linear", "led_to_angular"].map(str::to_owned);
+        let own = ["by_crane", "led_to_linear", "led_to_angular"].map(str::to_owned);
         let states = |bank| (0..FilterBank::STATES).map(move |state| format!("bank_{bank}_{state}"));
         let banks = ["linear", "angular"].into_iter().flat_map(states).filter(|_| self.prediction.is_some());
         own.into_iter().chain(banks).map(|name| format!("{axis}{name}")).collect()
@@ -78,7 +88,8 @@ impl<S: Scalar> Estimator<S> {
         };
         let mut velocities = vec![S::ZERO; prediction.velocity.len()];
         let ahead = if measured.delivers { prediction.age * measured.velocities[1][axis] } else { S::ZERO };
-        let mut predicted = measured.positions[1][axis] + ahead;
+        let is_measured = prediction.position.len() == ANGULAR;
+        let mut predicted = if is_measured { measured.positions[ANGULAR][axis] + ahead } else { numbers[BY_CRANE] };
         for bank in [LINEAR, ANGULAR] {
             let sample = self.corrected(prediction, measured, (bank, axis, begins), numbers);
             let states = &mut numbers[BANKS + bank * FilterBank::STATES..][..FilterBank::STATES];
@@ -86,10 +97,9 @@ impl<S: Scalar> Estimator<S> {
             for (velocity, weights) in velocities.iter_mut().zip(&prediction.velocity) {
                 *velocity += FilterBank::read(&weights[bank], states);
             }
-            if bank == LINEAR {
-                predicted += FilterBank::read(&prediction.position, states);
-            }
+            predicted += prediction.position.get(bank).map_or(S::ZERO, |weights| FilterBank::read(weights, states));
         }
+        numbers[BY_CRANE] += S::constant(self.period_s) * measured.by_crane[axis];
         let exact = matches!(self.measurement, Measurement::Ideal);
         Estimate { velocities, position: if exact { position } else { predicted } }
     }

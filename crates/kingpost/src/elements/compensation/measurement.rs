@@ -49,7 +49,7 @@ pub struct Measured<S> {
 
 /// The attitude of the unit's body at a tick.
 #[derive(Clone, Copy, Debug)]
-pub struct Attitude<S> {
+pub struct MeasuredAttitude<S> {
     /// Its rotation: from its axes to those of the world, or, without a measured yaw, to level axes that turn with it.
     pub rotation: Matrix3<S>,
     /// Its angular velocity in its own axes, rad/s.
@@ -74,20 +74,20 @@ impl<S: Scalar> Measurement<S> {
     }
 
     /// The attitude of the unit's body by these columns; `None` if the measurement is ideal.
-    pub fn attitude(&self, read: &[S]) -> Option<Attitude<S>> {
+    pub fn attitude(&self, read: &[S]) -> Option<MeasuredAttitude<S>> {
         let (Self::Unit { horizontal, .. }, [roll, pitch, _, _, x, y, z, rest @ ..]) = (self, read) else {
             return None;
         };
         let yaw = rest.get(4).copied().filter(|_| *horizontal).unwrap_or(S::ZERO);
         let rotation = rotation_from_roll_pitch_yaw(Vector3([*roll, *pitch, yaw]));
-        Some(Attitude { rotation, angular: Vector3([*x, *y, *z]) })
+        Some(MeasuredAttitude { rotation, angular: Vector3([*x, *y, *z]) })
     }
 
     /// The point by these columns. `driven` is the velocity that driven joints give it, m/s, which an ideal measurement
     /// tells from the ship's.
     pub fn measure(&self, at: &Context<'_, S>, point: &Attachment<S>, driven: Vector3<S>, read: &[S]) -> Measured<S> {
         let (position, moving) = (place(point, at.model, at.links), velocity(point, at));
-        let (Self::Unit { place, horizontal, has_status, .. }, Some(Attitude { rotation, angular })) =
+        let (Self::Unit { place, horizontal, has_status, .. }, Some(MeasuredAttitude { rotation, angular })) =
             (self, self.attitude(read))
         else {
             return Measured {

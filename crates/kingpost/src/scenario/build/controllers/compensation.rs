@@ -30,7 +30,8 @@ pub fn heave<S: Quantity>(
         return Ok(None);
     }
     let rope = hung(scenario, &lead, [&given.rope, &given.drive], elements)?;
-    let source = Source { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
+    let source =
+        MotionSource { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
     Ok(Some(Box::new(HeaveCompensation {
         name: name.to_owned(),
         estimator: estimator(&lead, &source, given.period_s.get(), (elements, &[rope.drive]))?,
@@ -107,7 +108,7 @@ pub fn drive<'a, S: Quantity>(
 }
 
 /// What a compensation knows the motion by.
-pub struct Source<'a, S> {
+pub struct MotionSource<'a, S> {
     /// The motion reference unit.
     pub sensor: Option<&'a schema::Name>,
     /// Whether it has to measure horizontal motion.
@@ -119,7 +120,7 @@ pub struct Source<'a, S> {
 /// The motion reference unit of a compensation, if it has one.
 pub fn unit<'a, S: Quantity>(
     lead: &str,
-    source: &Source<'_, S>,
+    source: &MotionSource<'_, S>,
     elements: &'a [AnyElement<S>],
 ) -> Result<Option<&'a MotionReferenceUnit<S>>, FieldError> {
     let Some(sensor) = source.sensor else { return Ok(None) };
@@ -136,7 +137,7 @@ pub fn unit<'a, S: Quantity>(
 /// What a compensation knows of the motion, for these drives.
 pub fn estimator<S: Quantity>(
     lead: &str,
-    source: &Source<'_, S>,
+    source: &MotionSource<'_, S>,
     period_s: f64,
     (elements, drives): (&[AnyElement<S>], &[&ControlledDrive<S>]),
 ) -> Result<Estimator<S>, FieldError> {
@@ -208,7 +209,7 @@ fn prediction<S: Quantity>(
     let weights = |of: Dynamics<S>| both(of).map(|of| bank.velocity_weights(|frequency| of.velocity(frequency)));
     Ok(Prediction {
         velocity: responses_s.iter().map(|response_s| weights(of_drive(response_s))).collect(),
-        position: bank.position_weights(|frequency| position.position(frequency)),
+        position: both(position).map(|of| bank.position_weights(|frequency| of.position(frequency))).to_vec(),
         age: S::constant(age),
         fades: libm::exp(-period_s * band.middle_rad_s()),
         correction: if unit.is_some() { band.correction_rad_s() } else { 0.0 },

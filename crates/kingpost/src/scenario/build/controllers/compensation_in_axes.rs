@@ -3,7 +3,7 @@
 use super::super::super::schema::{self, Scenario};
 use super::super::FieldError;
 use super::super::cylinders::attachment;
-use super::compensation::{Source, check, drive, estimator, hung, unit};
+use super::compensation::{MotionSource, check, drive, estimator, hung, unit};
 use crate::elements::compensation::{DrivenChain, DrivenJoint};
 use crate::elements::drives::ControlledDrive;
 use crate::elements::{AnyElement, PlatformCompensation, ThreeAxisCompensation};
@@ -30,10 +30,11 @@ pub fn three_axis<S: Quantity>(
         damped_below: given.damped_below_m_s.get(),
     };
     drives.push(rope.drive);
-    let source = Source { sensor: given.sensor.as_ref(), horizontal: true, prediction: given.prediction.as_ref() };
+    let source =
+        MotionSource { sensor: given.sensor.as_ref(), horizontal: true, prediction: given.prediction.as_ref() };
     Ok(Some(Box::new(ThreeAxisCompensation {
         name: name.to_owned(),
-        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?,
+        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?.with_measured_arms(),
         chain,
         tip: rope.tip,
         falls: rope.falls,
@@ -64,11 +65,12 @@ pub fn platform<S: Quantity>(
     let joints = Joints { lead: &lead, given: &given.joints, least: 3, moves: &given.body };
     let drives = joints.drives(elements)?;
     let chain = DrivenChain { joints: joints.below(model, top.link, &drives)?, damped_below: S::ZERO };
-    let source = Source { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
+    let source =
+        MotionSource { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
     Ok(Some(Box::new(PlatformCompensation {
         name: name.to_owned(),
         base: unit(&lead, &source, elements)?.map(|unit| unit.place.body),
-        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?,
+        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?.with_measured_arms(),
         chain,
         top,
         feed_forward: given.feed_forward.get(),

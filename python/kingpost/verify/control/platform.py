@@ -1,0 +1,120 @@
+"""The platform that keeps a crane level, on its standard seas, with and without.
+
+It is measured on the gallery's scenario of it: tilt and height of the platform, each over those without
+compensation in the same sea.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...errors import KingpostWarning
+from ...reports.tables import table
+from ...simulation.simulate import run
+from .heave import LENGTH_S, LONGEST, SEAS, SETTLED_S
+
+SCENARIO = "level_platform"
+CONTROLLER = "controllers.compensation.platform_compensation"
+DRIVES = ("rising", "rolling", "pitching")
+
+CONTROLS: dict[str, dict[str, Any]] = {
+    "off": {"compensation": False},
+    "ideal": {f"{CONTROLLER}.sensor": None},
+    "sensor": {},
+}
+"""`sensor`: noise, bias, high-pass filter of heave with 20 s, 0.1 s of delay."""
+
+
+@dataclass(frozen=True)
+class LevelPlatform:
+    """One run of the platform."""
+
+    sea: str
+    control: str
+    tilt: float
+    """Standard deviation of the tilt, about both axes together, rad."""
+    height_m: float
+    """That of the height of the crane's foot, m."""
+    utilisation: dict[str, float]
+    """The largest share of all drives' limits: speed, force or torque."""
+    power_kw: float
+    """Mean power that the drives deliver while they drive, kW."""
+
+    @property
+    def verdict(self) -> str:
+        """Whether the drives are within their limits."""
+        return "at a limit" if max(self.utilisation.values()) > 1.0 else "-"
+
+
+def cases() -> Iterator[tuple[str, str]]:
+    """Sea and control of each run.
+
+    >>> len(list(cases()))
+    9
+    """
+    return ((sea, control) for sea in SEAS for control in CONTROLS)
+
+
+def measure(sea: str, control: str, length_s: float = LENGTH_S) -> LevelPlatform:
+    """Run one case, and measure from `SETTLED_S` on."""
+    band = {f"{CONTROLLER}.prediction.longest_period_s": LONGEST * SEAS[sea]["peak_period_s"]}
+    given = SEAS[sea] | CONTROLS[control] | band | {"simulation.duration_s": length_s}
+    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
+        found = run(SCENARIO, given)
+    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
+
+    def column(name: str) -> np.ndarray:
+        return np.asarray(settled.kingpost[name].values)
+
+    about_x, about_y, height = (column(f"compensation.platform_offset.{axis}").std() for axis in "xyz")
+    shares = {"speed": "speed", "force": "effort"}
+    power = sum(np.maximum(column(f"{drive}.drive_power"), 0.0).mean() for drive in DRIVES)
+    return LevelPlatform(
+        sea,
+        control,
+        tilt=float(np.hypot(about_x, about_y)),
+        height_m=float(height),
+        utilisation={
+            name: max(float(np.abs(column(f"{drive}.drive_{of}_utilisation")).max()) for drive in DRIVES)
+            for name, of in shares.items()
+        },
+        power_kw=float(power) / 1e3,
+    )
+
+
+def measured(update: Callable[[float], None]) -> list[LevelPlatform]:
+    """Every case; `update` is called after each."""
+    rows: list[LevelPlatform] = []
+    for done, case in enumerate(cases(), 1):
+        rows.append(measure(*case))
+        update(done)
+    return rows
+
+
+HEAD = ("sea, 30 deg off the bow", "platform", "tilt, deg", "height, m", "tilt, %", "height, %",
+        "speed", "force", "mean, kW", "verdict")  # fmt: skip
+
+
+def text(rows: Sequence[LevelPlatform]) -> str:
+    """The table: deviations, their shares of those without compensation, drives' largest shares, power."""
+    still = {row.sea: row for row in rows if row.control == "off"}
+    cells = [
+        (
+            row.sea,
+            row.control,
+            f"{np.degrees(row.tilt):.3f}",
+            f"{row.height_m:.4f}",
+            f"{100 * row.tilt / still[row.sea].tilt:.1f}",
+            f"{100 * row.height_m / still[row.sea].height_m:.1f}",
+            *(f"{share:.2f}" for share in row.utilisation.values()),
+            f"{row.power_kw:.1f}",
+            row.verdict,
+        )
+        for row in rows
+    ]
+    return "\n".join(table([HEAD, *cells], "<<>>>>>>><"))
