@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from kingpost.learn import (
     trained,
 )
 from kingpost.learn.__main__ import main
+from kingpost.learn.cross_entropy import CrossEntropy, Sampling
 
 ENVIRONMENT = "Kingpost/AntiSway-v0"
 FEW = Training(generations=2, pairs=2, episodes=2, hidden=(4,), seed=5)
@@ -101,6 +103,36 @@ def test_a_wrong_file_is_reported(change, expected, policy, tmp_path) -> None:
     (tmp_path / "policy.json").write_text(json.dumps(file), encoding="utf-8")
     with pytest.raises(KingpostError, match=expected):
         read_policy(tmp_path / "policy.json")
+
+
+def test_the_page_has_every_controller_and_the_scores_that_are_measured_now() -> None:
+    """Source: the same seeds. Those that plan are slow: their rows are only looked for."""
+    page = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
+    rows = dict(line.strip("| ").split(" | ", 1) for line in page.splitlines() if line.startswith("| "))
+    for name, make in contenders(ENVIRONMENT).items():
+        assert name in rows
+        if "predictive" not in name and name != "do nothing":
+            sums = score(anti_sway(), make)
+            assert rows[name] == f"{sums.mean():.2f} | {sums.std():.2f} | {sums.min():.2f}"
+
+
+def test_plans_by_sampling_have_the_same_bits_for_any_number_of_threads() -> None:
+    few = Sampling(horizon_s=2, knots=4, candidates=8, elites=3, iterations=2, every_s=0.25)
+    goal = [1.0, -0.8, 11.3, 17.6]
+    one, other = (CrossEntropy(anti_sway(), goal, few, threads=threads) for threads in (1, 2))
+    taken = [np.array([plan.action() for _ in range(8)]) for plan in (one, other)]
+    assert np.array_equal(*taken)
+    assert not np.array_equal(taken[0], np.array([CrossEntropy(anti_sway(), goal, few).action()] * 8))
+
+
+def test_a_plan_by_sampling_is_no_worse_than_the_one_it_begins_with() -> None:
+    """Source: the present plan is among the candidates, and the model is the engine itself."""
+    few = Sampling(horizon_s=4, knots=4, candidates=16, elites=4, iterations=4, every_s=0.5)
+    plan = CrossEntropy(anti_sway(), [1.0, -0.8, 11.3, 17.6], few, threads=1)
+    still = plan.scores(np.zeros((16, 4, 2)))[0]
+    plan.action()
+    plan.taken.clear()
+    assert plan.scores(np.tile(plan.plan, (16, 1, 1)))[0] > still + 0.5
 
 
 def test_an_environment_without_a_policy_is_reported() -> None:

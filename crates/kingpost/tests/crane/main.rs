@@ -16,6 +16,7 @@ mod heave_compensation;
 mod inextensible_ropes;
 mod load_charts;
 mod operations;
+mod policies;
 mod replays;
 mod rope_leads;
 mod rope_mistakes;

@@ -27,6 +27,7 @@ mod mounting;
 mod moved_by_waves;
 mod operation;
 mod parameter;
+mod policies;
 mod ropes;
 mod sea;
 mod sensor_errors;
@@ -61,6 +62,7 @@ pub use controlled_drives::{
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
 pub use controllers::{Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback};
+pub use policies::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget};
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
