@@ -125,16 +125,6 @@ def test_plans_by_sampling_have_the_same_bits_for_any_number_of_threads() -> Non
     assert not np.array_equal(taken[0], np.array([CrossEntropy(anti_sway(), goal, few).action()] * 8))
 
 
-def test_a_plan_by_sampling_is_no_worse_than_the_one_it_begins_with() -> None:
-    """Source: the present plan is among the candidates, and the model is the engine itself."""
-    few = Sampling(horizon_s=4, knots=4, candidates=16, elites=4, iterations=4, every_s=0.5)
-    plan = CrossEntropy(anti_sway(), [1.0, -0.8, 11.3, 17.6], few, threads=1)
-    still = plan.scores(np.zeros((16, 4, 2)))[0]
-    plan.action()
-    plan.taken.clear()
-    assert plan.scores(np.tile(plan.plan, (16, 1, 1)))[0] > still + 0.5
-
-
 def test_an_environment_without_a_policy_is_reported() -> None:
     with pytest.raises(KingpostError, match="found Kingpost/Nothing, allowed: Kingpost/AntiSway-v0"):
         trained("Kingpost/Nothing")

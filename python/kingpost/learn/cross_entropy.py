@@ -76,7 +76,9 @@ class CrossEntropy:
     (2,)
     """
 
-    def __init__(self, task: Task, goal: list[float], sampling: Sampling | None = None, threads: int = 0) -> None:
+    def __init__(
+        self, task: Task, goal: list[float], sampling: Sampling | None = None, threads: int = 0
+    ) -> None:
         self.task, self.sampling = task, Sampling() if sampling is None else sampling
         self.copies = Episodes(task, self.sampling.candidates, threads)
         self.goal = np.asarray(goal, np.float64)

@@ -72,8 +72,7 @@ impl<S: Scalar> Element<S> for Policy<S> {
 
     fn declare(&self) -> Declaration {
         let of_each = |what: &'static str| self.steers.iter().map(move |steer| format!("{what}_{}", steer.to.name));
-        let command =
-            |steer: &PolicySteer<S>| Input { name: steer.command.clone(), signal: None, ..steer.to.clone() };
+        let command = |steer: &PolicySteer<S>| Input { name: steer.command.clone(), signal: None, ..steer.to.clone() };
         Declaration {
             numbers: of_each("addition").chain(of_each("action")).collect(),
             inputs: self.steers.iter().map(command).collect(),

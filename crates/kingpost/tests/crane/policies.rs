@@ -48,10 +48,7 @@ fn value(simulation: &mut Simulation, column: &str) -> f64 {
 /// The law by libm's tanh, which errs by a unit of rounding.
 fn law(position: f64, velocity: f64) -> f64 {
     let seen = [((2.0 * position - 0.1) / 0.02).clamp(-10.0, 10.0), velocity / 2.0];
-    let hidden = [
-        libm::tanh(0.4 * seen[0] - 0.7 * seen[1] + 0.1),
-        libm::tanh(-0.2 * seen[0] + 0.9 * seen[1] - 0.3),
-    ];
+    let hidden = [libm::tanh(0.4 * seen[0] - 0.7 * seen[1] + 0.1), libm::tanh(-0.2 * seen[0] + 0.9 * seen[1] - 0.3)];
     -0.3 + (libm::tanh(-1.1 * hidden[0] + 0.6 * hidden[1] + 0.2) + 1.0) * 0.4
 }
 
@@ -186,7 +183,7 @@ fn mistakes_are_reported_with_their_place_and_what_is_allowed() {
     }
     let chosen = "controllers.choice.selector";
     for (path, value, expected) in [
-        ("selected", json!("goood"), "selected: found goood, allowed: one of good, bad"),
+        ("selected", json!("goood"), "selected: found goood, allowed: good or bad"),
         ("branches", json!(["bad", "bad"]), "branches.1: found bad a second time"),
         ("steers.0.to", json!("pull"), "steers.0.to: found pull"),
     ] {

@@ -62,7 +62,6 @@ pub use controlled_drives::{
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
 pub use controllers::{Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback};
-pub use policies::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget};
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
@@ -90,6 +89,7 @@ pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use operation::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
+pub use policies::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget};
 pub use ropes::{
     CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
 };
