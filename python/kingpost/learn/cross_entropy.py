@@ -52,9 +52,9 @@ class CrossEntropy:
     1999; for control de Boer et al., *Annals of Operations Research* 134, 2005).
 
     The model is the engine itself: each candidate is a copy of the scenario that takes the actions so far and
-    then those of the plan; its score is the task's reward of the plan. The same seed gives the same actions to
-    the last bit, whatever the number of threads. It is for tasks whose episodes begin alike, so that the actions
-    so far say where a copy is; the goal is given, not guessed.
+    then those of the plan; its score is the task's reward of the plan. The same seed gives the same actions
+    to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike, so that the
+    actions so far say where a copy is; the goal is given, not guessed.
 
     Parameters
     ----------
