@@ -223,12 +223,18 @@ def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None
         for label, policy in BASELINES["Kingpost/AntiSway-v0"].items()
     }
     worst_first = sorted(by_name, key=by_name.__getitem__)
-    assert worst_first == ["do nothing", "proportional", "proportional, shaped", "swing feedback"]
+    assert worst_first == [
+        "do nothing",
+        "proportional",
+        "proportional, shaped",
+        "swing feedback",
+        "PID, tuned",
+    ]
 
 
 def test_the_examples_of_the_page_run() -> None:
     page = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
     blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
-    assert len(blocks) == 2
+    assert len(blocks) == 3
     for block in blocks:
         exec(compile(block, "docs/learning.md", "exec"), {})

@@ -22,6 +22,7 @@ const SHOTS = {
   slew_and_land: { time_s: 75 },
   slew_without_swing: { time_s: 60, values: "shaper=zvd" },
   slew_without_swing_at_sea: { time_s: 60, values: "shaper=zvd" },
+  slew_by_policy: { time_s: 9 },
   quayside_lift: { time_s: 5, nearer: 1 },
   barge_crane_200t: { time_s: 110 },
   subsea_lowering: { time_s: 100 },

@@ -35,7 +35,7 @@ def minimum(weight: Matrix, slope: Matrix, bounds: Bounds) -> tuple[Matrix, floa
     >>> minimum(np.eye(2), np.array([-0.5, -3.0]), bounds)[0].round(6).tolist()
     [0.5, 1.0]
     """
-    free: Matrix = -np.linalg.solve(weight, slope)
+    free = np.asarray(-np.linalg.solve(weight, slope), np.float64)
     every = [*bounds.hard, *bounds.soft]
     if all(((g @ free >= lower) & (g @ free <= upper)).all() for g, lower, upper in every):
         return free, 0.0

@@ -7,7 +7,10 @@ the extra ``learn``.
 from __future__ import annotations
 
 from .baselines import BASELINES, Policy
+from .contenders import contenders, trained
 from .environment import ShipCraneEnv
+from .evolution import Training, train
+from .network import NeuralPolicy, read_policy
 from .registered import IDS, register
 from .scores import score
 from .task import Action, Observation, Task
@@ -20,12 +23,18 @@ __all__ = [
     "BASELINES",
     "IDS",
     "Action",
+    "NeuralPolicy",
     "Observation",
     "Policy",
     "ShipCraneEnv",
     "ShipCraneVectorEnv",
     "Task",
+    "Training",
     "anti_sway",
+    "contenders",
     "heave_compensation",
+    "read_policy",
     "score",
+    "train",
+    "trained",
 ]

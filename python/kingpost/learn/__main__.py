@@ -1,14 +1,67 @@
-"""Writes the baselines' scores into docs/learning.md: ``python -m kingpost.learn [FILE]``."""
+"""``python -m kingpost.learn scores [FILE]`` and ``python -m kingpost.learn train FILE``."""
 
-import sys
+from __future__ import annotations
+
+import argparse
+from dataclasses import asdict, replace
 from pathlib import Path
 
-from .scores import table
+from .evolution import Training, train
+from .registered import IDS
+from .scores import score, table
 
 START, END = "<!-- scores: start -->", "<!-- scores: end -->"
 
-if __name__ == "__main__":
-    page = Path(sys.argv[1] if len(sys.argv) > 1 else "docs/learning.md")
+
+def write_scores(page: Path) -> None:
+    """Write all controllers' scores into a page, between its marks."""
+    found = table()
     text = page.read_text(encoding="utf-8") if page.is_file() else f"{START}{END}"
     before, after = text.split(START)[0], text.split(END)[-1]
-    page.write_text(f"{before}{START}\n\n{table()}\n{END}{after}", encoding="utf-8")
+    page.write_text(f"{before}{START}\n\n{found}\n{END}{after}", encoding="utf-8")
+
+
+def write_policy(given: argparse.Namespace) -> None:
+    """Train a policy, score it on the episodes of the table, and write its file."""
+    task = IDS[given.environment]()
+    training = Training(given.generations, given.pairs, given.episodes, (given.hidden,), seed=given.seed)
+
+    def shown(generation: int, mean: float) -> None:
+        if generation % 10 == 0 or generation + 1 == training.generations:
+            print(f"generation {generation}: mean score {mean:.2f}", flush=True)
+
+    policy = train(task, given.environment, training, threads=given.threads, shown=shown)
+    scores = score(task, lambda _: policy, threads=given.threads)
+    about = {
+        "training": asdict(training),
+        "score": {"mean": float(scores.mean()), "worst": float(scores.min())},
+    }
+    replace(policy, about=about).save(given.file)
+    print(f"{given.file}: mean score {scores.mean():.2f}, worst {scores.min():.2f}")
+
+
+def main(words: list[str] | None = None) -> None:
+    """The command line."""
+    default = Training()
+    parser = argparse.ArgumentParser(
+        "python -m kingpost.learn", description="Scores and training of controllers."
+    )
+    commands = parser.add_subparsers(dest="command")
+    scores = commands.add_parser("scores", help="write all controllers' scores into a page")
+    scores.add_argument("file", nargs="?", type=Path, default=Path("docs/learning.md"))
+    training = commands.add_parser("train", help="train a policy and write its file")
+    training.add_argument("file", type=Path)
+    training.add_argument("--environment", choices=list(IDS), default=next(iter(IDS)))
+    for name in ("generations", "pairs", "episodes", "seed"):
+        training.add_argument(f"--{name}", type=int, default=getattr(default, name))
+    training.add_argument("--hidden", type=int, default=default.hidden[0], help="size of the hidden layer")
+    training.add_argument("--threads", type=int, default=1)
+    given = parser.parse_args(words)
+    if given.command == "train":
+        write_policy(given)
+    else:
+        write_scores(getattr(given, "file", Path("docs/learning.md")))
+
+
+if __name__ == "__main__":
+    main()

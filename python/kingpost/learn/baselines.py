@@ -24,7 +24,7 @@ def do_nothing(task: Task) -> Policy:
     return lambda seen: np.zeros((len(seen), len(task.set)))
 
 
-def _seen(task: Task, seen: np.ndarray) -> dict[str, np.ndarray]:
+def in_units(task: Task, seen: np.ndarray) -> dict[str, np.ndarray]:
     """Observations by name in their units."""
     return {one.name: seen[:, k].astype(np.float64) * one.scale for k, one in enumerate(task.seen)}
 
@@ -39,7 +39,7 @@ def proportional(task: Task) -> Policy:
     """Speeds in proportion to the distance from the target, without regard to the swing."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
-        now = _seen(task, seen)
+        now = in_units(task, seen)
         return _limited(task, [-0.4 * now["slew_error"], -0.4 * now["luff_error"]])
 
     return policy
@@ -49,7 +49,7 @@ def swing_feedback(task: Task) -> Policy:
     """The same with feedback of the swing: the tip follows the load (a PD controller on the swing)."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
-        now = _seen(task, seen)
+        now = in_units(task, seen)
         slew = -SLOW * now["slew_error"] + FOLLOW * now["swing_across"]
         luff = -SLOW * now["luff_error"] - FOLLOW * now["swing_along"]
         return _limited(task, [slew, luff])
@@ -73,6 +73,41 @@ class _Shaped:
         return 0.5 * self.past[-1] + 0.5 * late
 
 
+PID_GAINS = {
+    "error": (0.2110, 0.1992),
+    "integral": (6e-5, 2.4e-5),
+    "rate": (0.0030, -0.0067),
+    "swing": (0.5036, 0.4926),
+    "swing_rate": (-0.1683, -0.1453),
+}
+"""Gains of slewing and luffing on errors (1/s), their integrals (1/s^2) and rates, on the swing (1/s) and its
+rate, from 1000 random steps around the best so far, scored on 32 episodes with seeds from 2 000 000 on."""
+
+
+class _Pid:
+    """PID on the distance from the target, PD on the swing; the integral stands still at a speed's limit."""
+
+    def __init__(self, task: Task) -> None:
+        self.task = task
+        self.integral: np.ndarray | None = None
+        self.highest = np.array([high for _, high in task.bounds])
+
+    def __call__(self, seen: np.ndarray) -> np.ndarray:
+        now = in_units(self.task, seen)
+        error = np.stack([now["slew_error"], now["luff_error"]], axis=1)
+        if self.integral is None:
+            self.integral = np.zeros_like(error)
+        rate = np.stack([now["slew.joint_velocity"], now["luff.joint_velocity"]], axis=1)
+        swing = np.stack([now["swing_across"], -now["swing_along"]], axis=1)
+        along = now["pendant.second.joint_velocity"] + now["luff.joint_velocity"]
+        swing_rate = np.stack([now["pendant.first.joint_velocity"], -along], axis=1)
+        gains = {name: np.array(pair) for name, pair in PID_GAINS.items()}
+        speed = gains["swing"] * swing + gains["swing_rate"] * swing_rate - gains["rate"] * rate
+        speed -= gains["error"] * error + gains["integral"] * self.integral
+        self.integral += np.where(np.abs(speed) < self.highest, error, 0.0) * self.task.control_period_s
+        return np.clip(speed / self.highest, -1.0, 1.0)
+
+
 DRUM_M = 0.15
 """Height for each radian of the drum in `heave_compensation`: 0.6 m of rope over four falls."""
 
@@ -81,7 +116,7 @@ def feed_forward(task: Task) -> Policy:
     """The winch pays out what the tip rises, with feedback of the load's height and speed."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
-        now = _seen(task, seen)
+        now = in_units(task, seen)
         rise = now["boom.tip.point_velocity.z"] + now["height_error"] + 2.0 * now["lift.velocity.z"]
         return _limited(task, [rise / DRUM_M])
 
@@ -92,7 +127,7 @@ def feedback(task: Task) -> Policy:
     """Feedback of the load's height and speed alone (PD)."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
-        now = _seen(task, seen)
+        now = in_units(task, seen)
         return _limited(task, [(now["height_error"] + 2.0 * now["lift.velocity.z"]) / DRUM_M])
 
     return policy
@@ -104,6 +139,7 @@ BASELINES: dict[str, dict[str, Callable[[Task], Policy]]] = {
         "proportional": proportional,
         "proportional, shaped": _Shaped,
         "swing feedback": swing_feedback,
+        "PID, tuned": _Pid,
     },
     "Kingpost/HeaveCompensation-v0": {
         "do nothing": do_nothing,

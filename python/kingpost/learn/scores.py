@@ -1,4 +1,4 @@
-"""Scores of controllers, and the table of the baselines."""
+"""Scores of controllers, and the table of all of them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .baselines import BASELINES, Policy
+from .baselines import Policy
+from .contenders import contenders
 from .registered import IDS
 from .task import Task
 from .vector import ShipCraneVectorEnv
@@ -58,10 +59,10 @@ def score(
 
 
 def table(episodes: int = EPISODES) -> str:
-    """The baselines' scores as a table in Markdown, the best first."""
+    """The scores of all controllers as a table in Markdown, the best first."""
     lines = []
     for name, task in IDS.items():
-        found = {label: score(task(), policy, episodes) for label, policy in BASELINES[name].items()}
+        found = {label: score(task(), policy, episodes) for label, policy in contenders(name).items()}
         ordered = sorted(found.items(), key=lambda pair: -float(pair[1].mean()))
         lines += [
             f"**{name}**",

@@ -25,8 +25,8 @@ AMPLITUDES_DEG = (2.5, 5.0, 7.5, 10.0, 12.5, 15.0)
 LARGEST_DEG = 60.0
 # Above this ratio of the eddies by the two measures of sharpness, the user gets a warning.
 UNSURE = 1.25
-LARGEST = {"period_s": 1e4, "density_kg_m3": 1e5, "viscosity_m2_s": 1.0}
-"""Beyond those of any ship and liquid; KG goes up to the length of the hull."""
+ALLOWED = {"period_s": (0.1, 1e4), "density_kg_m3": (1.0, 1e5), "viscosity_m2_s": (1e-9, 1.0)}
+"""Wider than for any ship and liquid; KG goes up to the length of the hull."""
 SEA_WATER_KG_M3 = 1025.0
 SEA_WATER_M2_S = 1.19e-6
 """Kinematic viscosity of sea water at 15 degrees C (ITTC 7.5-02-01-03); fresh water has 1.14e-6."""
@@ -92,10 +92,12 @@ def from_sections(
     amplitudes = _amplitudes(amplitudes_rad)
     given = {"keel_to_gravity_m": keel_to_gravity_m, "period_s": period_s, "density_kg_m3": density_kg_m3,
              "viscosity_m2_s": viscosity_m2_s}  # fmt: skip
-    largest = {"keel_to_gravity_m": float(np.ptp(sections.x_m))} | LARGEST
+    allowed = {"keel_to_gravity_m": (0.0, float(np.ptp(sections.x_m)))} | ALLOWED
     for name, value in given.items():
-        if not 0 < value <= largest[name]:
-            raise RollDampingError(name, f"{value:g}", f"a number greater than 0, up to {largest[name]:g}")
+        lower, upper = allowed[name]
+        if not (lower <= value <= upper and value > 0):
+            words = f"{lower:g} to {upper:g}" if lower else f"a number greater than 0, up to {upper:g}"
+            raise RollDampingError(name, f"{value:g}", words)
     if not (math.isfinite(speed_m_s) and speed_m_s >= 0):
         raise RollDampingError("speed_m_s", f"{speed_m_s:g}", "0 or more")
     frequency = 2 * math.pi / period_s

@@ -3734,6 +3734,12 @@ export type Controller =
       state_feedback: StateFeedback;
     }
   | {
+      policy: Policy;
+    }
+  | {
+      selector: Selector;
+    }
+  | {
       heave_compensation: HeaveCompensation;
     }
   | {
@@ -5556,6 +5562,120 @@ export interface FeedbackSteer {
    * The largest.
    */
   upper?: number | null;
+}
+/**
+ * Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
+ * `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
+ * upper (a = 1).
+ */
+export interface Policy {
+  /**
+   * Whether it acts; if not, its commands pass.
+   */
+  enabled?: boolean;
+  /**
+   * What it reads, in the order of the columns of the first layer's weights.
+   */
+  reads: PolicyRead[];
+  /**
+   * The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+   */
+  steers: PolicySteer[];
+  /**
+   * The layers, the first one first.
+   */
+  layers: PolicyLayer[];
+  /**
+   * Time between two samples, s: a whole number of steps; without it, one step.
+   */
+  period_s?: number | null;
+}
+/**
+ * A number that a policy sees.
+ */
+export interface PolicyRead {
+  /**
+   * The column of the results, or a state of a drive as the linear analysis names it.
+   */
+  column: string;
+  /**
+   * Columns of the same unit that are added to it.
+   */
+  also?: AlsoRead[];
+  /**
+   * The value that counts as 0, in the column's SI unit.
+   */
+  reference?: number;
+  /**
+   * The difference from it that counts as 1.
+   */
+  scale?: number;
+}
+/**
+ * A column that is added to another.
+ */
+export interface AlsoRead {
+  /**
+   * The column.
+   */
+  column: string;
+}
+/**
+ * An input that a policy sets.
+ */
+export interface PolicySteer {
+  /**
+   * The input.
+   */
+  to: string;
+  /**
+   * Its value at -1, in its SI unit; without it, the smallest that it can have.
+   */
+  lower?: number | null;
+  /**
+   * Its value at 1; without it, the largest.
+   */
+  upper?: number | null;
+}
+/**
+ * A layer of a policy: tanh(W x + b).
+ */
+export interface PolicyLayer {
+  /**
+   * W: a row for each output, a number for each input.
+   */
+  weights: number[][];
+  /**
+   * b: a number for each output.
+   */
+  biases: number[];
+}
+/**
+ * Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
+ * branch, `name.branch.input`; those of the branches that are not selected go nowhere.
+ */
+export interface Selector {
+  /**
+   * The branch that passes.
+   */
+  selected: string;
+  /**
+   * The branches.
+   */
+  branches: string[];
+  /**
+   * The inputs that it sets.
+   */
+  steers: SelectorTarget[];
+}
+/**
+ * An input that a selector sets.
+ */
+export interface SelectorTarget {
+  /**
+   * The input.
+   */
+  to: string;
 }
 /**
  * Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its

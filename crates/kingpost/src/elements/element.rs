@@ -158,6 +158,12 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
+    /// The place among the inputs that it [steers](Declaration::steers) to which it passes its command of this number at once,
+    /// alone or with more added; `None` if it does not.
+    fn passes_to(&self, _command: usize) -> Option<usize> {
+        None
+    }
+
     /// Whether it depends on the waves that it was built with: in another sea, the body that it moves would jump.
     fn keeps_waves(&self) -> bool {
         false

@@ -1,6 +1,7 @@
 //! State feedback: inputs set by columns of the results, times gains.
 
 use super::commanded::commanded;
+use super::ticks::is_tick;
 use super::{Context, Declaration, Element, Input, LinearLaw, Own};
 use crate::scalar::Scalar;
 
@@ -50,9 +51,6 @@ pub struct FeedbackSteer<S = f64> {
     pub limits: [S; 2],
 }
 
-/// A sampling time closer than this share of the period counts as now.
-const TICK_SLACK: f64 = 1e-9;
-
 impl<S: Scalar> Element<S> for StateFeedback<S> {
     fn name(&self) -> &str {
         &self.name
@@ -84,8 +82,7 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let (corrections, actions) = own.numbers.split_at_mut(self.steers.len());
-        let ticks = at.clock.time_s / self.period_s;
-        if self.acts && (ticks - libm::round(ticks)).abs() <= TICK_SLACK * ticks.max(1.0) {
+        if self.acts && is_tick(at.clock.time_s, self.period_s) {
             for (steer, correction) in self.steers.iter().zip(&mut *corrections) {
                 *correction = self.correction(&steer.gains, read, at.inputs);
             }
@@ -104,6 +101,10 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
     fn linear_law(&self) -> Option<LinearLaw> {
         let row = |steer: &FeedbackSteer<S>| steer.gains.iter().map(|gain| -gain.value()).collect();
         self.acts.then(|| LinearLaw { gains: self.steers.iter().map(row).collect(), period_s: self.period_s })
+    }
+
+    fn passes_to(&self, command: usize) -> Option<usize> {
+        Some(command)
     }
 }
 

@@ -19,3 +19,9 @@ pub fn due(time_s: f64, period_s: f64, next: &mut i64) -> Option<Due> {
     let before = core::mem::replace(next, now);
     (before != now).then_some(Due { sample: now - 1, is_first: before == 0 })
 }
+
+/// Whether a time is a multiple of a period, to rounding: for a period of whole steps.
+pub fn is_tick(time_s: f64, period_s: f64) -> bool {
+    let ticks = time_s / period_s;
+    (ticks - libm::round(ticks)).abs() <= SLACK * ticks.max(1.0)
+}

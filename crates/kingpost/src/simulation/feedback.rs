@@ -98,13 +98,30 @@ impl Simulation {
             let steering = &self.plant.layout().steers[steer];
             let (name, inputs) = (self.plant.layout().names[steering.element].clone(), steering.inputs.clone());
             let first = columns.len();
-            columns.extend(inputs.into_iter().map(|input| self.rates_by(Changed::Input(input))));
+            let reached: Vec<Option<usize>> = inputs.into_iter().map(|input| self.passed_to(input)).collect();
+            let nothing = || DVector::zeros(size);
+            let effect = |input: Option<usize>| input.map_or_else(nothing, |to| self.rates_by(Changed::Input(to)));
+            columns.extend(reached.into_iter().map(effect));
             let reads: Vec<DVector<f64>> = (0..size).map(|state| self.columns_by_state(steer, state)).collect();
             let gains = DMatrix::from_fn(law.gains.len(), reads[0].len(), |i, j| law.gains[i][j]);
             let steps = libm::round(law.period_s / self.settings.step_s).max(1.0) as u64;
             loops.push(FeedbackLoop { name, gains, reads: DMatrix::from_columns(&reads), first, steps });
         }
         (DMatrix::from_columns(&columns), loops)
+    }
+
+    /// The input of no controller to which an input is passed on at once, itself if it is that of none; `None` if a controller
+    /// in between does not pass it.
+    fn passed_to(&self, input: usize) -> Option<usize> {
+        let layout = self.plant.layout();
+        let mut at = input;
+        // Each controller stands before the next: there are no circles.
+        while let Some(steer) = layout.steers.iter().find(|steer| layout.shares[steer.element].inputs.contains(&at)) {
+            let first = layout.shares[steer.element].inputs.start;
+            let passed = self.plant.elements()[steer.element].passes_to(at - first)?;
+            at = *steer.inputs.get(passed)?;
+        }
+        Some(at)
     }
 
     /// The columns that a steering element reads, by a state.

@@ -17,6 +17,7 @@ mod inextensible_ropes;
 mod load_charts;
 mod motion_compensation;
 mod operations;
+mod policies;
 mod replays;
 mod rope_leads;
 mod rope_mistakes;

@@ -215,6 +215,7 @@ const STRUCTURE: [&str; 41] = [
     ".acceleration_m_s2",
     ".motion_reference_unit.period_s",
     ".state_feedback.period_s",
+    ".policy.period_s",
     "encoder.period_s",
     ".load_cell.period_s",
     ".satellite_receiver.period_s",

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CompensationDrive, Fraction, HeaveCompensation, PlatformCompensation, Positive, SignalName, ThreeAxisCompensation,
-    yes,
+    CompensationDrive, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive, Selector, SignalName,
+    ThreeAxisCompensation, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -22,6 +22,10 @@ pub enum Controller<S = f64> {
     InputShaper(InputShaper<S>),
     /// Feeds columns of the results back to inputs.
     StateFeedback(StateFeedback<S>),
+    /// A small neural network reads columns of the results and sets inputs.
+    Policy(Policy<S>),
+    /// Of several commands for the same inputs, one passes.
+    Selector(Selector),
     /// A winch pays out what the crane's tip rises, so that the load keeps its height.
     HeaveCompensation(HeaveCompensation<S>),
     /// Slewing and luffing hold the crane's tip over a point of the world, the winch the load's height.
@@ -38,6 +42,14 @@ impl<S> Controller<S> {
             Self::StateFeedback(feedback) => {
                 let steered = feedback.steers.iter().enumerate();
                 steered.map(|(k, steer)| (format!("state_feedback.steers.{k}.to"), &*steer.to)).collect()
+            }
+            Self::Policy(policy) => {
+                let steered = policy.steers.iter().enumerate();
+                steered.map(|(k, steer)| (format!("policy.steers.{k}.to"), &*steer.to)).collect()
+            }
+            Self::Selector(selector) => {
+                let set = selector.steers.iter().enumerate();
+                set.map(|(k, target)| (format!("selector.steers.{k}.to"), &*target.to)).collect()
             }
             Self::HeaveCompensation(given) if given.enabled => {
                 vec![("heave_compensation.drive".to_owned(), &*given.drive)]

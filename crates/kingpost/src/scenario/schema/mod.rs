@@ -28,6 +28,7 @@ mod mounting;
 mod moved_by_waves;
 mod operation;
 mod parameter;
+mod policies;
 mod ropes;
 mod sea;
 mod sensor_errors;
@@ -91,6 +92,7 @@ pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use operation::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
+pub use policies::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget};
 pub use ropes::{
     CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
 };

@@ -2,6 +2,7 @@
 
 mod compensation;
 mod compensation_in_axes;
+mod policy;
 
 use super::super::schema::{self, Controller, Scenario};
 use super::columns::{self, Column};
@@ -98,6 +99,14 @@ impl<S: Quantity> ControllerReader<'_, S> {
             Controller::StateFeedback(given) => {
                 let inputs: Vec<Input> = given.steers.iter().filter_map(|steer| input(&steer.to)).collect();
                 Box::new(self.feedback(name, given, &inputs)?)
+            }
+            Controller::Policy(given) => {
+                let inputs: Vec<Input> = given.steers.iter().filter_map(|steer| input(&steer.to)).collect();
+                Box::new(self.policy(name, given, &inputs)?)
+            }
+            Controller::Selector(given) => {
+                let inputs = given.steers.iter().filter_map(|target| input(&target.to)).collect();
+                Box::new(policy::selector(name, given, inputs)?)
             }
             Controller::HeaveCompensation(given) => {
                 return compensation::heave(self.scenario, name, given, elements);

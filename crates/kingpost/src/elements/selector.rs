@@ -1,0 +1,53 @@
+//! A selector: of several commands for the same inputs, one passes.
+
+use super::{Context, Declaration, Element, Input, Own};
+use crate::scalar::Scalar;
+
+/// Passes the commands of one of its branches to the inputs that it sets; those of the other branches go nowhere.
+#[derive(Clone, Debug)]
+pub struct Selector {
+    /// Name in the results.
+    pub name: String,
+    /// The branches.
+    pub branches: Vec<String>,
+    /// The one that passes.
+    pub selected: usize,
+    /// What it sets.
+    pub to: Vec<Input>,
+}
+
+impl<S: Scalar> Element<S> for Selector {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let command = |branch: &String, to: &Input| {
+            let name = format!("{}.{branch}.{}", self.name, to.name);
+            Input { name, signal: None, ..to.clone() }
+        };
+        let commands = self.branches.iter().flat_map(|branch| self.to.iter().map(move |to| command(branch, to)));
+        Declaration {
+            inputs: commands.collect(),
+            steers: self.to.iter().map(|to| to.name.clone()).collect(),
+            ..Declaration::default()
+        }
+    }
+
+    fn steer(
+        &mut self,
+        at: &Context<'_, S>,
+        _read: &[S],
+        _own: &mut Own<'_, S>,
+        inputs: &mut [S],
+    ) -> Result<Vec<String>, String> {
+        let first = self.selected * self.to.len();
+        inputs.copy_from_slice(&at.inputs[first..first + self.to.len()]);
+        Ok(Vec::new())
+    }
+
+    fn passes_to(&self, command: usize) -> Option<usize> {
+        let (branch, input) = (command / self.to.len(), command % self.to.len());
+        (branch == self.selected).then_some(input)
+    }
+}

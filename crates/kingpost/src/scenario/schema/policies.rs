@@ -1,0 +1,123 @@
+//! Controllers that learned what they do, and the choice between controllers.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Name, Positive, SignalName, yes};
+use crate::scenario::leaf::Leaf;
+
+/// Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
+/// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
+/// upper (a = 1).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Policy", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Policy<S = f64> {
+    /// Whether it acts; if not, its commands pass.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// What it reads, in the order of the columns of the first layer's weights.
+    pub reads: Vec<PolicyRead<S>>,
+    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+    pub steers: Vec<PolicySteer<S>>,
+    /// The layers, the first one first.
+    pub layers: Vec<PolicyLayer<S>>,
+    /// Time between two samples, s: a whole number of steps; without it, one step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub period_s: Option<Positive>,
+}
+
+/// A number that a policy sees.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PolicyRead", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PolicyRead<S = f64> {
+    /// The column of the results, or a state of a drive as the linear analysis names it.
+    pub column: String,
+    /// Columns of the same unit that are added to it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub also: Vec<AlsoRead>,
+    /// The value that counts as 0, in the column's SI unit.
+    #[serde(default)]
+    pub reference: S,
+    /// The difference from it that counts as 1.
+    #[serde(default = "one::<S>")]
+    pub scale: Positive<S>,
+}
+
+/// A column that is added to another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct AlsoRead {
+    /// The column.
+    pub column: String,
+}
+
+/// An input that a policy sets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PolicySteer", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PolicySteer<S = f64> {
+    /// The input.
+    pub to: SignalName,
+    /// Its value at -1, in its SI unit; without it, the smallest that it can have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower: Option<S>,
+    /// Its value at 1; without it, the largest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper: Option<S>,
+}
+
+/// A layer of a policy: tanh(W x + b).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PolicyLayer", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PolicyLayer<S = f64> {
+    /// W: a row for each output, a number for each input.
+    pub weights: Vec<Vec<S>>,
+    /// b: a number for each output.
+    pub biases: Vec<S>,
+}
+
+/// Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
+/// branch, `name.branch.input`; those of the branches that are not selected go nowhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Selector {
+    /// The branch that passes.
+    pub selected: Name,
+    /// The branches.
+    pub branches: Vec<Name>,
+    /// The inputs that it sets.
+    pub steers: Vec<SelectorTarget>,
+}
+
+/// An input that a selector sets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SelectorTarget {
+    /// The input.
+    pub to: SignalName,
+}
+
+fn one<S: Leaf>() -> Positive<S> {
+    Positive::literal(1.0)
+}
