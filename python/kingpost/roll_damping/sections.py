@@ -26,6 +26,7 @@ SMALLEST, LARGEST = 1e-9, 1e9
 """Bounds of a hull's dimensions, m and m2: powers of smaller and of larger numbers overflow."""
 # The straight edges of a mesh, and rounded tables, may give slightly more area than the rectangle.
 FULLEST = 1.0 + 1e-3
+THINNEST = 0.01
 
 
 @dataclass(frozen=True)
@@ -196,6 +197,9 @@ def _check(given: Mapping[str, Array], file: str | None) -> None:
     if sigma.max() > FULLEST:
         allowed = "an area of at most beam times draught"
         raise RollDampingError("area_m2", f"{sigma.max():.4g} times beam times draught", allowed, file)
+    if sigma.min() < THINNEST:
+        allowed = f"an area of at least {THINNEST:g} times beam times draught"
+        raise RollDampingError("area_m2", f"{sigma.min():.4g} times beam times draught", allowed, file)
 
 
 def read_columns(path: str | Path) -> dict[str, Array]:
