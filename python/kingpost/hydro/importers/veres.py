@@ -133,7 +133,9 @@ class _File:
     def counts(self) -> tuple[int, int, int]:
         speeds, headings, frequencies, motions = (int(value) for value in self.take(4))
         if min(speeds, headings, frequencies) < 1 or motions != 6:
-            found = f"{speeds:g} speeds, {headings:g} headings, {frequencies:g} frequencies, {motions:g} motions"
+            found = (
+                f"{speeds:g} speeds, {headings:g} headings, {frequencies:g} frequencies, {motions:g} motions"
+            )
             raise reading_error(found, "one or more, in six motions", str(self.path))
         return speeds, headings, frequencies
 
