@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 41] = [
+const STRUCTURE: [&str; 42] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
