@@ -111,7 +111,7 @@ def table() -> list[str]:
     labels = {"body": "hull", "axis": "z", "quaternion": "w", "coordinate": "pendant.first",
               "joint": "pendant",
               "component": "force_z", "point": "boom.tip", "hull": "water", "line": "line_port_bow",
-              "flow": "wind_on_hull", "planar": "yaw", "seen_from": "hull", "tank": "tank"}  # fmt: skip
+              "flow": "wind_on_hull", "planar": "yaw", "seen_from": "hull"}  # fmt: skip
     rows = [
         "| variable | a column | unit | frame | dimensions | what it is |",
         "| --- | --- | --- | --- | --- | --- |",

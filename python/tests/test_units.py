@@ -74,7 +74,7 @@ def test_what_is_given_of_elements_has_units_that_pint_parses(name) -> None:
     for element in described:
         ((kind, fields),) = given[element["name"]].items()
         assert element["kind"] == kind.replace("_", " ")
-        assert element["enabled"] == fields["enabled"]
+        assert element["enabled"] == fields.get("enabled", True)
         for fact in element["facts"]:
             UNITS.parse_units(fact["unit"])
             # A unit that is still in the name was not known.

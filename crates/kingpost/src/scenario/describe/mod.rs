@@ -189,7 +189,7 @@ impl Scenario {
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
         let body = |(index, (body, node)): (usize, (&crate::model::Body, &Node))| {
             let (owner, segment) = owner(&body.name);
-            // A body that is none of the scenario's is the liquid of a tank.
+            // A body that the scenario does not list is the liquid of a tank.
             let given = self.bodies.get(owner);
             let parent = node.parent.map_or(schema::WORLD, |parent| model.bodies[parent].name.as_str());
             BodyDescription {
