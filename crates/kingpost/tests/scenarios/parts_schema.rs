@@ -36,12 +36,13 @@ fn is_column(field: &str) -> bool {
 #[test]
 fn every_field_that_names_something_of_the_scenario_is_prefixed_in_a_part() {
     // The name and the mounting of what parts do not prefix below their sections; an operation is the whole's; a point is named
-    // beside its body.
+    // beside its body; a branch is the selector's own.
     let elsewhere = BTreeSet::from([
         "Parameter.name",
         "Mounting.on",
         "InputMove.input",
         "OwnPoint.point",
+        "Selector.selected",
         "ClearanceFrom.point",
         "AirGap.point",
     ]);

@@ -139,7 +139,7 @@ fn check<S: Quantity>(
     field: &str,
 ) -> Result<(), FieldError> {
     let named = |(body, given): (&schema::Name, &schema::Body<S>)| {
-        **body == *name || super::bodies::joint_name(body, given) == name
+        **body == *name || given.joint.name().is_some_and(|joint| joint.as_str() == name)
     };
     if scenario.bodies.iter().any(named) {
         let allowed = "a name that no body and no joint has: the liquid is a body with the tank's name";

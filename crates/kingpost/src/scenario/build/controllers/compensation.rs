@@ -39,7 +39,7 @@ pub fn heave<S: Quantity>(
         falls: rope.falls,
         drum: rope.drum,
         drive: rope.drive.name.clone(),
-        drive_speed: rope.drive.value,
+        drive_speed: rope.speed,
         drive_limit: rope.drive.limits.speed,
         feed_forward: given.feed_forward.get(),
         gain: given.position_gain_per_s.get(),
@@ -64,6 +64,8 @@ pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -
 pub struct Hung<'a, S> {
     /// The drive of the drum.
     pub drive: &'a ControlledDrive<S>,
+    /// Where the drive's speed stands among the numbers of the elements.
+    pub speed: usize,
     /// The drum.
     pub drum: Drum<S>,
     /// The place before the rope's last end.
@@ -87,7 +89,8 @@ pub fn hung<'a, S: Quantity>(
         return Err(not_its_drum(scenario, lead, [rope, drive], found.drum.is_some()));
     };
     let (tip, falls) = (stations[stations.len() - 2].centre, stations[stations.len() - 1].falls);
-    Ok(Hung { drive: driven, drum, tip, falls })
+    let speed = driven.value;
+    Ok(Hung { drive: driven, speed, drum, tip, falls })
 }
 
 /// A controlled drive, which follows a speed.

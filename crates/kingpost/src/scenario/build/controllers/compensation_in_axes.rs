@@ -40,7 +40,7 @@ pub fn three_axis<S: Quantity>(
         falls: rope.falls,
         drum: rope.drum,
         winch: rope.drive.name.clone(),
-        winch_speed: rope.drive.value,
+        winch_speed: rope.speed,
         winch_limit: rope.drive.limits.speed,
         feed_forward: given.feed_forward.get(),
         gain: given.position_gain_per_s.get(),
