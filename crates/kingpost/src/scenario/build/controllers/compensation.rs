@@ -64,8 +64,8 @@ pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -
 pub struct Hung<'a, S> {
     /// The drive of the drum.
     pub drive: &'a ControlledDrive<S>,
-    /// Where the drive's speed stands among the numbers of the elements.
-    pub speed: usize,
+    /// Set-point of the drive, rad/s.
+    pub speed: S,
     /// The drum.
     pub drum: Drum<S>,
     /// The place before the rope's last end.
