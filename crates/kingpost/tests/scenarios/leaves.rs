@@ -339,11 +339,6 @@ fn so_it_is_with_controllers() {
 }
 
 #[test]
-fn so_it_is_with_tanks_policies_and_compensation_in_axes() {
-    check(&["motion_control.yaml"], 4.0);
-}
-
-#[test]
 fn so_it_is_in_contact() {
     check(&["contact.yaml"], 3.0);
 }

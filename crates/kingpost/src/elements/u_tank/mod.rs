@@ -45,7 +45,7 @@ pub struct UTank<S = f64> {
     /// Pressure and flow of the pump at their limits, Pa and m^3/s.
     pub pump: Option<[S; 2]>,
     /// Top of the columns and of the duct, from the middle of the duct, m.
-    pub ends: [f64; 2],
+    pub ends: [S; 2],
 }
 
 impl<S: Scalar> Element<S> for UTank<S> {
@@ -98,7 +98,7 @@ impl<S: Scalar> Element<S> for UTank<S> {
     }
 
     fn watchers(&self) -> Vec<AnyWatcher> {
-        vec![Box::new(ColumnLevels::new(&self.name, self.ends))]
+        vec![Box::new(ColumnLevels::new(&self.name, self.ends.map(|end| end.value())))]
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {

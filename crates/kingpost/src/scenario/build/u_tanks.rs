@@ -115,7 +115,7 @@ pub(super) fn build<S: Quantity>(
         linear_damping: given.damping_ratio.get() * critical,
         loss_coefficient: given.loss_coefficient.get(),
         pump: given.pump.as_ref().map(|pump| [pump.pressure_limit_pa.get(), pump.flow_limit_m3_s.get()]),
-        ends: [top.value(), duct.value()],
+        ends: [top, duct],
     };
     Ok(vec![Box::new(tank), stop(StopSide::Lower, -1.0), stop(StopSide::Upper, 1.0)])
 }

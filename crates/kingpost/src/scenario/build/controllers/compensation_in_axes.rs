@@ -128,7 +128,7 @@ impl Joints<'_> {
                 drive: drive.name.clone(),
                 link: *link,
                 coordinate: drive.coordinate,
-                set_point: drive.value,
+                set_point: { drive.value },
                 limit: drive.limits.speed,
             })
         });
