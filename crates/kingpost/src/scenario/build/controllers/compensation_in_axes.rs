@@ -124,11 +124,12 @@ impl Joints<'_> {
                     format!("the drive of a joint that carries {}", self.moves),
                 ));
             };
+            let set_point = drive.value;
             Ok(DrivenJoint {
                 drive: drive.name.clone(),
                 link: *link,
                 coordinate: drive.coordinate,
-                set_point: { drive.value },
+                set_point,
                 limit: drive.limits.speed,
             })
         });
