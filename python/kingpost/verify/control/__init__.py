@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Protocol
 
 from . import heave, platform, roll, three_axis
+from .standard import AT_A_LIMIT
 
 
 class Controller(Protocol):
@@ -26,9 +27,6 @@ class Controller(Protocol):
 
 CONTROLLERS: tuple[Controller, ...] = (heave, roll, three_axis, platform)
 """In the order in which they are measured and printed."""
-
-AT_A_LIMIT = "at a limit"
-"""The verdict on a run whose drive exceeds a limit: the command fails."""
 
 
 def count() -> int:

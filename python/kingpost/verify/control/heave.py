@@ -7,33 +7,17 @@ ship hangs on a long elastic rope, which adds its own stretch and resonance.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
-from ...errors import KingpostWarning
 from ...reports.tables import table
-from ...simulation.simulate import run
+from .standard import AT_A_LIMIT, LENGTH_S, SEAS, in_sea, settled
 
 SCENARIO = "heave_compensation"
 CONTROLLER = "controllers.compensation.heave_compensation"
 UNIT = "sensors.mru.motion_reference_unit"
-LENGTH_S = 250.0
-SETTLED_S = 100.0
-"""The ramp of the sea and the slow states of sensor and prediction are over then, s."""
-
-SEAS: dict[str, dict[str, Any]] = {
-    "Hs 2.5 m, Tp 8 s": {"significant_height_m": 2.5, "peak_period_s": 8},
-    "Hs 2.0 m, Tp 10 s": {"significant_height_m": 2.0, "peak_period_s": 10},
-    "Hs 3.0 m, Tp 12 s": {"significant_height_m": 3.0, "peak_period_s": 12},
-}
-"""JONSWAP, gamma 1, from ahead."""
-
-LONGEST = 1.75
-"""The longest period that the prediction is made for, over the peak period: an operator knows the sea."""
+DRIVES = ("hoist",)
 
 CONTROLS: dict[str, dict[str, Any]] = {
     "off": {"compensation": False},
@@ -73,7 +57,7 @@ class Compensated:
         """Whether the residuals are within what is asked for, and the drive within its limits."""
         allowed = ALLOWED.get(self.control)
         if max(self.utilisation.values()) > 1.0:
-            return "at a limit"
+            return AT_A_LIMIT
         if allowed is None:
             return "-"
         ends = {"winch": self.winch, "hook": self.hook}
@@ -91,31 +75,18 @@ def cases() -> Iterator[tuple[str, str, str]]:
 
 
 def measure(sea: str, depth: str, control: str, length_s: float = LENGTH_S) -> Compensated:
-    """Run one case, and measure from `SETTLED_S` on."""
-    band = {f"{CONTROLLER}.prediction.longest_period_s": LONGEST * SEAS[sea]["peak_period_s"]}
-    if f"{CONTROLLER}.prediction" in CONTROLS[control]:
-        band = {}
-    given = SEAS[sea] | DEPTHS[depth] | CONTROLS[control] | band | {"simulation.duration_s": length_s}
-    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
-        # The box-shaped deck goes under in the higher seas: the motion of the tip is what it is.
-        found = run(SCENARIO, given)
-    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
-
-    def column(name: str) -> np.ndarray:
-        return np.asarray(settled.kingpost[name].values)
-
-    tip = float(column("boom.tip.point_position.z").std())
-    power = column("hoist.drive_power")
-    shares = {name: f"hoist.drive_{name}_utilisation" for name in ("speed", "effort", "power")}
+    """Run one case, and measure it once it has settled."""
+    found = settled(SCENARIO, in_sea(CONTROLLER, sea, CONTROLS[control]) | DEPTHS[depth], length_s)
+    tip = float(found.column("boom.tip.point_position.z").std())
     return Compensated(
         sea,
         depth,
         control,
         tip_m=tip,
-        winch=100 * float(column("compensation.compensation_residual").std()) / tip,
-        hook=100 * float(column("lift.hook.point_position.z").std()) / tip,
-        utilisation={name: float(np.abs(column(of)).max()) for name, of in shares.items()},
-        power_kw=float(np.maximum(power, 0.0).mean()) / 1e3,
+        winch=100 * float(found.column("compensation.compensation_residual").std()) / tip,
+        hook=100 * float(found.column("lift.hook.point_position.z").std()) / tip,
+        utilisation={limit: found.largest_share(DRIVES, limit) for limit in ("speed", "effort", "power")},
+        power_kw=found.driving_kw(DRIVES),
     )
 
 

@@ -6,17 +6,14 @@ compensation in the same sea.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ...errors import KingpostWarning
 from ...reports.tables import table
-from ...simulation.simulate import run
-from .heave import LENGTH_S, LONGEST, SEAS, SETTLED_S
+from .standard import AT_A_LIMIT, LENGTH_S, SEAS, in_sea, settled
 
 SCENARIO = "level_platform"
 CONTROLLER = "controllers.compensation.platform_compensation"
@@ -48,7 +45,7 @@ class LevelPlatform:
     @property
     def verdict(self) -> str:
         """Whether the drives are within their limits."""
-        return "at a limit" if max(self.utilisation.values()) > 1.0 else "-"
+        return AT_A_LIMIT if max(self.utilisation.values()) > 1.0 else "-"
 
 
 def cases() -> Iterator[tuple[str, str]]:
@@ -61,29 +58,16 @@ def cases() -> Iterator[tuple[str, str]]:
 
 
 def measure(sea: str, control: str, length_s: float = LENGTH_S) -> LevelPlatform:
-    """Run one case, and measure from `SETTLED_S` on."""
-    band = {f"{CONTROLLER}.prediction.longest_period_s": LONGEST * SEAS[sea]["peak_period_s"]}
-    given = SEAS[sea] | CONTROLS[control] | band | {"simulation.duration_s": length_s}
-    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
-        found = run(SCENARIO, given)
-    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
-
-    def column(name: str) -> np.ndarray:
-        return np.asarray(settled.kingpost[name].values)
-
-    about_x, about_y, height = (column(f"compensation.platform_offset.{axis}").std() for axis in "xyz")
-    shares = {"speed": "speed", "force": "effort"}
-    power = sum(np.maximum(column(f"{drive}.drive_power"), 0.0).mean() for drive in DRIVES)
+    """Run one case, and measure it once it has settled."""
+    found = settled(SCENARIO, in_sea(CONTROLLER, sea, CONTROLS[control]), length_s)
+    about_x, about_y, height = (found.column(f"compensation.platform_offset.{axis}").std() for axis in "xyz")
     return LevelPlatform(
         sea,
         control,
         tilt=float(np.hypot(about_x, about_y)),
         height_m=float(height),
-        utilisation={
-            name: max(float(np.abs(column(f"{drive}.drive_{of}_utilisation")).max()) for drive in DRIVES)
-            for name, of in shares.items()
-        },
-        power_kw=float(power) / 1e3,
+        utilisation={limit: found.largest_share(DRIVES, limit) for limit in ("speed", "effort")},
+        power_kw=found.driving_kw(DRIVES),
     )
 
 

@@ -6,20 +6,17 @@ the wheels at rest: the mass stays.
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ...errors import KingpostWarning
 from ...reports.tables import table
-from ...simulation.simulate import run
+from ...scenario import load
+from .standard import settled
 
 LENGTH_S = 700.0
-SETTLED_S = 100.0
-"""The ramp of the sea and the ship's first swings are over then, s."""
 
 SEAS: dict[str, dict[str, Any]] = {
     "Hs 2.0 m, Tp 11.5 s": {"significant_height_m": 2.0, "peak_period_s": 11.5},
@@ -27,10 +24,6 @@ SEAS: dict[str, dict[str, Any]] = {
     "Hs 2.0 m, Tp 14 s": {"significant_height_m": 2.0, "peak_period_s": 14.0},
 }
 """JONSWAP, gamma 3.3, from the side; the first has its peak at the ship's period of roll."""
-
-TOP_M, LEVEL_M, DUCT_TOP_M = 5.8, 3.0, 0.35
-LARGEST_PRECESSION_RAD = 1.2
-DRIVE_N_M = 1.0e5
 
 
 @dataclass(frozen=True)
@@ -93,30 +86,28 @@ def cases() -> Iterator[tuple[str, str]]:
 
 
 def measure(sea: str, device: str, without_deg: float | None = None, length_s: float = LENGTH_S) -> Rolled:
-    """Run one case, and measure from `SETTLED_S` on; `without_deg` is the roll without the device."""
+    """Run one case, and measure it once it has settled; `without_deg` is the roll without the device."""
     case = DEVICES[device]
-    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
-        # The stops of the level and of the gimbals are in the table.
-        found = run(case.scenario, SEAS[sea] | case.given | {"simulation.duration_s": length_s})
-    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None)).kingpost
-
-    def column(name: str) -> np.ndarray:
-        return np.asarray(settled[name].values)
-
+    column = settled(case.scenario, SEAS[sea] | case.given, length_s).column
     roll = np.degrees(column("hull.roll"))
     deviation = float(roll.std())
+    given = load(case.scenario).resolved
     left = None if without_deg is None else deviation / without_deg
     utilisation = effort = power = None
     if device == "U-tank":
-        levels = np.concatenate([column("tank.level_port"), column("tank.level_starboard")]) - LEVEL_M
-        room = min(TOP_M - LEVEL_M, LEVEL_M - DUCT_TOP_M)
+        tank = given["forces"]["tank"]["u_tank"]
+        level = tank["level_m"]
+        levels = np.concatenate([column("tank.level_port"), column("tank.level_starboard")]) - level
+        room = min(tank["column_height_m"] - level, level - tank["duct_height_m"] / 2)
         utilisation = float(np.abs(levels).max()) / room
     elif device.startswith("gyros"):
         angle = column("precession_port.joint_position")
-        utilisation = float(np.abs(angle).max()) / LARGEST_PRECESSION_RAD
+        stops = given["bodies"]["gimbal_port"]["joint"]["revolute"]["limits"]
+        utilisation = float(np.abs(angle).max()) / stops["upper_rad"]
         if case.given.get("active"):
             lever = column("precession.push_port.commanded_lever")
-            work = DRIVE_N_M * lever * column("precession_port.joint_velocity")
+            torque = given["drives"]["push_port"]["motor"]["torque_N_m"] * lever
+            work = torque * column("precession_port.joint_velocity")
             effort, power = float(np.abs(lever).max()), 2 * float(np.maximum(work, 0.0).mean()) / 1e3
         else:
             effort, power = 0.0, 0.0

@@ -7,17 +7,12 @@ together as one standard deviation, over the same without compensation in the sa
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
-from ...errors import KingpostWarning
 from ...reports.tables import table
-from ...simulation.simulate import run
-from .heave import LENGTH_S, LONGEST, SEAS, SETTLED_S
+from .standard import AT_A_LIMIT, LENGTH_S, SEAS, in_sea, settled
 
 SCENARIO = "three_axis_compensation"
 CONTROLLER = "controllers.compensation.three_axis_compensation"
@@ -59,7 +54,7 @@ class HeldInThreeAxes:
     def verdict(self) -> str:
         """Whether the residual is within what is asked for, and the drives within their limits."""
         if self.utilisation["speed"] > 1.0:
-            return "at a limit"
+            return AT_A_LIMIT
         allowed = ALLOWED.get(self.control)
         if allowed is None:
             return "-"
@@ -76,33 +71,17 @@ def cases() -> Iterator[tuple[str, str]]:
 
 
 def measure(sea: str, control: str, still_m: float = math.nan, length_s: float = LENGTH_S) -> HeldInThreeAxes:
-    """Run one case, and measure from `SETTLED_S` on; without compensation, `still_m` is measured."""
-    band = {f"{CONTROLLER}.prediction.longest_period_s": LONGEST * SEAS[sea]["peak_period_s"]}
-    if f"{CONTROLLER}.prediction" in CONTROLS[control]:
-        band = {}
-    given = SEAS[sea] | CONTROLS[control] | band | {"simulation.duration_s": length_s}
-    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
-        found = run(SCENARIO, given)
-    settled = found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
-
-    def column(name: str) -> np.ndarray:
-        return np.asarray(settled.kingpost[name].values)
-
-    def most(share: str) -> float:
-        return max(float(np.abs(column(f"{drive}.drive_{share}_utilisation")).max()) for drive in DRIVES)
-
+    """Run one case, and measure it once it has settled; without compensation, `still_m` is measured."""
+    found = settled(SCENARIO, in_sea(CONTROLLER, sea, CONTROLS[control]), length_s)
     places = ("boom.tip.point_position.x", "boom.tip.point_position.y", "lift.hook.point_position.z")
-    x, y, z = (float(column(place).std()) for place in places)
-    power = sum(np.maximum(column(f"{drive}.drive_power"), 0.0).mean() for drive in DRIVES)
+    x, y, z = (float(found.column(place).std()) for place in places)
     return HeldInThreeAxes(
         sea,
         control,
         deviations_m=(x, y, z),
         still_m=math.hypot(x, y, z) if control == "off" else still_m,
-        utilisation={
-            name: most(of) for name, of in {"speed": "speed", "torque": "effort", "power": "power"}.items()
-        },
-        power_kw=float(power) / 1e3,
+        utilisation={limit: found.largest_share(DRIVES, limit) for limit in ("speed", "effort", "power")},
+        power_kw=found.driving_kw(DRIVES),
     )
 
 

@@ -1,0 +1,71 @@
+"""The standard seas of compensations, and a run after its start, by which all controllers are measured."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray
+
+from ...errors import KingpostWarning
+from ...simulation.simulate import run
+
+LENGTH_S = 250.0
+SEAS: dict[str, dict[str, Any]] = {
+    "Hs 2.5 m, Tp 8 s": {"significant_height_m": 2.5, "peak_period_s": 8},
+    "Hs 2.0 m, Tp 10 s": {"significant_height_m": 2.0, "peak_period_s": 10},
+    "Hs 3.0 m, Tp 12 s": {"significant_height_m": 3.0, "peak_period_s": 12},
+}
+"""JONSWAP, gamma 1."""
+
+LONGEST = 1.75
+"""The longest period that a prediction is made for, over the peak period: an operator knows the sea."""
+
+SETTLED_S = 100.0
+"""The ramp of the sea and the slow states of ship, sensor and prediction are over then, s."""
+
+AT_A_LIMIT = "at a limit"
+"""The verdict on a run whose drive exceeds a limit: the command fails."""
+
+
+@dataclass(frozen=True)
+class Settled:
+    """The results of a run from `SETTLED_S` on."""
+
+    results: xarray.Dataset
+
+    def column(self, name: str) -> np.ndarray:
+        """A column by its name."""
+        return np.asarray(self.results.kingpost[name].values)
+
+    def largest_share(self, drives: Sequence[str], limit: str) -> float:
+        """The largest share of a limit of the drives: speed, effort or power."""
+        shares = (self.column(f"{drive}.drive_{limit}_utilisation") for drive in drives)
+        return max(float(np.abs(share).max()) for share in shares)
+
+    def driving_kw(self, drives: Sequence[str]) -> float:
+        """Mean power that the drives deliver while they drive, kW."""
+        powers = (np.maximum(self.column(f"{drive}.drive_power"), 0.0).mean() for drive in drives)
+        return float(sum(powers)) / 1e3
+
+
+def in_sea(controller: str, sea: str, control: dict[str, Any]) -> dict[str, Any]:
+    """What is given for a run in a standard sea, with the band of the prediction, unless there is none.
+
+    >>> list(in_sea("controllers.c", "Hs 2.0 m, Tp 10 s", {"controllers.c.prediction": None}))
+    ['significant_height_m', 'peak_period_s', 'controllers.c.prediction']
+    """
+    prediction = f"{controller}.prediction"
+    band = {f"{prediction}.longest_period_s": LONGEST * SEAS[sea]["peak_period_s"]}
+    return SEAS[sea] | control | ({} if prediction in control else band)
+
+
+def settled(scenario: str, given: dict[str, Any], length_s: float) -> Settled:
+    """Run a scenario of the gallery; of a short run the second half counts."""
+    with warnings.catch_warnings(action="ignore", category=KingpostWarning):
+        # Decks go under in the higher seas, and stops are met: the tables show the result.
+        found = run(scenario, given | {"simulation.duration_s": length_s})
+    return Settled(found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None)))
