@@ -1,6 +1,6 @@
-//! The output that shows what a controller commands.
+//! The output that shows what a controller commands, and the declaration of controllers that pass commands.
 
-use super::Output;
+use super::{Declaration, Input, Output};
 
 /// What the controller commands an input of this unit to be, as a column of `label`.
 pub fn commanded(label: &str, unit: &str) -> Output {
@@ -14,4 +14,23 @@ pub fn commanded(label: &str, unit: &str) -> Output {
         _ => ("commanded_lever", "position of a lever that a controller commands", &["1"]),
     };
     Output::number(variable, description, "controller", label, unit)
+}
+
+/// A controller that passes the command of each input that it sets, by the command's name, changed by a number that it
+/// `holds` between its samples. Its numbers are those, then the actions that its outputs show.
+pub fn changed_commands<'a>(
+    holds: &str,
+    steers: impl Iterator<Item = (&'a Input, &'a str)> + Clone,
+    reads: Vec<String>,
+) -> Declaration {
+    let of_each = |what: &str| steers.clone().map(|(to, _)| format!("{what}_{}", to.name)).collect::<Vec<_>>();
+    let command = |(to, command): (&Input, &str)| Input { name: command.to_owned(), signal: None, ..to.clone() };
+    Declaration {
+        numbers: [of_each(holds), of_each("action")].concat(),
+        inputs: steers.clone().map(command).collect(),
+        outputs: steers.clone().map(|(to, command)| commanded(command, to.unit)).collect(),
+        reads,
+        steers: steers.map(|(to, _)| to.name.clone()).collect(),
+        ..Declaration::default()
+    }
 }

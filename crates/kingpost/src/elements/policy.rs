@@ -1,6 +1,6 @@
 //! A learned policy: inputs set by a small neural network that reads columns of the results.
 
-use super::commanded::commanded;
+use super::commanded::changed_commands;
 use super::ticks::is_tick;
 use super::{Context, Declaration, Element, Input, LinearLaw, Own};
 use crate::scalar::Scalar;
@@ -71,16 +71,8 @@ impl<S: Scalar> Element<S> for Policy<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let of_each = |what: &'static str| self.steers.iter().map(move |steer| format!("{what}_{}", steer.to.name));
-        let command = |steer: &PolicySteer<S>| Input { name: steer.command.clone(), signal: None, ..steer.to.clone() };
-        Declaration {
-            numbers: of_each("addition").chain(of_each("action")).collect(),
-            inputs: self.steers.iter().map(command).collect(),
-            outputs: self.steers.iter().map(|steer| commanded(&steer.command, steer.to.unit)).collect(),
-            reads: self.reads.iter().flat_map(|read| read.columns.iter().cloned()).collect(),
-            steers: self.steers.iter().map(|steer| steer.to.name.clone()).collect(),
-            ..Declaration::default()
-        }
+        let reads = self.reads.iter().flat_map(|read| read.columns.iter().cloned()).collect();
+        changed_commands("addition", self.steers.iter().map(|steer| (&steer.to, &*steer.command)), reads)
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {

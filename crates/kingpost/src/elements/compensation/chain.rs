@@ -1,5 +1,6 @@
 //! A chain of driven joints and its Jacobian: how their rates move a point.
 
+use super::lever::share;
 use super::predictor::solve;
 use crate::elements::Context;
 use crate::model::Attachment;
@@ -80,11 +81,8 @@ impl<S: Scalar> DrivenChain<S> {
 
     /// The largest of these rates over their limits.
     pub fn utilisation(&self, rates: &[S]) -> S {
-        let share = |(joint, rate): (&DrivenJoint<S>, &S)| {
-            let share = *rate / joint.limit;
-            share.select_below(0.0, || -share, || share)
-        };
-        self.joints.iter().zip(rates).map(share).fold(S::ZERO, |most, share| most.select_less(share, || share, || most))
+        let shares = self.joints.iter().zip(rates).map(|(joint, rate)| share(*rate, joint.limit));
+        shares.fold(S::ZERO, |most, share| most.select_less(share, || share, || most))
     }
 
     /// The rates, all reduced by the same share so that each is within its limit: the direction stays.

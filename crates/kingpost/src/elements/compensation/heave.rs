@@ -1,11 +1,12 @@
 //! Active heave compensation: a winch pays out what the tip of the crane rises.
 
 use super::estimate::{Estimator, sensor_changes};
+use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT, reached, share};
 use super::measurement::Measured;
 use crate::elements::lines::place;
 use crate::elements::ropes::Drum;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Context, Declaration, Element, Input, Output, Own};
+use crate::elements::{Context, Declaration, Element, Output, Own};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -74,19 +75,8 @@ const NUMBERS: [&str; ESTIMATE] = [
     "tip_velocity",
     "utilisation",
 ];
-/// The modes: the number of the next tick, from 1; whether its sensor has dropped out.
-const NEXT_TICK: usize = 0;
-const SENSOR_OUT: usize = 1;
-/// The lever at which it is switched on.
-pub(super) const ON: f64 = 0.5;
 /// z of the world.
 const UPWARD: usize = 2;
-
-/// The output of every compensation that says how much of its drives it needs.
-pub(super) fn utilisation(name: &str) -> Output {
-    let what = "largest speed that a compensation needs of a drive over the drive's limit; above 1 it is not given";
-    Output::number("compensation_utilisation", what, "controller", name, &["1"])
-}
 
 impl<S: Scalar> Element<S> for HeaveCompensation<S> {
     fn name(&self) -> &str {
@@ -97,18 +87,11 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
         let number =
             |variable, description, unit| Output::number(variable, description, "controller", &self.name, unit);
         let fastest = (self.drive_limit * self.drum.radius / self.falls).value();
-        let lowering = Input {
-            name: format!("{}.lowering_speed", self.name),
-            unit: "m/s",
-            lower: -fastest,
-            upper: fastest,
-            value: 0.0,
-            signal: None,
-        };
+        let lowering = lever::operator_speed(&self.name, "lowering_speed", fastest);
         Declaration {
             numbers: NUMBERS.iter().map(ToString::to_string).chain(self.estimator.number_names("")).collect(),
-            modes: vec!["next_tick".to_owned(), "sensor_out".to_owned()],
-            inputs: vec![Input::lever(&self.name, 0.0, if self.begins_on { 1.0 } else { 0.0 }), lowering],
+            modes: lever::modes(),
+            inputs: vec![lever::lever(&self.name, self.begins_on), lowering],
             outputs: vec![
                 number(
                     "compensation_residual",
@@ -126,7 +109,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
                     "vertical velocity of the crane's tip that heave compensation reckons with: measured, or predicted",
                     &["m/s"],
                 ),
-                utilisation(&self.name),
+                lever::utilisation(&self.name),
             ],
             reads: self.estimator.measurement.columns(),
             steers: vec![self.drive.clone()],
@@ -153,9 +136,8 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let paid_out = (self.drum.paid_out(at).length - at.numbers[PAID_OUT]) / self.falls;
-        let begun = S::constant(if at.modes[NEXT_TICK] == 0 { 0.0 } else { 1.0 });
         let risen = self.height(at) - at.numbers[TRUE_ZERO];
-        let residual = begun * (risen + at.numbers[OPERATED] - paid_out);
+        let residual = lever::begun(at) * (risen + at.numbers[OPERATED] - paid_out);
         out.extend([residual, at.numbers[WANTED], at.numbers[VELOCITY], at.numbers[UTILISATION]]);
     }
 
@@ -182,32 +164,22 @@ impl<S: Scalar> HeaveCompensation<S> {
         let numbers = &mut *own.numbers;
         let paid_out = self.drum.paid_out(at);
         let per_speed = self.falls / paid_out.per_angle;
-        let [lever, operator] = [at.inputs[0], at.inputs[1] + self.drive_speed / per_speed];
-        let on = lever.select_below(ON, || S::ZERO, || S::ONE);
-        let resets = if begins { S::ONE } else { on * (S::ONE - numbers[WAS_ON]) };
+        let operator = at.inputs[1] + self.drive_speed / per_speed;
+        let lever = Lever::at(at.inputs[0], begins, numbers[WAS_ON]);
         let zeros = [height, self.height(at), paid_out.length, S::ZERO];
         for (place, zero) in [ZERO, TRUE_ZERO, PAID_OUT, OPERATED].into_iter().zip(zeros) {
-            let kept = numbers[place];
-            numbers[place] = resets.select_below(ON, || kept, || zero);
+            lever.renew(&mut numbers[place], zero);
         }
         let error = height - numbers[ZERO] + numbers[OPERATED] - (paid_out.length - numbers[PAID_OUT]) / self.falls;
-        let free = on * (self.feed_forward * velocity + self.gain * error) + operator;
+        let free = lever.on * (self.feed_forward * velocity + self.gain * error) + operator;
         let given = (free * per_speed).clipped(-self.drive_limit, self.drive_limit);
         let excess = free - given / per_speed;
         let period = S::constant(self.estimator.period_s);
         numbers[OPERATED] += period * reached(operator, excess);
-        numbers[WAS_ON] = on;
+        numbers[WAS_ON] = lever.on;
         numbers[WANTED] = given / per_speed;
         numbers[VELOCITY] = velocity;
-        let rate = free * per_speed / self.drive_limit;
-        numbers[UTILISATION] = rate.select_below(0.0, || -rate, || rate);
+        numbers[UTILISATION] = share(free * per_speed, self.drive_limit);
         given - self.drive_speed
     }
-}
-
-/// The part of an operator's speed that is reached, if this much of the whole speed is not.
-pub(super) fn reached<S: Scalar>(operator: S, excess: S) -> S {
-    let least = operator.select_below(0.0, || operator, || S::ZERO);
-    let most = operator.select_below(0.0, || S::ZERO, || operator);
-    operator - excess.clipped(least, most)
 }

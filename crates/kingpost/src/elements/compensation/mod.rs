@@ -4,6 +4,7 @@
 mod chain;
 mod estimate;
 mod heave;
+mod lever;
 mod measurement;
 mod platform;
 mod predictor;

@@ -2,11 +2,11 @@
 
 use super::chain::DrivenChain;
 use super::estimate::{Estimate, Estimator, sensor_changes};
-use super::heave::{ON, utilisation};
+use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT};
 use super::measurement::Measured;
 use crate::elements::lines::place;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Components, Context, Declaration, Element, Input, Output, Own, VectorFrame};
+use crate::elements::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Twist, Vector3};
@@ -52,9 +52,6 @@ const UTILISATION: usize = 1;
 const ZERO: usize = 2;
 const TRUE_ZERO: usize = 3;
 const ESTIMATE: usize = 4;
-/// The modes: the number of the next tick, from 1; whether its sensor has dropped out.
-const NEXT_TICK: usize = 0;
-const SENSOR_OUT: usize = 1;
 /// What it keeps: tilt about x and y, height.
 const KEPT: [&str; 3] = ["tilt_x", "tilt_y", "height"];
 const HEIGHT: usize = 2;
@@ -70,8 +67,8 @@ impl<S: Scalar> Element<S> for PlatformCompensation<S> {
         let estimates = KEPT.iter().flat_map(|kept| self.estimator.number_names(&format!("{kept}_")));
         Declaration {
             numbers: own.into_iter().chain(estimates).collect(),
-            modes: vec!["next_tick".to_owned(), "sensor_out".to_owned()],
-            inputs: vec![Input::lever(&self.name, 0.0, if self.begins_on { 1.0 } else { 0.0 })],
+            modes: lever::modes(),
+            inputs: vec![lever::lever(&self.name, self.begins_on)],
             outputs: self.shown(),
             reads: self.estimator.measurement.columns(),
             steers: self.chain.joints.iter().map(|joint| joint.drive.clone()).collect(),
@@ -106,7 +103,7 @@ impl<S: Scalar> Element<S> for PlatformCompensation<S> {
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let upward = self.rotation(at).column(2);
-        let begun = S::constant(if at.modes[NEXT_TICK] == 0 { 0.0 } else { 1.0 });
+        let begun = lever::begun(at);
         out.extend([-upward[1], upward[0], begun * (self.height(at) - at.numbers[TRUE_ZERO])]);
         out.push(at.numbers[UTILISATION]);
     }
@@ -129,7 +126,7 @@ impl<S: Scalar> PlatformCompensation<S> {
                 &["1"],
             )
         };
-        vec![Output { units: &["1", "1", "m"], ..offset }, utilisation(&self.name)]
+        vec![Output { units: &["1", "1", "m"], ..offset }, lever::utilisation(&self.name)]
     }
 
     fn rotation(&self, at: &Context<'_, S>) -> Matrix3<S> {
@@ -162,13 +159,10 @@ impl<S: Scalar> PlatformCompensation<S> {
     }
 
     fn reset(&self, at: &Context<'_, S>, begins: bool, height: &Estimate<S>, numbers: &mut [S]) {
-        let on = at.inputs[0].select_below(ON, || S::ZERO, || S::ONE);
-        let resets = if begins { S::ONE } else { on * (S::ONE - numbers[WAS_ON]) };
-        for (place, value) in [(ZERO, height.position), (TRUE_ZERO, self.height(at))] {
-            let kept = numbers[place];
-            numbers[place] = resets.select_below(ON, || kept, || value);
-        }
-        numbers[WAS_ON] = on;
+        let lever = Lever::at(at.inputs[0], begins, numbers[WAS_ON]);
+        lever.renew(&mut numbers[ZERO], height.position);
+        lever.renew(&mut numbers[TRUE_ZERO], self.height(at));
+        numbers[WAS_ON] = lever.on;
     }
 
     /// Sets the speeds of the drives, rad/s or m/s.

@@ -2,7 +2,7 @@
 
 use super::chain::DrivenChain;
 use super::estimate::{Estimate, Estimator, sensor_changes};
-use super::heave::{ON, reached, utilisation};
+use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT, reached, share};
 use crate::elements::lines::place;
 use crate::elements::ropes::Drum;
 use crate::elements::ticks::{Due, due};
@@ -69,9 +69,6 @@ const TRUE_ZERO: usize = 6;
 const OPERATED: usize = 9;
 const VELOCITY: usize = 12;
 const ESTIMATE: usize = 15;
-/// The modes: the number of the next tick, from 1; whether its sensor has dropped out.
-const NEXT_TICK: usize = 0;
-const SENSOR_OUT: usize = 1;
 const AXES: [&str; 3] = ["x", "y", "z"];
 const HORIZONTAL: [usize; 2] = [0, 1];
 const UPWARD: usize = 2;
@@ -89,7 +86,7 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
         let drives = self.chain.joints.iter().map(|joint| joint.drive.clone());
         Declaration {
             numbers: own.chain(each).chain(estimates).collect(),
-            modes: vec!["next_tick".to_owned(), "sensor_out".to_owned()],
+            modes: lever::modes(),
             inputs: self.inputs(),
             outputs: self.shown(),
             reads: self.estimator.measurement.columns(),
@@ -122,7 +119,7 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        let begun = S::constant(if at.modes[NEXT_TICK] == 0 { 0.0 } else { 1.0 });
+        let begun = lever::begun(at);
         let moved = self.position(at) - three(at.numbers, TRUE_ZERO);
         let [x, y, down] = three(at.numbers, OPERATED).0;
         let paid_out = (self.drum.paid_out(at).length - at.numbers[PAID_OUT]) / self.falls;
@@ -139,16 +136,9 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
 impl<S: Scalar> ThreeAxisCompensation<S> {
     fn inputs(&self) -> Vec<Input> {
         let fastest = (self.winch_limit * self.drum.radius / self.falls).value();
-        let speed = |axis: &str| Input {
-            name: format!("{}.{axis}", self.name),
-            unit: "m/s",
-            lower: -fastest,
-            upper: fastest,
-            value: 0.0,
-            signal: None,
-        };
-        let lever = Input::lever(&self.name, 0.0, if self.begins_on { 1.0 } else { 0.0 });
-        vec![lever, speed("x_speed"), speed("y_speed"), speed("lowering_speed")]
+        let speeds =
+            ["x_speed", "y_speed", "lowering_speed"].map(|what| lever::operator_speed(&self.name, what, fastest));
+        [lever::lever(&self.name, self.begins_on)].into_iter().chain(speeds).collect()
     }
 
     fn shown(&self) -> Vec<Output> {
@@ -169,7 +159,7 @@ impl<S: Scalar> ThreeAxisCompensation<S> {
                 "velocity that the ship gives the crane's tip, as a compensation reckons with: measured, or predicted",
                 &["m/s"],
             ),
-            utilisation(&self.name),
+            lever::utilisation(&self.name),
         ]
     }
 
@@ -179,20 +169,16 @@ impl<S: Scalar> ThreeAxisCompensation<S> {
 
     /// Takes the present place as the point to keep, when it begins and when it is switched on.
     fn reset(&self, at: &Context<'_, S>, begins: bool, estimates: &[Estimate<S>; 3], numbers: &mut [S]) {
-        let on = at.inputs[0].select_below(ON, || S::ZERO, || S::ONE);
-        let resets = if begins { S::ONE } else { on * (S::ONE - numbers[WAS_ON]) };
+        let lever = Lever::at(at.inputs[0], begins, numbers[WAS_ON]);
         let truth = self.position(at);
-        let mut renew = |place: usize, value: S| {
-            let kept = numbers[place];
-            numbers[place] = resets.select_below(ON, || kept, || value);
-        };
+        let mut renew = |place: usize, value: S| lever.renew(&mut numbers[place], value);
         for axis in 0..3 {
             renew(ZERO + axis, estimates[axis].position);
             renew(TRUE_ZERO + axis, truth[axis]);
             renew(OPERATED + axis, S::ZERO);
         }
         renew(PAID_OUT, self.drum.paid_out(at).length);
-        numbers[WAS_ON] = on;
+        numbers[WAS_ON] = lever.on;
     }
 
     /// Sets the speeds of the drives, rad/s or m/s: those of the joints, then the winch's.
@@ -248,8 +234,7 @@ impl<S: Scalar> ThreeAxisCompensation<S> {
         let corrects = self.feed_forward * upward.velocity_for(winch) + lifted + self.gain * error;
         let free = numbers[WAS_ON] * corrects + at.inputs[1 + UPWARD];
         let given = (free * per_speed).clipped(-self.winch_limit, self.winch_limit);
-        let rate = free * per_speed / self.winch_limit;
-        let used = rate.select_below(0.0, || -rate, || rate);
+        let used = share(free * per_speed, self.winch_limit);
         (given - self.winch_speed, free - given / per_speed, used)
     }
 }
