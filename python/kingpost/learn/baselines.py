@@ -91,9 +91,10 @@ class _Pid:
         self.task = task
         self.integral: np.ndarray | None = None
         self.highest = np.array([high for _, high in task.bounds])
+        self.gains = {name: np.array(pair) for name, pair in PID_GAINS.items()}
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
-        now = in_units(self.task, seen)
+        now, gains = in_units(self.task, seen), self.gains
         error = np.stack([now["slew_error"], now["luff_error"]], axis=1)
         if self.integral is None:
             self.integral = np.zeros_like(error)
@@ -101,7 +102,6 @@ class _Pid:
         swing = np.stack([now["swing_across"], -now["swing_along"]], axis=1)
         along = now["pendant.second.joint_velocity"] + now["luff.joint_velocity"]
         swing_rate = np.stack([now["pendant.first.joint_velocity"], -along], axis=1)
-        gains = {name: np.array(pair) for name, pair in PID_GAINS.items()}
         speed = gains["swing"] * swing + gains["swing_rate"] * swing_rate - gains["rate"] * rate
         speed -= gains["error"] * error + gains["integral"] * self.integral
         self.integral += np.where(np.abs(speed) < self.highest, error, 0.0) * self.task.control_period_s
