@@ -6,15 +6,24 @@ export const DESKTOP = { width: 1440, height: 900 };
 /** Wide enough for the desktop's layout. Without a graphics card each pixel costs time, so tests draw one for two by two unless they ask for all. */
 export const WINDOW = { width: 1000, height: 640 };
 
+/** Against waiting for what never comes: where four processes share two processors and none draws by a graphics card, a run takes a minute. */
+export const WAIT_MS = 150_000;
+
 /** The paper's ship as its card opens it: with the load on, and a motor that stops by itself. */
 export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=pulse";
 
+/** Everything of a picture but its pixels. */
+function drawNothing() {
+  for (const draw of ["drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"]) WebGL2RenderingContext.prototype[draw] = () => {};
+}
+
 /** Opens a scenario in the app and waits until it is there. The app is kept on the device only where that is tested: it takes time. */
-export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1 } = {}) {
+export async function openApp({ browser, address, draws }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1 } = {}) {
   const isPhone = viewport.width < 600;
   const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale });
   const page = await context.newPage();
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(WAIT_MS);
+  if (!draws) await page.addInitScript(drawNothing);
   const problems = [];
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));

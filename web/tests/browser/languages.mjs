@@ -1,6 +1,6 @@
 // The app in Norwegian: all that it says itself, with room for its longer words; and the way to another language and back.
 import assert from "node:assert/strict";
-import { DESKTOP, item, openApp, PHONE, sample, stepTo } from "./app.mjs";
+import { DESKTOP, item, openApp, PHONE, sample, stepTo, WAIT_MS } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 import { assertUncropped } from "./layout.mjs";
 
@@ -13,7 +13,7 @@ async function openStart({ browser, address }, { viewport = DESKTOP, locale = "n
   const context = await browser.newContext({ viewport, locale, hasTouch: isPhone, isMobile: isPhone, serviceWorkers: "block" });
   await prepare?.(context);
   const page = await context.newPage();
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(WAIT_MS);
   await page.goto(address);
   await page.getByTestId("card-paper").waitFor();
   return { page, context };

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { PAPER, item, openApp, openFile, sample, setNumber, stepTo } from "./app.mjs";
+import { PAPER, WAIT_MS, item, openApp, openFile, sample, setNumber, stepTo } from "./app.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
 
@@ -13,7 +13,7 @@ async function openWithout({ browser, address }, pattern) {
   const context = await browser.newContext({ serviceWorkers: "block" });
   await context.route(pattern, (route) => route.abort());
   const page = await context.newPage();
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(WAIT_MS);
   await page.goto(address + PAPER);
   await page.getByTestId("alert-message").waitFor();
   return { page, context };

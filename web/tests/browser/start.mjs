@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { DESKTOP, PAPER, PHONE, openFile } from "./app.mjs";
+import { DESKTOP, PAPER, PHONE, WAIT_MS, openFile } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
@@ -14,7 +14,7 @@ async function openStart({ browser, address }, { viewport = DESKTOP, prepare } =
   const context = await browser.newContext({ viewport, hasTouch: isPhone, isMobile: isPhone, serviceWorkers: "block" });
   await prepare?.(context);
   const page = await context.newPage();
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(WAIT_MS);
   const problems = [];
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
