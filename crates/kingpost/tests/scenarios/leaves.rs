@@ -339,6 +339,11 @@ fn so_it_is_with_controllers() {
 }
 
 #[test]
+fn so_it_is_with_control_of_motion() {
+    check(&["motion_control.yaml"], 3.0);
+}
+
+#[test]
 fn so_it_is_in_contact() {
     check(&["contact.yaml"], 3.0);
 }
