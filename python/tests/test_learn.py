@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import gymnasium
@@ -21,7 +22,9 @@ from kingpost.learn import (
     Task,
     anti_sway,
     heave_compensation,
+    roll_reduction,
     score,
+    three_axis,
 )
 
 SEED = 11
@@ -230,6 +233,46 @@ def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None
         "swing feedback",
         "PID, tuned",
     ]
+
+
+@pytest.mark.parametrize("name", ["Kingpost/RollReduction-v0", "Kingpost/ThreeAxis-v0"])
+def test_feedback_halves_the_cost_of_doing_nothing(name: str) -> None:
+    nothing, acting = (score(IDS[name](), policy, 4).mean() for policy in BASELINES[name].values())
+    assert 0.5 * nothing < acting < 0
+
+
+def test_the_pushes_of_an_environment_are_those_of_the_scenario_s_controller() -> None:
+    """The gallery's `state_feedback` has the gains of this baseline, which sees single precision."""
+    task = replace(roll_reduction(randomised=False), seeded=False, control_period_s=0.05)
+    envs = ShipCraneVectorEnv(task, 1, 1)
+    seen, _ = envs.reset(seed=SEED)
+    act = BASELINES["Kingpost/RollReduction-v0"]["feedback of the roll rate"](task)
+    plain = kingpost.Simulation(kingpost.load("roll_reduction_gyros").with_overrides(active=True))
+    place = [name for channel in plain.channels for name in channel["columns"]].index("hull.roll")
+    rolls = []
+    for _ in range(2000):
+        seen = envs.step(act(seen))[0]
+        plain.step(1)
+        rolls.append((envs.episodes.columns["hull.roll"][0], plain._engine.row()[place]))
+    by_baseline, by_engine = np.array(rolls).T
+    assert abs(by_baseline).max() > 0.01
+    assert abs(by_baseline - by_engine).max() < 1e-5 * abs(by_engine).max()
+
+
+def test_the_tip_s_parts_along_and_across_the_boom_are_a_turn_of_its_velocity() -> None:
+    task = three_axis(randomised=False)
+    envs = ShipCraneVectorEnv(task, 2, 1)
+    envs.reset(seed=SEED)
+    for _ in range(100):
+        seen = envs.step(np.zeros((2, 3)))[0]
+    now = {one.name: seen[:, k] * one.scale for k, one in enumerate(task.seen)}
+    columns = envs.episodes.columns
+    over_ground = [columns[f"boom.tip.point_velocity.{axis}"] for axis in "xy"]
+    assert np.allclose(
+        now["speed_along"] ** 2 + now["speed_across"] ** 2, np.square(over_ground).sum(axis=0), rtol=1e-5
+    )
+    assert np.allclose(now["reach"] ** 2 + now["tip_rise_over_foot"] ** 2, 30.0**2, rtol=1e-6)
+    assert (columns["lift.position.y"] > 10).all()
 
 
 def test_the_examples_of_the_page_run() -> None:

@@ -8,7 +8,7 @@ import pytest
 from kingpost.analysis.regulator import column_of
 from kingpost.learn import trained
 from kingpost.learn.model_based import LQR_INPUT_WEIGHT, LUFF, load_weights
-from kingpost.learn.tasks import SCENARIOS, anti_sway
+from kingpost.learn.tasks.anti_sway import SCENARIOS, anti_sway
 
 GALLERY = "slew_by_policy"
 TARGET = {"slew": 1.3, "luff": -0.9599}

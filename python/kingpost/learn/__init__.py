@@ -1,7 +1,7 @@
 """Environments for learning controllers, in the interface of Gymnasium (docs/learning.md).
 
-Importing this module registers ``Kingpost/AntiSway-v0`` and ``Kingpost/HeaveCompensation-v0``. It needs
-the extra ``learn``.
+Importing this module registers the environments of `IDS`, such as ``Kingpost/AntiSway-v0``. It needs the
+extra ``learn``.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .network import NeuralPolicy, read_policy
 from .registered import IDS, register
 from .scores import score
 from .task import Action, Observation, Task
-from .tasks import anti_sway, heave_compensation
+from .tasks import anti_sway, heave_compensation, roll_reduction, three_axis
 from .vector import ShipCraneVectorEnv
 
 register()
@@ -34,7 +34,9 @@ __all__ = [
     "contenders",
     "heave_compensation",
     "read_policy",
+    "roll_reduction",
     "score",
+    "three_axis",
     "train",
     "trained",
 ]

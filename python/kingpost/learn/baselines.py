@@ -133,6 +133,46 @@ def feedback(task: Task) -> Policy:
     return policy
 
 
+ROLL_RATE_GAIN_S = 21.0
+"""Share of a drive's torque for each rad/s of roll, as the gallery's scenario has it."""
+
+
+def roll_rate_feedback(task: Task) -> Policy:
+    """The drives push the precession of the two gyros apart in proportion to the rate of roll."""
+
+    def policy(seen: np.ndarray) -> np.ndarray:
+        push = ROLL_RATE_GAIN_S * in_units(task, seen)["hull.angular_velocity.x"]
+        return np.clip(np.stack([push, -push], axis=1), -1.0, 1.0)
+
+    return policy
+
+
+ERROR_PER_S = 2.0
+"""Speed against an error of position, 1/s."""
+SHARE = 0.5
+"""Share of a measured speed that a control step takes away: as `ERROR_PER_S`, the best of a few tried."""
+ROPE_M = 0.6
+"""Rope, and height of the load, for each radian of the drum in `three_axis`."""
+
+
+def tip_and_height(task: Task) -> Policy:
+    """Each drive goes on at its speed, less a share of the speed of the tip or, up and down, of the load.
+
+    A radian of slewing moves the tip by the reach, one of luffing by its height over the foot of the boom.
+    """
+
+    def policy(seen: np.ndarray) -> np.ndarray:
+        now = in_units(task, seen)
+        across = SHARE * now["speed_across"] + ERROR_PER_S * now["error_across"]
+        along = SHARE * now["speed_along"] + ERROR_PER_S * now["error_along"]
+        up = SHARE * now["lift.velocity.z"] + ERROR_PER_S * now["height_error"]
+        slewing = now["slew.joint_velocity"] - across / now["reach"]
+        luffing = now["luff.joint_velocity"] - along / now["tip_rise_over_foot"]
+        return _limited(task, [slewing, luffing, now["winch.joint_velocity"] + up / ROPE_M])
+
+    return policy
+
+
 BASELINES: dict[str, dict[str, Callable[[Task], Policy]]] = {
     "Kingpost/AntiSway-v0": {
         "do nothing": do_nothing,
@@ -145,6 +185,14 @@ BASELINES: dict[str, dict[str, Callable[[Task], Policy]]] = {
         "do nothing": do_nothing,
         "height feedback": feedback,
         "tip feed-forward and height feedback": feed_forward,
+    },
+    "Kingpost/RollReduction-v0": {
+        "do nothing: dampers alone": do_nothing,
+        "feedback of the roll rate": roll_rate_feedback,
+    },
+    "Kingpost/ThreeAxis-v0": {
+        "do nothing": do_nothing,
+        "tip and height": tip_and_height,
     },
 }
 """Baselines of each environment by their names."""

@@ -1,0 +1,8 @@
+"""The tasks that are registered with Gymnasium, a file each."""
+
+from .anti_sway import anti_sway
+from .heave_compensation import heave_compensation
+from .roll_reduction import roll_reduction
+from .three_axis import three_axis
+
+__all__ = ["anti_sway", "heave_compensation", "roll_reduction", "three_axis"]
