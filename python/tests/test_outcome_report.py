@@ -164,7 +164,7 @@ def warned(*texts: str) -> list[Outcome]:
 
 
 def test_a_warning_of_several_runs_has_the_smallest_and_the_largest_of_its_first_number():
-    near = "came as near as {} m to leg_2, at {} s"
+    near = "comes as near as {} m to leg_2, at {} s"
     _, lines = outcome_report.warnings(warned(near.format(2.89, 7), near.format(0.4, 9), near.format(12, 1)))
     range_of = "from 0.4 (seed 2) to 12 (seed 3)"
     assert lines == [f"warning, in 3 of 3 runs, {range_of}, first: boom: {near.format(2.89, 7)}"]

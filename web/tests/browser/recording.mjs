@@ -101,7 +101,7 @@ export default {
   async "marks what happened, and says it at the pointer and at the cursor"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lift_off_from_barge" });
     await stepTo(page, 1);
-    const words = /^(\d+\.\d\d) s, hull: came as near as .* to barge_ship/;
+    const words = /^(\d+\.\d\d) s, hull: comes as near as .* to barge_ship/;
     const marks = page.getByTestId("marks").locator("li");
     const texts = await marks.allTextContents();
     assert.ok(texts.some((text) => text.startsWith("0.00 s, operation: ")), `${texts}`);

@@ -31,6 +31,6 @@ fn two_hulls_side_by_side_are_warned_of_with_their_gap() {
     let mut simulation = scenario("lift_off_from_barge", &[]).simulation().expect("the gallery builds");
     simulation.write_row(&mut Vec::new());
     let warnings = simulation.warnings();
-    let gap = warnings.iter().find(|warning| warning.text.starts_with("came as near as 5.3 m to "));
+    let gap = warnings.iter().find(|warning| warning.text.starts_with("comes as near as 5.3 m to "));
     assert!(gap.is_some(), "{warnings:?}");
 }

@@ -119,7 +119,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
                     "sum of the friction forces of a contact's points, each by its magnitude",
                     &["N"],
                 ),
-                number("contact_impulse", "normal force of a contact, integrated over time", &["N s"]),
+                number("contact_impulse", "impulse of the normal force of a contact", &["N s"]),
                 number("contact_penetration", "depth of the deepest contact point; 0 without contact", &["m"]),
                 number(
                     "contact_gap",

@@ -41,7 +41,7 @@ impl Plan {
 /// let plan = Plan { along: [-50.0, 50.0], across: [-10.0, 10.0] };
 /// let mut watcher = HullGap::new([("ship", plan), ("barge", plan)]);
 /// watcher.see(0.0, &[0.0, 0.0, 0.0, 0.0, 25.0, 0.0]);
-/// assert!(watcher.warnings()[0].text.starts_with("came as near as 5 m to barge"));
+/// assert!(watcher.warnings()[0].text.starts_with("comes as near as 5 m to barge"));
 /// ```
 #[derive(Clone, Debug)]
 pub struct HullGap {
@@ -78,7 +78,7 @@ impl Watcher for HullGap {
         let near = |[gap, _]: &[f64; 2]| *gap < own.length().max(of_other.length());
         let Some([gap, time_s]) = self.least.filter(near) else { return Vec::new() };
         let how = if gap > 0.0 {
-            format!("came as near as {} m to {other}", significant(gap, 3))
+            format!("comes as near as {} m to {other}", significant(gap, 3))
         } else {
             format!(
                 "lies across {other}: the rectangles about their water lines overlap, and nothing keeps the hulls apart"
