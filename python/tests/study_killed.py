@@ -1,8 +1,9 @@
-"""A study that is killed again and again: run as a script with a folder, the study and how often.
+"""A study that is killed again and again: run as a script with a folder, the study and how often at least.
 
 Each try is a process of its own, forked before anything runs, so that it starts at once. The system ends it
-at a random moment of its processor time, wherever it is, with nothing that it could do about it, as SIGKILL
-does; a busy machine gives it as much as an idle one. Then the next goes on, and at last one to the end.
+after a random share of the processor time of a whole study, wherever it is, with nothing that it could do
+about it, as SIGKILL does; a busy machine gives it as much as an idle one. Then the next goes on, and at last
+one to the end.
 
 Prints how many units were done after each kill.
 """
@@ -20,26 +21,38 @@ from pathlib import Path
 import kingpost
 import zarr  # noqa: F401, loaded before the forks
 
-LONGEST_S = 0.4
-"""Processor time of a try."""
+SHARES = (0.005, 0.3)
+"""Shortest and longest try, as a share of the processor time of a whole study."""
+MOMENTS = 6
+"""Different numbers of units done at which a kill has to come."""
+MOST = 100
+"""Kills, if those moments were not all met before."""
+
+
+def attempt(folder: Path, study: kingpost.Study, moment_s: float | None) -> tuple[bool, float]:
+    """Runs or resumes in a separate process. Returns whether it was killed, and its processor time, s."""
+    child = os.fork()
+    if child == 0:
+        if moment_s is not None:
+            signal.setitimer(signal.ITIMER_PROF, moment_s)
+        study.run(folder, workers=1, resume=True)
+        os._exit(0)
+    _, status, used = os.wait4(child, 0)
+    ended = os.waitstatus_to_exitcode(status)
+    assert ended in (-signal.SIGPROF, 0), ended
+    return ended != 0, used.ru_utime + used.ru_stime
 
 
 def main(folder: Path, study: kingpost.Study, kills: int) -> None:
     """Kill so often, then finish. A study begins anew once it has ended, or twice had every unit done."""
     draw, done, units = random.Random(kills), [], study.plan.units
-    while len(done) < kills:
-        moment = draw.uniform(0.01, LONGEST_S)
-        child = os.fork()
-        if child == 0:
-            signal.setitimer(signal.ITIMER_PROF, moment)
-            study.run(folder, workers=1, resume=True)
-            os._exit(0)
-        _, status = os.waitpid(child, 0)
-        ended = os.waitstatus_to_exitcode(status)
-        assert ended in (-signal.SIGPROF, 0), ended
-        if ended != 0:
+    _, whole_s = attempt(folder, study, None)
+    shutil.rmtree(folder)
+    while len(done) < kills or (len(set(done)) < MOMENTS and len(done) < MOST):
+        killed, _ = attempt(folder, study, draw.uniform(*SHARES) * whole_s)
+        if killed:
             done.append(len(list((folder / "units").glob("[0-9]*.json"))))
-        if ended == 0 or done[-2:] == [units, units]:
+        if not killed or done[-2:] == [units, units]:
             shutil.rmtree(folder)
     study.run(folder, workers=1, resume=True)
     print(json.dumps(done))

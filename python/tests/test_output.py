@@ -107,7 +107,7 @@ def test_kill_at_any_moment_leaves_the_old_file_or_the_new_one(tmp_path, ending)
     target = tmp_path / f"run{ending}"
     script = Path(__file__).with_name("run_killed.py")
     command = [sys.executable, str(script), *RUN, "-o", str(target)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0, done.stderr
     killed, digests = zip(*json.loads(done.stdout), strict=True)
     assert sum(killed) > 5

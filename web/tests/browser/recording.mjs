@@ -105,7 +105,7 @@ export default {
     const marks = page.getByTestId("marks").locator("li");
     const texts = await marks.allTextContents();
     assert.ok(texts.some((text) => text.startsWith("0.00 s, operation: ")), `${texts}`);
-    const mark = marks.filter({ hasText: "came as near" });
+    const mark = marks.filter({ hasText: "comes as near" });
     const [, time] = words.exec(await mark.textContent());
     const box = await mark.boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + 20);
