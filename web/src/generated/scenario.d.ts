@@ -5222,7 +5222,8 @@ export interface MotionReferenceUnit {
   drop_outs?: DropOuts | null;
 }
 /**
- * A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead.
+ * A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead. With a
+ * satellite receiver it removes nothing.
  */
 export interface HeaveFilter {
   /**
@@ -5233,6 +5234,10 @@ export interface HeaveFilter {
    * Damping ratio.
    */
   damping_ratio?: number;
+  /**
+   * A satellite receiver on the same body, whose positions give back the motion that the filter removes.
+   */
+  receiver?: string | null;
 }
 /**
  * Errors of a measured length or height.

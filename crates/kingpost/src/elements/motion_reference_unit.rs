@@ -1,10 +1,11 @@
 //! A motion reference unit: a sensor of a body's motion, with its own sampling period.
 
 use super::hull::HullFrame;
-use super::sensing::Sampler;
+use super::sensing::{Sampler, SlowMotion};
+use super::ticks::{Due, due};
 use super::{Components, Context, Declaration, Element, ElementState, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
-use crate::spatial::roll_pitch_yaw;
+use crate::spatial::{Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
 /// Measures the motion of a point of a body at every sample, and outputs it some samples later.
 ///
@@ -23,6 +24,8 @@ pub struct MotionReferenceUnit<S = f64> {
     pub sampler: Sampler<S>,
     /// The filter of heave, of the horizontal motion and of their rates; without it they are the motion itself.
     pub heave_filter: Option<HeaveFilter<S>>,
+    /// The satellite receiver that gives back the slow motion that the filter removes.
+    pub slow_motion: Option<SlowMotion<S>>,
 }
 
 /// Heave as a unit gives it that integrates its accelerations twice: the drift is removed by a high-pass filter,
@@ -62,9 +65,12 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
             frame: VectorFrame::Body,
             ..number("measured_angular_velocity", "measured angular velocity of a sensor's body", &["rad/s"])
         };
-        let removed = FILTERED[..self.filtered()].iter().flat_map(|axis| {
-            let rate = format!("removed_{axis}_rate");
-            [ElementState::memory(format!("removed_{axis}"), "m"), ElementState::memory(rate, "m/s")]
+        let parts = self.heave_filter.iter().map(|_| "removed").chain(self.slow_motion.iter().map(|_| "restored"));
+        let states = parts.flat_map(|part| {
+            FILTERED[..self.filtered()].iter().flat_map(move |axis| {
+                let rate = format!("{part}_{axis}_rate");
+                [ElementState::memory(format!("{part}_{axis}"), "m"), ElementState::memory(rate, "m/s")]
+            })
         });
         let mut outputs = vec![
             number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
@@ -83,8 +89,11 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
             ]);
         }
         let mut declaration = self.sampler.declaration(&self.name, &KEPT[..self.sampler.count()], outputs);
-        declaration.numbers.extend(ZEROS[..self.filtered()].iter().map(ToString::to_string));
-        Declaration { states: removed.filter(|_| self.heave_filter.is_some()).collect(), ..declaration }
+        let kept = [&ZEROS].into_iter().chain(self.slow_motion.iter().flat_map(|_| [&FIXES, &FIX_RATES, &FIRST_FIXES]));
+        declaration.numbers.extend(kept.flat_map(|names| &names[..self.filtered()]).map(ToString::to_string));
+        declaration.modes.extend(self.slow_motion.iter().map(|_| "next_fix".to_owned()));
+        let reads = self.slow_motion.iter().flat_map(SlowMotion::columns).collect();
+        Declaration { states: states.collect(), reads, ..declaration }
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
@@ -92,24 +101,61 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         for axis in 0..self.filtered() {
             own.numbers[zeros + axis] = place[AXES[axis]];
         }
-        let exact = self.measured(at, &own.numbers[zeros..], &[]);
-        for (state, [_, rate]) in own.states.chunks_exact_mut(2).zip(PAIRS) {
-            (state[0], state[1]) = (S::ZERO, exact[rate]);
+        let exact = self.exact(at, &own.numbers[zeros..]);
+        for (state, velocity) in own.states.chunks_exact_mut(2).zip(PAIRS[..self.filtered()].iter().cycle()) {
+            (state[0], state[1]) = (S::ZERO, exact[velocity[1]]);
         }
         let first = self.measured(at, &own.numbers[zeros..], own.states);
         self.sampler.begin(own, &first[..self.sampler.count()]);
     }
 
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
-        let Some(filter) = &self.heave_filter else { return };
-        let exact = self.measured(at, &at.numbers[self.sampler.numbers()..], &[]);
-        let two = S::constant(2.0);
-        for ((rates, removed), [place, velocity]) in rates.chunks_exact_mut(2).zip(at.states.chunks_exact(2)).zip(PAIRS)
-        {
-            rates[0] = removed[1];
-            rates[1] = two * filter.damping_ratio * filter.cutoff * (exact[velocity] - removed[1])
-                + filter.cutoff * filter.cutoff * (exact[place] - removed[0]);
+        let (Some(filter), count) = (&self.heave_filter, self.filtered()) else { return };
+        let numbers = &at.numbers[self.sampler.numbers()..];
+        let exact = self.exact(at, numbers);
+        let (damping, stiffness) = (filter.damping(), filter.cutoff * filter.cutoff);
+        let (removed, restored) = at.states.split_at(2 * count);
+        let (of_removed, of_restored) = rates.split_at_mut(2 * count);
+        for (axis, [place, velocity]) in PAIRS[..count].iter().enumerate() {
+            let (rates, state) = (&mut of_removed[2 * axis..], &removed[2 * axis..]);
+            rates[0] = state[1];
+            rates[1] = damping * (exact[*velocity] - state[1]) + stiffness * (exact[*place] - state[0]);
         }
+        for axis in (0..count).filter(|_| self.slow_motion.is_some()) {
+            let (rates, state, fix) =
+                (&mut of_restored[2 * axis..], &restored[2 * axis..], self.given(at, numbers, axis));
+            rates[0] = state[1] + damping * fix;
+            rates[1] = stiffness * (fix - state[0]) - damping * rates[0];
+        }
+    }
+
+    /// Takes a position of the satellite receiver where it has a new one. While the receiver is out, the unit goes on with
+    /// the motion that it has found.
+    fn steer(
+        &mut self,
+        at: &Context<'_, S>,
+        read: &[S],
+        own: &mut Own<'_, S>,
+        _inputs: &mut [S],
+    ) -> Result<Vec<String>, String> {
+        let Some(slow) = &self.slow_motion else { return Ok(Vec::new()) };
+        let (next, count, kept) = (own.modes.len() - 1, self.filtered(), self.sampler.numbers());
+        let Some(Due { is_first, .. }) = due(at.clock.time_s, slow.period_s, &mut own.modes[next]) else {
+            return Ok(Vec::new());
+        };
+        let found = self.measured(at, &own.numbers[kept..], own.states);
+        let delivers = is_first || slow.delivers(read);
+        let fix = self.fix(slow, at.clock.time_s, read, &found);
+        let numbers = &mut own.numbers[kept..];
+        for axis in 0..count {
+            let [place, velocity] = PAIRS[axis].map(|signal| found[signal]);
+            if is_first {
+                numbers[3 * count + axis] = fix[AXES[axis]] - place;
+            }
+            numbers[count + axis] = if delivers { fix[AXES[axis]] - numbers[3 * count + axis] } else { place };
+            numbers[2 * count + axis] = velocity;
+        }
+        Ok(Vec::new())
     }
 
     fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
@@ -126,7 +172,19 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
 const AXES: [usize; 3] = [2, 0, 1];
 /// The signals of each: displacement and velocity.
 const PAIRS: [[usize; 2]; 3] = [[2, 3], [7, 8], [9, 10]];
+/// The numbers behind the sampler's, for each axis: the zero; with a receiver the unit's place by its last position, relative
+/// to the start, the velocity that it moves on with, and the place by its first position.
 const ZEROS: [&str; 3] = ["zero_height", "zero_x", "zero_y"];
+const FIXES: [&str; 3] = ["fix_height", "fix_x", "fix_y"];
+const FIX_RATES: [&str; 3] = ["fix_height_rate", "fix_x_rate", "fix_y_rate"];
+const FIRST_FIXES: [&str; 3] = ["first_fix_height", "first_fix_x", "first_fix_y"];
+
+impl<S: Scalar> HeaveFilter<S> {
+    /// 2 zeta w, 1/s.
+    fn damping(&self) -> S {
+        S::constant(2.0) * self.damping_ratio * self.cutoff
+    }
+}
 
 impl<S: Scalar> MotionReferenceUnit<S> {
     /// Number of its signals, with and without horizontal motion.
@@ -138,8 +196,8 @@ impl<S: Scalar> MotionReferenceUnit<S> {
         if self.horizontal { 3 } else { 1 }
     }
 
-    /// The motion from its zeros, less the removed displacements and their rates if there are any.
-    fn measured(&self, at: &Context<'_, S>, zeros: &[S], removed: &[S]) -> [S; COUNT] {
+    /// The motion from its zeros.
+    fn exact(&self, at: &Context<'_, S>, zeros: &[S]) -> [S; COUNT] {
         let motion = self.place.motion(at);
         let [roll, pitch, yaw] = roll_pitch_yaw(&motion.frame.rotation).0;
         let [x, y, z] = motion.twist.angular.0;
@@ -149,11 +207,40 @@ impl<S: Scalar> MotionReferenceUnit<S> {
             all[place] = motion.frame.position[along] - zeros[axis];
             all[velocity] = motion.frame.rotation.row(along).dot(motion.twist.linear);
         }
-        for (state, [place, velocity]) in removed.chunks_exact(2).zip(PAIRS) {
-            (all[place], all[velocity]) = (all[place] - state[0], all[velocity] - state[1]);
-        }
         (all[0], all[1], all[COUNT - 1]) = (roll, pitch, yaw);
         [all[4], all[5], all[6]] = [x, y, z];
         all
+    }
+
+    /// The same as the unit knows it: less what its filter removes, with what a receiver gives back.
+    fn measured(&self, at: &Context<'_, S>, numbers: &[S], states: &[S]) -> [S; COUNT] {
+        let (mut all, count) = (self.exact(at, numbers), self.filtered());
+        let Some(filter) = &self.heave_filter else { return all };
+        for (axis, [place, velocity]) in PAIRS[..count].iter().enumerate() {
+            all[*place] -= states[2 * axis];
+            all[*velocity] -= states[2 * axis + 1];
+            if self.slow_motion.is_some() {
+                let restored = &states[2 * (count + axis)..];
+                all[*place] += restored[0];
+                all[*velocity] += restored[1] + filter.damping() * self.given(at, numbers, axis);
+            }
+        }
+        all
+    }
+
+    /// g of an axis, which has moved on since the last position of the receiver, m.
+    fn given(&self, at: &Context<'_, S>, numbers: &[S], axis: usize) -> S {
+        let (count, next) = (self.filtered(), at.modes.last().copied().unwrap_or_default());
+        let since_s = self.slow_motion.as_ref().map_or(0.0, |slow| slow.since_fix_s(at.clock.time_s, next));
+        numbers[count + axis] + S::constant(since_s) * numbers[2 * count + axis]
+    }
+
+    /// Where the unit is by a receiver, world axes, by the angles that it measures with their errors.
+    fn fix(&self, slow: &SlowMotion<S>, time_s: f64, read: &[S], found: &[S; COUNT]) -> Vector3<S> {
+        let with_errors = |signal: usize| self.sampler.now(time_s, signal, found[signal]);
+        let yaw = if self.horizontal { with_errors(COUNT - 1) } else { S::ZERO };
+        let rotation = rotation_from_roll_pitch_yaw(Vector3([with_errors(0), with_errors(1), yaw]));
+        let velocity = Vector3([found[8], found[10], found[3]]);
+        slow.fix(read, (rotation, Vector3([4, 5, 6].map(with_errors))), velocity)
     }
 }

@@ -173,6 +173,37 @@ fn the_phase_of_the_sensors_filter_is_undone_by_the_prediction() {
     assert!(predicted < 0.025, "{predicted}");
 }
 
+/// With a receiver the filter removes nothing, so nothing has to be undone: what is left is as without the filter.
+#[test]
+fn with_a_receiver_the_filter_of_heave_leaves_nothing_to_undo() {
+    let receiver = json!({"satellite_receiver": {"body": "deck", "position_m": [1, 0, 9], "period_s": 0.1}});
+    let changes = [
+        ("sensors.gnss", receiver),
+        ("sensors.mru.motion_reference_unit.heave_filter", json!({"cutoff_period_s": 20, "receiver": "gnss"})),
+        ("KEEP.sensor", json!("mru")),
+        ("KEEP.prediction", json!({})),
+    ];
+    let without = left(&mut changed(&changes[2..]), DECK_S);
+    let found = left(&mut changed(&changes), DECK_S);
+    // Of the curvature over the 0.1 s to the next position: (w T)^2 / 6 on average.
+    assert!((found - without).abs() < 1.1e-3, "{found}, not {without}");
+}
+
+#[test]
+fn a_receiver_that_cannot_help_is_refused() {
+    let receiver = |body: &str| json!({"satellite_receiver": {"body": body, "period_s": 0.1}});
+    let filter = ("sensors.mru.motion_reference_unit.heave_filter", json!({"cutoff_period_s": 20, "receiver": "gnss"}));
+    let field = "sensors.mru.motion_reference_unit.heave_filter.receiver";
+    let none = error(&[filter.clone()]);
+    assert!(none.contains(&format!("{field}: found gnss, allowed: none")), "{none}");
+    let elsewhere = error(&[("sensors.gnss", receiver("load")), filter.clone()]);
+    let expected = format!("{field}: found gnss, which is on load, allowed: a satellite receiver on deck");
+    assert!(elsewhere.contains(&expected), "{elsewhere}");
+    let off =
+        error(&[("sensors.gnss", receiver("deck")), ("sensors.gnss.satellite_receiver.enabled", json!(false)), filter]);
+    assert!(off.contains("a satellite receiver that is enabled"), "{off}");
+}
+
 /// The weights are those of least squares: in the band of 4 to 16 s the error of the filter stays below 1.5 %, and below 3.5 %
 /// where it undoes a high-pass filter of 20 s. A constant gives nothing.
 #[test]

@@ -238,6 +238,35 @@ fn a_platform_stays_level_and_at_its_height_as_the_formula_says() {
     }
 }
 
+/// The unit is 5 m off the roll axis, its antenna 10 m above and 7 m to the other side. With exact sensors what is left is the
+/// curvature of the motion over the age of a position, up to 0.2 s: of the unit's and of the antenna's.
+#[test]
+fn a_receiver_gives_a_unit_its_slow_motion_by_the_angles_between_them() {
+    let unit = |filter: Value| json!({"motion_reference_unit": {"body": "deck", "position_m": [1, 5, 1], "period_s": 0.05, "horizontal_motion": true, "heave_filter": filter}});
+    let receiver =
+        json!({"satellite_receiver": {"body": "deck", "position_m": [3, -2, 11], "period_s": 0.1, "delay_samples": 1}});
+    let mut plain = changed(PLATFORM, &[("sensors.mru", unit(json!(null))), ("sensors.gnss", receiver.clone())]);
+    let filter = json!({"cutoff_period_s": 15, "receiver": "gnss"});
+    let mut helped = changed(PLATFORM, &[("sensors.mru", unit(filter)), ("sensors.gnss", receiver)]);
+    let (mut most, w) = ([0.0_f64; 4], TAU / PERIOD_S);
+    plain.step(5000).unwrap();
+    helped.step(5000).unwrap();
+    for _ in 0..160 {
+        for (most, signal) in most.iter_mut().zip(["heave", "y", "heave_rate", "y_velocity"]) {
+            let signal = format!("measured_{signal}");
+            let [exact, found] = [&mut plain, &mut helped].map(|simulation| values(simulation, &signal)[0]);
+            *most = most.max((found - exact).abs());
+        }
+        plain.step(5).unwrap();
+        helped.step(5).unwrap();
+    }
+    // Amplitudes of the unit: 0.05 rad times 5 m in heave, 1 m in sway; of the antenna 2 m and 11 m.
+    let curvature = (w * 0.2).powi(2) / 2.0;
+    let allowed = [0.25 + 0.1, 0.05 + 0.55].map(|amplitude| curvature * amplitude);
+    assert!(most[0] < allowed[0] && most[1] < allowed[1], "{most:?}, allowed {allowed:?}");
+    assert!(most[2] < w * allowed[0] && most[3] < w * allowed[1], "{most:?}, allowed {allowed:?} times {w}");
+}
+
 #[test]
 fn a_platform_that_begins_tilted_becomes_level() {
     let changes =

@@ -151,6 +151,65 @@ fn the_filter_of_heave_has_the_gain_and_the_phase_of_its_formula() {
     }
 }
 
+const FILTER: &str = "sensors.mru.motion_reference_unit.heave_filter";
+const WITH_RECEIVER: &str = r#"{"cutoff_period_s": 12, "damping_ratio": 0.7, "receiver": "gnss"}"#;
+
+/// Largest error of the measured heave, m, and of its rate, m/s, after 60 s.
+fn off_the_truth(simulation: &mut Simulation) -> [f64; 2] {
+    simulation.step(6000).unwrap();
+    let mut most = [0.0_f64; 2];
+    for _ in 0..160 {
+        simulation.step(5).unwrap();
+        let truth = [values(simulation, "joint_position")[0] - 1.0, values(simulation, "joint_velocity")[0]];
+        let found = ["measured_heave", "measured_heave_rate"].map(|signal| values(simulation, signal)[0]);
+        most = [0, 1].map(|k| most[k].max((found[k] - truth[k]).abs()));
+    }
+    most
+}
+
+/// The filter alone takes more than a third of 1 m away. With the receiver, whose positions are up to a + T = 0.25 s old, what is
+/// left is their curvature over that time, (w (a + T))^2 / 2, as far as the complement of the filter passes it: below 1.1.
+#[test]
+fn a_satellite_receiver_gives_back_the_heave_that_the_filter_removes() {
+    let [alone, _] = off_the_truth(&mut changed(&[(FILTER, json!({"cutoff_period_s": 12}))]));
+    assert!(alone > 0.35, "{alone} m");
+    let with: Value = serde_json::from_str(WITH_RECEIVER).unwrap();
+    let [heave, rate] = off_the_truth(&mut changed(&[(FILTER, with)]));
+    let w = TAU / 8.0;
+    let allowed = 1.1 * (w * 0.25_f64).powi(2) / 2.0;
+    assert!(heave < allowed, "{heave} m, allowed {allowed}");
+    assert!(rate < w * allowed, "{rate} m/s, allowed {}", w * allowed);
+}
+
+/// White noise of 0.02 m at 20 Hz passes the complement of the filter in its noise bandwidth, w (zeta + 1 / (4 zeta)) rad/s, as
+/// 0.02 m sqrt(2 B T) < 3 mm: five of these. An offset of a receiver is no heave.
+#[test]
+fn noise_and_offset_of_a_receiver_hardly_reach_the_heave() {
+    let with: Value = serde_json::from_str(WITH_RECEIVER).unwrap();
+    let errors = json!({"noise_m": 0.02, "bias_m": 40});
+    let exact = off_the_truth(&mut changed(&[(FILTER, with.clone())]));
+    let noisy = off_the_truth(&mut changed(&[
+        (FILTER, with),
+        ("sensors.gnss.satellite_receiver.vertical_errors", errors.clone()),
+    ]));
+    // The first position sets the zero, with its noise.
+    let first = 4.0 * 0.02;
+    assert!(noisy[0] < exact[0] + 5.0 * 0.003 + first, "{noisy:?}, exact {exact:?}");
+    assert!(noisy[1] < exact[1] + 0.05, "{noisy:?}, exact {exact:?}");
+}
+
+#[test]
+fn a_unit_goes_on_with_its_heave_while_its_receiver_is_out() {
+    let with: Value = serde_json::from_str(WITH_RECEIVER).unwrap();
+    let drop_outs = json!({"mean_interval_s": 10, "mean_duration_s": 10});
+    let mut simulation = changed(&[(FILTER, with), ("sensors.gnss.satellite_receiver.drop_outs", drop_outs)]);
+    let [heave, _] = off_the_truth(&mut simulation);
+    let out = simulation.events().iter().filter(|event| event.what == "drops out").count();
+    assert!(out > 1, "{out}");
+    // It has kept the motion that it knew, and its error of 1 to 2 %, for the outage.
+    assert!(heave < 0.1, "{heave} m");
+}
+
 /// A sensor is out for the share D / (D + M) of the time; 20 000 samples hold some 300 drop-outs, so that the share is known
 /// to some 8 %.
 #[test]
@@ -181,7 +240,11 @@ fn noisy_runs_side_by_side_have_the_rows_that_they_have_alone() {
         vec![
             ("sensors.encoder.encoder.errors".to_owned(), json!({"noise_rad": noise, "bias_rad": 0.1 * noise})),
             ("sensors.cell.load_cell.errors".to_owned(), json!({"noise_N": 100.0 * noise})),
-            ("sensors.mru.motion_reference_unit.heave_filter".to_owned(), json!({"cutoff_period_s": 3.0 + noise})),
+            ("sensors.gnss.satellite_receiver.vertical_errors".to_owned(), json!({"noise_m": noise})),
+            (
+                "sensors.mru.motion_reference_unit.heave_filter".to_owned(),
+                json!({"cutoff_period_s": 3.0 + noise, "receiver": "gnss"}),
+            ),
         ]
     };
     let variants: Vec<_> = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5].map(variant).to_vec();
@@ -202,6 +265,7 @@ fn a_snapshot_carries_what_a_noisy_sensor_holds() {
     let mut simulation = changed(&[
         ("sensors.gnss.satellite_receiver.drop_outs", drop_outs),
         ("sensors.gnss.satellite_receiver.vertical_errors", json!({"noise_m": 0.5})),
+        ("sensors.mru.motion_reference_unit.heave_filter", json!({"cutoff_period_s": 5, "receiver": "gnss"})),
     ]);
     simulation.step(137).unwrap();
     let snapshot = simulation.snapshot();

@@ -85,7 +85,7 @@ impl<S: Scalar> Sampler<S> {
 
     /// One sample at a time: `own.numbers[..count]` become what the sensor delivers.
     pub fn take(&self, time_s: f64, own: &mut Own<'_, S>, values: &[S]) {
-        let sample = libm::round(time_s / self.period_s) as u64;
+        let sample = self.sample_at(time_s);
         let delivers = self.delivers(sample, own);
         for (mode, value) in values.iter().enumerate() {
             let first_number = self.count() + mode * self.delay_samples;
@@ -111,6 +111,15 @@ impl<S: Scalar> Sampler<S> {
 
     fn status_mode(&self) -> usize {
         if self.delay_samples > 0 { self.count() } else { 0 }
+    }
+
+    /// A signal with its errors at a time, before its delay.
+    pub fn now(&self, time_s: f64, signal: usize, value: S) -> S {
+        self.with_errors(signal, value, self.sample_at(time_s))
+    }
+
+    fn sample_at(&self, time_s: f64) -> u64 {
+        libm::round(time_s / self.period_s) as u64
     }
 
     fn with_errors(&self, signal: usize, value: S, sample: u64) -> S {

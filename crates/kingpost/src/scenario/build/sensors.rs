@@ -4,6 +4,7 @@ use super::super::schema::{self, Drive, Scenario, Sensor};
 use super::damping::{from_centre, rigid};
 use super::{FieldError, clearances, crane_sensors};
 use crate::elements::hull::HullFrame;
+use crate::elements::sensing::SlowMotion;
 use crate::elements::{AnyElement, HeaveFilter, Layout, MotionReferenceUnit};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
@@ -48,14 +49,49 @@ fn motion_reference_unit<S: Quantity>(
     errors.truncate(MotionReferenceUnit::<S>::signals(given.horizontal_motion));
     let sampling = (given.period_s, given.delay_samples);
     let sampler = crane_sensors::sampler(scenario, [name, "motion_reference_unit"], errors, sampling, given.drop_outs)?;
+    let receiver = given.heave_filter.as_ref().and_then(|filter| filter.receiver.as_ref());
+    let slow_motion = receiver.map(|receiver| slow_motion(scenario, &field("heave_filter.receiver"), receiver, given));
+    let slow_motion = slow_motion.transpose()?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
-    let heave_filter = given.heave_filter.map(|filter| HeaveFilter {
+    let heave_filter = given.heave_filter.as_ref().map(|filter| HeaveFilter {
         cutoff: S::constant(core::f64::consts::TAU) / filter.cutoff_period_s.get(),
         damping_ratio: filter.damping_ratio.get(),
     });
     let place = HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) };
     let horizontal = given.horizontal_motion;
-    Ok(Some(Box::new(MotionReferenceUnit { name: name.to_owned(), place, horizontal, sampler, heave_filter })))
+    let name = name.to_owned();
+    Ok(Some(Box::new(MotionReferenceUnit { name, place, horizontal, sampler, heave_filter, slow_motion })))
+}
+
+/// The receiver that gives a unit its slow motion.
+fn slow_motion<S: Quantity>(
+    scenario: &Scenario<S>,
+    field: &str,
+    name: &str,
+    unit: &schema::MotionReferenceUnit<S>,
+) -> Result<SlowMotion<S>, FieldError> {
+    let enabled = scenario.sensors.iter().filter_map(|(name, sensor)| match sensor {
+        Sensor::SatelliteReceiver(receiver) if receiver.enabled => Some((name.as_str(), receiver)),
+        _ => None,
+    });
+    let receivers: Vec<(&str, &schema::SatelliteReceiver<S>)> = enabled.collect();
+    let Some((_, receiver)) = receivers.iter().find(|(enabled, _)| *enabled == name) else {
+        let names: Vec<&str> = receivers.iter().map(|(name, _)| *name).collect();
+        return Err(FieldError::new(field, name, allowed(&names, name, "a satellite receiver that is enabled")));
+    };
+    if receiver.body != unit.body {
+        let found = format!("{name}, which is on {}", receiver.body);
+        return Err(FieldError::new(field, found, format!("a satellite receiver on {}", unit.body)));
+    }
+    let [unit, antenna] = [unit.position_m, receiver.position_m].map(Vector3);
+    let period_s = receiver.period_s.get();
+    Ok(SlowMotion {
+        receiver: name.to_owned(),
+        arm: antenna - unit,
+        period_s,
+        age_s: period_s * receiver.delay_samples as f64,
+        has_status: receiver.drop_outs.is_some(),
+    })
 }
 
 /// The input that a servo adds to its target; it exists if a wire leads to it.

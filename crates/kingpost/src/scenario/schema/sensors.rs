@@ -83,8 +83,9 @@ pub struct MotionReferenceUnit<S = f64> {
     pub drop_outs: Option<DropOuts>,
 }
 
-/// A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead. With a
+/// satellite receiver it removes nothing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
@@ -97,6 +98,9 @@ pub struct HeaveFilter<S = f64> {
     /// Damping ratio.
     #[serde(default = "damping_ratio::<S>")]
     pub damping_ratio: Positive<S>,
+    /// A satellite receiver on the same body, whose positions give back the motion that the filter removes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub receiver: Option<Name>,
 }
 
 fn damping_ratio<S: Leaf>() -> Positive<S> {

@@ -199,7 +199,8 @@ fn prediction<S: Quantity>(
     };
     let bank = FilterBank::new(band);
     let age = unit.map_or(0.0, |unit| unit.sampler.period_s * unit.sampler.delay_samples as f64);
-    let filter = unit.and_then(|unit| unit.heave_filter);
+    // A unit that a satellite receiver helps removes nothing.
+    let filter = unit.filter(|unit| unit.slow_motion.is_none()).and_then(|unit| unit.heave_filter);
     let delay = S::constant(age) + given.extra_delay_s.get();
     let high_pass = filter.map(|filter| [filter.cutoff, filter.damping_ratio]);
     let position = Dynamics { high_pass, delay, lag: S::ZERO };

@@ -1,0 +1,65 @@
+//! Slow motion by satellites: what the filter of a motion reference unit removes, from the positions of a receiver.
+
+use crate::scalar::Scalar;
+use crate::spatial::{Matrix3, Vector3};
+
+/// A receiver on the same body that gives back the motion that a high-pass filter removes. With the filter H and the
+/// position g of the unit by the receiver,
+///
+/// ```text
+/// y = H h + (1 - H) g,    1 - H = (2 zeta w s + w^2) / (s^2 + 2 zeta w s + w^2)
+/// ```
+///
+/// the complementary filter (Brown & Hwang, *Introduction to Random Signals and Applied Kalman Filtering*, 4th ed., 2012,
+/// sec. 8.10): of an exact g it makes y = h, whatever H, and it keeps fast errors of g and slow errors of h out. Its states
+/// are the given back part b and c = b' - 2 zeta w g:
+///
+/// ```text
+/// b' = c + 2 zeta w g,    c' = w^2 (g - b) - 2 zeta w b'
+/// ```
+#[derive(Clone, Debug)]
+pub struct SlowMotion<S = f64> {
+    /// The receiver's name.
+    pub receiver: String,
+    /// From the unit to the antenna, in the axes of their body, m.
+    pub arm: Vector3<S>,
+    /// The receiver's sampling period, s.
+    pub period_s: f64,
+    /// Age of its positions, s.
+    pub age_s: f64,
+    /// Whether it has a status: it can drop out.
+    pub has_status: bool,
+}
+
+impl<S: Scalar> SlowMotion<S> {
+    /// The columns that it needs.
+    pub fn columns(&self) -> Vec<String> {
+        let place = ["x", "y", "z"].map(|axis| format!("{}.measured_position.{axis}", self.receiver));
+        let status = self.has_status.then(|| format!("{}.sensor_status", self.receiver));
+        place.into_iter().chain(status).collect()
+    }
+
+    /// Whether the receiver delivers, by these columns.
+    pub fn delivers(&self, read: &[S]) -> bool {
+        !self.has_status || read.last().is_none_or(|status| status.all(|status| status > 0.5))
+    }
+
+    /// g by these columns at a sample of the receiver, m: with the unit's rotation R, its angular velocity omega in its own
+    /// axes and its velocity v in those of the world, a position p of the age a gives
+    ///
+    /// ```text
+    /// g = p - R r + a R (omega x r) + a v
+    /// ```
+    ///
+    /// Until the next sample g moves on with v.
+    pub fn fix(&self, read: &[S], (rotation, angular): (Matrix3<S>, Vector3<S>), velocity: Vector3<S>) -> Vector3<S> {
+        let age = S::constant(self.age_s);
+        let arm = self.arm - angular.cross(self.arm) * age;
+        Vector3::from_slice(&read[..3]) - rotation * arm + velocity * age
+    }
+
+    /// Time since the last sample, by the number of the next, s.
+    pub fn since_fix_s(&self, time_s: f64, next: i64) -> f64 {
+        if next == 0 { 0.0 } else { time_s - (next - 1) as f64 * self.period_s }
+    }
+}
