@@ -8,7 +8,7 @@ use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
 
 /// Fields below the sections that name another entry of the scenario.
-pub const REFERENCES: [&str; 11] = [
+pub const REFERENCES: [&str; 12] = [
     // The parent of a body.
     "parent", // The body that something acts on or is tied to.
     "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
@@ -16,8 +16,8 @@ pub const REFERENCES: [&str; 11] = [
     "name",   // The signal and the input of a wire.
     "from", "to",      // The column of a limit or of a feedback.
     "column",  // The input whose command a column follows.
-    "follows", // The rope, the drive and the sensor of a controller.
-    "rope", "drive", "sensor",
+    "follows", // The rope, the drive and the sensor of a controller, the receiver of a sensor.
+    "rope", "drive", "sensor", "receiver",
 ];
 
 /// Fields below the sections that name files.
