@@ -6,7 +6,8 @@ extra ``learn``.
 
 from __future__ import annotations
 
-from .baselines import BASELINES, Policy
+from .acting import Policy
+from .baselines import BASELINES
 from .contenders import contenders, trained
 from .environment import ShipCraneEnv
 from .evolution import Training, train
@@ -14,7 +15,7 @@ from .network import NeuralPolicy, read_policy
 from .registered import IDS, register
 from .scores import score
 from .task import Action, Observation, Task
-from .tasks import anti_sway, heave_compensation, roll_reduction, three_axis
+from .tasks import anti_sway, heave_compensation, landing, roll_reduction, three_axis
 from .vector import ShipCraneVectorEnv
 
 register()
@@ -33,6 +34,7 @@ __all__ = [
     "anti_sway",
     "contenders",
     "heave_compensation",
+    "landing",
     "read_policy",
     "roll_reduction",
     "score",
