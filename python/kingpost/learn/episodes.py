@@ -116,6 +116,10 @@ class Episodes:
         found /= self._scales
         return np.clip(found, -LARGEST_OBSERVATION, LARGEST_OBSERVATION).astype(np.float32)
 
+    def failed(self, copy: int) -> bool:
+        """Whether an episode failed or exceeded a limit, so that its reward is that of a failure."""
+        return bool(self._status[copy] != 0)
+
     def ended_by(self, copy: int) -> str:
         """Why an episode was terminated: an error of the run, the limit that was exceeded, or ``done``."""
         status = int(self._status[copy])
