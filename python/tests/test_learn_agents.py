@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 
+import kingpost.learn
 import numpy as np
 import pytest
 from kingpost.errors import KingpostError
-from kingpost.learn import BASELINES, Agent, ShipCraneEnv, Task, landing, roll_reduction, three_axis
-
-pytest.importorskip("pettingzoo")
-
-from kingpost.learn import ShipCraneParallelEnv
+from kingpost.learn import (
+    BASELINES,
+    Agent,
+    ShipCraneEnv,
+    ShipCraneParallelEnv,
+    Task,
+    landing,
+    roll_reduction,
+    three_axis,
+)
 from pettingzoo.test import api_test, parallel_api_test, parallel_seed_test
 from pettingzoo.utils import parallel_to_aec
 
@@ -45,6 +52,8 @@ def test_pettingzoo_s_check_of_seeds_finds_nothing(name: str) -> None:
     parallel_seed_test(lambda: made(name), 25)
 
 
+# It recommends names with a number, as of equal players; these are the names of the drives.
+@pytest.mark.filterwarnings("ignore:We recommend agents to be named")
 def test_the_agents_take_turns_behind_pettingzoo_s_conversion() -> None:
     api_test(parallel_to_aec(made("three drives")), 60)
 
@@ -187,6 +196,15 @@ def test_actions_that_are_missing_or_of_another_shape_are_refused_by_agent() -> 
         env.step({port: np.zeros(1), starboard: np.zeros(2)})
     with pytest.raises(KingpostError, match=rf"action {starboard}: found nan, allowed: -1 to 1"):
         env.step({port: np.zeros(1), starboard: np.full(1, np.nan)})
+
+
+def test_without_pettingzoo_the_name_says_which_extra_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(sys.modules, "kingpost.learn.parallel")
+    monkeypatch.setitem(sys.modules, "pettingzoo", None)
+    with pytest.raises(KingpostError, match=r'found no PettingZoo, allowed: with pip install "kingpost\[pet'):
+        _ = kingpost.learn.ShipCraneParallelEnv
+    assert not hasattr(kingpost.learn, "ShipCraneParallelEnvs")
+    assert "ShipCraneParallelEnv" not in kingpost.learn.__all__
 
 
 def test_the_example_of_the_page_runs() -> None:
