@@ -1,12 +1,17 @@
-"""Environments for learning controllers, in the interface of Gymnasium (docs/learning.md).
+"""Environments for learning controllers, in the interfaces of Gymnasium and of PettingZoo (docs/learning.md).
 
 Importing this module registers the environments of `IDS`, such as ``Kingpost/AntiSway-v0``. It needs the
-extra ``learn``.
+extra ``learn``; `ShipCraneParallelEnv` needs the extra ``pettingzoo``.
 """
 
 from __future__ import annotations
 
-from .baselines import BASELINES, Policy
+from typing import TYPE_CHECKING, Any
+
+from ..errors import KingpostError
+from .acting import Policy
+from .agents import Agent
+from .baselines import BASELINES
 from .contenders import contenders, trained
 from .environment import ShipCraneEnv
 from .evolution import Training, train
@@ -14,15 +19,33 @@ from .network import NeuralPolicy, read_policy
 from .registered import IDS, register
 from .scores import score
 from .task import Action, Observation, Task
-from .tasks import anti_sway, heave_compensation, roll_reduction, three_axis
+from .tasks import anti_sway, heave_compensation, landing, roll_reduction, three_axis
 from .vector import ShipCraneVectorEnv
 
+if TYPE_CHECKING:
+    from .parallel import ShipCraneParallelEnv as ShipCraneParallelEnv
+
 register()
+
+
+def __getattr__(name: str) -> Any:
+    """`ShipCraneParallelEnv`. It is not in `__all__`: without PettingZoo `import *` goes on."""
+    if name != "ShipCraneParallelEnv":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    try:
+        from .parallel import ShipCraneParallelEnv
+    except ModuleNotFoundError:
+        raise KingpostError(
+            f'{name}: found no PettingZoo, allowed: with pip install "kingpost[pettingzoo]"'
+        ) from None
+    return ShipCraneParallelEnv
+
 
 __all__ = [
     "BASELINES",
     "IDS",
     "Action",
+    "Agent",
     "NeuralPolicy",
     "Observation",
     "Policy",
@@ -33,6 +56,7 @@ __all__ = [
     "anti_sway",
     "contenders",
     "heave_compensation",
+    "landing",
     "read_policy",
     "roll_reduction",
     "score",

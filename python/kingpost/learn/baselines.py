@@ -6,10 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from .acting import Policy, do_nothing, in_units, limited
+from .landing_baselines import QuietMoment, constant_lowering, deck_following, slow_near_deck
 from .task import Task
-
-Policy = Callable[[np.ndarray], np.ndarray]
-"""Actions from observations, a row for each environment. A policy with a memory is made anew for each run."""
 
 SWING_PERIOD_S = 9.0
 """Period that the shaped inputs are for: hook and load of `anti_sway` as one pendulum, 2 pi sqrt(L / g)."""
@@ -19,28 +18,12 @@ FOLLOW = 0.5
 """Speed of slew or luff for each angle of swing, 1/s: near the square root of g / L."""
 
 
-def do_nothing(task: Task) -> Policy:
-    """All inputs in the middle of their range."""
-    return lambda seen: np.zeros((len(seen), len(task.set)))
-
-
-def in_units(task: Task, seen: np.ndarray) -> dict[str, np.ndarray]:
-    """Observations by name in their units."""
-    return {one.name: seen[:, k].astype(np.float64) * one.scale for k, one in enumerate(task.seen)}
-
-
-def _limited(task: Task, speeds: list[np.ndarray]) -> np.ndarray:
-    """Speeds as actions."""
-    highest = [high for _, high in task.bounds]
-    return np.clip(np.stack(speeds, axis=1) / highest, -1.0, 1.0)
-
-
 def proportional(task: Task) -> Policy:
     """Speeds in proportion to the distance from the target, without regard to the swing."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
-        return _limited(task, [-0.4 * now["slew_error"], -0.4 * now["luff_error"]])
+        return limited(task, [-0.4 * now["slew_error"], -0.4 * now["luff_error"]])
 
     return policy
 
@@ -52,7 +35,7 @@ def swing_feedback(task: Task) -> Policy:
         now = in_units(task, seen)
         slew = -SLOW * now["slew_error"] + FOLLOW * now["swing_across"]
         luff = -SLOW * now["luff_error"] - FOLLOW * now["swing_along"]
-        return _limited(task, [slew, luff])
+        return limited(task, [slew, luff])
 
     return policy
 
@@ -118,7 +101,7 @@ def feed_forward(task: Task) -> Policy:
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
         rise = now["boom.tip.point_velocity.z"] + now["height_error"] + 2.0 * now["lift.velocity.z"]
-        return _limited(task, [rise / DRUM_M])
+        return limited(task, [rise / DRUM_M])
 
     return policy
 
@@ -128,7 +111,7 @@ def feedback(task: Task) -> Policy:
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
-        return _limited(task, [(now["height_error"] + 2.0 * now["lift.velocity.z"]) / DRUM_M])
+        return limited(task, [(now["height_error"] + 2.0 * now["lift.velocity.z"]) / DRUM_M])
 
     return policy
 
@@ -168,7 +151,7 @@ def tip_and_height(task: Task) -> Policy:
         up = SHARE * now["lift.velocity.z"] + ERROR_PER_S * now["height_error"]
         slewing = now["slew.joint_velocity"] - across / now["reach"]
         luffing = now["luff.joint_velocity"] - along / now["tip_rise_over_foot"]
-        return _limited(task, [slewing, luffing, now["winch.joint_velocity"] + up / ROPE_M])
+        return limited(task, [slewing, luffing, now["winch.joint_velocity"] + up / ROPE_M])
 
     return policy
 
@@ -185,6 +168,13 @@ BASELINES: dict[str, dict[str, Callable[[Task], Policy]]] = {
         "do nothing": do_nothing,
         "height feedback": feedback,
         "tip feed-forward and height feedback": feed_forward,
+    },
+    "Kingpost/Landing-v0": {
+        "do nothing": do_nothing,
+        "constant lowering": constant_lowering,
+        "slow near the deck": slow_near_deck,
+        "wait for a quiet moment": QuietMoment,
+        "follow the deck": deck_following,
     },
     "Kingpost/RollReduction-v0": {
         "do nothing: dampers alone": do_nothing,

@@ -6,7 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..errors import KingpostError
-from .baselines import BASELINES, Policy
+from .acting import Policy
+from .baselines import BASELINES
 from .model_based import linear_quadratic, predictive
 from .network import NeuralPolicy, read_policy
 from .task import Task

@@ -15,6 +15,7 @@ from .task import LARGEST_OBSERVATION, Columns, Task
 SEED = "simulation.seed"
 SEEDS = 2**31
 FAILED = -1
+BEFORE = "before."
 
 
 class Episodes:
@@ -53,6 +54,9 @@ class Episodes:
         self._half = 0.5 * (self._upper - self._lower)
         self._scales = np.array([one.scale for one in task.seen])
         self._read = np.empty(count * len(task.read))
+        self._kept = [task.read.index(name) for name in task.before]
+        self._before = np.empty((count, len(task.before)))
+        self._done = np.zeros(count, dtype=np.bool_)
         self._status = np.zeros(count, dtype=np.int64)
         self._nothing = np.empty(0)
         self._copies: engine.Copies | None = None
@@ -75,6 +79,7 @@ class Episodes:
                 self.goals = np.zeros((self.count, len(goal)))
             self.goals[copy] = goal
             self.taken[copy] = 0
+            self._before[copy] = table[copy, self._kept]
 
     def step(self, actions: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Take a control step: observations, rewards, and which episodes are terminated or truncated."""
@@ -83,20 +88,24 @@ class Episodes:
         actions = self._checked(actions)
         inputs = self._lower + (actions + 1.0) * self._half
         inputs = np.clip(inputs, self._lower, self._upper)
+        self._before = self._read.reshape(self.count, -1)[:, self._kept]
         self._copies.advance(self.task.steps, inputs.ravel(), self._read, self._status)
         self.taken += 1
-        goals = self.goals
-        rewards = self.task.reward(self.columns, goals, actions)
-        terminated = self._status != 0
-        if terminated.any():
-            rewards = np.where(terminated, self.task.failure_reward, rewards)
+        columns, failed = self.columns, self._status != 0
+        rewards = self.task.reward(columns, self.goals, actions)
+        if failed.any():
+            rewards = np.where(failed, self.task.failure_reward, rewards)
+        if self.task.done is not None:
+            self._done = self.task.done(columns, self.goals)
+        terminated = failed | self._done
         return self.observations(), rewards, terminated, ~terminated & (self.taken >= self.episode_steps)
 
     @property
     def columns(self) -> Columns:
         """The columns that were read last."""
         table = self._read.reshape(self.count, -1)
-        return {name: table[:, k] for k, name in enumerate(self.task.read)}
+        found = {name: table[:, k] for k, name in enumerate(self.task.read)}
+        return found | {BEFORE + name: self._before[:, k] for k, name in enumerate(self.task.before)}
 
     def observations(self) -> np.ndarray:
         """The observations now, a row for each copy."""
@@ -107,12 +116,18 @@ class Episodes:
         found /= self._scales
         return np.clip(found, -LARGEST_OBSERVATION, LARGEST_OBSERVATION).astype(np.float32)
 
+    def failed(self, copy: int) -> bool:
+        """Whether an episode failed or exceeded a limit, so that its reward is that of a failure."""
+        return bool(self._status[copy] != 0)
+
     def ended_by(self, copy: int) -> str:
-        """Why an episode was terminated: an error of the run, or the limit that was exceeded."""
+        """Why an episode was terminated: an error of the run, the limit that was exceeded, or ``done``."""
         status = int(self._status[copy])
         if status == FAILED and self._copies is not None:
             return str(self._copies.failure(copy))
-        return f"limit {list(self.task.based_on.resolved['limits'])[status - 1]} exceeded" if status else ""
+        if status:
+            return f"limit {list(self.task.based_on.resolved['limits'])[status - 1]} exceeded"
+        return "done" if self._done[copy] else ""
 
     def _checked(self, actions: Any) -> np.ndarray:
         shape = (self.count, len(self.task.set))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .baselines import Policy
+from .acting import Policy
 from .contenders import contenders
 from .registered import IDS
 from .task import Task
@@ -55,6 +55,8 @@ def score(
         seen, rewards, terminated, truncated, _ = envs.step(np.asarray(acts(seen)))
         sums += np.where(going, rewards, 0.0)
         going &= ~(terminated | truncated)
+        if not going.any():
+            break
     return sums
 
 

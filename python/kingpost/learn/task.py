@@ -90,6 +90,12 @@ class Task:
         environments there are.
     columns
         Further columns that reward and observations need.
+    before
+        Columns that they also need as they were before the control step, each as ``before.NAME``; at the
+        start of an episode the two are equal.
+    done
+        Whether an episode has reached its end, from columns and goal, one for each environment; default:
+        never.
     control_period_s
         Time between two actions, s: a whole number of the scenario's steps.
     duration_s
@@ -122,6 +128,8 @@ class Task:
     observations: Sequence[Observation | str]
     reward: Callable[[Columns, Goal, np.ndarray], np.ndarray]
     columns: Sequence[str] = ()
+    before: Sequence[str] = ()
+    done: Callable[[Columns, Goal], np.ndarray] | None = None
     control_period_s: float = 0.05
     duration_s: float = 40.0
     goal: Callable[[np.random.Generator, Mapping[str, float]], Sequence[float]] = no_goal
@@ -188,7 +196,7 @@ class Task:
     def read(self) -> tuple[str, ...]:
         """The columns that are read after each control step."""
         own = [one.name for one in self.seen if one.value is None]
-        return tuple(dict.fromkeys([*own, *self.columns]))
+        return tuple(dict.fromkeys([*own, *self.columns, *self.before]))
 
     @cached_property
     def bounds(self) -> list[tuple[float, float]]:

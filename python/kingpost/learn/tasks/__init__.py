@@ -2,7 +2,8 @@
 
 from .anti_sway import anti_sway
 from .heave_compensation import heave_compensation
+from .landing import landing
 from .roll_reduction import roll_reduction
 from .three_axis import three_axis
 
-__all__ = ["anti_sway", "heave_compensation", "roll_reduction", "three_axis"]
+__all__ = ["anti_sway", "heave_compensation", "landing", "roll_reduction", "three_axis"]
