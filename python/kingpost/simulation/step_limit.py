@@ -15,8 +15,7 @@ GROWTH: dict[str, Callable[[NDArray[np.complex128]], NDArray[np.complex128]]] = 
     "midpoint_euler": lambda z: 1 + z,
     "rk4": lambda z: 1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4))),
 }
-"""Growth factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving
-Ordinary
+"""Growth factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving Ordinary
 Differential Equations II*, 1996, sec. IV.2)."""
 DAMPED = 0.02
 """Motions with a smaller damping ratio are not judged: Euler's method makes them grow at any step."""
@@ -38,9 +37,9 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
     # Leave out motions slower than an hour: they set no limit, and zero eigenvalues are rounded to such
     # values.
     values = values[np.abs(values) > 1 / LONGEST_S]
-    if not values.size:
-        return None
-    return float(min(_limit(growth, value) for value in values))
+    # One of each conjugate pair.
+    values = values[values.imag >= 0].astype(complex)
+    return float(_limits(growth, values).min()) if values.size else None
 
 
 def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]]) -> str | None:
@@ -60,14 +59,19 @@ def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]])
     )
 
 
-def _limit(growth: Callable[[NDArray[np.complex128]], NDArray[np.complex128]], value: complex) -> float:
-    """The step at which a damped motion begins to grow, by scanning outward and halving."""
-    steps = np.geomspace(1e-3, 1e2, 2000) / abs(value)
-    grows = np.flatnonzero(np.abs(growth((steps * value).astype(complex))) > 1)
-    if not grows.size or grows[0] == 0:
-        return float(steps[-1] if not grows.size else steps[0])
-    low, high = steps[grows[0] - 1], steps[grows[0]]
+def _limits(
+    growth: Callable[[NDArray[np.complex128]], NDArray[np.complex128]], values: NDArray[np.complex128]
+) -> NDArray[np.float64]:
+    """The steps at which damped motions begin to grow, by scanning outward and halving."""
+    steps = np.geomspace(1e-3, 1e2, 2000) / np.abs(values)[:, None]
+    grows = np.abs(growth(steps * values[:, None])) > 1
+    first = np.where(grows.any(axis=1), grows.argmax(axis=1), steps.shape[1] - 1)
+    each = np.arange(len(values))
+    low, high = steps[each, np.maximum(first - 1, 0)], steps[each, first]
+    # A motion that grows at no step of the scan, or at all, keeps the end of the scan.
+    bounded = grows.any(axis=1) & (first > 0)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        low, high = (low, middle) if abs(growth(np.array(middle * value))) > 1 else (middle, high)
-    return float(low)
+        beyond = np.abs(growth(middle * values)) > 1
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return np.where(bounded, low, steps[each, first])
