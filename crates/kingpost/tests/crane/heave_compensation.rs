@@ -194,7 +194,7 @@ fn a_receiver_that_cannot_help_is_refused() {
     let receiver = |body: &str| json!({"satellite_receiver": {"body": body, "period_s": 0.1}});
     let filter = ("sensors.mru.motion_reference_unit.heave_filter", json!({"cutoff_period_s": 20, "receiver": "gnss"}));
     let field = "sensors.mru.motion_reference_unit.heave_filter.receiver";
-    let none = error(&[filter.clone()]);
+    let none = error(std::slice::from_ref(&filter));
     assert!(none.contains(&format!("{field}: found gnss, allowed: none")), "{none}");
     let elsewhere = error(&[("sensors.gnss", receiver("load")), filter.clone()]);
     let expected = format!("{field}: found gnss, which is on load, allowed: a satellite receiver on deck");
