@@ -67,7 +67,7 @@ def inside(parameter: dict) -> tuple[float, float]:
 
 @pytest.fixture
 def without_a_look_at_the_step(monkeypatch) -> None:
-    """The warning about a step that is too long needs all eigenvalues of each model: half the time of these tests."""
+    """The warning about a step that is too long needs all eigenvalues: half the time of these tests."""
     monkeypatch.setattr("kingpost.simulation.step_limit.warning", lambda *_: None)
 
 
@@ -89,7 +89,8 @@ def test_derivatives_agree_with_central_differences_to_their_error(name, paramet
     if json.loads(kingpost.run(scenario, {parameter: value}).attrs["events"]):
         finer = kingpost.Batch(scenario, {parameter: [value + step, value - step]}, half_step).run()
         of_the_scheme = fine - _difference(finer, 0) / (2 * step)
-    # The energy and the momentum in play are roots of squares where the work of the drives passes zero: a kink.
+    # Where the work of the drives passes zero, the energy and the momentum in play, roots of squares, have a
+    # kink.
     work = runs["work_by_drives"]
     kink = bool((work.isel(run=2) * work.isel(run=3) < 0).any())
     compared = 0

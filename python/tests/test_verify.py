@@ -16,7 +16,8 @@ from kingpost.verify import spheres as measured_spheres
 from roll_samples import ikeda_cylinders, kvlcc2_sections
 
 FEWEST = 60
-PAGE = (Path(__file__).resolve().parents[2] / "docs" / "validation.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+PAGE, CONTROL = ((DOCS / name).read_text(encoding="utf-8") for name in ("validation.md", "control.md"))
 
 
 @pytest.fixture(scope="module")
@@ -101,11 +102,11 @@ def test_markdown_json_html_and_text_hold_every_row(measured) -> None:
     assert "<link" not in page
 
 
-def test_the_pictures_are_those_of_the_page(measured, tmp_path, capsys) -> None:
+def test_the_pictures_are_those_of_the_pages(measured, tmp_path, capsys) -> None:
     """Those measured before are not measured again."""
     assert main(["verify", "--plots", str(tmp_path)]) == 0
     drawn = {path.name for path in tmp_path.iterdir()}
-    assert drawn == set(re.findall(r"\(validation/(\w+\.png)\)", PAGE))
+    assert drawn == set(re.findall(r"\(validation/(\w+\.png)\)", PAGE + CONTROL))
     assert all((tmp_path / name).read_bytes().startswith(b"\x89PNG") for name in drawn)
 
 

@@ -15,8 +15,8 @@ GROWTH: dict[str, Callable[[NDArray[np.complex128]], NDArray[np.complex128]]] = 
     "midpoint_euler": lambda z: 1 + z,
     "rk4": lambda z: 1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4))),
 }
-"""Growth factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving Ordinary
-Differential Equations II*, 1996, sec. IV.2)."""
+"""Growth factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving
+Ordinary Differential Equations II*, 1996, sec. IV.2)."""
 DAMPED = 0.02
 """Motions with a smaller damping ratio are not judged: Euler's method makes them grow at any step."""
 LONGEST_S, HALVINGS = 1e3, 60

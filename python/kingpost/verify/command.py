@@ -29,7 +29,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
         action="store_true",
         help="only the controllers, on their standard seas, with and without",
     )
-    command.add_argument("--plots", metavar="DIR", help="only draw the pictures of docs/validation.md")
+    command.add_argument(
+        "--plots", metavar="DIR", help="only draw the pictures of docs/validation.md and docs/control.md"
+    )
 
 
 def command(options: argparse.Namespace) -> int:

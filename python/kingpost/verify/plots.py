@@ -1,4 +1,5 @@
-"""The pictures of docs/validation.md: curves of the engine with others' measurements and computations."""
+"""The pictures of docs/validation.md, curves of the engine with others' measurements and computations, and of
+docs/control.md."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from .. import output
 from ..analysis import response
 from ..paper.style import plotting
 from . import pictures
+from .control import frequency
 from .hydrodynamics import HULME, SOLVED, heave
 from .measured import FLUME_FREQUENCIES, KRAMER, OES, RECORDS, decay, flume_response
 from .models import G
@@ -100,5 +102,6 @@ PICTURES = {
     "oes_sphere": pictures.oes,
     "sphere_drift": pictures.sphere_drift,
     "hemisphere": _hemisphere,
+    "heave_residual": frequency.picture,
 }
 """The function that draws each picture, by name."""

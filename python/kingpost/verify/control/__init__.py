@@ -1,6 +1,7 @@
 """`kingpost verify --control`: every controller on its standard seas, with and without.
 
-Each controller is one module of this folder; a new one is a line in `CONTROLLERS`.
+Each controller is one module of this folder; a new one is a line in `CONTROLLERS`. Two modules look at them
+from other sides: `frequency` over the period of the waves, `sweep` in seas beyond the limits of the drives.
 """
 
 from __future__ import annotations
@@ -8,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Protocol
 
-from . import heave, platform, roll, three_axis
+from ..rows import FAILED
+from . import frequency, heave, platform, roll, sweep, three_axis
 from .standard import AT_A_LIMIT
 
 
@@ -25,7 +27,7 @@ class Controller(Protocol):
         """Its table."""
 
 
-CONTROLLERS: tuple[Controller, ...] = (heave, roll, three_axis, platform)
+CONTROLLERS: tuple[Controller, ...] = (heave, frequency, roll, three_axis, platform, sweep)
 """In the order in which they are measured and printed."""
 
 
@@ -41,4 +43,4 @@ def tables(update: Callable[[float], None]) -> Iterator[tuple[str, bool]]:
         done = before
         rows = controller.measured(lambda runs, done=done: update(done + runs))
         before += len(rows)
-        yield controller.text(rows), any(row.verdict == AT_A_LIMIT for row in rows)
+        yield controller.text(rows), any(row.verdict in (AT_A_LIMIT, FAILED) for row in rows)

@@ -40,8 +40,8 @@ CONTROLS: dict[str, dict[str, Any]] = {
         f"{CONTROLLER}.prediction.shortest_period_s": 3,
     },
 }
-"""`sensor`: noise, bias, high-pass filter of heave with 20 s, 0.1 s of delay. `satellites`: a receiver with noise
-of 2 cm at 10 Hz and 0.1 s of delay gives back what the filter removes."""
+"""`sensor`: noise, bias, high-pass filter of heave with 20 s, 0.1 s of delay. `satellites`: a receiver with
+noise of 2 cm at 10 Hz and 0.1 s of delay gives back what the filter removes."""
 
 DEPTHS: dict[str, dict[str, Any]] = {"30 m": {}, "1000 m": {"load_height_m": -1000}}
 

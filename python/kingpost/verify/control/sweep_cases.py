@@ -1,0 +1,126 @@
+"""The controllers and devices that are swept over the significant height, and the limits of each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...scenario import load
+from . import heave, platform, roll, three_axis
+from .standard import LENGTH_S, LONGEST
+
+HEIGHTS_M = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
+PEAK_PERIOD_S = 8.0
+SLOW_WINCH_RAD_S = 1.0
+"""A quarter of the scenario's limit, which 6 m at 8 s does not reach."""
+
+Limits = dict[str, tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """A controller or device on its scenario, over the significant height."""
+
+    scenario: str
+    height: str
+    """The field of the significant height."""
+    without: tuple[tuple[str, Any], ...]
+    """What switches it off."""
+    moves: tuple[str, ...]
+    """The columns of the motion: the root of the sum of their variances is measured."""
+    limits: Callable[[], Limits]
+    """Columns with the values from which on a limit is reached, below and above."""
+    unit: str = "m"
+    factor: float = 1.0
+    """This unit in SI's, inverse."""
+    given: tuple[tuple[str, Any], ...] = ()
+    length_s: float = LENGTH_S
+    heights_m: tuple[float, ...] = HEIGHTS_M
+
+
+def _drives(*names: str) -> Callable[[], Limits]:
+    """The speed that a compensation needs, and what its drives give, over their limits."""
+    columns = [
+        "compensation.compensation_utilisation",
+        *(f"{name}.drive_effort_utilisation" for name in names),
+    ]
+    return lambda: dict.fromkeys(columns, (-1.0, 1.0))
+
+
+def _tank() -> Limits:
+    """The levels at the ends of their columns."""
+    tank = load("roll_reduction_tank").resolved["forces"]["tank"]["u_tank"]
+    room = tank["duct_height_m"] / 2, tank["column_height_m"]
+    return {f"tank.level_{side}": room for side in ("port", "starboard")}
+
+
+def _gyros(driven: bool = False) -> Limits:
+    """The gimbals at their stops, and the drives at their torques."""
+    bodies = load("roll_reduction_gyros").resolved["bodies"]
+    sides = ("port", "starboard")
+    stops = {side: bodies[f"gimbal_{side}"]["joint"]["revolute"]["limits"] for side in sides}
+    found = {
+        f"precession_{side}.joint_position": (one["lower_rad"], one["upper_rad"])
+        for side, one in stops.items()
+    }
+    levers = {f"precession.push_{side}.commanded_lever": (-1.0, 1.0) for side in sides}
+    return found | (levers if driven else {})
+
+
+WIND_SEA = "sea.waves.wind_sea.jonswap.significant_height_m"
+SWELL = "sea.waves.swell.jonswap.significant_height_m"
+OFF = (("compensation", False),)
+TIP = ("boom.tip.point_position.x", "boom.tip.point_position.y", "lift.hook.point_position.z")
+DEGREES = {"unit": "deg", "factor": float(np.degrees(1.0))}
+
+
+def _compensation(module: Any, moves: tuple[str, ...], given: dict[str, Any], **more: Any) -> Sweep:
+    longest = LONGEST * given.get("peak_period_s", PEAK_PERIOD_S)
+    band = {f"{module.CONTROLLER}.prediction.longest_period_s": longest}
+    everything = tuple(({"peak_period_s": PEAK_PERIOD_S} | band | given).items())
+    return Sweep(module.SCENARIO, WIND_SEA, OFF, moves, _drives(*module.DRIVES), given=everything, **more)
+
+
+def _roll(device: str, limits: Callable[[], Limits]) -> Sweep:
+    case = roll.DEVICES[device]
+    without = tuple(roll.DEVICES[case.without].given.items()) if case.without else ()
+    given = tuple(case.given.items())
+    return Sweep(
+        case.scenario, SWELL, without, ("hull.roll",), limits, given=given, length_s=roll.LENGTH_S, **DEGREES
+    )
+
+
+HALF_PLATFORM = {
+    "drives.rising.linear_controlled_drive.speed_limit_m_s": 0.75,
+    "drives.rolling.controlled_drive.speed_limit_rad_s": 0.1,
+    "drives.pitching.controlled_drive.speed_limit_rad_s": 0.1,
+}
+"""Half of the scenario's speed limits, which 6 m at 8 s does not reach."""
+SLOW_WINCH = {"drives.hoist.controlled_drive.speed_limit_rad_s": SLOW_WINCH_RAD_S}
+LONG_WAVES = {"peak_period_s": 12.0, "wave_direction_deg": 110.0}
+
+SWEEPS: dict[str, Sweep] = {
+    "heave, winch at 1 rad/s": _compensation(heave, ("compensation.compensation_residual",), SLOW_WINCH),
+    "three axes": _compensation(three_axis, TIP, {}),
+    "three axes, Tp 12 s, 70 deg off the bow": _compensation(
+        three_axis, TIP, LONG_WAVES, heights_m=HEIGHTS_M[:-1]
+    ),
+    "platform at half speed: tilt": _compensation(
+        platform,
+        ("compensation.platform_offset.x", "compensation.platform_offset.y"),
+        HALF_PLATFORM,
+        **DEGREES,
+    ),
+    "platform at half speed: height": _compensation(
+        platform, ("compensation.platform_offset.z",), HALF_PLATFORM
+    ),
+    "U-tank, Tp 11.5 s": _roll("U-tank", _tank),
+    "gyros, dampers, Tp 11.5 s": _roll("gyros, dampers", _gyros),
+    "gyros, driven, Tp 11.5 s": _roll("gyros, driven", lambda: _gyros(driven=True)),
+}
+"""Compensations with the sensor of their scenario, at Tp 8 s unless it is said; devices against roll in beam
+seas at the ship's own period. At 6 m the ship of the third lies so far over without compensation that its
+motion is no measure."""
