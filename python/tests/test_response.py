@@ -199,3 +199,12 @@ def test_a_resonance_between_two_lines_has_a_line_of_its_own(capsys) -> None:
     (largest,) = (line.split() for line in lines if line.strip().startswith("largest"))
     roll_column = -3
     assert max(float(row[roll_column]) for row in rolls) == float(largest[roll_column])
+
+
+def test_a_direction_or_frequency_given_twice_is_computed_once(capsys) -> None:
+    """Source: an attack on the command line; a table of the same rows twice says nothing more."""
+    found = kingpost.rao("barge", [np.pi, np.pi, 0.0], [0.5, 0.5, 1.0], ["ship"], STILL)
+    assert list(found["direction"].values) == [np.pi, 0.0]
+    assert list(found["omega"].values) == [0.5, 1.0]
+    assert main(["rao", "barge", "--directions-deg", "180", "180", "--frequencies-rad-s", "0.5:1:2"]) == 0
+    assert capsys.readouterr().out.count("180 deg") == 1

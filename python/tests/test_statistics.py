@@ -11,6 +11,7 @@ import xarray
 from kingpost import KingpostError
 from kingpost.analysis import statistics
 from kingpost.cli import main
+from kingpost.reports import outcomes
 from kingpost.reports import statistics as statistics_report
 from kingpost.results import files
 from xarray.backends.h5netcdf_ import H5NetCDFArrayWrapper
@@ -335,6 +336,21 @@ def _warned(values: list[float], **warnings: str) -> xarray.Dataset:
 def test_warnings_of_a_run_are_printed() -> None:
     run = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s")
     assert "\nwarning: hull: it heeled to 21.00 deg, at 4 s\n" in _text([run])
+
+
+def test_limits_of_one_run_in_a_file_of_several_are_refused() -> None:
+    """Source: an attack on files: the attributes of several runs are lists with an entry for each."""
+    run = kingpost.run("container_to_quay", {"simulation.duration_s": 0.02})
+    several = run.expand_dims(run=[0, 1])
+    assert len(json.loads(run.attrs["limits"])) not in (0, 2)
+    with pytest.raises(KingpostError, match=r"limits: found \d+ entries, allowed: one for each of 2 runs"):
+        outcomes.of_runs([several])
+
+
+def test_a_number_that_is_a_rounding_error_of_its_channel_is_nought() -> None:
+    """Source: the yaw of a ship that turns by a degree and began at 1.5e-27 deg."""
+    assert statistics_report._number(1.5e-27, 1.0) == "0.0000"
+    assert statistics_report._number(1.5e-27, 1e-20) == "1.5e-27"
 
 
 def test_warnings_of_several_runs_are_printed_once_with_their_number() -> None:

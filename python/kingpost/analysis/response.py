@@ -114,23 +114,24 @@ def frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
 
 
 def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The frequencies; one that equals the lowest or highest of the data within the printed digits becomes
-    that one."""
+    """The frequencies, each once and in their order; one that equals the lowest or highest of the data within
+    the printed digits becomes that one."""
     asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
     for end in covered[[0, -1]] if covered.size else ():
         asked = np.where(np.abs(asked - end) <= PRINTED_RAD_S, end, asked)
-    return asked
+    return np.array(list(dict.fromkeys(asked.tolist())))
 
 
 def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Check the directions: values beyond one turn were probably meant in other units."""
+    """The directions, each once and in their order; values beyond one turn were probably meant in other
+    units."""
     beyond = directions_rad[~(np.abs(directions_rad) <= FULL_TURN_RAD * (1 + 1e-9))]
     if beyond.size:
         raise KingpostError(
             f"directions: found {beyond[0]:g} rad ({np.degrees(beyond[0]):g} deg), allowed: one turn at "
             "most, 2 pi rad or 360 deg to either side"
         )
-    return directions_rad
+    return np.array(list(dict.fromkeys(directions_rad.tolist())))
 
 
 def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:

@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Any
 from ..results.units import engineering
 from . import hydrostatics, sea
 from .run import steps
-from .tables import kilograms, table
+from .tables import kilograms, masses, table
 
 if TYPE_CHECKING:
     from ..scenario import Scenario
 
 WORLD = "world"
+FREE = "floating"
+"""The joint of a body that moves in all six directions."""
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
@@ -28,7 +30,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
     sections = [
         [scenario.title],
         _parts(described["parts"]),
-        _bodies(described),
+        _bodies(described, {hull["body"] for hull in scenario.hydrostatics["hulls"]}),
         [
             f"total mass: {kilograms(mass)}",
             f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}",
@@ -82,14 +84,21 @@ def _parts(parts: list[dict[str, Any]]) -> list[str]:
     return table(rows, "<<<<") if parts else []
 
 
-def _bodies(described: dict[str, Any]) -> list[str]:
+def _bodies(described: dict[str, Any], afloat: set[str]) -> list[str]:
     joints = {joint["body"]: joint for joint in described["joints"]}
     rows = [("body", "mass", "parent", "joint")]
-    for body in described["bodies"]:
+    weighed = masses([body["mass_kg"] for body in described["bodies"]])
+    for body, mass in zip(described["bodies"], weighed, strict=True):
         joint = joints.get(body["name"])
-        how = f"{joint['kind']} {joint['name']}" if joint else ""
-        rows.append((body["name"], kilograms(body["mass_kg"]), body.get("parent") or WORLD, how))
+        how = f"{_kind(joint, afloat)} {joint['name']}" if joint else ""
+        rows.append((body["name"], mass, body.get("parent") or WORLD, how))
     return table(rows, "<><<")
+
+
+def _kind(joint: dict[str, Any], afloat: set[str]) -> str:
+    """What a joint is. A load that moves in all six directions is free: only a hull floats."""
+    kind: str = joint["kind"]
+    return "free" if kind == FREE and joint["body"] not in afloat else kind
 
 
 def _loops(loops: list[dict[str, Any]]) -> list[str]:

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..analysis import pooling
+from ..errors import KingpostError, shortened
 from ..simulation.outcomes import Outcome, in_words, of_run, with_partings
 from .tables import table
 
@@ -27,10 +28,20 @@ def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
             found.append(of_run(run.attrs, seeds[0]))
             continue
         # Each attribute is a list with an entry for each run.
-        limits, warnings = (json.loads(run.attrs.get(name, "[]")) for name in ("limits", "warnings"))
-        each = zip(seeds, limits or [[]] * len(seeds), warnings or [[]] * len(seeds), strict=True)
-        found += [with_partings(*one) for one in each]
+        limits, warnings = (_of_each(run, name, len(seeds)) for name in ("limits", "warnings"))
+        found += [with_partings(*one) for one in zip(seeds, limits, warnings, strict=True)]
     return found
+
+
+def _of_each(runs: xarray.Dataset, name: str, count: int) -> list[Any]:
+    """An attribute of several runs: an entry for each, empty ones where there is none."""
+    entries = json.loads(runs.attrs.get(name, "[]")) or [[]] * count
+    if not isinstance(entries, list) or len(entries) != count:
+        held = f"{len(entries)} entries" if isinstance(entries, list) else repr(shortened(str(entries)))
+        raise KingpostError(
+            f"{pooling.file_of(runs)}: {name}: found {held}, allowed: one for each of {count} runs"
+        )
+    return entries
 
 
 def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:

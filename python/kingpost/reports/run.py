@@ -11,7 +11,7 @@ import numpy as np
 from ..results.columns import columns, unit_of
 from ..results.units import engineering
 from .selection import is_single_force, is_single_number
-from .tables import fixed, joules, largest, significant, table
+from .tables import fixed, joules, largest, significant, table, unit_cell
 
 if TYPE_CHECKING:
     import xarray
@@ -188,7 +188,7 @@ def _elements(results: xarray.Dataset) -> list[str]:
             values = (series.values[-1], series.values.min(), series.values.max())
             most = np.abs(series.values).max()
             shown_values = (significant(value / size, most / size) for value in values)
-            rows.append((str(thing), words, *shown_values, unit))
+            rows.append((str(thing), words, *shown_values, unit_cell(unit)))
     return table(_shortened(rows), "<<>>><") if len(rows) > 1 else []
 
 

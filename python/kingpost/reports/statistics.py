@@ -14,7 +14,7 @@ from ..results.units import engineering
 from ..simulation.batch import FINISHED
 from . import outcomes
 from .selection import chosen, of_time
-from .tables import fixed, table
+from .tables import fixed, table, unit_cell
 
 if TYPE_CHECKING:
     import pandas
@@ -152,7 +152,10 @@ def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float
     ]
     rows = [("channel", "", *HEADINGS.values())]
     for row in found.to_dict("records"):
-        rows.append((row["channel"], row["unit"], *(_number(row[name]) for name in HEADINGS)))
+        most = max(abs(row["maximum"]), abs(row["minimum"]))
+        rows.append(
+            (row["channel"], unit_cell(row["unit"]), *(_number(row[name], most) for name in HEADINGS))
+        )
     lines += table(rows, "<<" + ">" * len(HEADINGS))
     exposure = exposure_s(runs[0], after_s)
     of = "three hours" if exposure == statistics.THREE_HOURS_S else f"one operation of {exposure:g} s"
@@ -167,7 +170,7 @@ def _extremes(found: pandas.DataFrame, count: int, of: str) -> list[str]:
     for row in found.to_dict("records"):
         cells = [(_number(row[side]), f"+- {_number(row[f'{side}_error'])}" if np.isfinite(row[side]) else "")
                  for side in ("extreme_largest", "extreme_smallest")]  # fmt: skip
-        rows.append((row["channel"], row["unit"], *cells[0], *cells[1]))
+        rows.append((row["channel"], unit_cell(row["unit"]), *cells[0], *cells[1]))
     lines = [*table(rows, "<<><><"), "+- one standard error, from the scatter of the runs"]
     if count < ENOUGH_RUNS:
         lines.append(f"warning: of {count} runs these are rough: {ENOUGH_RUNS} or more, each of another seed")
@@ -216,10 +219,13 @@ def _extreme(
     }
 
 
-def _number(value: float) -> str:
-    """A number with at least four digits, without an exponent if possible."""
+def _number(value: float, most: float = 0.0) -> str:
+    """A number with at least four digits, without an exponent if possible; 0 if it is a rounding error of a
+    channel whose largest magnitude is `most`."""
     if not np.isfinite(value):
         return "-"
+    if abs(value) < SMALLEST_MOTION * most:
+        value = 0.0
     size = abs(value)
     if 1e4 <= size < 1e7:
         return f"{value:.0f}"

@@ -9,7 +9,7 @@ import numpy as np
 HUGE = 1e10
 """From this size on decimals are not printed."""
 LARGEST_IN_KG = 2e4
-"""Larger masses are in t."""
+"""A table with a larger mass is in t."""
 
 
 def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
@@ -68,9 +68,27 @@ def kilograms(value: float) -> str:
     >>> kilograms(1.19e7), kilograms(500.0), kilograms(10000.0)
     ('11900 t', '500 kg', '10000 kg')
     """
-    if abs(value) > LARGEST_IN_KG:
-        return f"{value / 1000:.7g} t"
-    return f"{value:.6g} kg"
+    return masses([value])[0]
+
+
+def unit_cell(unit: str) -> str:
+    """A unit in a table: none for a number without dimension.
+
+    >>> unit_cell("kN"), unit_cell("1")
+    ('kN', '')
+    """
+    return "" if unit == "1" else unit
+
+
+def masses(values: Sequence[float]) -> list[str]:
+    """Masses of one table, all in t if the largest needs it, else all in kg.
+
+    >>> masses([5.434e6, 500.0]), masses([500.0, 2000.0])
+    (['5434 t', '0.5 t'], ['500 kg', '2000 kg'])
+    """
+    if max(map(abs, values), default=0.0) > LARGEST_IN_KG:
+        return [f"{value / 1000:.7g} t" for value in values]
+    return [f"{value:.6g} kg" for value in values]
 
 
 def largest(values: np.ndarray) -> float:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import RollDampingError
+from ..errors import RollDampingError, shortened
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -74,7 +74,7 @@ class Sections:
         given = {name: np.asarray(values, float) for name, values in columns.items()}
         areas = {"area_m2", "area_coefficient"} & given.keys()
         if not {"x_m", "beam_m", "draught_m"} <= given.keys() or len(areas) != 1:
-            raise RollDampingError("columns", ", ".join(given) or "none", COLUMNS, file)
+            raise RollDampingError("columns", shortened(", ".join(given)) or "none", COLUMNS, file)
         order = np.argsort(given["x_m"], kind="stable")
         given = {name: values[order] for name, values in given.items()}
         _check(given, file)

@@ -10,7 +10,7 @@ from ..analysis.vibration import modes
 from ..errors import KingpostError
 from ..reports import outline, sea
 from ..reports.modes import of_ship_and_crane
-from ..reports.tables import fixed, kilograms
+from ..reports.tables import fixed, masses
 from ..simulation.simulate import Simulation
 from .blocks import Block, Command, Paragraph, Picture, Section, Table
 
@@ -48,8 +48,10 @@ def section(scenario: Scenario) -> Section:
 
 def _masses(scenario: Scenario) -> Table:
     bodies = scenario.model["bodies"]
-    rows = [(body["name"], body["parent"] or "world", kilograms(body["mass_kg"])) for body in bodies]
-    rows.append(("all", "", kilograms(sum(body["mass_kg"] for body in bodies))))
+    weights = [body["mass_kg"] for body in bodies]
+    *each, in_all = masses([*weights, sum(weights)])
+    rows = [(body["name"], body["parent"] or "world", mass) for body, mass in zip(bodies, each, strict=True)]
+    rows.append(("all", "", in_all))
     return Table("Masses", ("body", "on", "mass"), rows, FROM_CHECK, (2,))
 
 

@@ -8,6 +8,7 @@ pub mod build;
 mod conversion;
 pub mod describe;
 mod error;
+mod field_search;
 mod files;
 #[cfg(feature = "schema")]
 pub mod json_schema;

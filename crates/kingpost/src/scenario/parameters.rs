@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::error::{Fault, SourcePlace};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use super::tree::{Content, Field, ScenarioNode, segments, value_child};
-use super::{conversion, units, wording};
+use super::{conversion, field_search, units, wording};
 
 /// A value that is set by name: of a parameter, or of a field by its dotted path.
 pub(super) struct Override<'a> {
@@ -68,7 +68,8 @@ pub(super) fn apply(
             }
             None => {
                 let names: Vec<&str> = kinds.keys().copied().collect();
-                let allowed = wording::parameter_or_path(&names, name);
+                let paths = field_search::paths_of(target.whole, name);
+                let allowed = wording::parameter_or_path(&names, name, &paths);
                 return Err(Fault::new(place, *name, wording::UNKNOWN_NAME, allowed));
             }
         }

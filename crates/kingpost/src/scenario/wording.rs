@@ -251,17 +251,19 @@ pub(super) const ON_THE_WORLD: &str = "world, for a part that floats, is moored 
 pub(super) const LEVEL: &str = "roll and pitch 0";
 pub(super) const REQUIRED: &str = "a value: this field is required";
 
-/// The allowed names of an override.
-pub(super) fn parameter_or_path(parameters: &[&str], written: &str) -> String {
-    match parameters {
+/// The allowed names of an override; `paths` are those of fields that have the name that was written.
+pub(super) fn parameter_or_path(parameters: &[&str], written: &str, paths: &[String]) -> String {
+    let allowed = match parameters {
         [] => "a dotted path of a field: the scenario has no parameters".to_owned(),
-        names => format!("a dotted path of a field, or {}", one_of_with_hint(names, written)),
-    }
+        names if paths.is_empty() => format!("a dotted path of a field, or {}", one_of_with_hint(names, written)),
+        names => format!("a dotted path of a field, or {}", one_of(names)),
+    };
+    if paths.is_empty() { allowed } else { format!("{allowed}; did you mean {}?", paths.join(" or ")) }
 }
 
 /// The words for a parameter that needs a default because the field that it writes is not in the file.
 pub(super) fn default_for(path: &str) -> String {
-    format!("a default, or one value at {path}")
+    format!("a default, or one value at {}", shortened(path))
 }
 
 /// The words for a path to a field that does not exist.

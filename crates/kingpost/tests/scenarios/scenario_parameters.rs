@@ -168,6 +168,10 @@ fn an_override_that_is_not_allowed_says_what_is() {
             "--set motor_3: found an unknown name, allowed: a dotted path of a field, or one of motor_1, "
         )
     );
+    for (name, path) in [("duration_s", "simulation.duration_s"), ("duration", "simulation.duration_s")] {
+        let unknown = try_set(PAPER, &[&format!("{name}=5")]).unwrap_err();
+        assert!(unknown.ends_with(&format!("; did you mean {path}?")), "{unknown}");
+    }
     let unknown = try_set(PAPER, &["bodies.ship.mas_kg=5"]).unwrap_err();
     assert!(unknown.starts_with("--set bodies.ship.mas_kg: found an unknown field"), "{unknown}");
 }

@@ -115,7 +115,7 @@ def _shape(draw: random.Random, run: xarray.Dataset) -> xarray.Dataset:
         return run.isel(time=slice(0, draw.randrange(3)))
     if way == 1:
         dimension = draw.choice(sorted(map(str, run.dims)))
-        return run.rename({dimension: "another"})
+        return run.rename({dimension: "another"} if "another" not in run.variables else {})
     if way == 2:
         return run.drop_vars(draw.choice(sorted(map(str, run.variables))))
     if way == 3:
