@@ -122,6 +122,19 @@ export default {
     await close();
   },
 
+  async "warns on a phone without covering a control"(host) {
+    const { page, close } = await openApp(host, { viewport: PHONE });
+    await openFile(page, "steep.yaml", BARGE.replace("orientation_deg: [4, -2, 0]", "orientation_deg: [24, 0, 0]"), DATABASE);
+    await opened(page, "A barge in a regular wave");
+    const warning = await page.getByTestId("run-warnings").locator(".alert-box").boundingBox();
+    for (const part of [".switcher", "#controls", ".transport"]) {
+      const box = await page.locator(part).boundingBox();
+      assert.ok(box.height > 40, `${part} has room beside a warning`);
+      assert.ok(box.y >= warning.y + warning.height || box.y + box.height <= warning.y, `a warning covers ${part}`);
+    }
+    await close();
+  },
+
   async "draws still water level, and none where the scenario has none"(host) {
     const { page, close } = await openApp(host);
     assert.equal(await page.getByTestId("floating").isVisible(), false);
