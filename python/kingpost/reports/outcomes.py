@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from ..analysis import pooling
 from ..errors import KingpostError, shortened
 from ..simulation.outcomes import Outcome, in_words, of_run, with_partings
-from .tables import table
+from .tables import table, unit_cell
 
 if TYPE_CHECKING:
     import xarray
@@ -69,7 +69,7 @@ def limits(outcomes: Sequence[Outcome]) -> list[str]:
         value, time = (
             "-" if worst[key] is None else f"{worst[key]:.4g}" for key in ("worst", "worst_time_s")
         )
-        row = (worst["name"], held, f"{count} of {len(with_row)}", value, worst["unit"], str(seed), time,
+        row = (worst["name"], held, f"{count} of {len(with_row)}", value, unit_cell(worst["unit"]), str(seed), time,
                _allowed(worst), worst["column"])  # fmt: skip
         rows.append(_in_runs(row, several))
     return [*_distrust(outcomes), *table(rows, "".join(_in_runs("<<<><>><<", several)))]
