@@ -69,8 +69,8 @@ def limits(outcomes: Sequence[Outcome]) -> list[str]:
         value, time = (
             "-" if worst[key] is None else f"{worst[key]:.4g}" for key in ("worst", "worst_time_s")
         )
-        row = (worst["name"], held, f"{count} of {len(with_row)}", value, unit_cell(worst["unit"]), str(seed), time,
-               _allowed(worst), worst["column"])  # fmt: skip
+        in_runs, unit = f"{count} of {len(with_row)}", unit_cell(worst["unit"])
+        row = (worst["name"], held, in_runs, value, unit, str(seed), time, _allowed(worst), worst["column"])
         rows.append(_in_runs(row, several))
     return [*_distrust(outcomes), *table(rows, "".join(_in_runs("<<<><>><<", several)))]
 
