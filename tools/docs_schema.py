@@ -116,7 +116,7 @@ def value(one: Schema) -> str:
     kinds = one.get("type", [])
     kinds = [kind for kind in ([kinds] if isinstance(kinds, str) else kinds) if kind != "null"]
     if kinds == ["array"]:
-        return f"list of {count(one)}{value(one.get('items', {})) or 'values'}"
+        return f"list of {count(one)}{several(value(one.get('items', {})))}"
     if kinds == ["object"]:
         named = [*one.get("patternProperties", {}).values(), one.get("additionalProperties")]
         inner = [value(other) for other in named if isinstance(other, dict)]
@@ -126,6 +126,13 @@ def value(one: Schema) -> str:
     return " or ".join(
         {"string": "text", "boolean": "true or false"}.get(kind, kind) for kind in kinds
     ) + limits(one)
+
+
+def several(kind: str) -> str:
+    """The type of a list's entries: numbers, names."""
+    word, blank, limit = kind.partition(" ")
+    plural = {"": "values", "number": "numbers", "integer": "integers", "name": "names", "text": "texts"}
+    return plural.get(word, word) + blank + limit
 
 
 def count(one: Schema) -> str:

@@ -74,6 +74,8 @@ def test_a_range_and_a_default_are_written_as_a_reader_expects() -> None:
     field = {"type": "number", "exclusiveMinimum": 0, "description": "Mass, kg."}
     expected = "| `mass_kg`<br>`mass_t` | kg<br>t | number > 0 | required | Mass, kg. |"
     assert docs_schema.row(["mass_kg", "mass_t"], field, True) == expected
+    field = {"type": "array", "items": {"type": "number", "minimum": 0}, "minItems": 3, "maxItems": 3}
+    assert docs_schema.value(field) == "list of 3 numbers ≥ 0"
 
 
 def test_every_scenario_of_the_gallery_stands_on_its_page_with_its_picture() -> None:
