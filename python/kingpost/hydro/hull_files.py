@@ -219,7 +219,7 @@ def _read_gdf(path: Path) -> Surface:
     words = [line.split() for line in lines]
     try:
         gravity = float(words[0][1])
-        symmetric = [int(word) for word in words[1][:2]]
+        symmetric = int(words[1][0]), int(words[1][1])
         count = int(words[2][0])
         numbers = np.array([float(word) for line in words[3:] for word in line][: 12 * count])
         quads = numbers.reshape(count, 4, 3)
