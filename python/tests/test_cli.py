@@ -94,7 +94,7 @@ def test_check_prints_the_model(capsys):
     assert main(["check", "paper"]) == 0
     text = capsys.readouterr().out
     for words in ("Crane ship of Jardim", "10000 kg", "total mass: 11000 kg", "revolute slew",
-                  "floating ship",
+                  "free ship",
                   "free coordinates (5): ship.roll, ship.pitch, ship.yaw, slew, luff", "crane_x_m", "-10",
                   "gravity", "off"):  # fmt: skip
         assert words in text
