@@ -185,7 +185,7 @@ def test_every_missing_field_is_named(tmp_path):
         tree = database_file.to_tree(sample())
         del tree[name]
         path.write_text(json.dumps(tree))
-        with pytest.raises(HydrodynamicsError, match=name if name != "format" else "another kind"):
+        with pytest.raises(HydrodynamicsError, match=name if name != "format" else "unknown format"):
             database_file.read(path)
 
 
@@ -193,7 +193,7 @@ def test_every_missing_field_is_named(tmp_path):
     ("content", "message"),
     [
         (b"", "a file that is not JSON"),
-        (b"[1, 2]", "JSON of another kind"),
+        (b"[1, 2]", "JSON of an unknown format"),
         (b"frequency, added mass\n", "a file that is not JSON"),
         (b"\x89HDF\r\n\x1a\n\xff", "a file that is not text"),
         (b"[" * 100_000, "a file that is"),

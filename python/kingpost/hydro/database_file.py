@@ -63,7 +63,7 @@ def read(path: str | Path) -> Database:
         found = "a file that is cut short" if ended and text.strip() else "a file that is not JSON"
         raise HydrodynamicsError("", found, allowed, file) from None
     if not isinstance(tree, dict) or "format" not in tree:
-        raise HydrodynamicsError("", "JSON of another kind", allowed, file)
+        raise HydrodynamicsError("", "JSON of an unknown format", allowed, file)
     return from_tree(tree, file)
 
 

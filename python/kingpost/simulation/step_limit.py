@@ -62,7 +62,7 @@ def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]])
 def _limits(
     growth: Callable[[NDArray[np.complex128]], NDArray[np.complex128]], values: NDArray[np.complex128]
 ) -> NDArray[np.float64]:
-    """The steps at which damped motions begin to grow, by scanning outward and halving."""
+    """The step at which each damped motion begins to grow: found by a scan, then by bisection."""
     steps = np.geomspace(1e-3, 1e2, 2000) / np.abs(values)[:, None]
     grows = np.abs(growth(steps * values[:, None])) > 1
     first = np.where(grows.any(axis=1), grows.argmax(axis=1), steps.shape[1] - 1)

@@ -45,7 +45,7 @@ export interface Snapshot {
 
 /** The results of a stretch of simulation. */
 export interface Frame {
-  /** Rows at the recording times passed, one after another, each as wide as `row`. */
+  /** One row for each recording time of the stretch, one after another, each as wide as `row`. */
   rows: Float64Array;
   /** Poses and points of lines at the same times, one after another. */
   row_poses: Float64Array;

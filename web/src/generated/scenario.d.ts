@@ -1565,7 +1565,7 @@ export type Waves =
  */
 export type RegularWave = {
   /**
-   * Whether it runs.
+   * Whether the sea has these waves.
    */
   enabled?: boolean;
   /**
@@ -1598,7 +1598,7 @@ export type RegularWave = {
  */
 export type Jonswap = {
   /**
-   * Whether it runs.
+   * Whether the sea has these waves.
    */
   enabled?: boolean;
   /**
@@ -1662,7 +1662,7 @@ export type WaveRealisation = {
  */
 export type PiersonMoskowitz = {
   /**
-   * Whether it runs.
+   * Whether the sea has these waves.
    */
   enabled?: boolean;
   /**
@@ -1722,7 +1722,7 @@ export type WaveRealisation1 = {
  */
 export type OchiHubble = {
   /**
-   * Whether it runs.
+   * Whether the sea has these waves.
    */
   enabled?: boolean;
   swell: OchiHubblePart;
@@ -1776,7 +1776,7 @@ export type WaveRealisation2 = {
  */
 export type SpectrumTable = {
   /**
-   * Whether it runs.
+   * Whether the sea has these waves.
    */
   enabled?: boolean;
   /**
@@ -1834,7 +1834,7 @@ export type WaveRealisation3 = {
  */
 export type ElevationRecord = {
   /**
-   * Whether it runs.
+   * Whether the sea has these waves.
    */
   enabled?: boolean;
   /**
@@ -1999,7 +1999,7 @@ export type Force =
  */
 export type ViscousDamping = {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -2070,7 +2070,7 @@ export type ViscousDamping = {
  */
 export type Hydrodynamics = {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -2233,7 +2233,7 @@ export type SpringLine = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   first: Pin;
@@ -2263,7 +2263,7 @@ export type CatenaryLine = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   fairlead: Pin2;
@@ -2306,7 +2306,7 @@ export type CatenaryLine = {
  */
 export type Rope = {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -2419,7 +2419,7 @@ export type TuggerLine = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -2442,7 +2442,7 @@ export type Contact = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   load: ContactLoad;
@@ -2849,7 +2849,7 @@ export type TunnelThruster = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it runs.
+   * Whether the thruster runs.
    */
   enabled?: boolean;
   /**
@@ -2891,7 +2891,7 @@ export type MainPropeller = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it runs.
+   * Whether the thruster runs.
    */
   enabled?: boolean;
   /**
@@ -2941,7 +2941,7 @@ export type AzimuthThruster = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it runs.
+   * Whether the thruster runs.
    */
   enabled?: boolean;
   /**
@@ -3030,7 +3030,7 @@ export type Motor = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3065,7 +3065,7 @@ export type LinearMotor = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3100,7 +3100,7 @@ export type Servo = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3147,7 +3147,7 @@ export type LinearServo = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3190,7 +3190,7 @@ export type ControlledDrive = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3317,7 +3317,7 @@ export type LinearControlledDrive = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3406,7 +3406,7 @@ export type Brake = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3442,7 +3442,7 @@ export type LinearBrake = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -3474,7 +3474,7 @@ export type Cylinder = {
   [k: string]: unknown;
 } & {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   first: Pin3;
@@ -4243,7 +4243,7 @@ export interface Point {
  */
 export interface Loop {
   /**
-   * Whether it holds.
+   * Whether the loop holds.
    */
   enabled?: boolean;
   first: Attachment;
@@ -4429,7 +4429,7 @@ export interface KaimalGusts {
  */
 export interface Gravity {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -4442,7 +4442,7 @@ export interface Gravity {
  */
 export interface QuadraticDamping {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -4594,7 +4594,7 @@ export interface UTank {
  */
 export interface Submerged {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -4893,7 +4893,7 @@ export interface ContactPlane {
  */
 export interface WindLoad {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -4919,7 +4919,7 @@ export interface WindLoad {
  */
 export interface CurrentLoad {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -4962,7 +4962,7 @@ export interface CurrentAtDepth {
  */
 export interface DynamicPositioning {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -5051,7 +5051,7 @@ export interface WaveFilter {
  */
 export interface SoftHold {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -5169,7 +5169,7 @@ export interface TargetLength {
  */
 export interface MotionReferenceUnit {
   /**
-   * Whether it measures.
+   * Whether the sensor measures.
    */
   enabled?: boolean;
   /**
@@ -5294,7 +5294,7 @@ export interface DropOuts {
  */
 export interface Encoder {
   /**
-   * Whether it measures.
+   * Whether the sensor measures.
    */
   enabled?: boolean;
   /**
@@ -5323,7 +5323,7 @@ export interface Encoder {
  */
 export interface LinearEncoder {
   /**
-   * Whether it measures.
+   * Whether the sensor measures.
    */
   enabled?: boolean;
   /**
@@ -5353,7 +5353,7 @@ export interface LinearEncoder {
  */
 export interface LoadCell {
   /**
-   * Whether it measures.
+   * Whether the sensor measures.
    */
   enabled?: boolean;
   /**
@@ -5386,7 +5386,7 @@ export interface LoadCell {
  */
 export interface SatelliteReceiver {
   /**
-   * Whether it measures.
+   * Whether the sensor measures.
    */
   enabled?: boolean;
   /**
@@ -5427,7 +5427,7 @@ export interface SatelliteReceiver {
  */
 export interface Clearance {
   /**
-   * Whether it is measured.
+   * Whether the clearance is measured.
    */
   enabled?: boolean;
   first: OwnPoint;
@@ -5459,7 +5459,7 @@ export interface OwnPoint {
  */
 export interface AirGap {
   /**
-   * Whether it is measured.
+   * Whether the clearance is measured.
    */
   enabled?: boolean;
   /**
@@ -5484,7 +5484,7 @@ export interface AirGap {
  */
 export interface InputShaper {
   /**
-   * Whether it shapes; if not, its command passes.
+   * Whether the shaper acts; if not, its command passes.
    */
   enabled?: boolean;
   /**
@@ -5513,7 +5513,7 @@ export interface InputShaper {
  */
 export interface StateFeedback {
   /**
-   * Whether it acts; if not, its commands pass.
+   * Whether the controller acts; if not, its commands pass.
    */
   enabled?: boolean;
   /**
@@ -5575,7 +5575,7 @@ export interface FeedbackSteer {
  */
 export interface Policy {
   /**
-   * Whether it acts; if not, its commands pass.
+   * Whether the controller acts; if not, its commands pass.
    */
   enabled?: boolean;
   /**
@@ -5689,7 +5689,7 @@ export interface SelectorTarget {
  */
 export interface HeaveCompensation {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -5761,7 +5761,7 @@ export interface HeavePrediction {
  */
 export interface ThreeAxisCompensation {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -5823,7 +5823,7 @@ export interface CompensationDrive {
  */
 export interface PlatformCompensation {
   /**
-   * Whether it acts.
+   * Whether the element acts.
    */
   enabled?: boolean;
   /**
@@ -5893,7 +5893,7 @@ export interface Wire {
  */
 export interface Operation {
   /**
-   * Whether it runs; if not, the user sets the inputs.
+   * Whether the operation runs; if not, the user sets the inputs.
    */
   enabled?: boolean;
   /**
@@ -5977,7 +5977,7 @@ export interface ColumnRange {
  */
 export interface Limit {
   /**
-   * Whether it counts.
+   * Whether the limit counts.
    */
   enabled?: boolean;
   /**

@@ -40,8 +40,8 @@ const REACH = 3;
 const POINTS = 160;
 
 /**
- * S(omega) of a sea of regular waves: each with its a^2/2 spread by a normal distribution over the logarithm of the frequency. The periods
- * are also evenly spaced in it. Null for calm water.
+ * S(omega) of a sea of regular waves. The a^2/2 of each wave is spread by a normal distribution over the logarithm of the frequency, in
+ * which the returned periods are evenly spaced. Null for calm water.
  */
 export function spectrumOf({ omega, amplitude_m }: Waves): SeaSpectrum | null {
   if (omega.length === 0) return null;

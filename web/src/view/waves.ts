@@ -47,7 +47,7 @@ export function drawnWaves({ x_m, y_m, elevation_m }: Surface, share: (i: number
   return { x_m, y_m, height_m, slope, foam };
 }
 
-/** Share of white water: steep, and not in a trough; `above_m` is the height above the surroundings. */
+/** Share of white water, which is where a wave is steep and not a trough; `above_m` is the height above the surroundings. */
 export function foamOf(slope: number, above_m: number): number {
   if (above_m < 0) return 0;
   const t = Math.min(1, Math.max(0, (slope - FOAM_BETWEEN[0]) / (FOAM_BETWEEN[1] - FOAM_BETWEEN[0])));

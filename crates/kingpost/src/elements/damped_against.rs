@@ -4,7 +4,7 @@ use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use crate::world::World;
 
-/// What the velocity of a damping is measured against.
+/// The medium relative to which a damped velocity is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DampedAgainst {
     /// The water at its surface, which a current moves: a hull's own friction and eddies.

@@ -33,7 +33,7 @@ impl<S: Scalar> Element<S> for QuadraticDamping<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("quadratic damping is none at rest: great motions are damped more than the response says")
+        Some("the response leaves out quadratic damping, which is zero at rest; a run damps large motions more")
     }
 }
 

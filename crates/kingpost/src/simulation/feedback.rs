@@ -26,7 +26,7 @@ pub struct GrowingMode {
 const SLOWEST_GROWTH: f64 = 1e-3;
 /// A law is the reason if without it nothing grows at more than this share of the rate.
 const SHARE: f64 = 0.5;
-/// A larger norm of A times a sampling period says nothing: the exponential would be rounding.
+/// Largest norm of A times a sampling period: beyond it the matrix exponential is rounding noise.
 const LARGEST_NORM: f64 = 1e9;
 /// Most samples after which all laws sample at once again.
 const MOST_SAMPLES: u64 = 1000;

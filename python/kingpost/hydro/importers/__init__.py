@@ -78,7 +78,7 @@ def load(
     """
     kind, name = recognise(path), str(path)
     if kind is None:
-        raise reading_error("a file of another kind", KINDS, name)
+        raise reading_error("a file of an unknown format", KINDS, name)
     _check_signature(kind, name)
     options = options or Options()
     with _told(kind, name):

@@ -85,7 +85,7 @@ def _check_slope(database: Database, omega: float, file: str) -> None:
         parts = weight * abs(buoyancy) + abs(inertia)
         if abs(found - wanted) > max(SLOPE_ERROR * weight * moment, parts_error * parts):
             raise HydrodynamicsError(
-                "restoring", f"{found:.4g} N m in {name} by a long wave's slope of 1",
-                f"about {wanted:.4g} N m, by buoyancy and inertia; check restoring_includes_weight, "
+                "restoring", f"{found:.4g} N m/rad in {name}, from the excitation by long waves",
+                f"about {wanted:.4g} N m/rad, from buoyancy and inertia; check restoring_includes_weight, "
                 "centre_of_gravity_m, centre_of_buoyancy_m, volume_m3, reference_m and water_depth_m", file,
             )  # fmt: skip

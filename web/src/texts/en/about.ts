@@ -22,7 +22,7 @@ export const about = {
     "Show hides it.",
   errors:
     "Energy error: energy gained less the work done, over the largest kinetic energy or work so far; in J while that is " +
-    "less than a thousand roundings of the potential energy, as for a ship at rest. Momentum error: angular momentum less its impulse, " +
+    "too small to compare with (less than a thousand rounding errors of the potential energy), as for a ship at rest. Momentum error: angular momentum less its impulse, " +
     "over the largest so far. Both should be tiny, and one alone proves little: leave the method's D matrix out (under Advanced), and " +
     "the energy still balances, but the momentum is wrong at once.",
 };

@@ -25,7 +25,7 @@ export const exports = {
 export const saved = {
   by: (time: string) => `Saved by Kingpost's app at ${time} of a run, with the parameters as they were set.`,
   moves: (count: number) => `The operation has ${count === 1 ? "the lever move" : `the ${count} lever moves`} made by hand.`,
-  waiting: (names: string) => `Values that waited for a reset are not in it: ${names}.`,
+  waiting: (names: string) => `This file leaves out values that take effect only after a reset: ${names}.`,
   same: "A run of this file gives the same numbers.",
   implicit: "Its integrator is implicit: a run outside the browser agrees within its tolerance, not to the last bit.",
   needs: (files: string) => `It needs these files in the same folder: ${files}.`,

@@ -18,7 +18,7 @@ export const share = {
   qr_too_long: (length: number, most: number) => `With ${length} characters the link is too long for a QR code that a phone reads: at most ${most}.`,
   qr_failed: "The QR code did not load.",
   too_large: (length: number, most: number) =>
-    `This run does not fit in a link: it takes ${length} characters, and and most programs truncate beyond ${most}. Save scenario makes a file of it.`,
+    `This run does not fit in a link: it takes ${length} characters, and most programs truncate beyond ${most}. Save scenario makes a file of it.`,
   newer: "The link was made by a newer version of Kingpost. Reload the page; if that does not help, this copy of the app must be updated.",
   cut: "The link was cut: its end is missing. Copy it again, completely, from where it was made.",
   broken: "The link is damaged: its content cannot be read. Copy it again from where it was made.",

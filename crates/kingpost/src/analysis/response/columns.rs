@@ -119,7 +119,7 @@ fn warnings(at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
     });
     let held = rows.layout().inputs.iter().filter_map(|input| {
         let signal = input.signal.as_ref()?;
-        Some(format!("{}: held as it stands, though it takes the signal {signal} in a run", input.name))
+        Some(format!("{}: held at its present value; in a run it follows the signal {signal}", input.name))
     });
     let mut all: Vec<String> = Vec::new();
     for warning in unstable.into_iter().chain(left_out).chain(held) {

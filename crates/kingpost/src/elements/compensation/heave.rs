@@ -142,7 +142,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the commands of heave compensation, which it gives at its ticks")
+        Some("the response leaves out the commands of heave compensation; a run has them")
     }
 }
 

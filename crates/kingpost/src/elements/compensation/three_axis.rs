@@ -129,7 +129,7 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the commands of the compensation in three axes, which it gives at its ticks")
+        Some("the response leaves out the commands of the three-axis compensation; a run has them")
     }
 }
 

@@ -85,8 +85,8 @@ impl<S: Scalar> Gains<S> {
         core::array::from_fn(|k| self.stiffness[k] * at.error[k] - self.damping[k] * at.rate[k])
     }
 
-    /// Rate of the integrals, in the axes of the heading: K_i e, less the part of the demand that cannot be given over
-    /// T_t.
+    /// Rate of the integrals, in the axes of the heading: K_i e - (demand - given) / T_t, so that a saturated integral
+    /// stops growing.
     pub fn integral_rate(&self, at: &Deviation<S>, demand: Planar<S>, given: Planar<S>) -> Planar<S> {
         core::array::from_fn(|k| {
             let rate = || self.integral[k] * at.error[k] + (given[k] - demand[k]) / self.tracking_time[k];

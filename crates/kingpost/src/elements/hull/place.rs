@@ -328,7 +328,7 @@ mod tests {
         assert!(angular.norm() < 1e-8 && linear.norm() < 1e-8, "{angular:?} {linear:?}");
     }
 
-    /// A push turns the hull about the whole ship's centre of mass, wherever it has swung to.
+    /// A push turns the hull about the whole ship's centre of mass, also after that centre has moved.
     #[test]
     fn a_force_follows_the_centre_of_mass_of_the_whole_ship() {
         let (body, _, _) = somewhere();

@@ -192,7 +192,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("waves and the drag of the water act on it in runs alone: where it is wet the response is not whole")
+        Some("the response leaves out wave loads and drag on its submerged part; a run has them")
     }
 
     fn ties(&self) -> Vec<[Option<usize>; 2]> {

@@ -224,7 +224,7 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
         .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));
     let Some((field, (column, value))) = named else { return Ok(()) };
     let found = format!("numbers that make {column} {value} at the start");
-    Err(FieldError::new(field, found, "numbers that keep it finite"))
+    Err(FieldError::new(field, found, "smaller numbers, with which all outputs are finite"))
 }
 
 /// The forces that are enabled, on bodies that exist.

@@ -15,7 +15,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Clearance<S = f64> {
-    /// Whether it is measured.
+    /// Whether the clearance is measured.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The point.
@@ -100,7 +100,7 @@ pub enum ClearanceShape<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct AirGap<S = f64> {
-    /// Whether it is measured.
+    /// Whether the clearance is measured.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The body, or `world`.

@@ -14,7 +14,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct ControlledDrive<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
@@ -113,7 +113,7 @@ pub struct AngleSetPoint<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct LinearControlledDrive<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.

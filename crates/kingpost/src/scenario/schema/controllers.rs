@@ -85,7 +85,7 @@ fn joint_targets<'a>(kind: &'static str, joints: &'a [CompensationDrive]) -> imp
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct InputShaper<S = f64> {
-    /// Whether it shapes; if not, its command passes.
+    /// Whether the shaper acts; if not, its command passes.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The input that it sets: of a drive, or the command of another controller.
@@ -128,7 +128,7 @@ pub enum ShaperKind {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct StateFeedback<S = f64> {
-    /// Whether it acts; if not, its commands pass.
+    /// Whether the controller acts; if not, its commands pass.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The columns that it reads.

@@ -63,7 +63,7 @@ pub struct Pulse {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Motor<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
@@ -91,7 +91,7 @@ pub struct Motor<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct LinearMotor<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
@@ -119,7 +119,7 @@ pub struct LinearMotor<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Servo<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
@@ -146,7 +146,7 @@ pub struct Servo<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct LinearServo<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
@@ -187,7 +187,7 @@ pub enum BrakeState {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Brake<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
@@ -213,7 +213,7 @@ pub struct Brake<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct LinearBrake<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.

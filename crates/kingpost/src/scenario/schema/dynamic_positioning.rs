@@ -15,7 +15,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct DynamicPositioning<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The ship.
@@ -239,7 +239,7 @@ pub enum Thruster<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct TunnelThruster<S = f64> {
-    /// Whether it runs.
+    /// Whether the thruster runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Where it acts, in the body's drawing frame, m.
@@ -266,7 +266,7 @@ pub struct TunnelThruster<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct MainPropeller<S = f64> {
-    /// Whether it runs.
+    /// Whether the thruster runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Where it acts, in the body's drawing frame, m.
@@ -296,7 +296,7 @@ pub struct MainPropeller<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct AzimuthThruster<S = f64> {
-    /// Whether it runs.
+    /// Whether the thruster runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Where it acts, in the body's drawing frame, m.

@@ -60,7 +60,7 @@ pub enum Force<S = f64> {
 )]
 #[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
 pub struct Gravity<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     pub enabled: bool,
     /// Acceleration of free fall, m/s^2.
     pub acceleration_m_s2: NonNegative<S>,
@@ -94,7 +94,7 @@ pub enum DampedAgainst {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct ViscousDamping<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The body.
@@ -127,7 +127,7 @@ pub struct ViscousDamping<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct QuadraticDamping<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The body.

@@ -16,7 +16,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct HeaveCompensation<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Whether it is switched on at the start.

@@ -15,7 +15,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct SpringLine<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// One end: a fairlead, for example.
@@ -42,7 +42,7 @@ pub struct SpringLine<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct CatenaryLine<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The upper end, on a body.

@@ -15,7 +15,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Loop<S = f64> {
-    /// Whether it holds.
+    /// Whether the loop holds.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The attachment to one body. Constraints are along and about these axes.

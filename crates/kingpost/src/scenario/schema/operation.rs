@@ -15,7 +15,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Operation<S = f64> {
-    /// Whether it runs; if not, the user sets the inputs.
+    /// Whether the operation runs; if not, the user sets the inputs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The steps.
@@ -107,7 +107,7 @@ pub struct ColumnRange {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Limit {
-    /// Whether it counts.
+    /// Whether the limit counts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.

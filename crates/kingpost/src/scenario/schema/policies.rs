@@ -16,7 +16,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Policy<S = f64> {
-    /// Whether it acts; if not, its commands pass.
+    /// Whether the controller acts; if not, its commands pass.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// What it reads, in the order of the columns of the first layer's weights.

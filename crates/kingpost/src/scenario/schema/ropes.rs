@@ -16,7 +16,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Rope<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The points, sheaves and drum of its path, from its first end to its last: it begins at a point or a drum and
@@ -106,7 +106,7 @@ pub struct CarriedByRope<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct TuggerLine<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The points and sheaves of its path, from the winch to the load: it begins and ends at a point.

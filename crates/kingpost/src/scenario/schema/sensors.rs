@@ -46,7 +46,7 @@ pub enum Sensor<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct MotionReferenceUnit<S = f64> {
-    /// Whether it measures.
+    /// Whether the sensor measures.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The body.

@@ -14,7 +14,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Encoder<S = f64> {
-    /// Whether it measures.
+    /// Whether the sensor measures.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
@@ -41,7 +41,7 @@ pub struct Encoder<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct LinearEncoder<S = f64> {
-    /// Whether it measures.
+    /// Whether the sensor measures.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
@@ -69,7 +69,7 @@ pub struct LinearEncoder<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct LoadCell<S = f64> {
-    /// Whether it measures.
+    /// Whether the sensor measures.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The rope.
@@ -111,7 +111,7 @@ pub enum RopeEnd {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct SatelliteReceiver<S = f64> {
-    /// Whether it measures.
+    /// Whether the sensor measures.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The body.

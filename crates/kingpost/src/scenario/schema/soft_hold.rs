@@ -19,7 +19,7 @@ use crate::scenario::leaf::Leaf;
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct SoftHold<S = f64> {
-    /// Whether it acts.
+    /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The ship; its joint is floating.

@@ -40,7 +40,7 @@ pub enum Waves<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct RegularWave<S = f64> {
-    /// Whether it runs.
+    /// Whether the sea has these waves.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Height from trough to crest, m.
@@ -64,7 +64,7 @@ pub struct RegularWave<S = f64> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct Jonswap<S = f64> {
-    /// Whether it runs.
+    /// Whether the sea has these waves.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Significant wave height Hs, m.
@@ -96,7 +96,7 @@ fn gamma() -> Positive {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct PiersonMoskowitz<S = f64> {
-    /// Whether it runs.
+    /// Whether the sea has these waves.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Significant wave height Hs, m.
@@ -116,7 +116,7 @@ pub struct PiersonMoskowitz<S = f64> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct OchiHubble {
-    /// Whether it runs.
+    /// Whether the sea has these waves.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Swell.
@@ -149,7 +149,7 @@ pub struct OchiHubblePart {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SpectrumTable {
-    /// Whether it runs.
+    /// Whether the sea has these waves.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Angular frequency, rad/s, and density S of the elevation's variance, m^2 s/rad, row by row; linear between rows, no
@@ -169,7 +169,7 @@ pub struct SpectrumTable {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ElevationRecord {
-    /// Whether it runs.
+    /// Whether the sea has these waves.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// CSV file beside the scenario's own, with the header `time_s,elevation_m` and equal intervals of time.
@@ -247,7 +247,7 @@ impl<S: Leaf> Waves<S> {
         }
     }
 
-    /// Whether it runs.
+    /// Whether the sea has these waves.
     pub fn enabled(&self) -> bool {
         match self {
             Self::Regular(wave) => wave.enabled,
