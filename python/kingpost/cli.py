@@ -7,13 +7,11 @@ interrupted (Ctrl-C, or the system asked it to end), what was computed is kept.
 from __future__ import annotations
 
 import argparse
+import difflib
 import os
-import signal
 import sys
-import threading
 import warnings
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -37,6 +35,7 @@ from .commands import (
     verify,
 )
 from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, beginning, fail, printable
+from .commands.interrupts import ended_as_interrupted
 from .errors import KingpostError, KingpostWarning, RunError
 
 COMMANDS = {
@@ -73,20 +72,32 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         unknown = message.removeprefix("unrecognized arguments: ")
-        if unknown != message and any(
-            Path(name).suffix in (".nc", ".csv", ".parquet") for name in unknown.split()
-        ):
-            message += "; a shell replaces * by the files that are there: write 'run_*.nc' in quotes"
+        if unknown != message:
+            message += self._hint(unknown.split())
         said = beginning(printable(" ".join(message.split())), LONGEST_MESSAGE)
         self.exit(WRONG_INPUT, f"error: {said} (see {self.prog} --help)\n")
+
+    def _hint(self, unknown: list[str]) -> str:
+        """What an unknown argument was probably meant to be."""
+        first = unknown[0].partition("=")[0] if unknown else ""
+        own = [option for option in self._option_string_actions if option.startswith("--")]
+        near = difflib.get_close_matches(first, own, n=1) if first.startswith("--") else []
+        if near:
+            seed = " For one seed: --set sea.seed=2" if first == "--seed" else ""
+            return f"; did you mean {near[0]}?{seed}"
+        if any(Path(name).suffix in (".nc", ".csv", ".parquet") for name in unknown):
+            return "; a shell replaces * by the files that are there: write 'run_*.nc' in quotes"
+        return ""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     given = sys.argv[1:] if arguments is None else arguments
-    options = parser().parse_args([hyphened(argument) for argument in given])
+    options, unknown = parser().parse_known_args([hyphened(argument) for argument in given])
+    if unknown:
+        options.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
     try:
-        with _ended_as_interrupted(), warnings.catch_warnings():
+        with ended_as_interrupted(), warnings.catch_warnings():
             # The commands print the warnings of a run themselves.
             warnings.simplefilter("ignore", KingpostWarning)
             return options.command(options)
@@ -114,25 +125,6 @@ def hyphened(argument: str) -> str:
     return f"{name.replace('_', '-')}{is_given}{value}"
 
 
-@contextmanager
-def _ended_as_interrupted() -> Iterator[None]:
-    """Treat SIGTERM and SIGHUP (a terminal that closes) like Ctrl-C."""
-
-    def interrupt(*_: object) -> NoReturn:
-        raise KeyboardInterrupt
-
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    ends = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
-    before = {end: signal.signal(end, interrupt) for end in ends if signal.getsignal(end) is signal.SIG_DFL}
-    try:
-        yield
-    finally:
-        for end, handler in before.items():
-            signal.signal(end, handler)
-
-
 def _complete_files(command: argparse.ArgumentParser) -> None:
     """Let a shell complete file names for options and arguments that take a file."""
     for action in command._actions:
@@ -151,6 +143,6 @@ def parser() -> argparse.ArgumentParser:
     for name, module in COMMANDS.items():
         command = commands.add_parser(name, help=module.HELP)
         module.add_options(command)
-        command.set_defaults(command=module.run)
+        command.set_defaults(command=module.run, parser=command)
         _complete_files(command)
     return top

@@ -85,10 +85,20 @@ def find(path_or_name: str | Path) -> Path:
     if os.path.isdir(text):
         raise ScenarioError(f"{text}: is a folder, not a scenario file", file=text)
     if Path(text).suffix.lower() in ENDINGS or Path(text).parent != Path("."):
-        raise ScenarioError(f"{text}: no such file", file=text)
+        raise ScenarioError(f"{text}: no such file{_like(Path(text))}", file=text)
     near = difflib.get_close_matches(text, gallery, n=1)
     hint = f"did you mean {near[0]!r}?" if near else f"the gallery has: {', '.join(gallery)}"
     raise ScenarioError(f"{text}: neither a file nor a name of the gallery; {hint}", file=text)
+
+
+def _like(path: Path) -> str:
+    """The scenario file in the same folder whose name is most like a misspelt one, as a question."""
+    try:
+        beside = [one.name for one in path.parent.iterdir() if one.suffix.lower() in ENDINGS]
+    except OSError:
+        return ""
+    near = difflib.get_close_matches(path.name, beside, n=1)
+    return f"; did you mean {path.with_name(near[0])}?" if near else ""
 
 
 def parts() -> list[str]:

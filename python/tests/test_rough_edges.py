@@ -2,12 +2,15 @@
 braces, pages whose lines do not run."""
 
 import re
+import signal
 from pathlib import Path
 
 import kingpost
 import numpy as np
 import pytest
+from kingpost import output
 from kingpost.cli import main
+from kingpost.commands.interrupts import finished_first
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import hull_files
 from kingpost.hydro.drift import Loading
@@ -96,3 +99,65 @@ def test_hyphens_and_underscores_of_an_option_are_one(option, capsys) -> None:
 def test_counts_that_no_machine_holds_are_refused_at_once(command, capsys) -> None:
     assert main(command) == 2
     assert re.search(r"found .*9999.*, allowed: .* (up )?to 10", capsys.readouterr().err)
+
+
+def test_a_misspelt_file_gets_the_nearest_of_its_folder(tmp_path, capsys) -> None:
+    (tmp_path / "harbour_lift.yaml").write_text("version: 1\n", encoding="utf-8")
+    wrong = tmp_path / "harbor_lift.yaml"
+    assert main(["run", str(wrong)]) == 2
+    assert f"no such file; did you mean {tmp_path / 'harbour_lift.yaml'}?" in capsys.readouterr().err
+    assert main(["run", str(tmp_path / "no_folder" / "lift.yaml")]) == 2
+    assert capsys.readouterr().err.endswith("lift.yaml: no such file\n")
+
+
+def test_a_misspelt_option_gets_the_nearest_of_its_command(capsys) -> None:
+    with pytest.raises(SystemExit):
+        main(["run", "barge", "--outptu", "run.csv"])
+    assert "--outptu run.csv; did you mean --output? (see kingpost run --help)" in capsys.readouterr().err
+
+
+def test_a_misspelt_column_gets_the_nearest_of_the_scenario(capsys) -> None:
+    """Source: a hull that is not named ship, so that no fixed example is right."""
+    assert main(["run", "offshore_vessel", "--record", "hull.rol"]) == 2
+    assert "--record: found 'hull.rol', allowed: columns such as hull.roll" in capsys.readouterr().err
+
+
+def test_a_column_in_place_of_a_file_of_results_gets_its_option(capsys) -> None:
+    assert main(["statistics", "ship.roll"]) == 2
+    assert capsys.readouterr().err.endswith("writes them; columns follow --channels\n")
+
+
+@pytest.mark.parametrize("end", ["SIGINT", "SIGTERM"])
+def test_an_interrupt_while_a_run_is_written_does_not_lose_it(tmp_path, monkeypatch, capsys, end) -> None:
+    """Source: exit code 130 says that what was computed is kept."""
+    target, written = tmp_path / "run.csv", output.write_text
+
+    def interrupted(*given) -> Path:
+        signal.raise_signal(getattr(signal, end))
+        return written(*given)
+
+    target.write_text("old", encoding="utf-8")
+    monkeypatch.setattr(output, "write_csv", lambda table, path: interrupted(path, table.to_csv(index=False)))
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        settings = ["--set", "simulation.duration_s=0.1"]
+        assert main(["run", "barge", *settings, "-o", str(target)]) == 130
+        assert target.read_text().splitlines()[-1].startswith("0.1,")
+        assert "error: interrupted at 0.1 s" in capsys.readouterr().err
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def test_a_second_interrupt_stops_the_writing() -> None:
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        ended = False
+        with pytest.raises(KeyboardInterrupt), finished_first():  # noqa: PT012
+            signal.raise_signal(signal.SIGINT)
+            ended = True
+            signal.raise_signal(signal.SIGINT)
+            ended = False
+        assert ended
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    finally:
+        signal.signal(signal.SIGINT, before)

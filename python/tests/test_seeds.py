@@ -91,7 +91,10 @@ def test_errors_are_reported_before_a_run(arguments, message, tmp_path, monkeypa
             ["-o", "run_1.nc", "run_2.nc", "--seeds", "3"],
             "run_2.nc; a shell replaces * by the files that are there",
         ),
-        (["--seed", "2"], "unrecognized arguments: --seed 2 (see"),
+        (
+            ["--seed", "2"],
+            "--seed 2; did you mean --seeds? For one seed: --set sea.seed=2 (see kingpost",
+        ),
     ],
 )
 def test_what_a_shell_made_of_a_pattern_and_half_an_option_are_refused(arguments, message, capsys) -> None:

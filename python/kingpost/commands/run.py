@@ -28,6 +28,7 @@ from .common import (
     show,
     warn,
 )
+from .interrupts import finished_first
 
 if TYPE_CHECKING:
     import xarray
@@ -91,7 +92,14 @@ def run(options: argparse.Namespace) -> int:
                 raise
             failure, recorded = error, simulation.results
     # Write before printing: the reader of a pipe may close it.
-    written = _write(recorded, output, options) if output else ""
+    written: Path | None = None
+    try:
+        with finished_first():
+            written = _write(recorded, output, options) if output else None
+    except KeyboardInterrupt as error:
+        if written is None:
+            raise
+        failure = error
     show(options, lambda: _report(recorded, scenario), lambda: numbers(recorded, scenario))
     warn(line for lines in outcomes.warnings(outcomes.of_runs([recorded])) for line in lines)
     if output:

@@ -8,7 +8,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from ..errors import KingpostError
-from ..results.columns import Place, floating_bodies, places, unit_of
+from ..results.columns import Place, floating_bodies, nearest, places, unit_of
 
 if TYPE_CHECKING:
     import xarray
@@ -41,9 +41,8 @@ def chosen(results: xarray.Dataset, patterns: Sequence[str], option: str = "--ch
         names = main_ones(results, every)
     for pattern in patterns:
         if not any(fnmatchcase(name, pattern) for name in every):
-            raise KingpostError(
-                f"{option}: found {pattern!r}, allowed: columns such as ship.roll, or patterns such as ship.*"
-            )
+            allowed = f"columns such as {nearest(pattern, every)}, or a pattern such as 'load.*'"
+            raise KingpostError(f"{option}: found {pattern!r}, allowed: {allowed}")
     return {name: unit_of(every[name].of(results)) for name in names}
 
 

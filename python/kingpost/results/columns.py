@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from itertools import product
@@ -147,6 +147,16 @@ def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[st
     return found
 
 
+def nearest(name: str, every: Iterable[str]) -> str:
+    """Up to three of the names that are most like `name`, else the first ones, for a message.
+
+    >>> nearest("ship.rol", ["ship.roll", "ship.pitch", "tower.angle"])
+    'ship.roll'
+    """
+    names = list(every)
+    return ", ".join(difflib.get_close_matches(name, names, n=3) or names[:3])
+
+
 def column(
     results: xarray.Dataset, name: str, period_s: tuple[float, float] | None = None
 ) -> xarray.DataArray:
@@ -178,8 +188,7 @@ def column(
     """
     every = places(results, along=("time", "run"))
     if name not in every:
-        near = difflib.get_close_matches(name, every, n=3) or list(every)[:3]
-        raise KingpostError(f"column: found {name!r}, allowed: a column, such as {', '.join(near)}")
+        raise KingpostError(f"column: found {name!r}, allowed: a column, such as {nearest(name, every)}")
     found = every[name].of(results)
     found.attrs["units"] = unit_of(found)
     if period_s is None:

@@ -17,7 +17,7 @@ import numpy as np
 from .. import output
 from ..errors import KingpostError
 from . import xarrays
-from .columns import columns, frame, places, unit_of
+from .columns import columns, frame, nearest, places, unit_of
 from .events import events, warnings
 from .kept import are_of_a_run
 from .units import IN_ENGINEERING, NAMES, check_units, engineering
@@ -143,7 +143,8 @@ def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
     names = list(places(results))
     for pattern in patterns:
         if not any(fnmatchcase(name, pattern) for name in names):
-            raise KingpostError(f"--record: found {pattern!r}, allowed: columns such as ship.roll, or ship.*")
+            allowed = f"columns such as {nearest(pattern, names)}, or a pattern such as 'load.*'"
+            raise KingpostError(f"--record: found {pattern!r}, allowed: {allowed}")
 
 
 def _variables(results: xarray.Dataset, patterns: Sequence[str]) -> xarray.Dataset:
@@ -298,7 +299,8 @@ def _told(path: str | Path) -> Iterator[None]:
     try:
         if not Path(path).is_file():
             what = "is a folder" if Path(path).is_dir() else "no such file"
-            raise KingpostError(f"{path}: {what}, {ALLOWED}")
+            columns = "" if Path(path).suffix.lower() == ".nc" else "; columns follow --channels"
+            raise KingpostError(f"{path}: {what}, {ALLOWED}{columns}")
         yield
     except KingpostError:
         raise
