@@ -107,7 +107,7 @@ def test_a_column_that_is_not_there_is_refused_before_the_run(tmp_path, capsys, 
     monkeypatch.delattr(kingpost.Simulation, "run")
     assert main(["run", "paper", "-o", str(output), "--record", "boat.roll"]) == 2
     shown = capsys.readouterr()
-    assert "--record: found 'boat.roll', allowed: columns such as ship.roll" in shown.err
+    assert "--record: found 'boat.roll', allowed: columns such as arm.roll, tower.roll" in shown.err
     assert shown.out == ""
     assert not output.exists()
 
