@@ -67,7 +67,12 @@ def fields(schema: Schema) -> list[str]:
         if "x-alias-of" not in one:
             names = [name, *aliases.get(name, [])]
             rows.append(row(names, one, name in required))
-    return [*rows, ""] if len(rows) > 2 else []
+    return in_rows(rows) if len(rows) > 2 else []
+
+
+def in_rows(table: list[str]) -> list[str]:
+    """A table of which each row becomes a paragraph on a phone."""
+    return ['<div class="rows" markdown>', "", *table, "", "</div>", ""]
 
 
 def row(names: list[str], one: Schema, required: bool) -> str:
@@ -99,7 +104,7 @@ def choices(schema: Schema) -> list[str]:
                 rows.append(f"| `{name}`: {value(inner)} | {text(one) or text(inner)} |")
         else:
             rows.append(f"| {value(one)} | {text(one)} |")
-    return [*rows, ""]
+    return in_rows(rows)
 
 
 def value(one: Schema) -> str:

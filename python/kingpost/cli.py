@@ -83,7 +83,7 @@ class Parser(argparse.ArgumentParser):
         own = [option for option in self._option_string_actions if option.startswith("--")]
         near = difflib.get_close_matches(first, own, n=1) if first.startswith("--") else []
         if near:
-            seed = " For one seed: --set sea.seed=2" if first == "--seed" else ""
+            seed = " For one seed: --set simulation.seed=2" if first == "--seed" else ""
             return f"; did you mean {near[0]}?{seed}"
         if any(Path(name).suffix in (".nc", ".csv", ".parquet") for name in unknown):
             return "; a shell replaces * by the files that are there: write 'run_*.nc' in quotes"

@@ -93,7 +93,7 @@ def test_errors_are_reported_before_a_run(arguments, message, tmp_path, monkeypa
         ),
         (
             ["--seed", "2"],
-            "--seed 2; did you mean --seeds? For one seed: --set sea.seed=2 (see kingpost",
+            "--seed 2; did you mean --seeds? For one seed: --set simulation.seed=2 (see kingpost",
         ),
     ],
 )
