@@ -40,6 +40,14 @@ def test_every_link_of_the_page_of_fields_leads_to_a_heading(schema) -> None:
     assert set(re.findall(r"\(#(\w+)\)", page)) <= headings
 
 
+def test_the_star_of_a_symbol_stays_on_the_page() -> None:
+    """Source: two stars of a paragraph, as in M* q'' = F*, mean italics in Markdown and are gone."""
+    code = re.compile(r"^```.*?^```|^    .*?$|`[^`\n]*`", re.DOTALL | re.MULTILINE)
+    for path in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
+        text = code.sub("", path.read_text(encoding="utf-8"))
+        assert re.findall(r"(?<!\w)[MNF]\*(?!\*).*", text) == [], path
+
+
 def test_every_field_of_a_study_stands_on_its_page_with_links_to_headings() -> None:
     schema = json.loads(STUDY.read_text(encoding="utf-8"))
     page = docs_schema.page(STUDY)

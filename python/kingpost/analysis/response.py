@@ -119,7 +119,7 @@ def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDA
     asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
     for end in covered[[0, -1]] if covered.size else ():
         asked = np.where(np.abs(asked - end) <= PRINTED_RAD_S, end, asked)
-    return np.array(list(dict.fromkeys(asked.tolist())))
+    return each_once(asked)
 
 
 def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -131,7 +131,16 @@ def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
             f"directions: found {beyond[0]:g} rad ({np.degrees(beyond[0]):g} deg), allowed: one turn at "
             "most, 2 pi rad or 360 deg to either side"
         )
-    return np.array(list(dict.fromkeys(directions_rad.tolist())))
+    return each_once(directions_rad)
+
+
+def each_once(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The values without repetitions, in the order in which they first appear.
+
+    >>> each_once(np.array([0.5, 0.2, 0.5]))
+    array([0.5, 0.2])
+    """
+    return np.array(list(dict.fromkeys(values.tolist())))
 
 
 def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:

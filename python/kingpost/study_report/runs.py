@@ -12,6 +12,7 @@ import numpy as np
 from .. import link
 from ..errors import KingpostError
 from ..reports import plot
+from ..reports.tables import unit_cell
 from ..results.units import engineering
 from ..simulation.outcomes import NUMBER
 from ..simulation.simulate import run
@@ -48,7 +49,7 @@ def bounds_text(least: float, most: float, unit: str) -> str:
     >>> bounds_text(-5.0, 5.0, "deg"), bounds_text(float("nan"), 1.3, "1")
     ('-5 to 5 deg', 'at most 1.3')
     """
-    of_unit = "" if unit in ("1", "") else f" {unit}"
+    of_unit = f" {unit_cell(unit)}".rstrip()
     has_least, has_most = np.isfinite(least), np.isfinite(most)
     if has_least and has_most:
         return f"{least:g} to {most:g}{of_unit}"
@@ -165,7 +166,7 @@ def section(
 
 def _worst(one: Worst, case: str, scenario: Scenario, app: str) -> Iterator[Block]:
     """A worst run, run again and drawn, with what opens it."""
-    of_unit = "" if one.unit in ("1", "") else f" {one.unit}"
+    of_unit = f" {unit_cell(one.unit)}".rstrip()
     again = f"kingpost study study.yaml -o DIR --repeat {one.run}"
     yield Heading(f"Worst for {one.limit}: {one.value:.4g}{of_unit} at {one.time_s:.1f} s")
     yield Paragraph(f"Run {one.run}: {case}.")

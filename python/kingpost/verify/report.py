@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from .. import __version__
-from ..reports.tables import table
+from ..reports.tables import table, unit_cell
 from .rows import ABSENT, AREAS, FAILED, PASSED, Row
 
 
@@ -40,7 +40,7 @@ def number(value: float | None, digits: int = 6) -> str:
 
 
 def _cells(row: Row) -> tuple[str, ...]:
-    unit = "" if row.unit == "1" else f" {row.unit}"
+    unit = f" {unit_cell(row.unit)}".rstrip()
     theirs = number(row.theirs) + unit if row.theirs is not None else "-"
     limits = number(row.error, 2), number(row.tolerance, 2)
     return (row.id, row.what, number(row.ours), theirs, *limits, row.verdict)
