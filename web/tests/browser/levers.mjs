@@ -7,6 +7,7 @@ const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const QUAYSIDE = "?scenario=quayside_lift";
 const QUAY_HEIGHT_M = 2;
 const BOX_HEIGHT_M = 2.4;
+const SLACK_M = 1;
 
 /** Two thumbs, each on a stick or off it. */
 class Thumbs {
@@ -70,6 +71,9 @@ async function landByThumb(page) {
   await thumbs.move(RIGHT, 0, 0.4);
   await until(page, "on_quay.contact_normal_force", "value > 4e4");
   await until(page, "hoist_rope.rope_tension", "value < 100");
+  // Slack for the swell: with none, the next roll of the ship takes part of the weight again.
+  const { row } = await sample(page);
+  await until(page, "hoist_rope.rope_length", `value > ${row["hoist_rope.rope_length"] + SLACK_M}`);
   await thumbs.letGo(RIGHT);
 }
 
