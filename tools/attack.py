@@ -1,10 +1,8 @@
 """Inputs with something wrong, of every kind, for as long as one has: `python tools/attack.py --minutes 60`.
 
-The generators and the contract are those of `python/tests/fuzz`. A case that breaks the contract is saved,
-with
-what it came to; of many that break it alike the first. Moved to `python/tests/fuzz/corpus/KIND`, it is
-replayed
-by the tests. Exit code 1 where any was found.
+The generators and the contract are those of `python/tests/fuzz`. The first case that breaks the
+contract in its way is saved with what was wrong. Moved to `python/tests/fuzz/corpus/KIND`, it is replayed by
+the tests. Exit code 1 if there was any.
 """
 
 from __future__ import annotations

@@ -16,8 +16,7 @@ ABOVE = np.array([0.0, 0.0, -1.2])
 
 def wamit_six_digits(stem: Path, base: Database, *, version: int = 7) -> Path:
     """STEM.1, .3, .3fk, .3sc and .hst with six or seven digits, periods of -1 and 0 first in
-    version 6 and last
-    among version 7's, and a header line in version 7."""
+    version 6 and last among version 7's, and a header line in version 7."""
     about, rho, g = About(base, ABOVE), base.water.density_kg_m3, base.water.gravity_m_s2
     number = (lambda x: f"{x:14.6E}") if version == 7 else six_digits
     head = [" WAMIT Numeric Output -- Filename  hull     06-Dec-2016  11:59:40"] if version == 7 else []

@@ -84,8 +84,8 @@ def test_a_spread_sea_is_the_mean_over_its_directions() -> None:
 def test_runs_over_seeds_in_a_small_sea_have_the_deviations() -> None:
     """Source: the engine in time. Of a Gaussian process the variance in a record of T has the variance
     2 pi / T Int S^2 dw (Bendat & Piersol, *Random Data*, 2010, sec. 8.2.2), over all runs an n-th of it:
-    nine columns
-    of which most hang together stay within three of these errors."""
+    nine columns,
+    most of them correlated, stay within three of these errors."""
     seeds, start_s, duration_s = 4, 60.0, 660.0
     small = HELD | {
         "significant_height_m": 0.1,

@@ -5,13 +5,11 @@
 Frame: x forward, y to port, z up, the origin on the water plane at the stated draught. All vectors of
 six are (force or translation x, y, z; moment or rotation x, y, z) about that origin. A wave direction is the
 direction that the wave travels towards, counter-clockwise from +x. Phases are those of exp(-i w t): the
-elevation is
-Re{a exp(i (k x cos b + k y sin b - w t))}, the force Re{X a exp(-i w t)}. Zero forward speed.
+elevation is Re{a exp(i (k x cos b + k y sin b - w t))}, the force Re{X a exp(-i w t)}. Zero forward speed.
 
 For a hull that lists or trims (`Attitude`) the coefficients are in level axes: x forward along its heading, y
 to port, z up, the origin on the water plane, vertically above or below the hull's own origin. Particulars,
-waterplane
-and mesh stay those of the hull upright, in its own axes.
+waterplane and mesh stay those of the hull upright, in its own axes.
 """
 
 from __future__ import annotations

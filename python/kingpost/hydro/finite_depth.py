@@ -8,11 +8,10 @@ has a closed form if it is a sum of exponentials: with x = k' h, the wave's k h,
     c = (1 + tanh k h)^2 / (1 - tanh^2 k h + tanh k h / k h).
 
 Version 3.0 of Capytaine looks for the fewest exponentials by Prony's method, on points drawn at random,
-until their mean square error is below 1e-4: f, of order 1, is then wrong by up to 0.2, differently in each
-run, and below k h = 0.1 no sum is found. For a prism of 8 x 0.4 x 0.2 m in 1 m of water the heave damping at
-k h = 6.5 becomes 45 % too small. Here the rates lambda_n are a geometric series, and the amplitudes follow by
-linear
-least squares.
+until their mean square error is below 1e-4: f, of order 1, is then wrong by up to 0.2, differently in
+each run, and below k h = 0.1 no sum is found. For a prism of 8 x 0.4 x 0.2 m in 1 m of water the heave
+damping at k h = 6.5 becomes 45 % too small. Here the rates lambda_n are a geometric series, and the
+amplitudes follow by linear least squares.
 """
 
 from __future__ import annotations

@@ -61,8 +61,7 @@ def fit(
         ``min(1, w_i / w) |K_ii|``, ``w_i`` the frequency of the largest damping of motion i, ``w_c`` the
         highest ``w_i`` of the motions that are damped. Beyond it K is nearly j w (A - A_inf), and the weight
         turns an error of K into one of A, whose accuracy by panels does not improve with w. Dimensionless,
-        the same in any
-        units and for forces and moments. Couplings below a tenth of it count as zero.
+        the same in any units and for forces and moments. Couplings below a tenth of it count as zero.
     most_states
         The most states for a group of coupled motions.
     highest_rad_s

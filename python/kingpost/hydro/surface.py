@@ -72,14 +72,16 @@ class Surface:
 
     def welded(self) -> Surface:
         """Merge equal points; leave out triangles without area and unused points."""
-        size = (np.ptp(self.vertices, axis=0).max() if len(self.vertices) else 0.0) or 1.0
-        grid = np.round(self.vertices / (SAME_POINT * size)).astype(np.int64)
+        corners, triangles = np.unique(self.triangles, return_inverse=True)
+        vertices = self.vertices[corners]
+        size = max(np.ptp(vertices, axis=0).max() if len(vertices) else 0.0, SMALLEST_M)
+        grid = np.round(vertices / (SAME_POINT * size)).astype(np.int64)
         _, first, index = np.unique(grid, axis=0, return_index=True, return_inverse=True)
-        triangles = index.reshape(-1)[self.triangles]
+        triangles = index.reshape(-1)[triangles.reshape(-1, 3)]
         a, b, c = triangles.T
         triangles = triangles[(a != b) & (b != c) & (c != a)]
         used, numbered = np.unique(triangles, return_inverse=True)
-        return Surface(self.vertices[first[used]], numbered.reshape(-1, 3))
+        return Surface(vertices[first[used]], numbered.reshape(-1, 3))
 
     def below(self, height: float = 0.0, axis: int = 2) -> Surface:
         """The part where the coordinate along an axis is at most the given one; open at the cut."""

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .. import output
 from ..analysis import pooling
 from ..errors import KingpostError
@@ -128,7 +130,10 @@ def _draw(axes: Axes, runs: Sequence[xarray.Dataset], name: str, colour: str) ->
         for series in _series(run, name):
             factor = engineering(unit_of(series))[1]
             label = name if run is runs[0] else None
-            axes.plot(run["time"], series.values / factor, colour, lw=1, alpha=0.7, label=label)
+            # A damaged file can hold a value near the largest float: infinite in the unit shown.
+            with np.errstate(over="ignore"):
+                values = series.values / factor
+            axes.plot(run["time"], values, colour, lw=1, alpha=0.7, label=label)
 
 
 def _series(run: xarray.Dataset, name: str) -> Iterator[xarray.DataArray]:

@@ -8,7 +8,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from ..errors import KingpostError
-from ..results.columns import Place, floating_bodies, nearest, places, unit_of
+from ..results.columns import OVER_RUNS, Place, floating_bodies, nearest, places, unit_of
 
 if TYPE_CHECKING:
     import xarray
@@ -23,7 +23,7 @@ FORCE = "N"
 def of_time(results: xarray.Dataset) -> dict[str, Place]:
     """The flat columns, named as by `kingpost run -o FILE.csv`, over time and, for many runs, ``run``."""
     over_time = results[[name for name, values in results.data_vars.items() if "time" in values.dims]]
-    return places(over_time, along=("time", "run"))
+    return places(over_time, along=OVER_RUNS)
 
 
 def chosen(results: xarray.Dataset, patterns: Sequence[str], option: str = "--channels") -> dict[str, str]:

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
+OVER_RUNS = ("time", "run")
+"""Dimensions along which columns of one or many runs go on; the others are in their names."""
+
 
 def unit_coordinate(variable: Hashable | None) -> str:
     """Name of the coordinate that holds the units of a variable's numbers, if the units differ.
@@ -186,7 +189,7 @@ def column(
     >>> column(found, "ship.roll", (0.2, 0.3)).sizes["time"]
     11
     """
-    every = places(results, along=("time", "run"))
+    every = places(results, along=OVER_RUNS)
     if name not in every:
         raise KingpostError(f"column: found {name!r}, allowed: a column, such as {nearest(name, every)}")
     found = every[name].of(results)

@@ -17,7 +17,7 @@ import numpy as np
 from .. import output
 from ..errors import KingpostError
 from . import xarrays
-from .columns import columns, frame, nearest, places, unit_of
+from .columns import OVER_RUNS, columns, frame, nearest, places, unit_of
 from .events import events, warnings
 from .kept import are_of_a_run
 from .units import IN_ENGINEERING, NAMES, check_units, engineering
@@ -328,5 +328,6 @@ def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
     if not are_of_a_run(found.attrs, found.sizes.get("run")):
         raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
     for key, variable in found.variables.items():
-        str(variable.attrs.get("column", key)).format_map(dict.fromkeys(map(str, variable.dims), ""))
+        labels = dict.fromkeys((str(dim) for dim in variable.dims if dim not in OVER_RUNS), "")
+        str(variable.attrs.get("column", key)).format_map(labels)
     return found

@@ -13,7 +13,7 @@ from urllib.request import urlopen
 
 from .. import gallery
 from ..engine import engine
-from ..errors import KingpostError
+from ..errors import KingpostError, shortened
 from ..scenario import load
 from .application import Application
 from .bodies import content_type
@@ -137,6 +137,9 @@ def open_server(
     for candidate in ports:
         try:
             return Server((host, candidate), Application(folder, pages, host))
+        except (TypeError, UnicodeError):
+            found = shortened(repr(host))
+            raise KingpostError(f"--host: found {found}, allowed: an address of this machine") from None
         except OverflowError:
             raise KingpostError(f"--port: found {port}, allowed: 0 to 65535") from None
         except OSError as error:

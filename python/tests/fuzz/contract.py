@@ -1,8 +1,7 @@
 """What holds of every input: it is taken, or refused in words, in little time and memory.
 
 `judge` says which, and raises nothing; what must not be begins with ``WRONG``. The limits of time and of
-memory
-are kept by the process around it (`apart`).
+memory are kept by the process around it (`apart`).
 """
 
 from __future__ import annotations

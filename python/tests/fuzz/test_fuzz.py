@@ -1,8 +1,7 @@
 """Inputs of every kind with something wrong: each is taken, or refused in words.
 
 A short run, the same each time. A long one: `tools/attack.py`. What either finds is put into `corpus/`,
-where a
-test replays it.
+where a test replays it.
 """
 
 from __future__ import annotations

@@ -39,6 +39,8 @@ pub(super) const UNKNOWN_FIELD: &str = "an unknown field";
 pub(super) const ASSIGNMENT: &str = "name=value";
 
 const LONGEST_QUOTE: usize = 40;
+/// Characters of a name that is allowed: a file can hold one of any length.
+const LONGEST_NAME: usize = 120;
 /// Digits and points of a number that is shown in full, at most.
 const LONGEST_NUMBER: usize = 24;
 
@@ -108,18 +110,19 @@ pub(super) fn beginning(text: &str, longest: usize) -> String {
 
 /// `a`, `a or b`, `one of a, b, c`.
 pub(super) fn one_of(names: &[&str]) -> String {
-    match names {
+    let shown: Vec<String> = names.iter().map(|name| beginning(name, LONGEST_NAME)).collect();
+    match shown.as_slice() {
         [] => "no fields".to_owned(),
-        [one] => (*one).to_owned(),
-        [one, other] => format!("{one} or {other}"),
-        many => format!("one of {}", many.join(", ")),
+        [name] => name.clone(),
+        [first, second] => format!("{first} or {second}"),
+        names => format!("one of {}", names.join(", ")),
     }
 }
 
 /// The names allowed, and the one that was probably meant.
 pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     match nearest(names, written) {
-        Some(name) => format!("{}; did you mean {name}?", one_of(names)),
+        Some(name) => format!("{}; did you mean {}?", one_of(names), beginning(&name, LONGEST_NAME)),
         None => one_of(names),
     }
 }

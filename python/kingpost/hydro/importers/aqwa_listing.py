@@ -1,10 +1,9 @@
 """AQWA-LINE's listing STEM.LIS of one structure, for users without its STEM.AH1.
 
 It has the contents of the .AH1 with fewer digits (five for coefficients, three for forces), and also the
-separate Froude-Krylov forces and the depth of the lowest point. Frequencies have four decimals and periods
-three: the more accurate one is taken. Coefficients and forces are about the centre of gravity, with
-directions and phases
-as in the .AH1 (`aqwa`), added mass of 100 rad/s for infinite frequency.
+separate Froude-Krylov forces and the depth of the lowest point. Frequencies have four decimals and
+periods three: the more accurate one is taken. Coefficients and forces are about the centre of gravity,
+with directions and phases as in the .AH1 (`aqwa`), added mass of 100 rad/s for infinite frequency.
 """
 
 from __future__ import annotations

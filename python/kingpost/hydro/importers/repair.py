@@ -1,11 +1,10 @@
 """Repairs of errors in another program's coefficients, each with a note of the change.
 
 Panel methods satisfy A = A^T and B = B^T only approximately, worst at the highest frequencies; damping of
-motions that hardly radiate can be slightly negative; at irregular frequencies both jump. A and B are replaced
-by
-their symmetric parts, B by the nearest matrix without negative eigenvalues, and single frequencies at which
-the coefficients jump are left out. A change of more than `USELESS` of the largest diagonal means that the
-file was misread: it is refused.
+motions that hardly radiate can be slightly negative; at irregular frequencies both jump. A and B are
+replaced by their symmetric parts, B by the nearest matrix without negative eigenvalues, and single
+frequencies at which the coefficients jump are left out. A change of more than `USELESS` of the largest
+diagonal means that the file was misread: it is refused.
 """
 
 from __future__ import annotations

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...errors import shortened
 from .foreign import Foreign, Options, reading_error
 
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 AXES = np.array([-1.0, -1.0, 1.0, -1.0, -1.0, 1.0])
 """From x aft, y to starboard to x forward, y to port."""
 HEADER_LINES = 6
+LONGEST_WORD = 40
+"""Of a wrong word in a message."""
 
 
 def read(path: str, options: Options) -> Foreign:
@@ -111,14 +114,18 @@ class _File:
                 str(error.strerror), "ShipX's .re7 and .re8 beside each other", str(path)
             ) from None
         self.title = lines[0] if lines else ""
-        try:
-            self.numbers = [float(word) for line in lines[HEADER_LINES:] for word in line.split()]
-        except ValueError as error:
-            raise reading_error(str(error), "numbers after six lines of text", str(path)) from None
+        self.numbers = [self._number(word) for line in lines[HEADER_LINES:] for word in line.split()]
         self.version_two = "(Version 2)" in self.title
         self.at = 0
         density, gravity, length, breadth, draught, lcg, vcg = self.take(7)
         self.particulars = _Particulars(density, gravity, length, breadth, draught, (lcg, vcg))
+
+    def _number(self, word: str) -> float:
+        try:
+            return float(word)
+        except ValueError:
+            found = repr(shortened(word, LONGEST_WORD))
+            raise reading_error(found, "numbers after six lines of text", str(self.path)) from None
 
     def take(self, count: int) -> list[float]:
         found = self.numbers[self.at : self.at + count]
