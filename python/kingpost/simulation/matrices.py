@@ -117,7 +117,8 @@ def matrix(
     """
     import xarray
 
-    by_entry = np.array([[entry_unit(row, column) for column in units[1]] for row in units[0]])
+    entries = [entry_unit(row, column) for row in units[0] for column in units[1]]
+    by_entry = np.array(entries, str).reshape(len(units[0]), len(units[1]))
     coordinates = {
         "row": labels[0],
         "column": labels[1],

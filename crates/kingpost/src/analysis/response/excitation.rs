@@ -1,6 +1,6 @@
 //! Effect of regular waves of unit amplitude on the free coordinates.
 
-use super::ResponseError;
+use super::{ResponseError, solved};
 use super::wave_forces::{FORCES, WaveForces};
 use crate::dynamics::Kinematics;
 use crate::elements::{AnyElement, RegularWaves, WavePlace};
@@ -43,7 +43,7 @@ impl<'a> WaveLoads<'a> {
             let rows: Vec<[f64; 6]> = twists.iter().map(|twists| element.along(&at_rest, twists)).collect();
             let forces = DMatrix::from_fn(rows.len(), FORCES, |row, mode| rows[row][mode]);
             let right = forces.resize_vertically(free.len() + matrices.j.nrows(), 0.0);
-            let mobility = bordered.solve(&right).ok_or(ResponseError::NoHull)?;
+            let mobility = solved(&bordered, right).ok_or(ResponseError::NoHull)?;
             let mobility = mobility.rows(0, free.len()).into_owned();
             loaded.push(Loaded { place: element.place(&at_rest), element, index, mobility });
         }

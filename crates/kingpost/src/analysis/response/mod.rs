@@ -19,7 +19,7 @@ use crate::plant::Along;
 use crate::scenario::{Scenario, ScenarioError};
 use crate::simulation::{Instability, NoEquilibrium, Simulation};
 use excitation::WaveLoads;
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, ComplexField, DMatrix, Dyn, LU};
 use output::Outputs;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -203,8 +203,13 @@ impl AtRest {
         let system = DMatrix::from_fn(states, states, |i, j| {
             Complex::new(-self.linear.a[(i, j)], if i == j { -omega } else { 0.0 })
         });
-        system.lu().solve(&right).ok_or(ResponseError::Resonance { found: omega })
+        solved(&system.lu(), right).ok_or(ResponseError::Resonance { found: omega })
     }
+}
+
+/// The solution of a system, which has no unknowns if nothing can move: nalgebra's panics on it.
+fn solved<T: ComplexField>(factors: &LU<T, Dyn, Dyn>, right: DMatrix<T>) -> Option<DMatrix<T>> {
+    if right.nrows() == 0 { Some(right) } else { factors.solve(&right) }
 }
 
 fn check_directions(directions_rad: &[f64]) -> Result<(), ResponseError> {
