@@ -19,6 +19,7 @@ const SHOTS = {
   lift_off_from_barge: { time_s: 70 },
   supply_boat_lift: { time_s: 60 },
   container_to_quay: { time_s: 120 },
+  feeder_cycle: { time_s: 110 },
   slew_and_land: { time_s: 75 },
   slew_without_swing: { time_s: 60, values: "shaper=zvd" },
   slew_without_swing_at_sea: { time_s: 60, values: "shaper=zvd" },

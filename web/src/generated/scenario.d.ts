@@ -2368,10 +2368,14 @@ export type Rope = {
    */
   load_chart?: LoadChart | null;
   /**
-   * Whether it can be released: it then has an input in [0, 1] with the rope's name, which begins at 0; at 0.5 the
-   * load is lost.
+   * Whether it can be released: it then has an input in [0, 1] with the rope's name. At 0.5 the load is lost. Below 0.5
+   * the rope is hooked on again, as soon as its path is shorter than the rope.
    */
   can_be_released?: boolean;
+  /**
+   * Whether it begins released: its input then begins at 1.
+   */
+  begins_released?: boolean;
 };
 /**
  * A place on a rope's path.

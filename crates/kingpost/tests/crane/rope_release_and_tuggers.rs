@@ -81,6 +81,111 @@ fn a_hand_may_release_a_load_and_it_stays_lost() {
     assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-3);
 }
 
+/// A load of 2 t stands on a stiff table under a hook that moves up at 0.5 m/s; its sling of 2 m is hooked on while the
+/// hook is 1.5 m above it.
+fn pick_up(rest: &str) -> String {
+    format!(
+        "version: 1
+title: A load that is hooked on and lifted
+simulation: {{step_s: 0.001, duration_s: 6}}
+bodies:
+  hook:
+    mass_kg: 100
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: hoist, axis: [0, 0, 1], position_m: [0, 0, 3], initial_extension_m: 0,
+      mode: {{prescribed: {{speed_m_s: 0.5}}}}}}}}
+  load:
+    mass_kg: 2000
+    shape: {{sphere: {{radius_m: 0.5}}}}
+    joint: {{prismatic: {{name: table, axis: [0, 0, 1], position_m: [0, 0, 1.5], spring: {{stiffness_N_per_m: 1e6}}}}}}
+forces:
+  gravity: {{gravity: {{acceleration_m_s2: {GRAVITY}}}}}
+  sling:
+    rope:
+      path: [{{point: {{body: hook}}}}, {{point: {{body: load}}}}]
+      unstretched_length_m: 2
+      axial_stiffness_N: 4e6
+      can_be_released: true
+      begins_released: true
+{rest}"
+    )
+}
+
+fn of_the_sling(found: &kingpost::Simulation) -> Vec<(f64, &str)> {
+    let events = found.events().iter().filter(|event| event.element == "sling");
+    events.map(|event| (event.time_s, event.what.as_ref())).collect()
+}
+
+const HOOKED: &str = "operation:
+  steps:
+    - {name: lower, until: {after_s: 0.25}}
+    - {name: hook on, set: [{input: sling, to: 0}]}
+";
+
+/// The table's spring stretches by v t after the sling comes taut; the sling is k = 2e6 N/m.
+#[test]
+fn a_rope_is_hooked_on_slack_and_pulls_from_where_it_is_taut() {
+    let mut found = simulation(&pick_up(HOOKED));
+    found.step(300).expect("it runs");
+    assert_eq!(of_the_sling(&found), [(0.25, "is hooked on")]);
+    assert_eq!(values(&mut found, "rope_tension"), [0.0]);
+    found.step(4700).expect("it runs");
+    let (comes_taut, what) = of_the_sling(&found)[1];
+    assert_eq!(what, "comes taut");
+    // The load oscillates about m g / k of the table, 0.0196 m below; at rest it would be at 1 s.
+    assert!((comes_taut - 1.0).abs() < 0.1, "{comes_taut}");
+    let stretch = values(&mut found, "rope_stretch")[0];
+    assert!((values(&mut found, "rope_tension")[0] - 2e6 * stretch.max(0.0)).abs() < 1e-3);
+    assert!(values(&mut found, "energy_error")[0].abs() < 1e-6 * 2000.0 * GRAVITY);
+}
+
+#[test]
+fn a_rope_that_is_out_of_reach_is_hooked_on_once_it_is_not() {
+    // The hook goes down from 3 m above to 1.5 m: in reach of 2 m at 2 s.
+    let text = pick_up(HOOKED)
+        .replace("initial_extension_m: 0", "initial_extension_m: 1.5")
+        .replace("speed_m_s: 0.5", "speed_m_s: -0.5");
+    let text = text.replace("joint: {prismatic: {name: table", "joint: {prismatic: {mode: held, name: table");
+    let mut found = simulation(&text);
+    found.step(1900).expect("it runs");
+    assert_eq!(of_the_sling(&found), []);
+    found.step(200).expect("it runs");
+    let (hooked, what) = of_the_sling(&found)[0];
+    assert_eq!(what, "is hooked on");
+    assert!((hooked - 2.0).abs() < 1e-9, "{hooked}");
+}
+
+#[test]
+fn a_rope_that_parted_cannot_be_hooked_on_again() {
+    // The hook rises at 1 m/s: the tension would reach m g + v sqrt(k m) = 83 kN.
+    let again = "    - {name: see it part, until: {after_s: 0.5}}
+    - {name: release, set: [{input: sling, to: 1}], until: {after_s: 0.25}}
+    - {name: hook on again, set: [{input: sling, to: 0}]}
+";
+    let text = pick_up(
+        &format!("{HOOKED}{again}")
+            .replace("to: 0}]}\n    - {name: see", "to: 0}], until: {after_s: 0.25}}\n    - {name: see"),
+    );
+    let text = text.replace("speed_m_s: 0.5", "speed_m_s: 1");
+    let mut found =
+        simulation(&text.replace("begins_released: true", "begins_released: true\n      breaking_load_N: 5e4"));
+    found.step(1500).expect("it parts");
+    let told: Vec<&str> = of_the_sling(&found).into_iter().map(|(_, what)| what).collect();
+    assert_eq!(told, ["is hooked on", "comes taut", "parts"]);
+}
+
+#[test]
+fn a_rope_that_begins_released_has_a_length_and_can_be_hooked_on() {
+    let error = read(&pick_up("").replace("unstretched_length_m: 2\n", "\n"), "pick_up.yaml", &[])
+        .expect_err("no length")
+        .to_string();
+    assert!(error.contains("forces.sling.rope.unstretched_length_m: found nothing, allowed: a length"), "{error}");
+    let error = read(&pick_up("").replace("      can_be_released: true\n", ""), "pick_up.yaml", &[])
+        .expect_err("never hooked")
+        .to_string();
+    assert!(error.contains("forces.sling.rope.begins_released: found true, allowed: false, or"), "{error}");
+}
+
 /// After a fall of 1 m at 4.4 m/s a damper of 20 ms makes 2.5e5 * 0.02 * 4.4 = 22 kN at once.
 #[test]
 fn a_rope_that_its_damper_parts_as_it_comes_taut_says_so() {

@@ -13,8 +13,9 @@
 //! is the limit of a rope without compliance.
 
 use super::path::{PlacedStation, Wrap};
+use super::release::is_off;
 use super::station::StationMotion;
-use super::{PARTED, ROUNDING_M, Rope, RopePath, Round, SLACK, Station, TAUT};
+use super::{ROUNDING_M, Rope, RopePath, Round, SLACK, Station, TAUT};
 use crate::dynamics::Restraint;
 use crate::elements::ropes::Efficiency;
 use crate::elements::{Context, Holding};
@@ -120,7 +121,7 @@ impl<S: Scalar> Holding<S> for Rope<S> {
     }
 
     fn let_go(&mut self, modes: &mut [i64]) {
-        if modes[0] != PARTED {
+        if !is_off(modes[0]) {
             modes[0] = SLACK;
         }
     }

@@ -5,6 +5,7 @@ mod inextensible;
 mod leads;
 mod load_chart;
 mod path;
+mod release;
 mod station;
 mod stretch;
 mod tugger_line;
@@ -20,11 +21,11 @@ pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Output, Own,
+    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, Event, Holding, LineStyle, Output, Own,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
-use stretch::condition;
+use release::is_off;
 
 /// A rope without inertia over a [`RopePath`], which pulls and never pushes: elastic, or inextensible if it has no
 /// stiffness.
@@ -61,8 +62,10 @@ pub struct Rope<S = f64> {
     pub breaking_load: Option<S>,
     /// The mass whose weight equals its tension at rest in air, kg.
     pub carried_mass: Option<S>,
-    /// Whether an input of its name releases it.
+    /// Whether an input of its name releases it and hooks it on again.
     pub can_be_released: bool,
+    /// Whether it is released at the start.
+    pub begins_released: bool,
     /// Its weight; without it, the rope is weightless.
     pub weight: Option<RopeWeight<S>>,
     /// The crane's load chart for it, if known.
@@ -78,16 +81,18 @@ const BY_STRETCH: i64 = 0;
 const TAUT: i64 = 1;
 const SLACK: i64 = 2;
 const PARTED: i64 = 3;
+const RELEASED: i64 = 4;
 /// Negative stretch at which a taut rope goes slack, m: rounding.
 const ROUNDING_M: f64 = 1e-10;
 /// Events, in the order of [`Rope::declare`].
-const EVENTS: [Event; 7] = [
+const EVENTS: [Event; 8] = [
     Event { what: "goes slack", crossing: Crossing::Falling },
     Event { what: "comes taut", crossing: Crossing::Rising },
     Event { what: "is hauled in to its end", crossing: Crossing::Falling },
     Event { what: "leaves its range at a sheave or drum, or two places of its path meet", crossing: Crossing::Falling },
     Event { what: "is paid out to the innermost layer of its drum", crossing: Crossing::Falling },
     Event { what: "is released", crossing: Crossing::Rising },
+    Event { what: "is hooked on", crossing: Crossing::Falling },
     Event { what: PARTS_WORDS, crossing: Crossing::Rising },
 ];
 const GOES_SLACK: usize = 0;
@@ -96,13 +101,12 @@ const HAULED_IN: usize = 2;
 const LEAVES_RANGE: usize = 3;
 const INNERMOST_LAYER: usize = 4;
 const IS_RELEASED: usize = 5;
-const PARTS: usize = 6;
+const IS_HOOKED_ON: usize = 6;
+const PARTS: usize = 7;
 /// The words in the table of events for a rope that reaches its breaking load.
 pub const PARTS_WORDS: &str = "parts";
 /// Share of L at the start below which a rope counts as hauled in to its end: its stiffness stays that of this length.
 const SHORTEST: f64 = 1e-3;
-/// The lever at which a rope is released.
-const RELEASES: f64 = 0.5;
 /// Number of points that the last leg is drawn through.
 const POINTS_OF_LAST_LEG: usize = 17;
 
@@ -136,7 +140,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             holds,
             goes_alone: holds,
             modes: vec!["condition".to_owned()],
-            inputs: self.can_be_released.then(|| Input::lever(&self.name, 0.0, 0.0)).into_iter().collect(),
+            inputs: self.lever().into_iter().collect(),
             outputs: [
                 number("rope_tension", "tension of a rope at its last end", &["N"]),
                 number("rope_first_tension", "tension of a rope at its first end, or its drum", &["N"]),
@@ -166,9 +170,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let now = self.stretched(at);
         let pull = self.pull_length(&now);
-        let released = at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES));
         own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
-            _ if released => PARTED,
+            _ if self.is_let_go(at) => RELEASED,
             _ if self.inextensible.is_some() => self.held_at_start(at),
             (true, _) => TAUT,
             (_, true) => SLACK,
@@ -180,11 +183,13 @@ impl<S: Scalar> Element<S> for Rope<S> {
         if own.modes[0] == PARTED {
             return;
         }
+        if let Some(mode) = self.hook_or_release(at, own) {
+            own.modes[0] = mode;
+            return;
+        }
         self.begin(at, own);
-        match own.modes[0] {
-            PARTED => own.also = Some(IS_RELEASED),
-            TAUT => self.pull_or_part(at, own),
-            _ => {}
+        if own.modes[0] == TAUT {
+            self.pull_or_part(at, own);
         }
     }
 
@@ -228,7 +233,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
 
     fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let now = self.stretched(at);
-        let (mode, pull) = (condition(at), self.pull_length(&now));
+        let (mode, pull) = (self.condition(at), self.pull_length(&now));
         let holds = self.inextensible.is_some();
         let of_event = |event| match (event, self.breaking_load) {
             (GOES_SLACK, _) if mode == TAUT && holds => now.tension,
@@ -240,7 +245,9 @@ impl<S: Scalar> Element<S> for Rope<S> {
             (HAULED_IN, _) => now.unstretched - self.shortest(),
             (LEAVES_RANGE, _) => now.range_left,
             (INNERMOST_LAYER, _) => now.paid_out.left,
-            (PARTS, Some(load)) if mode != PARTED => self.tensions(at, &now).1 - load,
+            (IS_HOOKED_ON, _) if mode == RELEASED => self.out_of_reach(at, now.stretch),
+            (IS_HOOKED_ON, _) => S::ONE,
+            (PARTS, Some(load)) if !is_off(mode) => self.tensions(at, &now).1 - load,
             _ => -S::ONE,
         };
         values.iter_mut().enumerate().for_each(|(event, value)| *value = of_event(event));
@@ -250,6 +257,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         match event {
             GOES_SLACK => own.modes[0] = SLACK,
             COMES_TAUT => self.pull_or_part(at, own),
+            IS_HOOKED_ON => own.modes[0] = SLACK,
             PARTS => own.modes[0] = PARTED,
             _ => {}
         }
@@ -266,7 +274,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
                 points.extend(from.0.into_iter().chain(to.0));
                 continue;
             }
-            let way = if condition(at) == PARTED { Vector3::zero() } else { to - from };
+            let way = if is_off(self.condition(at)) { Vector3::zero() } else { to - from };
             let sag = (S::constant(0.375) * way.norm() * slack).sqrt();
             for i in 0..POINTS_OF_LAST_LEG {
                 let share = S::constant(i as f64 / (POINTS_OF_LAST_LEG - 1) as f64);

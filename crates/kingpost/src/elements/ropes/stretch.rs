@@ -1,7 +1,8 @@
 //! The stretch of a rope, and its tension.
 
 use super::drum::PaidOut;
-use super::{BY_STRETCH, PARTED, PARTS, PathLength, Rope, SHORTEST, SLACK, TAUT};
+use super::release::is_off;
+use super::{BY_STRETCH, PARTED, PARTS, PathLength, RELEASED, Rope, SHORTEST, SLACK, TAUT};
 use crate::elements::{Context, Own, Situation};
 use crate::scalar::Scalar;
 
@@ -23,13 +24,14 @@ pub(super) struct Stretched<S> {
     pub range_left: S,
 }
 
-/// The mode of a rope; at rest, unless it has parted, it follows from the stretch.
-pub(super) fn condition<S>(at: &Context<'_, S>) -> i64 {
-    let mode = at.modes.first().copied().unwrap_or(BY_STRETCH);
-    if at.situation == Situation::Running || mode == PARTED { mode } else { BY_STRETCH }
-}
-
 impl<S: Scalar> Rope<S> {
+    /// The mode of the rope; at rest, unless it is off, it follows from the stretch.
+    pub(super) fn condition(&self, at: &Context<'_, S>) -> i64 {
+        let begins = if self.begins_released { RELEASED } else { BY_STRETCH };
+        let mode = at.modes.first().copied().unwrap_or(begins);
+        if at.situation == Situation::Running || is_off(mode) { mode } else { BY_STRETCH }
+    }
+
     /// Positive where both the spring and the spring with its damper pull, m.
     pub(super) fn pull_length(&self, now: &Stretched<S>) -> S {
         now.stretch + self.damping_time * now.rate.select_below(0.0, || now.rate, || S::ZERO)
@@ -85,7 +87,7 @@ impl<S: Scalar> Rope<S> {
         let laid = self.laid(at);
         let Stretched { unstretched, stretch, rate, .. } = laid;
         if let Some(own) = &self.inextensible {
-            let tension = if condition(at) == TAUT { own.tension } else { S::ZERO };
+            let tension = if self.condition(at) == TAUT { own.tension } else { S::ZERO };
             return Stretched { tension, ..laid };
         }
         let shortest = self.shortest();
@@ -95,13 +97,13 @@ impl<S: Scalar> Rope<S> {
         let pulling = |force: S| force.select_below(0.0, || S::ZERO, || force);
         let (elastic, pull) = (spring(stretch), spring(stretch + self.damping_time * rate));
         let where_longer = |force: S| stretch.select_below(0.0, || S::ZERO, || force);
-        let (elastic, tension) = match condition(at) {
+        let (elastic, tension) = match self.condition(at) {
             TAUT => (elastic, pull),
             // Without a damper a slack rope is never stretched, except by rounding, which would spoil the energy of a
             // step.
             SLACK if self.damping_time.all(|time| time == 0.0) => (S::ZERO, S::ZERO),
             SLACK => (where_longer(elastic), S::ZERO),
-            PARTED => (S::ZERO, S::ZERO),
+            PARTED | RELEASED => (S::ZERO, S::ZERO),
             _ => (where_longer(elastic), pulling(where_longer(pull))),
         };
         let strain_energy = || elastic * elastic / (self.axial_stiffness + self.axial_stiffness);

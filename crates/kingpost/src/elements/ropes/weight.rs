@@ -15,8 +15,9 @@
 //! a load M pulls with M g at its last end and with M g + w L at the drum (Irvine, *Cable Structures*, 1981, ch. 1:
 //! tension of a taut cable changes by w per height).
 
-use super::stretch::{Stretched, condition};
-use super::{PARTED, Rope, RopePath, Station};
+use super::release::is_off;
+use super::stretch::Stretched;
+use super::{Rope, RopePath, Station};
 use crate::dynamics::Loads;
 use crate::elements::Context;
 use crate::scalar::Scalar;
@@ -109,7 +110,7 @@ impl<S: Scalar> Rope<S> {
     /// The distribution, if the rope has weight and has not parted; the path has been evaluated at the present
     /// positions.
     fn hanging(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Option<WeightOnPath<S>> {
-        let weight = self.weight.filter(|_| condition(at) != PARTED)?;
+        let weight = self.weight.filter(|_| !is_off(self.condition(at)))?;
         Some(weight.hanging(at, &self.path, now))
     }
 

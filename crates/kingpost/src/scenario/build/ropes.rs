@@ -8,6 +8,7 @@ use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, RopePath, R
 use crate::elements::{AnyElement, Rope, TuggerLine};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
+use crate::scenario::wording::NOTHING;
 use crate::spatial::{Frame, Vector3};
 
 /// Falls of one leg, at most.
@@ -25,6 +26,7 @@ pub fn build<S: Quantity>(
         let allowed = "a name for the rope that no drive has";
         return Err(FieldError::new(format!("forces.{name}.rope.can_be_released"), found, allowed));
     }
+    check_begins_released(name, given)?;
     let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
     let weight = weight(&format!("forces.{name}.rope"), given)?;
     let carried_mass = carried_mass(scenario, &format!("forces.{name}.rope"), given, model)?;
@@ -51,7 +53,21 @@ pub fn build<S: Quantity>(
         load_chart,
         weight,
         can_be_released: given.can_be_released,
+        begins_released: given.begins_released,
     })))
+}
+
+/// A rope that begins released can be hooked on, and its length does not follow from the start.
+fn check_begins_released<S: Quantity>(name: &str, given: &schema::Rope<S>) -> Result<(), FieldError> {
+    let field = |field| format!("forces.{name}.rope.{field}");
+    if given.begins_released && !given.can_be_released {
+        return Err(FieldError::new(field("begins_released"), true, "false, or can_be_released: true"));
+    }
+    if given.begins_released && given.unstretched_length_m.is_none() {
+        let allowed = "a length, for a rope that begins released";
+        return Err(FieldError::new(field("unstretched_length_m"), NOTHING, allowed));
+    }
+    Ok(())
 }
 
 /// Refuses options that need a rope that stretches: a damper, a breaking load, since a snap load breaks a rope, and

@@ -55,6 +55,9 @@ fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Context<'_, S>) -> Result<(),
     if rope.unstretched_length.vanishes() {
         rope.unstretched_length = length;
     }
+    if rope.begins_released {
+        return Ok(());
+    }
     if rope.inextensible.is_some() {
         return check_inextensible(rope, length, &of);
     }

@@ -54,10 +54,13 @@ pub struct Rope<S = f64> {
     /// The crane's load chart for this rope; without it, the load is not checked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_chart: Option<LoadChart<S>>,
-    /// Whether it can be released: it then has an input in [0, 1] with the rope's name, which begins at 0; at 0.5 the
-    /// load is lost.
+    /// Whether it can be released: it then has an input in [0, 1] with the rope's name. At 0.5 the load is lost. Below 0.5
+    /// the rope is hooked on again, as soon as its path is shorter than the rope.
     #[serde(default)]
     pub can_be_released: bool,
+    /// Whether it begins released: its input then begins at 1.
+    #[serde(default)]
+    pub begins_released: bool,
 }
 
 /// The load chart of a crane: rated loads over the radius, the distance from the slewing axis to the point where the
