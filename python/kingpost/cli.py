@@ -34,9 +34,9 @@ from .commands import (
     study,
     verify,
 )
-from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, beginning, fail, printable
+from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, beginning, fail
 from .commands.interrupts import ended_as_interrupted
-from .errors import KingpostError, KingpostWarning, RunError
+from .errors import KingpostError, KingpostWarning, RunError, printable
 
 COMMANDS = {
     "run": run,

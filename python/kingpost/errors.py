@@ -23,6 +23,15 @@ def shortened(text: str, longest: int = 200) -> str:
     return text if len(text) <= longest else f"{text[:longest]}..."
 
 
+def printable(text: str) -> str:
+    """A text without terminal control characters: titles and names come from files.
+
+    >>> printable("a\\x1b[31mred\\nline")
+    'a?[31mred\\nline'
+    """
+    return "".join(sign if sign.isprintable() or sign == "\n" else "?" for sign in text)
+
+
 def flag(name: str) -> str:
     """The command-line option of a parameter, as messages name it.
 

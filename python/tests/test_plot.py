@@ -26,6 +26,13 @@ def test_a_picture_has_a_panel_for_each_unit_with_the_numbers_in_it(lift) -> Non
     np.testing.assert_allclose(shown["hoist_rope.rope_tension"], lift.rope_tension.values[:, 0] / 1e3)
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("title", ["A \x1b[31mred ship", "Costs $\\frac{5$"])
+def test_a_title_of_any_text_is_drawn_as_it_is_written(lift, title: str, tmp_path) -> None:
+    """Control characters have no glyph, and matplotlib reads text between two $ as mathematics."""
+    plot.figure(lift.assign_attrs(title=title), ["hull.roll"]).savefig(tmp_path / "run.svg")
+
+
 def test_limits_and_steps_of_the_operation_are_lines(lift) -> None:
     """Of the gallery's own file: a heel within 5 deg, at most 60 kN on the hook, "lift off" from 10 s on."""
     angle, force = plot.figure(lift, ["hull.roll", "hoist_rope.rope_tension"]).axes

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import output, results
-from ..errors import KingpostError
+from ..errors import KingpostError, printable
 from ..scenario import Overrides, Scenario, as_scenario
 from ..simulation.simulate import Simulation
 
@@ -290,7 +290,7 @@ def _plot(found: xarray.Dataset, path: Path) -> None:
     for axis in axes[-1]:
         axis.set_xlabel("rad/s")
     axes[0, 0].legend(fontsize=7, title="waves to", title_fontsize=7)
-    figure.suptitle(found.attrs["title"], fontsize=11)
+    figure.suptitle(printable(found.attrs["title"]), fontsize=11, parse_math=False)
     figure.savefig(path, dpi=120)
 
 

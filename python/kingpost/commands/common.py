@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..engine import engine
-from ..errors import KingpostError
+from ..errors import KingpostError, printable
 from ..scenario import Scenario, load
 
 WORD = re.compile(
@@ -114,15 +114,6 @@ def warn(every: Iterable[str]) -> None:
     sys.stdout.flush()
     for line in every:
         print(printable(line), file=sys.stderr)
-
-
-def printable(text: str) -> str:
-    """A text without terminal control characters: titles and names come from files.
-
-    >>> printable("a\\x1b[31mred\\nline")
-    'a?[31mred\\nline'
-    """
-    return "".join(sign if sign.isprintable() or sign == "\n" else "?" for sign in text)
 
 
 def plain(value: Any) -> Any:

@@ -6,6 +6,7 @@ use crate::dynamics::moving_frame::MovingFrame;
 use crate::elements::{HOLD_IT, Situation};
 use crate::integrate::{Jacobian, System};
 use crate::model::JointKind;
+use crate::plant::Form;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
@@ -131,11 +132,18 @@ impl Simulation {
     /// # Errors
     /// As [`settle`](Self::settle).
     pub fn settle_with_trims(&mut self) -> Result<(Equilibrium, Vec<Vec<f64>>), NoEquilibrium> {
-        let mut there = self.clone();
-        there.plant.set_situation(Situation::Settling);
+        let mut there = self.at_rest();
         let found = there.settle_at_rest()?;
         self.set_state(&there.state.q, &there.state.v, Some(&there.state.s))?;
         Ok((found, there.plant.trims()))
+    }
+
+    /// A copy whose elements act as at rest. All forms of the equations agree there, and the recursive one is the fastest.
+    fn at_rest(&self) -> Self {
+        let mut there = self.clone();
+        there.plant.set_situation(Situation::Settling);
+        there.plant.set_form(Form::Recursive);
+        there
     }
 
     fn settle_at_rest(&mut self) -> Result<Equilibrium, NoEquilibrium> {
@@ -254,8 +262,7 @@ impl Simulation {
     /// How the present equilibrium shifts per acceleration, without waves and with prescribed coordinates held: the
     /// matrix of the last Newton move, by rows and columns of the free coordinates; `None` if it is singular.
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
-        let mut there = self.clone();
-        there.plant.set_situation(Situation::Settling);
+        let mut there = self.at_rest();
         let free = there.plant.model.free_coordinates();
         let (linear, j) = (there.linear_here(&free), there.moving_frame().j);
         let inverse = linear.bordered(&j, linear.largest_delta()).try_inverse()?;
