@@ -47,6 +47,7 @@ const SHOTS = {
   anti_heeling_tank: { time_s: 80 },
   roll_reduction_tank: { time_s: 60 },
   roll_reduction_gyros: { time_s: 60 },
+  gyro_wave_energy: { time_s: 40, nearer: 1, up: 1 },
   floating_hemisphere: { time_s: 40 },
   sphere_decay: { time_s: 1.5 },
   chain: { time_s: 1.5, nearer: 0 },
