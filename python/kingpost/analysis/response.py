@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import output, results
-from ..errors import KingpostError, printable
+from ..errors import KingpostError
+from ..lettering import as_written
 from ..scenario import Overrides, Scenario, as_scenario
 from ..simulation.simulate import Simulation
 
@@ -290,7 +291,8 @@ def _plot(found: xarray.Dataset, path: Path) -> None:
     for axis in axes[-1]:
         axis.set_xlabel("rad/s")
     axes[0, 0].legend(fontsize=7, title="waves to", title_fontsize=7)
-    figure.suptitle(printable(found.attrs["title"]), fontsize=11, parse_math=False)
+    figure.suptitle(found.attrs["title"], fontsize=11)
+    as_written(figure)
     figure.savefig(path, dpi=120)
 
 

@@ -11,7 +11,8 @@ import numpy as np
 
 from .. import output
 from ..analysis import pooling
-from ..errors import KingpostError, printable
+from ..errors import KingpostError
+from ..lettering import as_written
 from ..results.columns import unit_of
 from ..results.units import engineering
 from .selection import chosen, of_time
@@ -91,7 +92,7 @@ def figure(runs: xarray.Dataset | Sequence[xarray.Dataset], patterns: Sequence[s
     _draw_steps(list(every), runs[0])
     every[-1].set_xlabel("time, s")
     drawn.suptitle(str(runs[0].attrs.get("title", "")), fontsize=11)
-    _as_written(drawn)
+    as_written(drawn)
     return drawn
 
 
@@ -124,15 +125,6 @@ def _panels(
             of = f"{len(found)} columns in {unit or '1'}"
             raise KingpostError(f"--channels: found {of}, allowed: at most {MOST_LINES} of a unit")
     return {unit: found[:MOST_LINES] for unit, found in panels.items()}
-
-
-def _as_written(drawn: Figure) -> None:
-    """Draw words of a file as they are: control characters have no glyph, and $ begins no mathematics."""
-    from matplotlib.text import Text
-
-    for words in drawn.findobj(Text):
-        words.set_text(printable(words.get_text()))
-        words.set_parse_math(False)
 
 
 def _draw(axes: Axes, runs: Sequence[xarray.Dataset], name: str, colour: str) -> None:
