@@ -13,7 +13,7 @@ Schema = dict[str, Any]
 # Suffixes of names and their units. The longest suffix counts.
 UNITS = {
     "m": "m", "m2": "m²", "m3": "m³", "m4": "m⁴", "kg": "kg", "t": "t", "s": "s", "N": "N", "kN": "kN",
-    "rad": "rad", "deg": "deg", "Hz": "Hz", "Pa": "Pa", "GPa": "GPa", "W": "W", "kW": "kW",
+    "rad": "rad", "deg": "deg", "Hz": "Hz", "Pa": "Pa", "GPa": "GPa", "bar": "bar", "W": "W", "kW": "kW",
     "m_s": "m/s", "m_s2": "m/s²", "m_s3": "m/s³", "rad_s": "rad/s", "rad_s2": "rad/s²", "rad_s3": "rad/s³",
     "deg_s": "deg/s", "deg_s2": "deg/s²", "deg_s3": "deg/s³", "kg_m2": "kg m²", "t_m2": "t m²",
     "kg_m3": "kg/m³", "kg_per_m": "kg/m", "N_m": "N m", "kN_m": "kN m", "N_per_m": "N/m", "kN_per_m": "kN/m",

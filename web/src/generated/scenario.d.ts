@@ -218,7 +218,7 @@ export type Flexible = {
   /**
    * The same as `youngs_modulus_Pa`, in the unit of this name.
    */
-  youngs_modulus_GPa?: number;
+  youngs_modulus_bar?: number;
   /**
    * Poisson's ratio, between -1 and 0.5; the shear modulus is E / (2 (1 + nu)).
    */
@@ -616,6 +616,10 @@ export type PrismaticJoint = {
    */
   spring?: LengthSpring | null;
   /**
+   * A gas spring, which pushes towards larger extensions.
+   */
+  gas_spring?: GasSpring | null;
+  /**
    * Stops at the ends of the travel.
    */
   limits?: LengthLimits | null;
@@ -682,6 +686,46 @@ export type LengthSpring = {
    * Extension at which the spring has no force, m.
    */
   rest_m?: number;
+};
+/**
+ * A cylinder with gas, and the vessels connected to it, which push an axis towards larger extensions: `p V^n` is constant.
+ * The axis needs a lower limit at which gas is left. Its outputs are `gas_spring_pressure` (Pa) and `gas_spring_force` (N).
+ */
+export type GasSpring = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Area of the piston, m^2.
+   */
+  piston_area_m2: number;
+  /**
+   * Volume of all the gas, that of connected vessels included, at `at_extension_m`, m^3.
+   */
+  gas_volume_m3: number;
+  /**
+   * Absolute pressure of the gas at `at_extension_m`, Pa.
+   */
+  pressure_Pa?: number;
+  /**
+   * The same as `pressure_Pa`, in the unit of this name.
+   */
+  pressure_bar?: number;
+  /**
+   * Extension at which the gas has this volume and pressure, m.
+   */
+  at_extension_m?: number;
+  /**
+   * n: 1 for slow changes at constant temperature, 1.4 for fast ones of nitrogen or air without exchange of heat.
+   */
+  polytropic_exponent?: number;
+  /**
+   * Absolute pressure on the other side of the piston, Pa: that of the atmosphere by default.
+   */
+  outside_pressure_Pa?: number;
+  /**
+   * The same as `outside_pressure_Pa`, in the unit of this name.
+   */
+  outside_pressure_bar?: number;
 };
 /**
  * Stops. At a depth d beyond a limit a stop pushes back with `stiffness d (1 + dissipation d')`; it never pulls.
@@ -863,6 +907,10 @@ export type LengthAxis = {
    * A spring.
    */
   spring?: LengthSpring | null;
+  /**
+   * A gas spring, which pushes towards larger extensions.
+   */
+  gas_spring?: GasSpring | null;
   /**
    * Stops at the ends of the travel.
    */
@@ -1162,6 +1210,10 @@ export type LengthAxis1 = {
    */
   spring?: LengthSpring | null;
   /**
+   * A gas spring, which pushes towards larger extensions.
+   */
+  gas_spring?: GasSpring | null;
+  /**
    * Stops at the ends of the travel.
    */
   limits?: LengthLimits | null;
@@ -1218,6 +1270,10 @@ export type LengthAxis2 = {
    * A spring.
    */
   spring?: LengthSpring | null;
+  /**
+   * A gas spring, which pushes towards larger extensions.
+   */
+  gas_spring?: GasSpring | null;
   /**
    * Stops at the ends of the travel.
    */
@@ -2148,7 +2204,7 @@ export type UTankPump = {
   /**
    * The same as `pressure_limit_Pa`, in the unit of this name.
    */
-  pressure_limit_GPa?: number;
+  pressure_limit_bar?: number;
   /**
    * Flow at no pressure, m^3/s.
    */
@@ -5701,11 +5757,12 @@ export interface HeaveCompensation {
    */
   begins_on?: boolean;
   /**
-   * The rope, which begins at a drum. The place before its last end is the crane's tip.
+   * The rope. The place before its last end is the crane's tip.
    */
   rope: string;
   /**
-   * The controlled drive of the drum, with a speed as its set-point. Its own speed counts as the operator's.
+   * The controlled drive of the rope's drum, or of a joint that moves sheaves between drum and tip: the slide of a
+   * compensation cylinder. Its set-point is a speed, which counts as the operator's.
    */
   drive: string;
   /**

@@ -20,7 +20,7 @@ const fn alias(ending: &'static str, si: &'static str, factor: f64) -> UnitAlias
 const DEGREE: f64 = PI / 180.0;
 
 /// Every unit alias. No ending is the end of another.
-pub const UNIT_ALIASES: [UnitAlias; 16] = [
+pub const UNIT_ALIASES: [UnitAlias; 17] = [
     alias("_deg", "_rad", DEGREE),
     alias("_deg_s", "_rad_s", DEGREE),
     alias("_deg_s2", "_rad_s2", DEGREE),
@@ -35,6 +35,7 @@ pub const UNIT_ALIASES: [UnitAlias; 16] = [
     alias("_kN_m_per_rad", "_N_m_per_rad", 1000.0),
     alias("_kN_m_s_per_rad", "_N_m_s_per_rad", 1000.0),
     alias("_GPa", "_Pa", 1e9),
+    alias("_bar", "_Pa", 1e5),
     alias("_kN_per_m", "_N_per_m", 1000.0),
     alias("_kN_s_per_m", "_N_s_per_m", 1000.0),
 ];

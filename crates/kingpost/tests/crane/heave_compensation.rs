@@ -99,7 +99,7 @@ fn left(simulation: &mut Simulation, period_s: f64) -> f64 {
 }
 
 /// e^(-i w (tau + T_s/2)) sin(w T_s/2) / (w T_s/2) / (1 + i w T): what becomes of a velocity until the drum turns.
-fn carried(frequency: f64, delay_s: f64) -> [f64; 2] {
+pub fn carried(frequency: f64, delay_s: f64) -> [f64; 2] {
     let (half, lag) = (frequency * 0.025, frequency * 0.1);
     let size = half.sin() / half / (1.0 + lag * lag).sqrt();
     let angle = -(frequency * delay_s + half + lag.atan());
@@ -107,7 +107,7 @@ fn carried(frequency: f64, delay_s: f64) -> [f64; 2] {
 }
 
 /// |1 - H|.
-fn rest([real, imaginary]: [f64; 2]) -> f64 {
+pub fn rest([real, imaginary]: [f64; 2]) -> f64 {
     (1.0 - real).hypot(imaginary)
 }
 

@@ -10,6 +10,7 @@ mod contact_motions;
 mod contacts;
 mod controlled_drives;
 mod controllers;
+mod cylinder_compensators;
 mod cylinders;
 mod entrained_water;
 mod heave_compensation;

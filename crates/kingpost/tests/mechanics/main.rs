@@ -10,6 +10,7 @@ mod closed_loops;
 mod described;
 mod flexible_bodies;
 mod formulas;
+mod gas_springs;
 mod joint_features;
 mod joint_kinds;
 mod ledger;

@@ -35,14 +35,7 @@ impl<S: Scalar> DrivenChain<S> {
     /// The velocity of a point, and its body's angular velocity, per rate of each joint, world axes.
     pub fn jacobian(&self, at: &Context<'_, S>, point: &Attachment<S>) -> Vec<Twist<S>> {
         let place = at.links.attachment_frame(at.model, point).position;
-        let column = |joint: &DrivenJoint<S>| {
-            let root = at.links.root_in_world(at.model.roots[joint.link]);
-            let axis = at.links.axis(joint.link);
-            let arm = root.rotation.transpose_times(place - root.position);
-            let linear = axis.linear + axis.angular.cross(arm);
-            Twist { angular: root.rotation * axis.angular, linear: root.rotation * linear }
-        };
-        self.joints.iter().map(column).collect()
+        self.joints.iter().map(|joint| joint_twist(at, joint.link, place)).collect()
     }
 
     /// The velocity that the joints' present rates give, for the Jacobian's columns.
@@ -91,6 +84,16 @@ impl<S: Scalar> DrivenChain<S> {
         let share = S::ONE / most.select_below(1.0, || S::ONE, || most);
         rates.iter().map(|rate| *rate * share).collect()
     }
+}
+
+/// The velocity of a point in the world that a link carries, and the link's angular velocity, per rate of its joint,
+/// world axes.
+pub fn joint_twist<S: Scalar>(at: &Context<'_, S>, link: usize, place: Vector3<S>) -> Twist<S> {
+    let root = at.links.root_in_world(at.model.roots[link]);
+    let axis = at.links.axis(link);
+    let arm = root.rotation.transpose_times(place - root.position);
+    let linear = axis.linear + axis.angular.cross(arm);
+    Twist { angular: root.rotation * axis.angular, linear: root.rotation * linear }
 }
 
 /// The determinant of a symmetric matrix of at most three rows, of which the lower triangle is given.

@@ -1,18 +1,18 @@
-//! Active heave compensation: a winch pays out what the tip of the crane rises.
+//! Active heave compensation: a winch or a cylinder lets out what the tip of the crane rises.
 
 use super::estimate::{Estimator, sensor_changes};
+use super::hoist::Hoist;
 use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT, reached, share};
 use super::measurement::Measured;
 use crate::elements::lines::place;
-use crate::elements::ropes::Drum;
 use crate::elements::ticks::{Due, due};
 use crate::elements::{Context, Declaration, Element, Output, Own};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Steers the speed of a winch at every multiple of its period, so that the load keeps its height while the point from
-/// which the rope hangs down moves. With the height z and the vertical velocity v of that point, the rope L paid out, n
+/// Steers the speed of a winch, or of a cylinder that moves sheaves of its rope, at every multiple of its period, so that the
+/// load keeps its height while the point from which the rope hangs down moves. With the height z and the vertical velocity v of that point, the rope L let out ([`Hoist`]), n
 /// falls of rope, and the lowering speed u that the operator asks for by its input and by the drive's own set-point,
 ///
 /// ```text
@@ -38,13 +38,13 @@ pub struct HeaveCompensation<S = f64> {
     pub tip: Attachment<S>,
     /// n.
     pub falls: S,
-    /// The drum of the winch.
-    pub drum: Drum<S>,
-    /// The drive of the winch, whose input it sets.
+    /// The drum of the winch, or the sheaves that a cylinder moves.
+    pub hoist: Hoist<S>,
+    /// Its drive, whose input it sets.
     pub drive: String,
-    /// The speed that the drive has as its set-point already, rad/s.
+    /// The speed that the drive has as its set-point already, rad/s or m/s.
     pub drive_speed: S,
-    /// The speed limit of the drive, rad/s.
+    /// The speed limit of the drive, rad/s or m/s.
     pub drive_limit: S,
     /// f.
     pub feed_forward: S,
@@ -86,7 +86,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
     fn declare(&self) -> Declaration {
         let number =
             |variable, description, unit| Output::number(variable, description, "controller", &self.name, unit);
-        let fastest = (self.drive_limit * self.drum.radius / self.falls).value();
+        let fastest = (self.hoist.fastest(self.drive_limit) / self.falls).value();
         let lowering = lever::operator_speed(&self.name, "lowering_speed", fastest);
         Declaration {
             numbers: NUMBERS.iter().map(ToString::to_string).chain(self.estimator.number_names("")).collect(),
@@ -135,7 +135,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        let paid_out = (self.drum.paid_out(at).length - at.numbers[PAID_OUT]) / self.falls;
+        let paid_out = (self.hoist.let_out(at).length - at.numbers[PAID_OUT]) / self.falls;
         let risen = self.height(at) - at.numbers[TRUE_ZERO];
         let residual = lever::begun(at) * (risen + at.numbers[OPERATED] - paid_out);
         out.extend([residual, at.numbers[WANTED], at.numbers[VELOCITY], at.numbers[UTILISATION]]);
@@ -159,11 +159,11 @@ impl<S: Scalar> HeaveCompensation<S> {
         [found.velocity_for(0) + by_crane, found.position]
     }
 
-    /// The speed for the drive's input, rad/s.
-    fn command(&self, at: &Context<'_, S>, begins: bool, [velocity, height]: [S; 2], own: &mut Own<'_, S>) -> S {
+    /// The speed for the drive's input, rad/s or m/s.
+    fn command(&mut self, at: &Context<'_, S>, begins: bool, [velocity, height]: [S; 2], own: &mut Own<'_, S>) -> S {
         let numbers = &mut *own.numbers;
-        let paid_out = self.drum.paid_out(at);
-        let per_speed = self.falls / paid_out.per_angle;
+        let paid_out = self.hoist.let_out(at);
+        let per_speed = self.falls / paid_out.per_position;
         let operator = at.inputs[1] + self.drive_speed / per_speed;
         let lever = Lever::at(at.inputs[0], begins, numbers[WAS_ON]);
         let zeros = [height, self.height(at), paid_out.length, S::ZERO];

@@ -4,6 +4,7 @@
 mod chain;
 mod estimate;
 mod heave;
+mod hoist;
 mod lever;
 mod measurement;
 mod platform;
@@ -13,6 +14,7 @@ mod three_axis;
 pub use chain::{DrivenChain, DrivenJoint};
 pub use estimate::{Estimate, Estimator, Prediction};
 pub use heave::HeaveCompensation;
+pub use hoist::{Hoist, LetOut, MovedSheaves};
 pub use measurement::{Measured, Measurement};
 pub use platform::PlatformCompensation;
 pub use predictor::{Dynamics, FilterBank, PeriodBand};

@@ -16,7 +16,7 @@
 use super::station::{Round, Station, StationMotion};
 use crate::elements::Context;
 use crate::scalar::Scalar;
-use crate::spatial::{Vector3, Wrench};
+use crate::spatial::{Twist, Vector3, Wrench};
 use core::f64::consts::FRAC_PI_2;
 
 /// The largest angle at a sheave from the middle of its range, rad: 175 degrees.
@@ -97,6 +97,14 @@ impl<S: Scalar> RopePath<S> {
         let leg = Leg { along: zero, distance, axis: zero, sine, cosine, radii: S::ZERO, gradient: zero, rate };
         let (places, legs) = (vec![place; stations.len()], vec![leg; stations.len().saturating_sub(1)]);
         Self { stations, drum: None, places, legs }
+    }
+
+    /// The path up to the place before its last end, as a point; `None` if it has only two places.
+    pub fn up_to_tip(&self) -> Option<Self> {
+        let (_, before) = self.stations.split_last()?;
+        let (tip, rest) = before.split_last()?;
+        let end = Station { round: None, ..tip.clone() };
+        (!rest.is_empty()).then(|| Self::new(rest.iter().cloned().chain([end]).collect()))
     }
 
     /// The stations, in order.
@@ -208,6 +216,16 @@ impl<S: Scalar> RopePath<S> {
             rate += leg.rate;
         }
         PathLength { length, rate, range_left }
+    }
+
+    /// Length, m, and its rate if the stations had these velocities instead of their own, m/s.
+    pub fn length_and_rate_by(&mut self, at: &Context<'_, S>, velocities: &[Twist<S>]) -> [S; 2] {
+        self.stand(at);
+        for (place, twist) in self.places.iter_mut().zip(velocities) {
+            (place.motion.velocity, place.motion.angular_velocity) = (twist.linear, twist.angular);
+        }
+        let PathLength { length, rate, .. } = self.measure();
+        [length, rate]
     }
 
     /// Places the stations and lays the legs.

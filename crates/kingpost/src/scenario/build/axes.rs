@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode};
 use super::FieldError;
-use crate::elements::{AnyElement, CoulombFriction, JointDamping, JointSpring, JointStop, StopSide};
+use crate::elements::{AnyElement, CoulombFriction, GasSpring, JointDamping, JointSpring, JointStop, StopSide};
 use crate::model::{AxisMotion, Mode};
 use crate::scenario::leaf::Quantity;
 
@@ -21,6 +21,7 @@ pub struct JointAxis<S> {
     pub friction: Option<[S; 2]>,
     /// Stiffness and rest.
     pub spring: Option<[S; 2]>,
+    pub gas_spring: Option<schema::GasSpring<S>>,
     pub limits: Option<AxisStops<S>>,
     /// Inertia of the rotor times the gear ratio squared.
     pub rotor_inertia: S,
@@ -86,6 +87,7 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> JointAxis<S> 
         damping: axis.damping_n_m_s.get(),
         friction: axis.friction.as_ref().map(|f| [f.torque_n_m.get(), f.smoothing_rad_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_m_per_rad.get(), s.rest_rad]),
+        gas_spring: None,
         limits: axis.limits.as_ref().map(|l| AxisStops {
             lower: l.lower_rad,
             upper: l.upper_rad,
@@ -118,6 +120,7 @@ fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> JointAxis<S
         damping: axis.damping_n_s_m.get(),
         friction: axis.friction.as_ref().map(|f| [f.force_n.get(), f.smoothing_m_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_per_m.get(), s.rest_m]),
+        gas_spring: axis.gas_spring.clone(),
         limits: axis.limits.as_ref().map(|l| AxisStops {
             lower: l.lower_m,
             upper: l.upper_m,
@@ -165,9 +168,9 @@ impl<S: Quantity> JointAxis<S> {
 }
 
 /// The forces in an axis of a joint, whose coordinate has these indices in q and v; `path` is the joint's. Refuses
-/// limits that cross.
+/// limits that cross, and a gas spring that no limit keeps from an end without gas.
 pub fn forces_in_axis<S: Quantity>(
-    path: &str,
+    (joint, path): (&str, &str),
     axis: &JointAxis<S>,
     (position, coordinate): (usize, usize),
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
@@ -182,6 +185,9 @@ pub fn forces_in_axis<S: Quantity>(
     if let Some([stiffness, rest]) = axis.spring {
         forces.push(Box::new(JointSpring { position, coordinate, stiffness, rest }));
     }
+    if let Some(given) = &axis.gas_spring {
+        forces.push(Box::new(gas_spring((joint, path), axis, given, (position, coordinate))?));
+    }
     if let Some(AxisStops { lower, upper, contact: [stiffness, dissipation] }) = axis.limits {
         let stop = |(side, limit): (StopSide, Option<S>)| -> Option<AnyElement<S>> {
             Some(Box::new(JointStop { position, coordinate, side, limit: limit?, stiffness, dissipation }))
@@ -189,4 +195,41 @@ pub fn forces_in_axis<S: Quantity>(
         forces.extend([(StopSide::Lower, lower), (StopSide::Upper, upper)].into_iter().filter_map(stop));
     }
     Ok(forces)
+}
+
+/// The gas spring of an axis.
+fn gas_spring<S: Quantity>(
+    (joint, path): (&str, &str),
+    axis: &JointAxis<S>,
+    given: &schema::GasSpring<S>,
+    (position, coordinate): (usize, usize),
+) -> Result<GasSpring<S>, FieldError> {
+    let (area, volume, extension) = (given.piston_area_m2.get(), given.gas_volume_m3.get(), given.at_extension_m);
+    let field = |name: &str| format!("{path}.{}", axis.field(name));
+    let Some(lower) = axis.limits.as_ref().and_then(|limits| limits.lower) else {
+        let allowed = "limits with lower_m, at which gas is left, for the gas spring of the axis";
+        return Err(FieldError::new(field("limits"), "no lower limit", allowed));
+    };
+    let left = volume + area * (lower - extension);
+    if let Some(left) = left.outside(|left| left > 0.0) {
+        let empty = extension - volume / area;
+        let found = format!("{lower}, with a gas volume of {left} m3 in the gas spring");
+        return Err(FieldError::new(
+            field("limits.lower_m"),
+            found,
+            format!("more than {empty}, where no gas is left"),
+        ));
+    }
+    Ok(GasSpring {
+        name: axis.coordinate_name(joint),
+        position,
+        coordinate,
+        area,
+        volume,
+        pressure: given.pressure_pa.get(),
+        extension,
+        exponent: given.polytropic_exponent.get(),
+        outside_pressure: given.outside_pressure_pa.get(),
+        smallest_volume: left * S::constant(0.5),
+    })
 }

@@ -259,7 +259,7 @@ fn forces_in_joint<S: Quantity>(
     let path = format!("bodies.{name}.joint.{}", joint.kind());
     let mut forces: Vec<AnyElement<S>> = Vec::new();
     for (k, axis) in axes(joint).iter().enumerate() {
-        forces.extend(forces_in_axis(&path, axis, (positions + k, velocities + k))?);
+        forces.extend(forces_in_axis((joint_name(name, body), &path), axis, (positions + k, velocities + k))?);
     }
     if let schema::Joint::Spherical(ball) = joint {
         let damping = ball.damping_n_m_s.get();

@@ -3,7 +3,7 @@
 use super::FieldError;
 use crate::dynamics::LinkKinematics;
 use crate::elements::ropes::RopePath;
-use crate::elements::{Context, Rope, TuggerLine, of_kind, of_kind_mut};
+use crate::elements::{Context, HeaveCompensation, Rope, TuggerLine, of_kind, of_kind_mut};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
@@ -35,6 +35,7 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
     at_rest(world, model, &links, (q, v), |at| {
+        of_kind_mut::<S, HeaveCompensation<S>>(elements).for_each(|controller| controller.hoist.begin(at));
         of_kind_mut::<S, Rope<S>>(elements).try_for_each(|rope| begin_one(rope, at))?;
         of_kind_mut::<S, TuggerLine<S>>(elements).try_for_each(|line| {
             let of = format!("forces.{}.tugger_line", line.name);

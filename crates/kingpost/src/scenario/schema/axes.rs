@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::gas_spring::GasSpring;
 use super::histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
 use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
@@ -79,6 +80,9 @@ pub struct LengthAxis<S = f64> {
     /// A spring.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub spring: Option<LengthSpring<S>>,
+    /// A gas spring, which pushes towards larger extensions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gas_spring: Option<GasSpring<S>>,
     /// Stops at the ends of the travel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<LengthLimits<S>>,
@@ -97,6 +101,7 @@ impl<S: Leaf> Default for LengthAxis<S> {
             damping_n_s_m: NonNegative::default(),
             friction: None,
             spring: None,
+            gas_spring: None,
             limits: None,
             rotor_inertia_kg_m2: NonNegative::default(),
             gear_ratio_rad_per_m: one(),

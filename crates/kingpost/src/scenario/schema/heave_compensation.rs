@@ -22,9 +22,10 @@ pub struct HeaveCompensation<S = f64> {
     /// Whether it is switched on at the start.
     #[serde(default = "yes")]
     pub begins_on: bool,
-    /// The rope, which begins at a drum. The place before its last end is the crane's tip.
+    /// The rope. The place before its last end is the crane's tip.
     pub rope: Name,
-    /// The controlled drive of the drum, with a speed as its set-point. Its own speed counts as the operator's.
+    /// The controlled drive of the rope's drum, or of a joint that moves sheaves between drum and tip: the slide of a
+    /// compensation cylinder. Its set-point is a speed, which counts as the operator's.
     pub drive: Name,
     /// The motion reference unit that it measures the tip's motion by; without it, it knows that motion exactly and at once.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::axes::one;
+use super::gas_spring::GasSpring;
 use super::joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
 use super::moved_by_waves::MovedByWaves;
 use super::{
@@ -257,6 +258,9 @@ pub struct PrismaticJoint<S = f64> {
     /// A spring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<LengthSpring<S>>,
+    /// A gas spring, which pushes towards larger extensions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gas_spring: Option<GasSpring<S>>,
     /// Stops at the ends of the travel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limits: Option<LengthLimits<S>>,
@@ -281,6 +285,7 @@ impl<S: Leaf> PrismaticJoint<S> {
             damping_n_s_m: self.damping_n_s_m,
             friction: self.friction.clone(),
             spring: self.spring.clone(),
+            gas_spring: self.gas_spring.clone(),
             limits: self.limits.clone(),
             rotor_inertia_kg_m2: self.rotor_inertia_kg_m2,
             gear_ratio_rad_per_m: self.gear_ratio_rad_per_m,

@@ -14,6 +14,7 @@ mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
+mod gas_spring;
 mod gusts;
 mod heave_compensation;
 mod histories;
@@ -78,6 +79,7 @@ pub use flow::{
     Wind, WindLoad, WindProfile,
 };
 pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use gas_spring::GasSpring;
 pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
 pub use heave_compensation::{HeaveCompensation, HeavePrediction};
 pub use histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};

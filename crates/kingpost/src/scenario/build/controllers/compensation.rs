@@ -1,16 +1,16 @@
 //! Heave compensation, and what all compensations share.
 
-use super::super::super::schema::{self, Drive, Scenario};
+use super::super::super::schema::{self, Scenario};
 use super::super::{FieldError, sensors};
+use super::hoists::hung;
 use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
 use crate::elements::drives::{ControlledDrive, SetPoint};
-use crate::elements::ropes::Drum;
-use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, Rope, of_kind};
-use crate::model::Attachment;
+use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, of_kind};
+use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 
 /// An enabled entry among these, or an error that lists them.
-fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
+pub fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
     let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
     let allowed = sensors::allowed(&listed, found, &format!("{names} that is enabled"));
     let one = all.into_iter().find(|(name, _)| *name == found);
@@ -19,7 +19,7 @@ fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> R
 
 /// The controller, if it is enabled.
 pub fn heave<S: Quantity>(
-    scenario: &Scenario<S>,
+    (scenario, model): (&Scenario<S>, &Model<S>),
     name: &str,
     given: &schema::HeaveCompensation<S>,
     elements: &[AnyElement<S>],
@@ -29,7 +29,7 @@ pub fn heave<S: Quantity>(
     if !given.enabled {
         return Ok(None);
     }
-    let rope = hung(scenario, &lead, [&given.rope, &given.drive], elements)?;
+    let rope = hung((scenario, model), &lead, [&given.rope, &given.drive], elements)?;
     let source =
         MotionSource { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
     Ok(Some(Box::new(HeaveCompensation {
@@ -37,7 +37,7 @@ pub fn heave<S: Quantity>(
         estimator: estimator(&lead, &source, given.period_s.get(), (elements, &[rope.drive]))?,
         tip: rope.tip,
         falls: rope.falls,
-        drum: rope.drum,
+        hoist: rope.hoist,
         drive: rope.drive.name.clone(),
         drive_speed: rope.speed,
         drive_limit: rope.drive.limits.speed,
@@ -58,39 +58,6 @@ pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -
         return Err(FieldError::new(lead, format!("the name {name} of another entry"), "a name of its own"));
     }
     Ok(())
-}
-
-/// A rope from a driven drum over the crane's tip.
-pub struct Hung<'a, S> {
-    /// The drive of the drum.
-    pub drive: &'a ControlledDrive<S>,
-    /// Set-point of the drive, rad/s.
-    pub speed: S,
-    /// The drum.
-    pub drum: Drum<S>,
-    /// The place before the rope's last end.
-    pub tip: Attachment<S>,
-    /// Falls of the last part.
-    pub falls: S,
-}
-
-/// The rope and the drive of its drum.
-pub fn hung<'a, S: Quantity>(
-    scenario: &Scenario<S>,
-    lead: &str,
-    [rope, drive]: [&str; 2],
-    elements: &'a [AnyElement<S>],
-) -> Result<Hung<'a, S>, FieldError> {
-    let built = of_kind::<S, Rope<S>>(elements).map(|rope| (rope.name.as_str(), rope)).collect();
-    let found = named(&format!("{lead}.rope"), rope, (built, "a rope"))?;
-    let driven = self::drive(&format!("{lead}.drive"), drive, elements)?;
-    let stations = found.path.stations();
-    let Some(drum) = found.drum.filter(|drum| drum.coordinate == driven.coordinate) else {
-        return Err(not_its_drum(scenario, lead, [rope, drive], found.drum.is_some()));
-    };
-    let (tip, falls) = (stations[stations.len() - 2].centre, stations[stations.len() - 1].falls);
-    let speed = driven.value;
-    Ok(Hung { drive: driven, speed, drum, tip, falls })
 }
 
 /// A controlled drive, which follows a speed.
@@ -155,25 +122,6 @@ pub fn estimator<S: Quantity>(
         has_status: unit.sampler.drop_outs.is_some(),
     });
     Ok(Estimator { measurement, prediction: prediction.transpose()?, period_s })
-}
-
-fn not_its_drum<S: Quantity>(
-    scenario: &Scenario<S>,
-    lead: &str,
-    [rope, drive]: [&str; 2],
-    has_drum: bool,
-) -> FieldError {
-    if !has_drum {
-        let found = format!("{rope}, which has no drum");
-        return FieldError::new(format!("{lead}.rope"), found, "a rope whose path begins at a drum");
-    }
-    let joint = |drive: &Drive<S>| match drive {
-        Drive::ControlledDrive(drive) => drive.joint.to_string(),
-        _ => String::new(),
-    };
-    let joint = scenario.drives.get(drive).map(joint).unwrap_or_default();
-    let allowed = format!("the drive of the drum of {rope}");
-    FieldError::new(format!("{lead}.drive"), format!("{drive}, which drives {joint}"), allowed)
 }
 
 fn prediction<S: Quantity>(

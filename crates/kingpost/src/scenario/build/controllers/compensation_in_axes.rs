@@ -3,8 +3,9 @@
 use super::super::super::schema::{self, Scenario};
 use super::super::FieldError;
 use super::super::cylinders::attachment;
-use super::compensation::{MotionSource, check, drive, estimator, hung, unit};
-use crate::elements::compensation::{DrivenChain, DrivenJoint};
+use super::compensation::{MotionSource, check, drive, estimator, unit};
+use super::hoists::{driving, hung};
+use crate::elements::compensation::{DrivenChain, DrivenJoint, Hoist};
 use crate::elements::drives::ControlledDrive;
 use crate::elements::{AnyElement, PlatformCompensation, ThreeAxisCompensation};
 use crate::model::Model;
@@ -22,7 +23,11 @@ pub fn three_axis<S: Quantity>(
     if !given.enabled {
         return Ok(None);
     }
-    let rope = hung(scenario, &lead, [&given.rope, &given.drive], elements)?;
+    let rope = hung((scenario, model), &lead, [&given.rope, &given.drive], elements)?;
+    let Hoist::Drum(drum) = rope.hoist else {
+        let allowed = format!("the drive of the drum of {}", given.rope);
+        return Err(FieldError::new(format!("{lead}.drive"), driving(scenario, &given.drive), allowed));
+    };
     let joints = Joints { lead: &lead, given: &given.joints, least: 2, moves: "the tip of the crane" };
     let mut drives = joints.drives(elements)?;
     let chain = DrivenChain {
@@ -38,7 +43,7 @@ pub fn three_axis<S: Quantity>(
         chain,
         tip: rope.tip,
         falls: rope.falls,
-        drum: rope.drum,
+        drum,
         winch: rope.drive.name.clone(),
         winch_speed: rope.speed,
         winch_limit: rope.drive.limits.speed,

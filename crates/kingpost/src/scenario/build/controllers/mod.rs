@@ -2,6 +2,7 @@
 
 mod compensation;
 mod compensation_in_axes;
+mod hoists;
 mod policy;
 
 use super::super::schema::{self, Controller, Scenario};
@@ -109,7 +110,7 @@ impl<S: Quantity> ControllerReader<'_, S> {
                 Box::new(policy::selector(name, given, inputs)?)
             }
             Controller::HeaveCompensation(given) => {
-                return compensation::heave(self.scenario, name, given, elements);
+                return compensation::heave((self.scenario, self.model), name, given, elements);
             }
             Controller::ThreeAxisCompensation(given) => {
                 return compensation_in_axes::three_axis((self.scenario, self.model), name, given, elements);
