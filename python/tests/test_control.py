@@ -6,7 +6,7 @@ import json
 
 import kingpost
 import pytest
-from kingpost.verify.control import heave, platform, three_axis
+from kingpost.verify.control import cylinder, heave, platform, standard, three_axis
 
 SHORT = {"simulation.duration_s": 3, "simulation.record_every_s": 0.5}
 
@@ -41,7 +41,7 @@ def test_a_case_of_the_standard_seas_is_measured_and_printed():
 
 
 def test_drop_outs_are_in_the_table_of_events():
-    field = f"{heave.UNIT}.drop_outs"
+    field = f"{standard.UNIT}.drop_outs"
     ds = kingpost.run("heave_compensation", SHORT | {field: {"mean_interval_s": 0.5, "mean_duration_s": 0.2}})
     happened = {event["what"] for event in json.loads(ds.attrs["events"])}
     assert "drops out" in happened
@@ -61,6 +61,28 @@ def test_a_case_of_the_platform_is_measured_and_printed():
     row = platform.measure("Hs 2.5 m, Tp 8 s", "off", length_s=2.0)
     assert row.verdict == "-"
     assert "off" in platform.text([row])
+
+
+def test_gas_beside_the_drive_of_a_cylinder_leaves_it_a_tenth_of_its_force_and_power():
+    sea = "Hs 2.5 m, Tp 8 s"
+    alone, both, gas = (
+        cylinder.measure(sea, control, length_s=100.0)
+        for control in ("drive alone, sensor", "gas and drive, sensor", cylinder.GAS_ALONE)
+    )
+    # The gas carries 297 kN; what it leaves the drive is its stiffness, 8 kN of friction and the load's inertia.
+    assert alone.force_kn > 290.0
+    assert both.force_kn < 0.1 * alone.force_kn
+    assert both.power_kw < 0.1 * alone.power_kw
+    assert abs(both.hook - alone.hook) < 0.5
+    assert both.hook < gas.hook < 100.0
+    assert "gas alone" in cylinder.text([alone, both, gas])
+
+
+def test_a_gas_that_does_not_carry_the_load_moves_the_carriage_to_its_stop_and_beyond_the_limit_of_its_stroke():
+    given = {"active_cylinder": False, "gas_pressure_bar": 96}
+    ds = kingpost.run("hybrid_compensation", given | {"simulation.duration_s": 2})
+    assert float(ds.kingpost["slide.joint_position"][0]) == pytest.approx(-1.6, abs=0.01)
+    assert "stroke" in ds.attrs["limits"]
 
 
 def test_a_winch_at_its_speed_limit_leaves_more_in_a_higher_sea_and_less_than_without_compensation():

@@ -29,6 +29,7 @@ const SHOTS = {
   subsea_lowering: { time_s: 100 },
   lowering_by_winch: { time_s: 30, values: "waves=true", nearer: 1 },
   heave_compensation: { time_s: 60, nearer: 1 },
+  hybrid_compensation: { time_s: 60, nearer: 1 },
   three_axis_compensation: { time_s: 60, nearer: 1 },
   level_platform: { time_s: 60, nearer: 1 },
   a_frame_over_the_stern: { time_s: 30 },

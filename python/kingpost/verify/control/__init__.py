@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Protocol
 
 from ..rows import FAILED
-from . import frequency, heave, platform, roll, sweep, three_axis
+from . import cylinder, frequency, heave, platform, roll, sweep, three_axis
 from .standard import AT_A_LIMIT
 
 
@@ -27,7 +27,7 @@ class Controller(Protocol):
         """Its table."""
 
 
-CONTROLLERS: tuple[Controller, ...] = (heave, frequency, roll, three_axis, platform, sweep)
+CONTROLLERS: tuple[Controller, ...] = (heave, cylinder, frequency, roll, three_axis, platform, sweep)
 """In the order in which they are measured and printed."""
 
 

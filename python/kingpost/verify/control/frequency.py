@@ -21,7 +21,8 @@ from ...scenario import load
 from ...simulation.simulate import run
 from ..pictures import OURS
 from ..rows import FAILED, PASSED
-from .heave import CONTROLLER, SCENARIO, UNIT
+from .heave import CONTROLLER, SCENARIO
+from .standard import UNIT
 
 WINDOW_S = 80.0
 SETTLED_S = 300.0

@@ -12,11 +12,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...reports.tables import table
-from .standard import AT_A_LIMIT, LENGTH_S, SEAS, in_sea, settled
+from .standard import LENGTH_S, SEAS, in_sea, judged, settled, with_satellites
 
 SCENARIO = "heave_compensation"
 CONTROLLER = "controllers.compensation.heave_compensation"
-UNIT = "sensors.mru.motion_reference_unit"
 DRIVES = ("hoist",)
 
 CONTROLS: dict[str, dict[str, Any]] = {
@@ -25,20 +24,7 @@ CONTROLS: dict[str, dict[str, Any]] = {
     "ideal, no prediction": {f"{CONTROLLER}.sensor": None, f"{CONTROLLER}.prediction": None},
     "sensor": {},
     "sensor, no prediction": {f"{CONTROLLER}.prediction": None},
-    "sensor and satellites": {
-        "sensors.satellites": {
-            "satellite_receiver": {
-                "body": "hull",
-                "position_m": [-5, 0, 30],
-                "period_s": 0.1,
-                "delay_samples": 1,
-                "vertical_errors": {"noise_m": 0.02, "resolution_m": 0.001},
-            }
-        },
-        f"{UNIT}.heave_filter.receiver": "satellites",
-        # The rope of 1,000 m with its load has a period of 3 to 4 s, which waves of 8 s still reach.
-        f"{CONTROLLER}.prediction.shortest_period_s": 3,
-    },
+    "sensor and satellites": with_satellites(CONTROLLER),
 }
 """`sensor`: noise, bias, high-pass filter of heave with 20 s, 0.1 s of delay. `satellites`: a receiver with
 noise of 2 cm at 10 Hz and 0.1 s of delay gives back what the filter removes."""
@@ -70,14 +56,7 @@ class Compensated:
     @property
     def verdict(self) -> str:
         """Whether the residuals are within what is asked for, and the drive within its limits."""
-        allowed = ALLOWED.get(self.control)
-        if max(self.utilisation.values()) > 1.0:
-            return AT_A_LIMIT
-        if allowed is None:
-            return "-"
-        ends = {"winch": self.winch, "hook": self.hook}
-        missed = [f"{end} by {found - allowed:.1f} %" for end, found in ends.items() if found > allowed]
-        return "misses at " + ", ".join(missed) if missed else "reached"
+        return judged({"winch": self.winch, "hook": self.hook}, ALLOWED.get(self.control), self.utilisation)
 
 
 def cases() -> Iterator[tuple[str, str, str]]:

@@ -27,6 +27,9 @@ LONGEST = 1.75
 SETTLED_S = 100.0
 """The ramp of the sea and the slow states of ship, sensor and prediction are over then, s."""
 
+UNIT = "sensors.mru.motion_reference_unit"
+"""The motion reference unit of the scenarios of compensations."""
+
 AT_A_LIMIT = "at a limit"
 """The verdict on a run whose drive exceeds a limit: the command fails."""
 
@@ -69,3 +72,40 @@ def settled(scenario: str, given: dict[str, Any], length_s: float) -> Settled:
         # Decks go under in the higher seas, and stops are met: the tables show the result.
         found = run(scenario, given | {"simulation.duration_s": length_s})
     return Settled(found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None)))
+
+
+def with_satellites(controller: str) -> dict[str, Any]:
+    """What gives the unit a satellite receiver, and the controller the short waves that a receiver leaves.
+
+    >>> list(with_satellites("controllers.c"))[-1]
+    'controllers.c.prediction.shortest_period_s'
+    """
+    receiver = {
+        "body": "hull",
+        "position_m": [-5, 0, 30],
+        "period_s": 0.1,
+        "delay_samples": 1,
+        "vertical_errors": {"noise_m": 0.02, "resolution_m": 0.001},
+    }
+    return {
+        "sensors.satellites": {"satellite_receiver": receiver},
+        f"{UNIT}.heave_filter.receiver": "satellites",
+        # A rope of 1,000 m with its load has a period of 3 to 4 s, which waves of 8 s still reach.
+        f"{controller}.prediction.shortest_period_s": 3,
+    }
+
+
+def judged(ends: dict[str, float], allowed: float | None, utilisation: dict[str, float]) -> str:
+    """The verdict on residuals, %, at the ends of a rope, and on the largest shares of the drive's limits.
+
+    >>> judged({"winch": 1.5, "hook": 2.5}, 2.0, {"speed": 0.4})
+    'misses at hook by 0.5 %'
+    >>> judged({"winch": 1.5, "hook": 1.5}, 2.0, {"speed": 0.4}), judged({}, None, {"speed": 1.1})
+    ('reached', 'at a limit')
+    """
+    if utilisation and max(utilisation.values()) > 1.0:
+        return AT_A_LIMIT
+    if allowed is None:
+        return "-"
+    missed = [f"{end} by {found - allowed:.1f} %" for end, found in ends.items() if found > allowed]
+    return "misses at " + ", ".join(missed) if missed else "reached"

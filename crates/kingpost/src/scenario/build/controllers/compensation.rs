@@ -1,21 +1,13 @@
 //! Heave compensation, and what all compensations share.
 
 use super::super::super::schema::{self, Scenario};
-use super::super::{FieldError, sensors};
-use super::hoists::hung;
+use super::super::FieldError;
+use super::hoists::{hung, named};
 use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
-use crate::elements::drives::{ControlledDrive, SetPoint};
+use crate::elements::drives::ControlledDrive;
 use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, of_kind};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
-
-/// An enabled entry among these, or an error that lists them.
-pub fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
-    let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
-    let allowed = sensors::allowed(&listed, found, &format!("{names} that is enabled"));
-    let one = all.into_iter().find(|(name, _)| *name == found);
-    one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
-}
 
 /// The controller, if it is enabled.
 pub fn heave<S: Quantity>(
@@ -58,23 +50,6 @@ pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -
         return Err(FieldError::new(lead, format!("the name {name} of another entry"), "a name of its own"));
     }
     Ok(())
-}
-
-/// A controlled drive, which follows a speed.
-pub fn drive<'a, S: Quantity>(
-    field: &str,
-    found: &str,
-    elements: &'a [AnyElement<S>],
-) -> Result<&'a ControlledDrive<S>, FieldError> {
-    let built = of_kind::<S, ControlledDrive<S>>(elements).map(|drive| (drive.name.as_str(), drive)).collect();
-    let drive = named(field, found, (built, "a controlled drive"))?;
-    let mode = match drive.set_point {
-        SetPoint::Speed => return Ok(drive),
-        SetPoint::Effort => "torque",
-        SetPoint::Position => "position",
-    };
-    let found = format!("{found}, whose set-point is a {mode}");
-    Err(FieldError::new(field, found, "a drive with set_point: {speed: {}}"))
 }
 
 /// What a compensation knows the motion by.

@@ -3,8 +3,8 @@
 use super::super::super::schema::{self, Scenario};
 use super::super::FieldError;
 use super::super::cylinders::attachment;
-use super::compensation::{MotionSource, check, drive, estimator, unit};
-use super::hoists::{driving, hung};
+use super::compensation::{MotionSource, check, estimator, unit};
+use super::hoists::{drive, driving, hung};
 use crate::elements::compensation::{DrivenChain, DrivenJoint, Hoist};
 use crate::elements::drives::ControlledDrive;
 use crate::elements::{AnyElement, PlatformCompensation, ThreeAxisCompensation};

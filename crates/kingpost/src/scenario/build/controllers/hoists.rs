@@ -1,13 +1,37 @@
-//! The rope of a compensation, and what its drive lets it out by.
+//! The drives that compensations name, and the ropes that they let out.
 
 use super::super::super::schema::{Drive, Scenario};
-use super::super::FieldError;
-use super::compensation::{drive, named};
+use super::super::{FieldError, sensors};
 use crate::elements::compensation::{Hoist, MovedSheaves};
-use crate::elements::drives::ControlledDrive;
+use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::{AnyElement, Rope, of_kind};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
+
+/// An enabled entry among these, or an error that lists them.
+pub fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
+    let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    let allowed = sensors::allowed(&listed, found, &format!("{names} that is enabled"));
+    let one = all.into_iter().find(|(name, _)| *name == found);
+    one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
+}
+
+/// A controlled drive, which follows a speed.
+pub fn drive<'a, S: Quantity>(
+    field: &str,
+    found: &str,
+    elements: &'a [AnyElement<S>],
+) -> Result<&'a ControlledDrive<S>, FieldError> {
+    let built = of_kind::<S, ControlledDrive<S>>(elements).map(|drive| (drive.name.as_str(), drive)).collect();
+    let drive = named(field, found, (built, "a controlled drive"))?;
+    let mode = match drive.set_point {
+        SetPoint::Speed => return Ok(drive),
+        SetPoint::Effort => "torque",
+        SetPoint::Position => "position",
+    };
+    let found = format!("{found}, whose set-point is a {mode}");
+    Err(FieldError::new(field, found, "a drive with set_point: {speed: {}}"))
+}
 
 /// A rope over the crane's tip that a drive lets out.
 pub struct Hung<'a, S> {
