@@ -327,6 +327,59 @@ fn friction_of_its_sheaves_is_the_winchs_to_carry_and_becomes_heat() {
     assert!(values(&mut found, "energy_error")[0].abs() < 1e-6);
 }
 
+/// A load of 2 t on a rod of 20 m, between two level lines of 1000 m along its swing.
+const SWING: &str = "
+version: 1
+title: Tagger lines that damp a swing
+simulation: {step_s: 0.01, duration_s: 60}
+bodies:
+  load:
+    mass_kg: 2000
+    shape: {point: {}}
+    joint: {revolute: {axis: [0, -1, 0], child_position_m: [0, 0, 20], initial_angle_rad: 0.001}}
+forces:
+  gravity: {gravity: {acceleration_m_s2: 9.80665}}
+  ahead: {tugger_line: {path: [{point: {body: world, position_m: [1000, 0, -20]}}, {point: {body: load}}], tension_N: 5000, damping_N_s_per_m: 150}}
+  astern: {tugger_line: {path: [{point: {body: world, position_m: [-1000, 0, -20]}}, {point: {body: load}}], tension_N: 5000, damping_N_s_per_m: 150}}
+";
+
+#[test]
+fn two_tagger_lines_along_a_swing_damp_it_by_their_damping_over_the_mass() {
+    // m x'' + 2 c x' + (m g / l + f) x = 0. The lines' constant tensions cancel along the swing; as the load rises they pull
+    // it up and down by T / 1000 m, of second order.
+    let (mass, damping): (f64, f64) = (2000.0, 2.0 * 150.0);
+    let sigma = damping / (2.0 * mass);
+    let w = (GRAVITY / 20.0 - sigma * sigma).sqrt();
+    let mut found = simulation(SWING);
+    for _ in 0..6 {
+        found.step(1000).expect("it swings");
+        let t = found.time_s();
+        let exact = 1e-3 * (-sigma * t).exp() * ((w * t).cos() + sigma / w * (w * t).sin());
+        let angle = found.state().q[0];
+        // The angle's own square is 1e-6 of it.
+        assert!((angle - exact).abs() < 2e-6 * 1e-3 * t.max(1.0), "{t} s: {angle}, not {exact}");
+        assert!(values(&mut found, "energy_error")[0].abs() < 1e-9);
+    }
+    let lost = values(&mut found, "energy_drives")[0];
+    assert!(lost < -0.9 * 0.5 * mass * GRAVITY * 20.0 * 1e-6, "{lost} J");
+}
+
+#[test]
+fn a_tagger_line_pulls_between_nothing_and_its_largest_tension() {
+    for (rate, expected) in [(0.01, 5150.0), (0.2, 7000.0), (-0.5, 0.0)] {
+        let text = SWING.replace("damping_N_s_per_m: 150", "damping_N_s_per_m: 15000, largest_tension_N: 7000");
+        let text = text.replace("initial_angle_rad: 0.001", &format!("initial_rate_rad_s: {}", rate / 20.0));
+        let tensions = values(&mut simulation(&text), "winch_tension");
+        // About -y the angle moves the load towards +x: the line astern pays out.
+        assert!((tensions[1] - expected).abs() < 1e-6, "{rate} m/s: {tensions:?}");
+    }
+    let text = SWING.replacen("damping_N_s_per_m: 150", "largest_tension_N: 4000", 1);
+    let error =
+        read(&text, "swing.yaml", &[]).and_then(|scenario| scenario.setup()).expect_err("too little").to_string();
+    let expected = "forces.ahead.tugger_line.largest_tension_N: found 4000, allowed: at least tension_N, 5000 N";
+    assert!(error.contains(expected), "{error}");
+}
+
 #[test]
 fn a_mistake_in_a_tugger_line_is_refused_at_its_place() {
     let cases = [

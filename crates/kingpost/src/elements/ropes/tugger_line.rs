@@ -1,4 +1,4 @@
-//! A line with a constant-tension winch: tugger lines and tag lines.
+//! A line whose winch sets its tension: tugger lines and tag lines.
 
 use super::RopePath;
 use crate::dynamics::Loads;
@@ -6,15 +6,26 @@ use crate::elements::{Context, Crossing, Declaration, DrawnLine, Element, Event,
 use crate::scalar::Scalar;
 
 /// A line over a [`RopePath`] whose winch, at its first end, pays out and hauls in so that the tension T at its last
-/// end is constant, however fast the load moves: V = T l, with the length l of the path. Friction acts at the sheaves.
+/// end depends on the length l of the path by its rate alone:
+///
+/// ```text
+/// T = T_0 + c l',   0 <= T <= T_max
+/// ```
+///
+/// With c = 0 the tension is constant, however fast the load moves; with c > 0 the winch pays out at a higher tension than it
+/// hauls in, and takes energy out of a swing. V = T_0 l; all other work is the winch's. Friction acts at the sheaves.
 #[derive(Clone, Debug)]
 pub struct TuggerLine<S = f64> {
     /// Name in the results.
     pub name: String,
     /// Its path, without a drum.
     pub path: RopePath<S>,
-    /// T, N.
+    /// T_0, N.
     pub tension: S,
+    /// c, N s/m.
+    pub damping: S,
+    /// T_max, N; without it, there is none.
+    pub largest: Option<S>,
 }
 
 const LEAVES_RANGE: Event =
@@ -43,10 +54,10 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
 
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = self.path.extent(at).rate;
-        let [at_winch, power] = self.path.pull(self.tension, S::ZERO, |station, wrench| {
+        let [at_winch, power] = self.path.pull(self.tension_at(rate), S::ZERO, |station, wrench| {
             loads.wrenches.extend(station.on_body(at, wrench));
         });
-        // V contains the work of T; the winch also supplies the energy lost to friction.
+        // V contains the work of T_0; the winch supplies the rest, the energy lost to friction included.
         let given = (self.tension - at_winch) * rate;
         loads.power.drives += given;
         loads.power.dissipated += given - (power + self.tension * rate);
@@ -58,7 +69,7 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let extent = self.path.extent(at);
-        let [at_winch, _] = self.path.pull(self.tension, S::ZERO, |_, _| {});
+        let [at_winch, _] = self.path.pull(self.tension_at(extent.rate), S::ZERO, |_, _| {});
         out.extend([at_winch, extent.length, extent.rate]);
     }
 
@@ -73,5 +84,14 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
 
     fn ties(&self) -> Vec<[Option<usize>; 2]> {
         self.path.ties()
+    }
+}
+
+impl<S: Scalar> TuggerLine<S> {
+    /// T at this rate of the path's length, N.
+    fn tension_at(&self, rate: S) -> S {
+        let tension = self.tension + self.damping * rate;
+        let pulls = tension.select_below(0.0, || S::ZERO, || tension);
+        self.largest.map_or(pulls, |largest| pulls.select_less(largest, || pulls, || largest))
     }
 }

@@ -147,8 +147,13 @@ pub fn tugger<S: Quantity>(
     }
     let Laid { stations, .. } = lay(scenario, &field, &given.path, model)?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
-    let (name, path, tension) = (name.to_owned(), RopePath::new(stations), given.tension_n.get());
-    Ok(Some(Box::new(TuggerLine { name, path, tension })))
+    let (tension, largest) = (given.tension_n.get(), given.largest_tension_n.map(|largest| largest.get()));
+    if let Some(largest) = largest.filter(|largest| !(*largest - tension).all(|more| more >= 0.0)) {
+        let allowed = format!("at least tension_N, {tension} N");
+        return Err(FieldError::new(format!("{field}.largest_tension_N"), largest, allowed));
+    }
+    let (path, damping) = (RopePath::new(stations), given.damping_n_s_per_m.get());
+    Ok(Some(Box::new(TuggerLine { name: name.to_owned(), path, tension, damping, largest })))
 }
 
 /// A path with its stations.

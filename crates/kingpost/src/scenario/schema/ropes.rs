@@ -114,9 +114,16 @@ pub struct TuggerLine<S = f64> {
     pub enabled: bool,
     /// The points and sheaves of its path, from the winch to the load: it begins and ends at a point.
     pub path: Vec<RopeStation<S>>,
-    /// Its tension at the load, N.
+    /// Its tension at the load while its length stays, N.
     #[serde(rename = "tension_N")]
     pub tension_n: NonNegative<S>,
+    /// By how much its tension is higher while it pays out, and lower while it hauls in, per rate of its length, N s/m. It
+    /// damps a swing.
+    #[serde(default, rename = "damping_N_s_per_m")]
+    pub damping_n_s_per_m: NonNegative<S>,
+    /// Its largest tension at the load, N: at least `tension_N`. Without it, there is none; it never pushes.
+    #[serde(default, rename = "largest_tension_N", skip_serializing_if = "Option::is_none")]
+    pub largest_tension_n: Option<Positive<S>>,
 }
 
 /// A place on a rope's path.
