@@ -130,6 +130,21 @@ def swing_left(**parameters: object) -> float:
     return float(np.hypot(*angles.where(recorded.time >= 97 + 18, drop=True).values.T).max())
 
 
+def test_tagger_lines_leave_at_most_one_percent_of_the_uncontrolled_swing_without_going_slack() -> None:
+    """Source: the target of this project, 1 %; measured 0.52 %, about the angle to which the lines pull the load."""
+    recorded = kingpost.run(GALLERY, tagger_lines=True)
+    angles = recorded["joint_position"].sel(coordinate=["pendant.first", "pendant.second"])
+    last = angles.where(recorded.time > float(recorded.time[-1]) - 9, drop=True).mean("time")
+    swing = np.hypot(*(angles - last).where(recorded.time >= 97 + 18, drop=True).values.T)
+    assert float(swing.max()) < 0.01 * swing_left()
+    assert 1e3 < float(recorded["winch_tension"].min()) < float(recorded["winch_tension"].max()) < 20e3
+
+
+def test_gains_for_a_load_without_tagger_lines_are_warned_of_with_them() -> None:
+    with pytest.warns(kingpost.KingpostWarning, match="oscillation of luff .* grows"):
+        kingpost.run(GALLERY, {"simulation.duration_s": 1}, tagger_lines=True, feedback=True)
+
+
 def test_the_gallerys_slew_leaves_at_most_one_percent_of_the_uncontrolled_swing() -> None:
     """Source: the target of this project, 1 %; measured 0.85 % with ZVD, 0.53 % with the regulator."""
     free = swing_left()

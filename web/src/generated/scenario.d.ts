@@ -2487,13 +2487,30 @@ export type TuggerLine = {
    */
   path: RopeStation[];
   /**
-   * Its tension at the load, N.
+   * Its tension at the load while its length stays, N.
    */
   tension_N?: number;
   /**
    * The same as `tension_N`, in the unit of this name.
    */
   tension_kN?: number;
+  /**
+   * By how much its tension is higher while it pays out, and lower while it hauls in, per rate of its length, N s/m. It
+   * damps a swing.
+   */
+  damping_N_s_per_m?: number;
+  /**
+   * The same as `damping_N_s_per_m`, in the unit of this name.
+   */
+  damping_kN_s_per_m?: number;
+  /**
+   * Its largest tension at the load, N: at least `tension_N`. Without it, there is none; it never pushes.
+   */
+  largest_tension_N?: number | null;
+  /**
+   * The same as `largest_tension_N`, in the unit of this name.
+   */
+  largest_tension_kN?: number | null;
 };
 /**
  * Contact of a load with a surface: a normal force pushes the load out, and friction holds it.

@@ -360,7 +360,7 @@ fn two_tagger_lines_along_a_swing_damp_it_by_their_damping_over_the_mass() {
         assert!((angle - exact).abs() < 2e-6 * 1e-3 * t.max(1.0), "{t} s: {angle}, not {exact}");
         assert!(values(&mut found, "energy_error")[0].abs() < 1e-9);
     }
-    let lost = values(&mut found, "energy_drives")[0];
+    let lost = values(&mut found, "work_by_drives")[0];
     assert!(lost < -0.9 * 0.5 * mass * GRAVITY * 20.0 * 1e-6, "{lost} J");
 }
 

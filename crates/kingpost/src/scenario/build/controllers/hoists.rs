@@ -65,7 +65,8 @@ pub fn hung<'a, S: Quantity>(
     };
     let stations = found.path.stations();
     let (tip, falls) = (stations[stations.len() - 2].centre, stations[stations.len() - 1].falls);
-    Ok(Hung { drive: driven, speed: driven.value, hoist, tip, falls })
+    let speed = driven.value;
+    Ok(Hung { drive: driven, speed, hoist, tip, falls })
 }
 
 /// A drive and its joint, for an error.
