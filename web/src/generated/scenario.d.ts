@@ -218,6 +218,10 @@ export type Flexible = {
   /**
    * The same as `youngs_modulus_Pa`, in the unit of this name.
    */
+  youngs_modulus_GPa?: number;
+  /**
+   * The same as `youngs_modulus_Pa`, in the unit of this name.
+   */
   youngs_modulus_bar?: number;
   /**
    * Poisson's ratio, between -1 and 0.5; the shear modulus is E / (2 (1 + nu)).
@@ -488,10 +492,6 @@ export type AngleLimits = {
    * dissipation u)`.
    */
   dissipation_s_per_rad?: number;
-  /**
-   * The same as `dissipation_s_per_rad`, in the unit of this name.
-   */
-  dissipation_s_per_deg?: number;
 };
 /**
  * A rate of turning as a given function of time.
@@ -709,6 +709,10 @@ export type GasSpring = {
   /**
    * The same as `pressure_Pa`, in the unit of this name.
    */
+  pressure_GPa?: number;
+  /**
+   * The same as `pressure_Pa`, in the unit of this name.
+   */
   pressure_bar?: number;
   /**
    * Extension at which the gas has this volume and pressure, m.
@@ -722,6 +726,10 @@ export type GasSpring = {
    * Absolute pressure on the other side of the piston, Pa: that of the atmosphere by default.
    */
   outside_pressure_Pa?: number;
+  /**
+   * The same as `outside_pressure_Pa`, in the unit of this name.
+   */
+  outside_pressure_GPa?: number;
   /**
    * The same as `outside_pressure_Pa`, in the unit of this name.
    */
@@ -2201,6 +2209,10 @@ export type UTankPump = {
    * Pressure at no flow, Pa.
    */
   pressure_limit_Pa?: number;
+  /**
+   * The same as `pressure_limit_Pa`, in the unit of this name.
+   */
+  pressure_limit_GPa?: number;
   /**
    * The same as `pressure_limit_Pa`, in the unit of this name.
    */

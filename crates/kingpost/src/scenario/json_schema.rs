@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::describe::Description;
 use super::schema::Scenario;
 use super::study::Study;
-use super::units::UNIT_ALIASES;
+use super::units::aliases_of;
 use crate::dynamics::moving_frame::Equations;
 use crate::elements::{DrawnLine, Input, Warning};
 use crate::results::Channel;
@@ -60,28 +60,20 @@ impl Transform for UnitAliases {
         transform_subschemas(self, schema);
         let Some(object) = schema.as_object_mut() else { return };
         let Some(Value::Object(properties)) = object.get_mut("properties") else { return };
-        let mut pairs = Vec::new();
+        let mut written = Vec::new();
         let mut with_aliases = Map::new();
         for (name, property) in std::mem::take(properties) {
-            let alias = alias_of(&name).map(|alias| {
-                let copy = aliased(&property, &name);
-                pairs.push((name.clone(), alias.clone()));
-                (alias, copy)
-            });
-            with_aliases.insert(name, property);
-            with_aliases.extend(alias);
+            let aliases: Vec<String> = aliases_of(&name).collect();
+            let copies: Vec<Value> = aliases.iter().map(|_| aliased(&property, &name)).collect();
+            with_aliases.insert(name.clone(), property);
+            with_aliases.extend(aliases.iter().cloned().zip(copies));
+            if !aliases.is_empty() {
+                written.push((name, aliases));
+            }
         }
         *properties = with_aliases;
-        exclude_both(object, &pairs);
+        exclude_both(object, &written);
     }
-}
-
-/// The name with a unit alias that stands for this SI name. The longest ending counts, so that `_N_m_s` is not `_s`.
-fn alias_of(name: &str) -> Option<String> {
-    let ends = UNIT_ALIASES.iter().filter(|alias| name.ends_with(alias.si));
-    let alias = ends.max_by_key(|alias| alias.si.len())?;
-    let stem = name.strip_suffix(alias.si)?;
-    Some(format!("{stem}{}", alias.ending))
 }
 
 fn aliased(property: &Value, name: &str) -> Value {
@@ -94,21 +86,27 @@ fn aliased(property: &Value, name: &str) -> Value {
     copy
 }
 
-/// At most one of an SI name and its alias may be given; exactly one where the field is required.
-fn exclude_both(object: &mut Map<String, Value>, pairs: &[(String, String)]) {
+/// At most one of an SI name and its aliases may be given; exactly one where the field is required.
+fn exclude_both(object: &mut Map<String, Value>, written: &[(String, Vec<String>)]) {
     let mut rules = Vec::new();
-    for (name, alias) in pairs {
+    for (name, aliases) in written {
         let required = object.get_mut("required").and_then(Value::as_array_mut);
         let is_required = required.is_some_and(|required| {
             let before = required.len();
             required.retain(|entry| entry != name);
             required.len() < before
         });
-        rules.push(if is_required {
-            json!({"oneOf": [{"required": [name]}, {"required": [alias]}]})
+        let names: Vec<&String> = core::iter::once(name).chain(aliases).collect();
+        if is_required {
+            let each: Vec<Value> = names.iter().map(|name| json!({"required": [name]})).collect();
+            rules.push(json!({"oneOf": each}));
         } else {
-            json!({"not": {"required": [name, alias]}})
-        });
+            let pairs = names
+                .iter()
+                .enumerate()
+                .flat_map(|(k, first)| names[k + 1..].iter().map(move |second| [first, second]));
+            rules.extend(pairs.map(|pair| json!({"not": {"required": pair}})));
+        }
     }
     if object.get("required").and_then(Value::as_array).is_some_and(Vec::is_empty) {
         object.shift_remove("required");

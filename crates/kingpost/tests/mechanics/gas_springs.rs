@@ -106,8 +106,9 @@ fn a_gas_spring_without_gas_at_the_end_of_its_travel_is_refused() {
     };
     let limits = "bodies.piston.joint.prismatic.limits";
     let found = error(&[(&format!("{limits}.lower_m"), json!(-1.5))]);
-    let expected =
-        format!("{limits}.lower_m: found -1.5, with a gas volume of 0 m3 in the gas spring, allowed: more than -1.5");
+    let expected = format!(
+        "{limits}.lower_m: found -1.5, with a gas volume of 0 m3 in the gas spring, allowed: more than -1.5000"
+    );
     assert!(found.contains(&expected), "{found}");
     let found = error(&[(limits, json!({"upper_m": 1, "stiffness_N_per_m": 1e6}))]);
     assert!(found.contains(&format!("{limits}: found no lower limit, allowed: limits with lower_m")), "{found}");

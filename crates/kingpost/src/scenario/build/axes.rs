@@ -2,7 +2,9 @@
 
 use super::super::schema::{self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode};
 use super::FieldError;
-use crate::elements::{AnyElement, CoulombFriction, GasSpring, JointDamping, JointSpring, JointStop, StopSide};
+use crate::elements::{
+    AnyElement, CoulombFriction, GasSpring, JointDamping, JointSpring, JointStop, StopSide, significant,
+};
 use crate::model::{AxisMotion, Mode};
 use crate::scenario::leaf::Quantity;
 
@@ -213,11 +215,11 @@ fn gas_spring<S: Quantity>(
     let left = volume + area * (lower - extension);
     if let Some(left) = left.outside(|left| left > 0.0) {
         let empty = extension - volume / area;
-        let found = format!("{lower}, with a gas volume of {left} m3 in the gas spring");
+        let found = format!("{lower}, with a gas volume of {} m3 in the gas spring", significant(left, 4));
         return Err(FieldError::new(
             field("limits.lower_m"),
             found,
-            format!("more than {empty}, where no gas is left"),
+            format!("more than {empty:.4}, where no gas is left"),
         ));
     }
     Ok(GasSpring {
