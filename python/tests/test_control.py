@@ -69,7 +69,7 @@ def test_gas_beside_the_drive_of_a_cylinder_leaves_it_a_tenth_of_its_force_and_p
         cylinder.measure(sea, control, length_s=100.0)
         for control in ("drive alone, sensor", "gas and drive, sensor", cylinder.GAS_ALONE)
     )
-    # The gas carries 297 kN; what it leaves the drive is its stiffness, 8 kN of friction and the load's inertia.
+    # The gas carries 297 kN; it leaves the drive its stiffness, 8 kN of friction and inertia.
     assert alone.force_kn > 290.0
     assert both.force_kn < 0.1 * alone.force_kn
     assert both.power_kw < 0.1 * alone.power_kw
@@ -78,7 +78,7 @@ def test_gas_beside_the_drive_of_a_cylinder_leaves_it_a_tenth_of_its_force_and_p
     assert "gas alone" in cylinder.text([alone, both, gas])
 
 
-def test_a_gas_that_does_not_carry_the_load_moves_the_carriage_to_its_stop_and_beyond_the_limit_of_its_stroke():
+def test_a_gas_that_does_not_carry_the_load_moves_the_carriage_to_its_stop_and_beyond_its_limit():
     given = {"active_cylinder": False, "gas_pressure_bar": 96}
     ds = kingpost.run("hybrid_compensation", given | {"simulation.duration_s": 2})
     assert float(ds.kingpost["slide.joint_position"][0]) == pytest.approx(-1.6, abs=0.01)

@@ -131,7 +131,7 @@ def swing_left(**parameters: object) -> float:
 
 
 def test_tagger_lines_leave_at_most_one_percent_of_the_uncontrolled_swing_without_going_slack() -> None:
-    """Source: the target of this project, 1 %; measured 0.52 %, about the angle to which the lines pull the load."""
+    """Source: the target of this project, 1 %; measured 0.52 %, about the mean of the last period."""
     recorded = kingpost.run(GALLERY, tagger_lines=True)
     angles = recorded["joint_position"].sel(coordinate=["pendant.first", "pendant.second"])
     last = angles.where(recorded.time > float(recorded.time[-1]) - 9, drop=True).mean("time")

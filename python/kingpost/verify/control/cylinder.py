@@ -1,7 +1,7 @@
-"""Heave compensation by a cylinder in the hoist rope, on its standard seas: locked, by gas, by the drive, by both.
+"""Heave compensation by a cylinder in the hoist rope, on its standard seas: by gas, by a drive, by both.
 
-It is measured on the gallery's scenario `hybrid_compensation`, with the load at 30 m: what is left at the hook, the
-carriage's stroke, and what the drive gives beside the gas and without it.
+It is measured on the gallery's scenario `hybrid_compensation`, with the load at 30 m: what is left at the
+hook, the carriage's stroke, and what the drive gives beside the gas and without it.
 """
 
 from __future__ import annotations
