@@ -45,6 +45,8 @@ POSITIVE = {
 }  # fmt: skip
 NOT_NEGATIVE = {"damping_time_s", "tension_N", "friction_coefficient", "perforation", "at_s", "in_s",
                 "after_s", "from_s", "within", "ramp_s", "speed_m_s"}  # fmt: skip
+# A drive without damping has no controller; a line without damping is the usual constant-tension winch.
+ALSO_ZERO = {("tugger_line", "damping_N_s_per_m")}
 
 
 @pytest.fixture(scope="module")
@@ -105,7 +107,9 @@ def signed(base: Document) -> list[tuple[tuple[str | int, ...], float]]:
         # A swell's speed has a direction, a joint's too; a wind's speed and a limit's have none.
         if path[0] == "parameters" or not is_number(at(base, path)):
             continue
-        if path[-1] in POSITIVE:
+        if path[-2:] in ALSO_ZERO:
+            found.append((path, -1.0))
+        elif path[-1] in POSITIVE:
             found += [(path, -1.0), (path, 0.0)]
         elif path[-1] in NOT_NEGATIVE and path[0] != "bodies":
             found.append((path, -1e-3))

@@ -11,9 +11,10 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Steers the speed of a winch, or of a cylinder that moves sheaves of its rope, at every multiple of its period, so that the
-/// load keeps its height while the point from which the rope hangs down moves. With the height z and the vertical velocity v of that point, the rope L let out ([`Hoist`]), n
-/// falls of rope, and the lowering speed u that the operator asks for by its input and by the drive's own set-point,
+/// Steers the speed of a winch, or of a cylinder that moves sheaves of its rope, at every multiple of its period, so that
+/// the load keeps its height while the point from which the rope hangs down moves. With the height z and the vertical
+/// velocity v of that point, the rope L let out ([`Hoist`]), n falls of rope, and the lowering speed u that the operator
+/// asks for by its input and by the drive's own set-point,
 ///
 /// ```text
 /// e = (z - z_0) + integral of u - (L - L_0) / n
