@@ -2,7 +2,9 @@
 //! on her deck: their weight acts where they are.
 
 use crate::dynamics::{Kinematics, LinkKinematics};
-use crate::elements::drives::{Brake, ControlledDrive, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
+use crate::elements::drives::{
+    Brake, ControlledDrive, Cylinder, Motor, Oscillation, PrescribedMotion, Servo, WaveMotion,
+};
 use crate::elements::{CatenaryLine, Contact, Context, Hull, JointSpring, Rope, SpringLine, of_kind};
 use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
@@ -57,7 +59,8 @@ impl Restraints {
         let by_servos = of_kind(elements).map(|servo: &Servo| servo.coordinate);
         let by_controlled = of_kind(elements).map(|drive: &ControlledDrive| drive.coordinate);
         let by_brakes = of_kind(elements).map(|brake: &Brake| brake.friction.coordinate);
-        let prescribed = of_kind(elements).map(|motion: &PrescribedMotion| motion.coordinate);
+        let oscillating = of_kind(elements).map(|motion: &Oscillation| motion.coordinate);
+        let prescribed = of_kind(elements).map(|motion: &PrescribedMotion| motion.coordinate).chain(oscillating);
         let with_waves = of_kind(elements).flat_map(WaveMotion::<f64>::coordinates);
         let driven =
             by_motors.chain(by_servos).chain(by_controlled).chain(by_brakes).chain(prescribed).chain(with_waves);

@@ -27,6 +27,7 @@ mod slack_tanks;
 mod slow_motion;
 mod soft_hold;
 mod thrust_allocation;
+mod trailing_edges;
 mod vessel;
 mod water;
 mod wave_field;

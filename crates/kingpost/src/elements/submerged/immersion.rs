@@ -49,6 +49,18 @@ pub struct Waters<S = f64> {
     waves: Option<WavesAtBody<S>>,
 }
 
+/// A point of a body in the water at one moment. Vectors are in the body's axes.
+pub(in crate::elements) struct PointInWater<S> {
+    /// The body's axes in the world, the point their origin.
+    pub frame: Frame<S>,
+    /// Velocity of the point, m/s.
+    pub velocity: Vector3<S>,
+    /// Velocity of the water, m/s.
+    pub stream: Vector3<S>,
+    /// Depth of the point below the sea, along the vertical, m.
+    pub depth: S,
+}
+
 /// A solid in the water at one moment. Vectors are in the body's axes.
 pub(super) struct Immersion<S> {
     /// The solid's axes in the world, its centre their origin.
@@ -155,6 +167,15 @@ impl<S: Scalar> Waters<S> {
         let frame = place.frame(at.model, at.links);
         let surface = self.surface(at, frame.position.0);
         depth(&frame, point, surface.elevation, surface.slopes)
+    }
+
+    /// A point of a body, and the water there.
+    pub(in crate::elements) fn point(&mut self, at: &Context<'_, S>, place: &HullFrame<S>) -> PointInWater<S> {
+        let motion = place.motion(at);
+        let surface = self.surface(at, motion.frame.position.0);
+        let [stream, _] = self.water(at, &motion, &surface, Vector3::zero());
+        let depth = depth(&motion.frame, Vector3::zero(), surface.elevation, surface.slopes);
+        PointInWater { frame: motion.frame, velocity: motion.twist.linear, stream, depth }
     }
 
     /// The immersion of a solid, without phi.

@@ -35,6 +35,8 @@ pub enum GivenMotion<S> {
     Rate { full: S, history: History, pulse: Option<RatePulse>, list: Option<HistoryList<S>> },
     /// A distance from rest to rest, and its times, s.
     Travel { way: S, start_s: f64, duration_s: f64, ramp_s: f64 },
+    /// An oscillation about the initial value.
+    Oscillation { amplitude: S, period_s: S, phase_rad: S, ramp_s: f64 },
 }
 
 /// Stops of an axis.
@@ -78,6 +80,9 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> JointAxis<S> 
             let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
             (Mode::Prescribed, Some(GivenMotion::Travel { way: t.angle_rad, start_s, duration_s, ramp_s }))
         }
+        RevoluteMode::Oscillation(o) => {
+            (Mode::Prescribed, Some(oscillation(o.amplitude_rad, o.period_s, o.phase_rad, o.ramp_s)))
+        }
     };
     JointAxis {
         label,
@@ -111,6 +116,9 @@ fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> JointAxis<S
             let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
             (Mode::Prescribed, Some(GivenMotion::Travel { way: t.length_m, start_s, duration_s, ramp_s }))
         }
+        PrismaticMode::Oscillation(o) => {
+            (Mode::Prescribed, Some(oscillation(o.amplitude_m, o.period_s, o.phase_rad, o.ramp_s)))
+        }
     };
     JointAxis {
         label,
@@ -131,6 +139,15 @@ fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> JointAxis<S
         rotor_inertia: axis.rotor_inertia_kg_m2.get()
             * (axis.gear_ratio_rad_per_m.get() * axis.gear_ratio_rad_per_m.get()),
     }
+}
+
+fn oscillation<S: Quantity>(
+    amplitude: S,
+    period_s: schema::Positive<S>,
+    phase_rad: S,
+    ramp_s: schema::Positive,
+) -> GivenMotion<S> {
+    GivenMotion::Oscillation { amplitude, period_s: period_s.get(), phase_rad, ramp_s: ramp_s.get() }
 }
 
 impl<S: Quantity> JointAxis<S> {

@@ -72,9 +72,10 @@ pub fn build<S: Quantity>(
             }
         });
     }
+    let mut accelerations = vec![S::ZERO; v.len()];
     for motion in histories::given_motions(scenario, model)? {
-        v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
-        drives.push(Box::new(motion));
+        motion.prescribe(world, Clock { time_s: 0.0, middle_s: 0.0 }, v, &mut accelerations);
+        drives.push(motion);
     }
     for motion in wave_motion::build(scenario, model, world)? {
         v[motion.coordinates()].copy_from_slice(&motion.at(world, 0.0).rates);

@@ -1,10 +1,13 @@
 //! Histories of motors' efforts and of prescribed motions over time.
 
+use core::f64::consts::TAU;
+
 use super::super::schema::{self, History, HistoryList, Scenario};
 use super::FieldError;
 use super::axes::{GivenMotion, axes};
 use super::flexible::owner;
-use crate::elements::drives::{PrescribedMotion, Profile, Pulse};
+use crate::elements::AnyElement;
+use crate::elements::drives::{Oscillation, PrescribedMotion, Profile, Pulse};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 
@@ -28,10 +31,7 @@ pub fn of_motor<S: Quantity>(
 }
 
 /// The prescribed motions of the coordinates that exist.
-pub fn given_motions<S: Quantity>(
-    scenario: &Scenario<S>,
-    model: &Model<S>,
-) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
+pub fn given_motions<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut motions = Vec::new();
     for (i, body) in model.bodies.iter().enumerate() {
         let (name, 0) = owner(&body.name) else { continue };
@@ -41,17 +41,30 @@ pub fn given_motions<S: Quantity>(
             let path = format!("bodies.{}.joint.{}", body.name, joint.kind());
             let coordinate = model.tree.nodes[i].velocities + k;
             let field = |mode: &str| format!("{path}.{}", axis.field(&format!("mode.{mode}")));
-            let (rate, profile) = match given {
-                GivenMotion::Rate { full, .. } => (*full, of_rate(&field("prescribed"), given)?),
-                GivenMotion::Travel { way, start_s, duration_s, ramp_s } => {
-                    let profile = of_travel(&field("travel"), *start_s, *duration_s, *ramp_s)?;
-                    (*way / S::constant(duration_s - ramp_s), profile)
-                }
-            };
-            motions.push(PrescribedMotion { coordinate, rate, profile });
+            motions.push(given_motion(field, given, coordinate)?);
         }
     }
     Ok(motions)
+}
+
+/// The prescribed motion of one coordinate; `field` gives the path of its mode.
+fn given_motion<S: Quantity>(
+    field: impl Fn(&str) -> String,
+    given: &GivenMotion<S>,
+    coordinate: usize,
+) -> Result<AnyElement<S>, FieldError> {
+    let (rate, profile) = match given {
+        GivenMotion::Rate { full, .. } => (*full, of_rate(&field("prescribed"), given)?),
+        GivenMotion::Travel { way, start_s, duration_s, ramp_s } => {
+            let profile = of_travel(&field("travel"), *start_s, *duration_s, *ramp_s)?;
+            (*way / S::constant(duration_s - ramp_s), profile)
+        }
+        &GivenMotion::Oscillation { amplitude, period_s, phase_rad, ramp_s } => {
+            let frequency_rad_s = S::constant(TAU) / period_s;
+            return Ok(Box::new(Oscillation { coordinate, amplitude, frequency_rad_s, phase_rad, ramp_s }));
+        }
+    };
+    Ok(Box::new(PrescribedMotion { coordinate, rate, profile }))
 }
 
 /// The history of a prescribed rate: it has no lever and no jump.

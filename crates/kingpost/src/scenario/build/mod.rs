@@ -32,6 +32,7 @@ mod station;
 mod still_water;
 mod submerged;
 mod tanks;
+mod trailing_edges;
 mod u_tanks;
 mod watchers;
 mod water;
@@ -248,6 +249,9 @@ fn forces<S: Quantity>(
             ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
             ForceSchema::UTank(given) => forces.extend(u_tanks::build(scenario, name, given, model)?),
             ForceSchema::Submerged(given) => forces.extend(submerged::build(scenario, name, given, model, world)?),
+            ForceSchema::TrailingEdge(given) => {
+                forces.extend(trailing_edges::build(scenario, name, given, model, world)?)
+            }
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
             ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),

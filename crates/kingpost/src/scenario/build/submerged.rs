@@ -166,6 +166,11 @@ fn check_world<S: Quantity>(scenario: &Scenario<S>, field: &str, world: &World<S
     if still_water::gravity(scenario).is_err() {
         return Err(FieldError::new(field, "buoyancy, but no gravity", "gravity that is enabled"));
     }
+    check_current(world)
+}
+
+/// An error unless the current is known at each depth.
+pub(super) fn check_current<S: Quantity>(world: &World<S>) -> Result<(), FieldError> {
     if matches!(world.current.profile, CurrentProfile::PowerLaw(_)) && world.depth.is_none() {
         let found = "power_law, over infinite depth";
         return Err(FieldError::new("sea.current_profile", found, "uniform, or a sea.depth_m"));

@@ -3,7 +3,9 @@
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::gas_spring::GasSpring;
-use super::histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
+use super::histories::{
+    AngleOscillation, AngleTravel, History, HistoryList, LengthOscillation, LengthTravel, RatePulse,
+};
 use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
@@ -142,6 +144,8 @@ pub enum RevoluteMode<S = f64> {
     Prescribed(Box<PrescribedRate<S>>),
     /// It turns by a given angle, from rest to rest.
     Travel(AngleTravel<S>),
+    /// It oscillates about its initial angle.
+    Oscillation(AngleOscillation<S>),
 }
 
 /// A rate of turning as a given function of time.
@@ -184,6 +188,8 @@ pub enum PrismaticMode<S = f64> {
     Prescribed(Box<PrescribedSpeed<S>>),
     /// It slides by a given length, from rest to rest.
     Travel(LengthTravel<S>),
+    /// It oscillates about its initial extension.
+    Oscillation(LengthOscillation<S>),
 }
 
 /// A speed of sliding as a given function of time.

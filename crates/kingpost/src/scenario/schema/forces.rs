@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     CatenaryLine, Contact, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank,
-    SoftHold, SpringLine, Submerged, TuggerLine, UTank, WindLoad, yes,
+    SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank, WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -31,6 +31,8 @@ pub enum Force<S = f64> {
     UTank(Box<UTank<S>>),
     /// The water on a lifted object, in the splash zone and below.
     Submerged(Box<Submerged<S>>),
+    /// The trailing edge of a fin that swims.
+    TrailingEdge(TrailingEdge<S>),
     /// A line without weight that pulls between two points.
     SpringLine(SpringLine<S>),
     /// A mooring line that hangs, and may lie on the seabed.

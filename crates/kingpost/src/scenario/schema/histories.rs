@@ -97,3 +97,43 @@ pub struct LengthTravel<S = f64> {
     /// Duration of a ramp, s; at most half of the whole duration.
     pub ramp_s: Positive,
 }
+
+/// An oscillation about the initial angle, `A sin(2 pi t / T + phase)`. It grows smoothly from rest in `ramp_s`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AngleOscillation", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AngleOscillation<S = f64> {
+    /// A, rad.
+    pub amplitude_rad: S,
+    /// T, s.
+    pub period_s: Positive<S>,
+    /// Its phase at time 0, rad.
+    #[serde(default)]
+    pub phase_rad: S,
+    /// Duration of its growth, s.
+    pub ramp_s: Positive,
+}
+
+/// An oscillation about the initial extension, `A sin(2 pi t / T + phase)`. It grows smoothly from rest in `ramp_s`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LengthOscillation", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LengthOscillation<S = f64> {
+    /// A, m.
+    pub amplitude_m: S,
+    /// T, s.
+    pub period_s: Positive<S>,
+    /// Its phase at time 0, rad.
+    #[serde(default)]
+    pub phase_rad: S,
+    /// Duration of its growth, s.
+    pub ramp_s: Positive,
+}

@@ -39,6 +39,7 @@ mod slack_tank;
 mod soft_hold;
 mod submerged;
 mod top;
+mod trailing_edge;
 mod u_tank;
 mod waves;
 
@@ -82,7 +83,7 @@ pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping
 pub use gas_spring::GasSpring;
 pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
 pub use heave_compensation::{HeaveCompensation, HeavePrediction};
-pub use histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
+pub use histories::{AngleOscillation, AngleTravel, History, HistoryList, LengthOscillation, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
@@ -108,6 +109,7 @@ pub use submerged::{
     EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
 };
 pub(super) use top::is_top_field;
+pub use trailing_edge::TrailingEdge;
 pub use u_tank::{UTank, UTankPump};
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
