@@ -49,6 +49,8 @@ const SHOTS = {
   roll_reduction_tank: { time_s: 60 },
   roll_reduction_gyros: { time_s: 60 },
   gyro_wave_energy: { time_s: 40, nearer: 1, up: 1 },
+  underwater_vehicle: { time_s: 49, nearer: 0, up: 3, left: 2 },
+  caudal_fin_swimmer: { time_s: 12.2, nearer: 0, up: 4, left: 1 },
   floating_hemisphere: { time_s: 40 },
   sphere_decay: { time_s: 1.5 },
   chain: { time_s: 1.5, nearer: 0 },

@@ -79,6 +79,16 @@ impl Copies {
         self.with(|copies, _| py.detach(|| copies.restart(which)).map_err(refused))
     }
 
+    /// Remembers the state of a copy.
+    fn mark(&self, copy: usize) -> PyResult<()> {
+        self.with(|copies, _| copies.mark(copy).map_err(refused))
+    }
+
+    /// Puts all copies in the state that was marked last.
+    fn resume(&self) -> PyResult<()> {
+        self.with(|copies, _| copies.resume().map_err(refused))
+    }
+
     /// Why a copy failed, or None.
     fn failure(&self, copy: usize) -> PyResult<Option<PyErr>> {
         self.with(|copies, _| Ok(copies.failure(copy).cloned().map(errors::run)))

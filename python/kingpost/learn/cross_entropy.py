@@ -51,10 +51,10 @@ class CrossEntropy:
     """Plans by the cross-entropy method (Rubinstein, *Methodology and Computing in Applied Probability* 1,
     1999; for control de Boer et al., *Annals of Operations Research* 134, 2005).
 
-    The model is the engine itself: each candidate is a copy of the scenario that takes the actions so far and
-    then those of the plan; its score is the task's reward of the plan. The same seed gives the same actions
-    to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike, so that the
-    actions so far say where a copy is; the goal is given, not guessed.
+    The model is the engine itself: each candidate is a copy of the scenario in its present state that takes
+    the actions of the plan; its score is the task's reward of the plan. The same seed gives the same actions
+    to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike: the copies
+    take every action as the scenario does, so that their state is known; the goal is given, not guessed.
 
     Parameters
     ----------
@@ -81,18 +81,24 @@ class CrossEntropy:
     ) -> None:
         self.task, self.sampling = task, Sampling() if sampling is None else sampling
         self.copies = Episodes(task, self.sampling.candidates, threads)
-        self.goal = np.asarray(goal, np.float64)
+        self.copies.begin({copy: np.random.default_rng(0) for copy in range(self.sampling.candidates)})
+        self.copies.goals = np.tile(np.asarray(goal, np.float64), (self.sampling.candidates, 1))
+        self.copies.mark()
         self.random = np.random.default_rng(self.sampling.seed)
-        self.taken: list[np.ndarray] = []
+        self.taken = 0
         self.hold = round(self.sampling.every_s / task.control_period_s)
         self.plan = np.zeros((self.sampling.knots, len(task.set)))
 
     def action(self) -> np.ndarray:
         """The next action, of a new plan or of the last one; it counts as taken."""
-        if len(self.taken) % self.hold == 0:
+        if self.taken % self.hold == 0:
             self._replan()
-        self.taken.append(self.plan[self._knot(len(self.taken) % self.hold)].copy())
-        return self.taken[-1]
+        chosen = self.plan[self._knot(self.taken % self.hold)].copy()
+        self.copies.resume()
+        self.copies.step(np.tile(chosen, (self.sampling.candidates, 1)))
+        self.copies.mark()
+        self.taken += 1
+        return chosen
 
     def _steps(self) -> int:
         return round(self.sampling.horizon_s / self.task.control_period_s)
@@ -120,10 +126,7 @@ class CrossEntropy:
     def scores(self, plans: np.ndarray) -> np.ndarray:
         """The sum of rewards of each plan from here on."""
         count = self.sampling.candidates
-        self.copies.begin({copy: np.random.default_rng(0) for copy in range(count)})
-        self.copies.goals = np.tile(self.goal, (count, 1))
-        for action in self.taken:
-            self.copies.step(np.tile(action, (count, 1)))
+        self.copies.resume()
         sums, going = np.zeros(count), np.ones(count, np.bool_)
         for step in range(self._steps()):
             _, rewards, terminated, _ = self.copies.step(plans[:, self._knot(step)])

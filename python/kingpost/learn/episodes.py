@@ -59,6 +59,7 @@ class Episodes:
         self._done = np.zeros(count, dtype=np.bool_)
         self._status = np.zeros(count, dtype=np.int64)
         self._nothing = np.empty(0)
+        self._marked: tuple[np.int64, np.ndarray, np.ndarray, np.ndarray] | None = None
         self._copies: engine.Copies | None = None
 
     def begin(self, which: dict[int, np.random.Generator]) -> None:
@@ -99,6 +100,23 @@ class Episodes:
             self._done = self.task.done(columns, self.goals)
         terminated = failed | self._done
         return self.observations(), rewards, terminated, ~terminated & (self.taken >= self.episode_steps)
+
+    def mark(self, copy: int = 0) -> None:
+        """Remember where a copy is in its episode, for `resume`."""
+        if self._copies is None or self.goals is None:
+            raise KingpostError("mark: found no episode, allowed: after reset()")
+        self._copies.mark(copy)
+        read = self._read.reshape(self.count, -1)
+        self._marked = (self.taken[copy], self.goals[copy].copy(), read[copy].copy(), self._before[copy].copy())
+
+    def resume(self) -> None:
+        """Put all copies where the one was that was marked last. Each keeps its own numbers: in another sea it
+        meets other waves from there on."""
+        if self._copies is None or self.goals is None or self._marked is None:
+            raise KingpostError("resume: found no mark, allowed: after mark()")
+        self._copies.resume()
+        self.taken[:], self.goals[:], self._read.reshape(self.count, -1)[:], self._before[:] = self._marked
+        self._status[:], self._done[:] = 0, False
 
     @property
     def columns(self) -> Columns:

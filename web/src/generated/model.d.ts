@@ -160,6 +160,10 @@ export interface BodyDescription {
    */
   floats: boolean;
   /**
+   * Whether a `submerged` force acts on it.
+   */
+  is_submerged: boolean;
+  /**
    * Mass, kg.
    */
   mass_kg: number;

@@ -408,6 +408,9 @@ export type RevoluteJoint = {
       }
     | {
         travel: AngleTravel;
+      }
+    | {
+        oscillation: AngleOscillation;
       };
 };
 /**
@@ -549,6 +552,37 @@ export type AngleTravel = {
   ramp_s: number;
 };
 /**
+ * An oscillation about the initial angle, `A sin(2 pi t / T + phase)`. It grows smoothly from rest in `ramp_s`.
+ */
+export type AngleOscillation = {
+  [k: string]: unknown;
+} & {
+  /**
+   * A, rad.
+   */
+  amplitude_rad?: number;
+  /**
+   * The same as `amplitude_rad`, in the unit of this name.
+   */
+  amplitude_deg?: number;
+  /**
+   * T, s.
+   */
+  period_s: number;
+  /**
+   * Its phase at time 0, rad.
+   */
+  phase_rad?: number;
+  /**
+   * The same as `phase_rad`, in the unit of this name.
+   */
+  phase_deg?: number;
+  /**
+   * Duration of its growth, s.
+   */
+  ramp_s: number;
+};
+/**
  * A slide.
  */
 export type PrismaticJoint = {
@@ -646,6 +680,9 @@ export type PrismaticJoint = {
       }
     | {
         travel: LengthTravel;
+      }
+    | {
+        oscillation: LengthOscillation;
       };
 };
 /**
@@ -764,6 +801,31 @@ export type LengthLimits = {
   dissipation_s_per_m?: number;
 };
 /**
+ * An oscillation about the initial extension, `A sin(2 pi t / T + phase)`. It grows smoothly from rest in `ramp_s`.
+ */
+export type LengthOscillation = {
+  /**
+   * A, m.
+   */
+  amplitude_m: number;
+  /**
+   * T, s.
+   */
+  period_s: number;
+  /**
+   * Its phase at time 0, rad.
+   */
+  phase_rad?: number;
+  /**
+   * The same as `phase_rad`, in the unit of this name.
+   */
+  phase_deg?: number;
+  /**
+   * Duration of its growth, s.
+   */
+  ramp_s: number;
+};
+/**
  * Turns about and slides along one axis. Its coordinates are `rotation` and `translation`.
  */
 export type CylindricalJoint = {
@@ -841,6 +903,9 @@ export type AngleAxis = {
       }
     | {
         travel: AngleTravel;
+      }
+    | {
+        oscillation: AngleOscillation;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -898,6 +963,9 @@ export type LengthAxis = {
       }
     | {
         travel: LengthTravel;
+      }
+    | {
+        oscillation: LengthOscillation;
       };
   /**
    * Viscous damping force per speed, N s/m.
@@ -1022,6 +1090,9 @@ export type AngleAxis1 = {
       }
     | {
         travel: AngleTravel;
+      }
+    | {
+        oscillation: AngleOscillation;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -1087,6 +1158,9 @@ export type AngleAxis2 = {
       }
     | {
         travel: AngleTravel;
+      }
+    | {
+        oscillation: AngleOscillation;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -1200,6 +1274,9 @@ export type LengthAxis1 = {
       }
     | {
         travel: LengthTravel;
+      }
+    | {
+        oscillation: LengthOscillation;
       };
   /**
    * Viscous damping force per speed, N s/m.
@@ -1261,6 +1338,9 @@ export type LengthAxis2 = {
       }
     | {
         travel: LengthTravel;
+      }
+    | {
+        oscillation: LengthOscillation;
       };
   /**
    * Viscous damping force per speed, N s/m.
@@ -1330,6 +1410,9 @@ export type AngleAxis3 = {
       }
     | {
         travel: AngleTravel;
+      }
+    | {
+        oscillation: AngleOscillation;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -2030,6 +2113,9 @@ export type Force =
     }
   | {
       submerged: Submerged;
+    }
+  | {
+      trailing_edge: TrailingEdge;
     }
   | {
       spring_line: SpringLine;
@@ -4787,6 +4873,32 @@ export interface EntrainedWater {
    * Share of the volume that is water at the start; without it, the level of the sea.
    */
   initial_filling?: number | null;
+}
+/**
+ * The trailing edge of a fin that swims: the water leaves it with the sideways momentum that the fin gave it, which
+ * drives the fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge
+ * is along z. The added mass of the fin is that of its `submerged`.
+ */
+export interface TrailingEdge {
+  /**
+   * Whether the element acts.
+   */
+  enabled?: boolean;
+  /**
+   * The fin.
+   */
+  body: string;
+  /**
+   * Middle of the edge in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Length of the edge, m.
+   */
+  span_m: number;
 }
 /**
  * One end: a fairlead, for example.

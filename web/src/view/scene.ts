@@ -99,7 +99,8 @@ function showLosses(canvas: HTMLElement, view: View): void {
 
 /** The data of the water for the picture. */
 function noteOf({ sea, hulls }: ModelInfo, spacing: number): string {
-  if (!sea || hulls.length === 0) return texts.picture.no_water(length(spacing));
+  if (!sea) return texts.picture.no_water(length(spacing));
+  if (hulls.length === 0) return texts.picture.water_without_hull(length(spacing));
   if (sea.wave_components === 0) return texts.picture.still_water;
   return texts.picture.waves(sea.wave_components);
 }

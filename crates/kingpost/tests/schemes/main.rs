@@ -4,6 +4,7 @@
 mod common;
 
 mod batch;
+mod copies;
 mod dormand_prince;
 mod events;
 mod integrators;

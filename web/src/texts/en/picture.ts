@@ -6,6 +6,7 @@ export const picture = {
   no_graphics: "This browser has no WebGL, so there is no picture; numbers and plots still work.",
   graphics_lost: "The browser dropped the graphics; the picture returns when they are restored. Numbers and plots still work.",
   no_water: (spacing: string) => `Grid ${spacing}. No water in this scenario.`,
+  water_without_hull: (spacing: string) => `Grid ${spacing}. No hull floats here: the water is not drawn.`,
   still_water: "Still water.",
   waves: (count: number) => `Incident waves, ${count} in all.`,
   camera: "Camera",

@@ -8,6 +8,7 @@ export const picture: Texts["picture"] = {
   no_graphics: "Denne nettleseren har ikke WebGL, så det er ikke noe bilde; tall og grafer virker fortsatt.",
   graphics_lost: "Nettleseren mistet grafikken; bildet kommer tilbake når den er gjenopprettet. Tall og grafer virker fortsatt.",
   no_water: (spacing) => `Rutenett ${spacing}. Det er ikke vann i dette scenarioet.`,
+  water_without_hull: (spacing) => `Rutenett ${spacing}. Ingen skrog flyter her: vannet tegnes ikke.`,
   still_water: "Stille vann.",
   waves: (count) => `Innkommende bølger, ${count} i alt.`,
   camera: "Kamera",

@@ -13,6 +13,9 @@ export interface ColumnShape {
   hasCab: boolean;
 }
 
+/** A column lower than this has no ladder, m. */
+const CLIMBED_M = 1.5;
+
 /** The slewing column: its ring on the foundation, a tapering shaft, a head for the boom's hinge; its dimensions are the model's. */
 export function addColumn(work: Work, { radius, length, boom_rad, hasCab }: ColumnShape, colour: Color): void {
   const { body, fittings, palette } = work;
@@ -28,7 +31,7 @@ export function addColumn(work: Work, { radius, length, boom_rad, hasCab }: Colu
     const at = (z: number): Vec3 => [0.92 * radius * Math.cos(angle), 0.92 * radius * Math.sin(angle), z];
     fittings.rod(at(-half + ring), at(-half + 1.25 * ring), 0.035 * radius, palette.fitting, 5);
   }
-  addLadder(work, radius, half, boom_rad + Math.PI);
+  if (length > CLIMBED_M) addLadder(work, radius, half, boom_rad + Math.PI);
   if (hasCab) addCab(work, cabOf({ radius, length, boom_rad, hasCab }));
 }
 

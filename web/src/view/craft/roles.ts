@@ -33,10 +33,10 @@ function roleOf(model: ModelInfo, body: BodyInfo, known: readonly Role[]): Role 
   return shape?.kind === "box" && known[parent] !== "other" ? "cargo" : "other";
 }
 
-/** A body that floats and carries a moving body, or has hydrodynamic data, or is moved by the waves. */
-function isHull(model: ModelInfo, { name, floats, shape }: BodyInfo): boolean {
+/** A body that floats at the surface and carries a moving body, or has hydrodynamic data, or is moved by the waves. */
+function isHull(model: ModelInfo, { name, floats, is_submerged, shape }: BodyInfo): boolean {
   if (model.hulls.some((hull) => hull.body === name)) return true;
-  if (!floats || shape?.kind !== "box") return false;
+  if (!floats || is_submerged || shape?.kind !== "box") return false;
   const carries = model.bodies.some((one) => one.parent === name && jointOf(model, one.name) !== "fixed");
   return carries || jointOf(model, name) !== "floating";
 }

@@ -6,6 +6,7 @@ use crate::results::Readings;
 use crate::scalar::{LANES, Lanes};
 use crate::scenario::side_by_side;
 use crate::simulation::{InputError, Limit, RunError, Simulation};
+use crate::state::State;
 
 /// The numbers of a group's copies, one copy after another.
 pub(super) struct Slots<'a> {
@@ -142,6 +143,25 @@ impl Group {
     pub(super) fn reset(&mut self, k: usize) {
         self.alone[k].reset();
         (self.in_lanes[k], self.failed[k]) = (false, None);
+    }
+
+    /// The state of a copy.
+    pub(super) fn state(&mut self, k: usize) -> &State {
+        if let SharedLanes::Built(together) = &self.lanes
+            && self.in_lanes[k]
+        {
+            self.alone[k].take_lane(&together.simulation, k);
+        }
+        self.alone[k].state()
+    }
+
+    /// Puts all copies in a state.
+    pub(super) fn resume(&mut self, state: &State) {
+        for (alone, failed) in self.alone.iter_mut().zip(&mut self.failed) {
+            alone.take_state(state);
+            *failed = None;
+        }
+        self.in_lanes.fill(false);
     }
 
     pub(super) fn advance(&mut self, steps: usize, slots: Slots<'_>) {

@@ -12,6 +12,7 @@ use crate::scalar::LANES;
 use crate::scenario::Files;
 use crate::scenario::read::Parsed;
 use crate::simulation::{InputError, Limit, RunError, Simulation};
+use crate::state::State;
 use group::{Group, Slots};
 use rayon::prelude::*;
 use thiserror::Error;
@@ -45,6 +46,12 @@ pub enum CopyError {
     #[error("column {found}: no such column of results, allowed: those of the scenario's channels")]
     Column {
         /// The name.
+        found: String,
+    },
+    /// A copy that has failed was marked, or none was before the others took its state.
+    #[error("mark: found {found}, allowed: a copy that has not failed")]
+    Mark {
+        /// What was found.
         found: String,
     },
     /// An array of the wrong length, or an index beyond the last copy.
@@ -92,6 +99,7 @@ pub struct Copies {
     pool: Option<rayon::ThreadPool>,
     groups: Vec<Group>,
     count: usize,
+    mark: Option<State>,
 }
 
 /// A group, and where its columns and status go.
@@ -139,7 +147,7 @@ impl Copies {
         while built.peek().is_some() {
             groups.push(Group::new(built.by_ref().take(LANES).collect(), &asked, keeps_ledger));
         }
-        Ok(Self { source, asked, pool, groups, count })
+        Ok(Self { source, asked, pool, groups, count, mark: None })
     }
 
     /// Number of copies.
@@ -213,9 +221,8 @@ impl Copies {
     /// # Errors
     /// Those of [`Copies::new`]; no copy has changed then.
     pub fn restart(&mut self, which: Vec<(usize, Option<Variant>)>) -> Result<(), CopyError> {
-        let allowed = format!("at most {}, the last copy", self.count - 1);
         for (copy, _) in &which {
-            check_count("copy", *copy, *copy < self.count, &allowed)?;
+            self.check_copy(*copy)?;
         }
         let (anew, back): (Vec<_>, Vec<_>) = which.into_iter().partition(|(_, variant)| variant.is_some());
         let anew: Vec<(usize, Variant)> =
@@ -229,6 +236,39 @@ impl Copies {
             self.groups[copy / LANES].reset(copy % LANES);
         }
         Ok(())
+    }
+
+    /// Remembers the state of a copy, from which [`Copies::resume`] lets all go on.
+    ///
+    /// # Errors
+    /// No such copy, or one that has failed.
+    pub fn mark(&mut self, copy: usize) -> Result<(), CopyError> {
+        self.check_copy(copy)?;
+        if self.failure(copy).is_some() {
+            return Err(CopyError::Mark { found: format!("copy {copy}, which has failed") });
+        }
+        let state = self.groups[copy / LANES].state(copy % LANES);
+        match &mut self.mark {
+            Some(mark) => mark.copy_from(state),
+            None => self.mark = Some(state.clone()),
+        }
+        Ok(())
+    }
+
+    /// Puts all copies in the state that was marked last, its time and inputs included. Each keeps its own numbers: in
+    /// another sea it meets other waves from there on. They go on to the same bits as the copy that was marked.
+    ///
+    /// # Errors
+    /// No copy was marked before.
+    pub fn resume(&mut self) -> Result<(), CopyError> {
+        let nothing = || CopyError::Mark { found: "no marked copy".to_owned() };
+        let mark = self.mark.as_ref().ok_or_else(nothing)?;
+        self.groups.iter_mut().for_each(|group| group.resume(mark));
+        Ok(())
+    }
+
+    fn check_copy(&self, copy: usize) -> Result<(), CopyError> {
+        check_count("copy", copy, copy < self.count, &format!("at most {}, the last copy", self.count - 1))
     }
 
     fn check_inputs(&self, inputs: &[f64]) -> Result<(), CopyError> {

@@ -10,6 +10,7 @@ pub use facts::{ElementDescription, Fact};
 use super::build::flexible::{owner, shape};
 use super::live::LIVE_SETTINGS;
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
+use crate::elements::{Submerged, of_kind};
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::simulation::{Limit, Setup};
 use crate::spatial::{Twist, Vector3};
@@ -84,6 +85,8 @@ pub struct BodyDescription {
     pub parent: String,
     /// Whether it is a ship or floats like one: its joint to the world is floating or moved by waves.
     pub floats: bool,
+    /// Whether a `submerged` force acts on it.
+    pub is_submerged: bool,
     /// Mass, kg.
     pub mass_kg: f64,
     /// Inertia about its centre of mass, body axes, kg m^2, without added mass.
@@ -196,6 +199,7 @@ impl Scenario {
                 name: body.name.clone(),
                 parent: parent.to_owned(),
                 floats: segment == 0 && given.is_some_and(|given| afloat::floats(&given.joint)),
+                is_submerged: of_kind(&elements).any(|element: &Submerged| element.place.body == index),
                 mass_kg: body.mass,
                 inertia_kg_m2: dry_inertia(&model, index, node),
                 shape: given.and_then(|given| shape(given, segment)),
