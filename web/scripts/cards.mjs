@@ -49,7 +49,7 @@ const SHOTS = {
   roll_reduction_tank: { time_s: 60 },
   roll_reduction_gyros: { time_s: 60 },
   gyro_wave_energy: { time_s: 40, nearer: 1, up: 1 },
-  underwater_vehicle: { time_s: 49, nearer: 0, up: 3, left: 2 },
+  underwater_vehicle: { time_s: 32, nearer: 0, up: 3, left: 31 },
   caudal_fin_swimmer: { time_s: 12.2, nearer: 0, up: 4, left: 1 },
   floating_hemisphere: { time_s: 40 },
   sphere_decay: { time_s: 1.5 },

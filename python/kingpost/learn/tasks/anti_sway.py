@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from ...scenario import Scenario, load
 from ..task import Columns, Goal, Observation, Task
 
 SCENARIOS = Path(__file__).parents[1] / "scenarios"
@@ -43,7 +45,33 @@ def _anti_sway_goal(random: np.random.Generator, start: Mapping[str, float]) -> 
     return slew, luff, radius * float(np.cos(slew)), radius * float(np.sin(slew))
 
 
-def anti_sway(randomised: bool = False) -> Task:
+def _swaying(field: str, amplitude: float, period_s: float, phase_deg: float) -> dict[str, Any]:
+    return {
+        "oscillation": {field: amplitude, "period_s": period_s, "phase_deg": phase_deg, "ramp_s": period_s}
+    }
+
+
+def _on_a_ship() -> Scenario:
+    """The crane on a base that heaves, pitches and rolls as a ship in a swell, whatever the crane does."""
+
+    def carrier(parent: str, joint: dict[str, Any]) -> dict[str, Any]:
+        return {"parent": parent, "mass_t": 1, "shape": {"sphere": {"radius_m": 0.5}}, "joint": joint}
+
+    heave = {"axis": [0, 0, 1], "mode": _swaying("amplitude_m", 0.5, 8.0, 0.0)}
+    pitch = {"axis": [0, 1, 0], "mode": _swaying("amplitude_deg", 1.0, 8.0, 90.0)}
+    roll = {"axis": [1, 0, 0], "mode": _swaying("amplitude_deg", 2.0, 11.0, 0.0)}
+    return load(
+        SCENARIOS / "anti_sway.yaml",
+        {
+            "bodies.heave": carrier("world", {"prismatic": heave}),
+            "bodies.pitch": carrier("heave", {"revolute": pitch}),
+            "bodies.roll": carrier("pitch", {"revolute": roll}),
+            "bodies.pedestal.parent": "roll",
+        },
+    )
+
+
+def anti_sway(randomised: bool = False, on_a_ship: bool = False) -> Task:
     """Move a load by slewing and luffing to a target, and stop its swing there.
 
     The crane of four bodies stands on a fixed base; hook and load are a double pendulum. Each episode draws a
@@ -55,6 +83,9 @@ def anti_sway(randomised: bool = False) -> Task:
     ----------
     randomised
         Whether each episode also draws the load, 5 to 35 t, and the rope, 8 to 22 m.
+    on_a_ship
+        Whether the base moves as a ship in a swell, by a given motion: 0.5 m of heave and 1 degree of pitch in 8 s,
+        2 degrees of roll in 11 s. The target stays in the world.
 
     Returns
     -------
@@ -83,7 +114,7 @@ def anti_sway(randomised: bool = False) -> Task:
     ]
     over_ground = [f"load.{what}.{axis}" for what in ("position", "velocity") for axis in "xy"]
     return Task(
-        SCENARIOS / "anti_sway.yaml",
+        _on_a_ship() if on_a_ship else SCENARIOS / "anti_sway.yaml",
         ["slewing", "luffing"],
         observations,
         _anti_sway_reward,

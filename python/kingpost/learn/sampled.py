@@ -1,0 +1,53 @@
+"""Predictive control of `Kingpost/AntiSway-v0` by plans that are sampled in the engine itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .acting import Policy, in_units
+from .cross_entropy import CrossEntropy, Sampling
+from .episodes import Episodes
+from .task import Task
+from .tasks.anti_sway import BOOM_M
+
+PLANS = Sampling(horizon_s=8.0, knots=8, candidates=32, elites=6, iterations=3, every_s=0.5)
+
+
+class _Sampled:
+    """Plans for each episode by itself; the goals follow from the first observations."""
+
+    def __init__(self, task: Task, plans: Sampling) -> None:
+        self.task, self.plans = task, plans
+        self.planners: list[CrossEntropy] = []
+
+    def __call__(self, seen: np.ndarray) -> np.ndarray:
+        if not self.planners:
+            self.planners = [CrossEntropy(self.task, goal, self.plans) for goal in self._goals(seen)]
+        return np.stack([planner.action() for planner in self.planners])
+
+    def _goals(self, seen: np.ndarray) -> list[list[float]]:
+        now, start = in_units(self.task, seen), Episodes(self.task, 1, 1)
+        start.begin({0: np.random.default_rng(0)})
+        slews = start.columns["slew.joint_position"] - now["slew_error"]
+        luffs = start.columns["luff.joint_position"] - now["luff_error"]
+        radii = BOOM_M * np.cos(luffs)
+        goals = np.stack([slews, luffs, radii * np.cos(slews), radii * np.sin(slews)], axis=1)
+        return [[float(number) for number in goal] for goal in goals]
+
+
+def sampled(task: Task, plans: Sampling = PLANS) -> Policy:
+    """Plans by the cross-entropy method: the engine's own copies are the model.
+
+    Parameters
+    ----------
+    task
+        `anti_sway`, also on a ship. Its copies move as the episode does: the motion of the base is known ahead.
+    plans
+        How plans are sampled.
+
+    >>> from kingpost.learn import anti_sway
+    >>> few = Sampling(horizon_s=1, knots=2, candidates=4, elites=2, iterations=1)
+    >>> sampled(anti_sway(), few)(np.zeros((1, 12))).shape
+    (1, 2)
+    """
+    return _Sampled(task, plans)
