@@ -20,8 +20,8 @@ def gains(run, *columns: str) -> list[float]:
 
 
 def test_a_robot_at_its_steady_speed_gives_the_water_what_its_drives_do() -> None:
-    """Source: conservation of energy and of momentum over ten beats; each beat has 28 samples, so that means of
-    smooth columns have no error beyond that of the steady state, reached within 10 s."""
+    """Source: conservation of energy and of momentum over ten beats; each beat has 28 samples, so that means
+    of smooth columns have no error beyond that of the steady state, reached within 10 s."""
     run = kingpost.run("caudal_fin_swimmer", {"simulation.duration_s": 28.0})
     columns = run.kingpost
     assert float(abs(run.energy_error).max()) < 1e-6 * float(run.energy_scale.max())
@@ -70,7 +70,7 @@ def test_a_tail_set_aside_steers_to_that_side(sign: int) -> None:
 
 
 def test_without_its_wake_and_drag_a_robot_swims_by_its_shape_alone_whatever_the_pace() -> None:
-    """Source: Kanso et al. 2005: the way of a stroke is a geometric phase, which does not depend on its pace."""
+    """Source: Kanso et al. 2005: the way of a stroke is a geometric phase, whatever its pace."""
 
     def way(pace: float) -> np.ndarray:
         motions = [swimming.Oscillation(1.0, pace, phase, 2 * pace) for phase in (0.0, 1.6)]
@@ -81,8 +81,8 @@ def test_without_its_wake_and_drag_a_robot_swims_by_its_shape_alone_whatever_the
 
 
 def test_a_vehicle_pitches_until_its_righting_moment_carries_its_arms() -> None:
-    """Source: moments of weights and buoyancies about the vehicle's origin; while it still drifts and the drives
-    yield, by a few thousandths."""
+    """Source: moments of weights and buoyancies about the vehicle's centre; it still drifts by then, by a few
+    thousandths."""
     run = kingpost.run("underwater_vehicle", {"simulation.duration_s": 34.0})
     scenario = kingpost.load("underwater_vehicle").resolved
     columns, net = run.kingpost, np.zeros(3)

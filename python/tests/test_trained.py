@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from kingpost.errors import KingpostError
 from kingpost.learn import (
     BASELINES,
     NeuralPolicy,
+    ShipCraneVectorEnv,
     Training,
     anti_sway,
     contenders,
@@ -21,6 +23,8 @@ from kingpost.learn import (
 )
 from kingpost.learn.__main__ import main
 from kingpost.learn.cross_entropy import CrossEntropy, Sampling
+from kingpost.learn.episodes import Episodes
+from kingpost.learn.sampled import sampled
 
 ENVIRONMENT = "Kingpost/AntiSway-v0"
 FEW = Training(generations=2, pairs=2, episodes=2, hidden=(4,), seed=5)
@@ -108,7 +112,8 @@ def test_a_wrong_file_is_reported(change, expected, policy, tmp_path) -> None:
 def test_the_page_has_every_controller_and_the_scores_that_are_measured_now() -> None:
     """Source: the same seeds. Those that plan are slow: their rows are only looked for."""
     page = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
-    rows = dict(line.strip("| ").split(" | ", 1) for line in page.splitlines() if line.startswith("| "))
+    of_task = page.split(f"**{ENVIRONMENT}**")[1].split("\n**")[0]
+    rows = dict(line.strip("| ").split(" | ", 1) for line in of_task.splitlines() if line.startswith("| "))
     for name, make in contenders(ENVIRONMENT).items():
         assert name in rows
         if "predictive" not in name and name != "do nothing":
@@ -117,12 +122,42 @@ def test_the_page_has_every_controller_and_the_scores_that_are_measured_now() ->
 
 
 def test_plans_by_sampling_have_the_same_bits_for_any_number_of_threads() -> None:
-    few = Sampling(horizon_s=2, knots=4, candidates=8, elites=3, iterations=2, every_s=0.25)
+    few = Sampling(horizon_s=2, guided_s=1, knots=4, candidates=8, elites=3, iterations=2, every_s=0.25)
     goal = [1.0, -0.8, 11.3, 17.6]
     one, other = (CrossEntropy(anti_sway(), goal, few, threads=threads) for threads in (1, 2))
     taken = [np.array([plan.action() for _ in range(8)]) for plan in (one, other)]
     assert np.array_equal(*taken)
     assert not np.array_equal(taken[0], np.array([CrossEntropy(anti_sway(), goal, few).action()] * 8))
+
+
+def test_plans_by_sampling_beat_the_policy_that_they_begin_with_where_the_base_moves() -> None:
+    """Source: the plan of zeros, the policy itself, is among the candidates, and the model is the engine."""
+    task = replace(anti_sway(on_a_ship=True), duration_s=16.0)
+    few = Sampling(horizon_s=4, guided_s=4, candidates=12, elites=4, iterations=2, every_s=1.0)
+    with_plans = score(task, lambda task: sampled(task, few), 2)
+    alone = score(task, lambda _: trained(ENVIRONMENT), 2)
+    assert (with_plans > alone + 1.0).all(), f"{with_plans} against {alone}"
+
+
+def test_the_copies_of_a_plan_go_on_as_the_scenario_itself() -> None:
+    """Source: the same bits: what the copies took is what an environment takes with the same actions."""
+    few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=6, elites=2, iterations=1, every_s=0.25)
+    envs = ShipCraneVectorEnv(anti_sway(), 1, 1)
+    seen, _ = envs.reset(seed=3)
+    plan = CrossEntropy(anti_sway(), envs.episodes.goals[0].tolist(), few)
+    for _ in range(12):
+        seen, *_ = envs.step(plan.action()[None])
+        plan.copies.resume()
+        assert np.array_equal(plan.copies.observations(), np.tile(seen, (6, 1)))
+
+
+def test_a_mark_is_asked_for_before_copies_resume() -> None:
+    episodes = Episodes(anti_sway(), 2, 1)
+    with pytest.raises(KingpostError, match="mark: found no episode, allowed: after reset"):
+        episodes.mark()
+    episodes.begin({0: np.random.default_rng(0), 1: np.random.default_rng(1)})
+    with pytest.raises(KingpostError, match="resume: found no mark, allowed: after mark"):
+        episodes.resume()
 
 
 def test_an_environment_without_a_policy_is_reported() -> None:

@@ -12,7 +12,8 @@ from ..errors import KingpostError
 from .acting import Policy
 from .agents import Agent
 from .baselines import BASELINES
-from .contenders import contenders, trained
+from .carried import trained
+from .contenders import contenders
 from .environment import ShipCraneEnv
 from .evolution import Training, train
 from .network import NeuralPolicy, read_policy

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .acting import Policy, do_nothing
 from .episodes import Episodes
 from .task import Task
 
@@ -18,43 +19,52 @@ class Sampling:
     ----------
     horizon_s
         Length of a plan, s.
+    guided_s
+        Time after the plan for which the guide goes on alone, s: its rewards count, too.
     knots
-        Actions of a plan; each is held for its share of the horizon.
+        Points of a plan, at least 2, the first now and the last at the horizon; it is straight between them.
     candidates
         Plans that are tried in each iteration.
     elites
         The best of them, to which mean and spread are fitted.
+    kept
+        Of these, those that are tried again in the next iteration and, moved on, by the next plan.
     iterations
         Iterations for each plan.
     every_s
         Time between two plans, s.
     spread
-        Standard deviation of the actions of the first iteration.
+        Standard deviation of the first iteration, in actions.
     least_spread
         What it does not fall below.
     seed
         Seed of all that is drawn.
     """
 
-    horizon_s: float = 8.0
-    knots: int = 8
+    horizon_s: float = 4.0
+    guided_s: float = 8.0
+    knots: int = 5
     candidates: int = 32
     elites: int = 6
+    kept: int = 3
     iterations: int = 3
     every_s: float = 0.5
-    spread: float = 0.6
-    least_spread: float = 0.05
+    spread: float = 0.3
+    least_spread: float = 0.02
     seed: int = 1
 
 
 class CrossEntropy:
     """Plans by the cross-entropy method (Rubinstein, *Methodology and Computing in Applied Probability* 1,
-    1999; for control de Boer et al., *Annals of Operations Research* 134, 2005).
+    1999; for control de Boer et al., *Annals of Operations Research* 134, 2005; with elites that are kept
+    Pinneri et al., *Conf. Robot Learning*, 2020).
 
-    The model is the engine itself: each candidate is a copy of the scenario in its present state that takes
-    the actions of the plan; its score is the task's reward of the plan. The same seed gives the same actions
-    to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike: the copies
-    take every action as the scenario does, so that their state is known; the goal is given, not guessed.
+    A plan is added to the actions of a guide, a controller without a memory. The model is the engine itself:
+    each candidate is a copy of the scenario in its present state that the guide and the plan steer; its score
+    is the sum of the task's rewards. The plan of zeros is always among them. The same seed gives the same
+    actions to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike: the
+    copies take every action as the scenario does, so that their state is known, and what moves the scenario
+    is known ahead; the goal is given, not guessed.
 
     Parameters
     ----------
@@ -64,72 +74,96 @@ class CrossEntropy:
         The numbers that the episode is about.
     sampling
         How plans are sampled.
+    guide
+        The controller that plans improve; default: one that does nothing.
     threads
         Threads that compute; 0 takes as many as the machine has.
 
     Examples
     --------
     >>> from kingpost.learn import anti_sway
-    >>> few = Sampling(horizon_s=1, knots=2, candidates=4, elites=2, iterations=1)
+    >>> few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=4, elites=2, iterations=1)
     >>> plan = CrossEntropy(anti_sway(), [1.0, -0.8, 14.0, 15.0], few, threads=1)
     >>> plan.action().shape
     (2,)
     """
 
     def __init__(
-        self, task: Task, goal: list[float], sampling: Sampling | None = None, threads: int = 0
+        self,
+        task: Task,
+        goal: list[float],
+        sampling: Sampling | None = None,
+        guide: Policy | None = None,
+        threads: int = 0,
     ) -> None:
         self.task, self.sampling = task, Sampling() if sampling is None else sampling
-        self.copies = Episodes(task, self.sampling.candidates, threads)
-        self.copies.begin({copy: np.random.default_rng(0) for copy in range(self.sampling.candidates)})
-        self.copies.goals = np.tile(np.asarray(goal, np.float64), (self.sampling.candidates, 1))
+        self.guide = do_nothing(task) if guide is None else guide
+        count = self.sampling.candidates
+        self.copies = Episodes(task, count, threads)
+        self.copies.begin({copy: np.random.default_rng(0) for copy in range(count)})
+        self.copies.goals = np.tile(np.asarray(goal, np.float64), (count, 1))
         self.copies.mark()
         self.random = np.random.default_rng(self.sampling.seed)
         self.taken = 0
         self.hold = round(self.sampling.every_s / task.control_period_s)
-        self.plan = np.zeros((self.sampling.knots, len(task.set)))
+        self.steps = round(self.sampling.horizon_s / task.control_period_s)
+        self.best = np.zeros((1, self.sampling.knots, len(task.set)))
 
     def action(self) -> np.ndarray:
         """The next action, of a new plan or of the last one; it counts as taken."""
         if self.taken % self.hold == 0:
             self._replan()
-        chosen = self.plan[self._knot(self.taken % self.hold)].copy()
         self.copies.resume()
-        self.copies.step(np.tile(chosen, (self.sampling.candidates, 1)))
+        chosen = self._steered(
+            np.tile(self.best[0], (self.sampling.candidates, 1, 1)), self.taken % self.hold
+        )
+        self.copies.step(chosen)
         self.copies.mark()
         self.taken += 1
-        return chosen
+        return chosen[0]
 
-    def _steps(self) -> int:
-        return round(self.sampling.horizon_s / self.task.control_period_s)
+    def _steered(self, plans: np.ndarray, step: int) -> np.ndarray:
+        """The actions of guide and plans."""
+        guided = self.guide(self.copies.observations())
+        return np.clip(guided + (at_knot(plans, self._knot(step)) if step < self.steps else 0.0), -1.0, 1.0)
 
-    def _knot(self, step: int) -> int:
-        return step * self.sampling.knots // self._steps()
+    def _knot(self, step: float) -> float:
+        return step * (self.sampling.knots - 1) / self.steps
 
     def _replan(self) -> None:
-        """Moves the plan on by the time since the last one, and improves it."""
+        """Moves the best plans on by the time since the last ones, and improves them."""
         sampling = self.sampling
         if self.taken:
-            since = self.hold * sampling.knots / self._steps()
-            later = np.minimum(np.arange(sampling.knots) + since, sampling.knots - 1)
-            below = np.floor(later).astype(int)
-            above = np.minimum(below + 1, sampling.knots - 1)
-            self.plan = self.plan[below] + (later - below)[:, None] * (self.plan[above] - self.plan[below])
-        spread = np.full_like(self.plan, sampling.spread)
+            since = self._knot(self.hold)
+            last = sampling.knots - 1
+            later = [at_knot(self.best, min(k + since, last)) for k in range(sampling.knots)]
+            self.best = np.stack(later, axis=1)
+        mean, spread = self.best[0], np.full(self.best[0].shape, sampling.spread)
         for _ in range(sampling.iterations):
-            drawn = self.random.standard_normal((sampling.candidates, *self.plan.shape))
-            tried = np.clip(self.plan + spread * drawn, -1.0, 1.0)
-            tried[0] = self.plan
-            best = tried[np.argsort(-self.scores(tried), kind="stable")[: sampling.elites]]
-            self.plan, spread = best.mean(axis=0), np.maximum(best.std(axis=0), sampling.least_spread)
+            drawn = self.random.standard_normal((sampling.candidates, *mean.shape))
+            tried = np.clip(mean + spread * drawn, -2.0, 2.0)
+            known = [np.zeros_like(mean), mean, *self.best[: sampling.kept]][: sampling.candidates]
+            tried[: len(known)] = known
+            self.best = tried[np.argsort(-self.scores(tried), kind="stable")[: sampling.elites]]
+            mean, spread = self.best.mean(axis=0), np.maximum(self.best.std(axis=0), sampling.least_spread)
 
     def scores(self, plans: np.ndarray) -> np.ndarray:
-        """The sum of rewards of each plan from here on."""
-        count = self.sampling.candidates
+        """The sum of rewards of each plan from here on, with those of the guide after it."""
         self.copies.resume()
-        sums, going = np.zeros(count), np.ones(count, np.bool_)
-        for step in range(self._steps()):
-            _, rewards, terminated, _ = self.copies.step(plans[:, self._knot(step)])
+        sums, going = np.zeros(len(plans)), np.ones(len(plans), np.bool_)
+        for step in range(self.steps + round(self.sampling.guided_s / self.task.control_period_s)):
+            _, rewards, terminated, _ = self.copies.step(self._steered(plans, step))
             sums += np.where(going, rewards, 0.0)
             going &= ~terminated
         return sums
+
+
+def at_knot(plans: np.ndarray, place: float) -> np.ndarray:
+    """Plans at a place between two of their knots.
+
+    >>> at_knot(np.array([[[0.0], [1.0], [4.0]]]), 1.5)
+    array([[2.5]])
+    """
+    below = min(int(place), plans.shape[1] - 2)
+    share = place - below
+    return (1.0 - share) * plans[:, below] + share * plans[:, below + 1]

@@ -107,11 +107,16 @@ class Episodes:
             raise KingpostError("mark: found no episode, allowed: after reset()")
         self._copies.mark(copy)
         read = self._read.reshape(self.count, -1)
-        self._marked = (self.taken[copy], self.goals[copy].copy(), read[copy].copy(), self._before[copy].copy())
+        self._marked = (
+            self.taken[copy],
+            self.goals[copy].copy(),
+            read[copy].copy(),
+            self._before[copy].copy(),
+        )
 
     def resume(self) -> None:
-        """Put all copies where the one was that was marked last. Each keeps its own numbers: in another sea it
-        meets other waves from there on."""
+        """Put all copies where the one was that was marked last. Each keeps its own numbers: in another sea
+        it meets other waves from there on."""
         if self._copies is None or self.goals is None or self._marked is None:
             raise KingpostError("resume: found no mark, allowed: after mark()")
         self._copies.resume()

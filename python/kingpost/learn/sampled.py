@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from .acting import Policy, in_units
+from .carried import trained
 from .cross_entropy import CrossEntropy, Sampling
 from .episodes import Episodes
 from .task import Task
 from .tasks.anti_sway import BOOM_M
-
-PLANS = Sampling(horizon_s=8.0, knots=8, candidates=32, elites=6, iterations=3, every_s=0.5)
 
 
 class _Sampled:
@@ -22,7 +21,8 @@ class _Sampled:
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
         if not self.planners:
-            self.planners = [CrossEntropy(self.task, goal, self.plans) for goal in self._goals(seen)]
+            guide = trained("Kingpost/AntiSway-v0")
+            self.planners = [CrossEntropy(self.task, goal, self.plans, guide) for goal in self._goals(seen)]
         return np.stack([planner.action() for planner in self.planners])
 
     def _goals(self, seen: np.ndarray) -> list[list[float]]:
@@ -35,19 +35,19 @@ class _Sampled:
         return [[float(number) for number in goal] for goal in goals]
 
 
-def sampled(task: Task, plans: Sampling = PLANS) -> Policy:
-    """Plans by the cross-entropy method: the engine's own copies are the model.
+def sampled(task: Task, plans: Sampling | None = None) -> Policy:
+    """Plans by the cross-entropy method that improve the trained policy: the engine's copies are the model.
 
     Parameters
     ----------
     task
-        `anti_sway`, also on a ship. Its copies move as the episode does: the motion of the base is known ahead.
+        `anti_sway`, also on a ship. Its copies move as the episode does: the base's motion is known ahead.
     plans
         How plans are sampled.
 
     >>> from kingpost.learn import anti_sway
-    >>> few = Sampling(horizon_s=1, knots=2, candidates=4, elites=2, iterations=1)
+    >>> few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=4, elites=2, iterations=1)
     >>> sampled(anti_sway(), few)(np.zeros((1, 12))).shape
     (1, 2)
     """
-    return _Sampled(task, plans)
+    return _Sampled(task, Sampling() if plans is None else plans)

@@ -10,6 +10,7 @@ from .acting import Policy
 from .contenders import contenders
 from .registered import IDS
 from .task import Task
+from .tasks import anti_sway
 from .vector import ShipCraneVectorEnv
 
 EPISODES = 16
@@ -60,11 +61,21 @@ def score(
     return sums
 
 
+def cases() -> dict[str, tuple[str, Task]]:
+    """What is scored: titles with the environment and its task."""
+    found = {}
+    for name, task in IDS.items():
+        found[name] = (name, task())
+        if task is anti_sway:
+            found[f"{name}, on_a_ship=True"] = (name, anti_sway(on_a_ship=True))
+    return found
+
+
 def table(episodes: int = EPISODES) -> str:
     """The scores of all controllers as a table in Markdown, the best first."""
     lines = []
-    for name, task in IDS.items():
-        found = {label: score(task(), policy, episodes) for label, policy in contenders(name).items()}
+    for name, (environment, task) in cases().items():
+        found = {label: score(task, policy, episodes) for label, policy in contenders(environment).items()}
         ordered = sorted(found.items(), key=lambda pair: -float(pair[1].mean()))
         lines += [
             f"**{name}**",

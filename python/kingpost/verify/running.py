@@ -8,7 +8,8 @@ from importlib import import_module
 from ..errors import KingpostError
 from .rows import AREAS, CHECKS, Check, Row, measured
 
-FILES = (*AREAS, "tops", "flume_forces", "cylinders", "rolling", "spheres", "ropes", "wave_energy", "swimming")
+FURTHER = ("tops", "flume_forces", "cylinders", "rolling", "spheres", "ropes", "wave_energy", "swimming")
+FILES = (*AREAS, *FURTHER)
 """The modules of the rows: one for each area, and some for further rows."""
 
 

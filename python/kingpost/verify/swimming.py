@@ -1,13 +1,13 @@
 """Bodies that swim: links in an ideal fluid, a fin's trailing edge, a vehicle with two arms.
 
-Links that turn against each other in an ideal fluid at rest keep their total impulse zero. With the velocities
-of all links linear in the motion xi of the first and in the rates of the hinges, this gives
+Links that turn against each other in an ideal fluid at rest keep their total impulse zero. With the
+velocities of all links linear in the motion xi of the first and in the rates of the hinges, this gives
 
     I(q) xi + A(q) q' = 0,    g' = g xi
 
 for its place g (Kanso, Marsden, Rowley & Melli-Huber, "Locomotion of articulated bodies in a perfect fluid",
-J. Nonlinear Sci. 15, 2005, p. 255; here without hydrodynamic interaction of the links). SciPy integrates it, in
-the plane and without any of the engine's mechanics.
+J. Nonlinear Sci. 15, 2005, p. 255; here without hydrodynamic interaction of the links). SciPy integrates it,
+in the plane and without any of the engine's mechanics.
 """
 
 from __future__ import annotations
@@ -139,8 +139,8 @@ def _across(vector: Array) -> Array:
 
 
 def _momentum(links: Sequence[Link], angles: Array, motion: Array, rates: Array) -> Array:
-    """Linear and angular impulse in the axes of the first link, about its centre; `motion` is its velocity and
-    rate in these axes."""
+    """Linear and angular impulse in the axes of the first link, about its centre; `motion` is its velocity
+    and rate in these axes."""
     places = [(np.zeros(2), 0.0, motion[:2], motion[2])]
     total = np.zeros(3)
     for k, link in enumerate(links):
@@ -287,7 +287,9 @@ def of_slender_fish() -> tuple[float, float]:
 def measured() -> tuple[float, float]:
     """Mean thrust and mean power of the fin over the last period of the run."""
     run = towed()
-    force, wake = (run.kingpost[column].values[-STEPS:] for column in ("edge.trailing_edge_force.x", "edge.wake_power"))
+    force, wake = (
+        run.kingpost[column].values[-STEPS:] for column in ("edge.trailing_edge_force.x", "edge.wake_power")
+    )
     thrust = float(np.mean(force))
     return thrust, thrust * SPEED_M_S + float(np.mean(wake))
 

@@ -84,8 +84,8 @@ def anti_sway(randomised: bool = False, on_a_ship: bool = False) -> Task:
     randomised
         Whether each episode also draws the load, 5 to 35 t, and the rope, 8 to 22 m.
     on_a_ship
-        Whether the base moves as a ship in a swell, by a given motion: 0.5 m of heave and 1 degree of pitch in 8 s,
-        2 degrees of roll in 11 s. The target stays in the world.
+        Whether the base moves as a ship in a swell, by a given motion: 0.5 m of heave and 1 degree of pitch
+        in 8 s, 2 degrees of roll in 11 s. The target stays in the world.
 
     Returns
     -------

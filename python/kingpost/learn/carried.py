@@ -1,0 +1,38 @@
+"""The trained policies that the package carries."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..errors import KingpostError
+from .network import NeuralPolicy, read_policy
+
+POLICIES = Path(__file__).parent / "policies"
+FILES = {"Kingpost/AntiSway-v0": "anti_sway.json"}
+"""The file of each environment's trained policy."""
+
+
+def trained(environment: str) -> NeuralPolicy:
+    """The policy that the package carries for an environment.
+
+    Parameters
+    ----------
+    environment
+        Name of the environment.
+
+    Returns
+    -------
+    NeuralPolicy
+        The policy; its ``about`` says how it was trained.
+
+    Raises
+    ------
+    KingpostError
+        If there is none for this environment.
+
+    >>> trained("Kingpost/AntiSway-v0").observations[:2]
+    ('slew_error', 'luff_error')
+    """
+    if environment not in FILES:
+        raise KingpostError(f"environment: found {environment}, allowed: {', '.join(FILES)}")
+    return read_policy(POLICIES / FILES[environment])
