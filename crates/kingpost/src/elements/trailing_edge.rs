@@ -32,8 +32,8 @@ pub struct TrailingEdge<S = f64> {
     pub waters: Waters<S>,
 }
 
-/// The edge in the water at one moment.
-struct InWater<S> {
+/// What the water does to the edge at one moment.
+struct Reaction<S> {
     /// F, in the body's axes, N.
     force: Vector3<S>,
     /// Velocity of the edge through the water, and of the water, in the body's axes, m/s.
@@ -63,7 +63,7 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
 
     /// Adds the force, the power lost to the wake, and the work of the stream.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
-        let InWater { force, through, stream } = self.in_water(at);
+        let Reaction { force, through, stream } = self.reaction(at);
         loads.power.dissipated -= force.dot(through);
         loads.power.outside += force.dot(stream);
         let wrench = Wrench { moment: Vector3::zero(), force };
@@ -71,7 +71,7 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        let InWater { force, through, .. } = self.in_water(at);
+        let Reaction { force, through, .. } = self.reaction(at);
         out.extend((self.place.frame(at.model, at.links).rotation * force).0);
         out.push(-force.dot(through));
     }
@@ -91,7 +91,7 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
 }
 
 impl<S: Scalar> TrailingEdge<S> {
-    fn in_water(&mut self, at: &Context<'_, S>) -> InWater<S> {
+    fn reaction(&mut self, at: &Context<'_, S>) -> Reaction<S> {
         let point = self.waters.point(at, &self.place);
         let slope = point.frame.rotation.row(2)[2];
         let slope = slope.select_below(0.0, || -slope, || slope);
@@ -103,6 +103,6 @@ impl<S: Scalar> TrailingEdge<S> {
         let (along, across) = (through[0], through[1]);
         let leaving = along.select_below(0.0, || S::ZERO, || along);
         let force = Vector3::new(S::constant(0.5) * mass * across * across, -(mass * leaving * across), S::ZERO);
-        InWater { force, through, stream: point.stream }
+        Reaction { force, through, stream: point.stream }
     }
 }

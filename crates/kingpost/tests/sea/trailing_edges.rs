@@ -221,3 +221,9 @@ fn a_swimmer_with_an_edge_leaves_energy_in_its_wake_and_the_balance_closes() {
     assert!(wake >= 0.0, "{wake} W");
     assert!(values(&mut swimmer, "energy_dissipated")[0] > 0.1 * scale);
 }
+
+#[test]
+fn the_linear_model_of_a_swimmer_has_the_exact_derivatives_of_its_edge() {
+    let edge = "  edge: {trailing_edge: {body: link2, position_m: [-0.2, 0, 0], span_m: 0.2}}\n";
+    common::assert_linearised(&links(&["{prescribed: {rate_rad_s: 0.7}}", "free"], edge));
+}
