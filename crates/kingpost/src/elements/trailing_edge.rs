@@ -9,7 +9,7 @@ use crate::spatial::{Vector3, Wrench};
 
 /// The reactive force at the trailing edge of a fin of the span s, whose chord is along the body's x axis and whose
 /// span is along z (Lighthill, "Large-amplitude elongated-body theory of fish locomotion", *Proc. R. Soc. Lond. B* 179,
-/// 1971, p. 125, eq. 7),
+/// 1971, p. 125),
 ///
 /// ```text
 /// F = 1/2 m w^2 x - m u w y,    m = pi/4 rho s^2

@@ -89,7 +89,7 @@ fn mean_by_the_motion(heave: f64, pitch: f64) -> f64 {
 
 #[test]
 fn a_towed_fin_pushes_with_lighthills_mean_thrust() {
-    // Large: Lighthill, Proc. R. Soc. Lond. B 179 (1971), eq. 7. The mean of the added mass' force is zero.
+    // Large: Lighthill, Proc. R. Soc. Lond. B 179 (1971), p. 125. The mean of the added mass' force is zero.
     for (heave, pitch) in [(0.1, 0.35), (0.2, 0.1), (0.05, 0.6)] {
         let [carriage, edge] = thrusts(&towed(heave, pitch));
         let expected = mean_by_the_motion(heave, pitch);
