@@ -9,7 +9,7 @@ from .carried import trained
 from .cross_entropy import CrossEntropy, Sampling
 from .episodes import Episodes
 from .task import Task
-from .tasks.anti_sway import BOOM_M
+from .tasks.anti_sway import target
 
 
 class _Sampled:
@@ -30,9 +30,7 @@ class _Sampled:
         start.begin({0: np.random.default_rng(0)})
         slews = start.columns["slew.joint_position"] - now["slew_error"]
         luffs = start.columns["luff.joint_position"] - now["luff_error"]
-        radii = BOOM_M * np.cos(luffs)
-        goals = np.stack([slews, luffs, radii * np.cos(slews), radii * np.sin(slews)], axis=1)
-        return [[float(number) for number in goal] for goal in goals]
+        return [target(float(slew), float(luff)) for slew, luff in zip(slews, luffs, strict=True)]
 
 
 def sampled(task: Task, plans: Sampling | None = None) -> Policy:

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -284,6 +285,7 @@ def of_slender_fish() -> tuple[float, float]:
     return float(thrust), float(power)
 
 
+@cache
 def measured() -> tuple[float, float]:
     """Mean thrust and mean power of the fin over the last period of the run."""
     run = towed()

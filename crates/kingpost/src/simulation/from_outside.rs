@@ -108,12 +108,17 @@ impl Simulation {
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
         let mut next = self.state.clone();
         next.restore(bytes, self.fingerprint)?;
-        self.state = next;
+        self.take_state(&next);
+        Ok(())
+    }
+
+    /// Continues from the state of another simulation with the same layout.
+    pub(crate) fn take_state(&mut self, from: &State) {
+        self.state.copy_from(from);
         self.steering.forget_after(self.state.steps);
         self.watch.forget_after(self.state.steps);
         self.watching.begin_anew();
         self.limits.begin_anew();
-        Ok(())
     }
 
     /// All inputs with their present values.

@@ -39,15 +39,6 @@ impl Simulation {
         state.m.copy_from_slice(&from.m);
     }
 
-    /// Continues from the state of another simulation with the same layout.
-    pub(crate) fn take_state(&mut self, from: &State) {
-        self.state.copy_from(from);
-        self.steering.forget_after(self.state.steps);
-        self.watch.forget_after(self.state.steps);
-        self.watching.begin_anew();
-        self.limits.begin_anew();
-    }
-
     /// Whether it can continue in a lane beside another one: the same time and modes.
     pub(crate) fn is_level_with<S: Scalar>(&self, other: &Simulation<S>) -> bool {
         self.state.steps == other.state.steps && self.state.m == other.state.m

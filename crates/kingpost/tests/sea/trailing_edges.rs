@@ -93,7 +93,7 @@ fn a_towed_fin_pushes_with_lighthills_mean_thrust() {
     for (heave, pitch) in [(0.1, 0.35), (0.2, 0.1), (0.05, 0.6)] {
         let [carriage, edge] = thrusts(&towed(heave, pitch));
         let expected = mean_by_the_motion(heave, pitch);
-        // Positions are integrated from the rates in RK4 (w h)^4 / 2880 = 2e-11; differences of the mean over it.
+        // Positions follow from the rates by RK4, whose error is (w h)^4 / 2880 = 2e-11 of the amplitude in each step.
         assert!((edge - expected).abs() < 1e-7 * edge.abs(), "{edge} N for {expected} N");
         assert!((carriage - expected).abs() < 1e-7 * edge.abs(), "{carriage} N for {expected} N");
     }

@@ -40,9 +40,17 @@ def _anti_sway_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.n
 def _anti_sway_goal(random: np.random.Generator, start: Mapping[str, float]) -> Sequence[float]:
     """Slew and luff of the target, rad, and its place, m."""
     slew = float(random.uniform(np.pi / 9, np.pi / 2)) * (1.0 if random.random() < 0.5 else -1.0)
-    luff = float(random.uniform(-np.pi / 3, -np.pi / 6))
+    return target(slew, float(random.uniform(-np.pi / 3, -np.pi / 6)))
+
+
+def target(slew: float, luff: float) -> list[float]:
+    """The goal of these angles, rad, with its place, m.
+
+    >>> target(0.0, 0.0)
+    [0.0, 0.0, 30.0, 0.0]
+    """
     radius = BOOM_M * float(np.cos(luff))
-    return slew, luff, radius * float(np.cos(slew)), radius * float(np.sin(slew))
+    return [slew, luff, radius * float(np.cos(slew)), radius * float(np.sin(slew))]
 
 
 def _swaying(field: str, amplitude: float, period_s: float, phase_deg: float) -> dict[str, Any]:

@@ -147,12 +147,17 @@ impl Group {
 
     /// The state of a copy.
     pub(super) fn state(&mut self, k: usize) -> &State {
+        self.take_from_lane(k);
+        self.alone[k].state()
+    }
+
+    /// Brings the simulation of a copy to its lane's state, if it is in one.
+    fn take_from_lane(&mut self, k: usize) {
         if let SharedLanes::Built(together) = &self.lanes
             && self.in_lanes[k]
         {
             self.alone[k].take_lane(&together.simulation, k);
         }
-        self.alone[k].state()
     }
 
     /// Puts all copies in a state.
@@ -205,10 +210,7 @@ impl Group {
     }
 
     fn leave_lanes(&mut self) {
-        let SharedLanes::Built(together) = &self.lanes else { return };
-        for k in (0..self.alone.len()).filter(|&k| self.in_lanes[k]) {
-            self.alone[k].take_lane(&together.simulation, k);
-        }
+        (0..self.alone.len()).for_each(|k| self.take_from_lane(k));
         self.in_lanes.fill(false);
     }
 
@@ -301,11 +303,7 @@ impl Group {
     fn check_read(&mut self, k: usize) {
         let Some(bad) = self.read.iter().position(|value| !value.is_finite()) else { return };
         let (time_s, column) = (self.time_s(k), self.columns[bad].clone());
-        if let SharedLanes::Built(together) = &self.lanes
-            && self.in_lanes[k]
-        {
-            self.alone[k].take_lane(&together.simulation, k);
-        }
+        self.take_from_lane(k);
         self.in_lanes[k] = false;
         self.failed[k] = Some(RunError::NoNumber { time_s, column, value: self.read[bad] });
     }
