@@ -11,6 +11,7 @@ import logging
 from . import results, verify
 from .accessor import Accessor
 from .analysis import extremes, fatigue, lift_rules, statistics
+from .analysis.drive_functions import DriveFunctions, drive_functions
 from .analysis.gradients import gradient
 from .analysis.predictive import Plan, PredictiveRegulator, mpc
 from .analysis.regulator import Regulator, lqr

@@ -3,6 +3,7 @@
 use crate::dynamics::Clock;
 use crate::elements::{Declaration, Element};
 use crate::scalar::Scalar;
+use crate::sea::waves::ramp;
 use crate::world::World;
 
 /// The motion of a coordinate about its initial value,
@@ -64,15 +65,7 @@ impl<S: Scalar> Oscillation<S> {
 
     /// s, and its first and second rate.
     fn ramp(&self, clock: Clock) -> [f64; 3] {
-        if clock.middle_s >= self.ramp_s {
-            return [1.0, 0.0, 0.0];
-        }
-        let x = clock.time_s / self.ramp_s;
-        [
-            x * x * x * (10.0 - x * (15.0 - 6.0 * x)),
-            30.0 * x * x * (1.0 - x) * (1.0 - x) / self.ramp_s,
-            60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / (self.ramp_s * self.ramp_s),
-        ]
+        if clock.middle_s >= self.ramp_s { [1.0, 0.0, 0.0] } else { ramp(clock.time_s, self.ramp_s) }
     }
 }
 

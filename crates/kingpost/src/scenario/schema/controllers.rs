@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CompensationDrive, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive, Selector, SignalName,
+    CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive, Selector, SignalName,
     ThreeAxisCompensation, yes,
 };
 use crate::scenario::leaf::Leaf;
@@ -20,6 +20,8 @@ use crate::scenario::leaf::Leaf;
 pub enum Controller<S = f64> {
     /// Shapes a command so that it leaves no swing.
     InputShaper(InputShaper<S>),
+    /// Adds a function of time to a command.
+    DriveFunction(DriveFunction<S>),
     /// Feeds columns of the results back to inputs.
     StateFeedback(StateFeedback<S>),
     /// A small neural network reads columns of the results and sets inputs.
@@ -39,6 +41,7 @@ impl<S> Controller<S> {
     pub fn targets(&self) -> Vec<(String, &str)> {
         match self {
             Self::InputShaper(shaper) => vec![("input_shaper.to".to_owned(), &*shaper.to)],
+            Self::DriveFunction(function) => vec![("drive_function.to".to_owned(), &*function.to)],
             Self::StateFeedback(feedback) => {
                 let steered = feedback.steers.iter().enumerate();
                 steered.map(|(k, steer)| (format!("state_feedback.steers.{k}.to"), &*steer.to)).collect()

@@ -9,6 +9,7 @@ mod contacts;
 mod controlled_drives;
 mod controllers;
 mod cylinder;
+mod drive_function;
 mod drives;
 mod dynamic_positioning;
 mod flexible;
@@ -67,6 +68,7 @@ pub use controlled_drives::{
 };
 pub use controllers::{Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback};
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
+pub use drive_function::DriveFunction;
 pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
     AzimuthThruster, DynamicPositioning, MainPropeller, NaturalPeriods, PositioningGains, RotationTuning, StatedGains,

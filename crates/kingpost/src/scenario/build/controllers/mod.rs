@@ -2,6 +2,7 @@
 
 mod compensation;
 mod compensation_in_axes;
+mod drive_function;
 mod hoists;
 mod policy;
 
@@ -97,6 +98,10 @@ impl<S: Quantity> ControllerReader<'_, S> {
                 Some(to) => Box::new(self.shaper(name, given, to)?),
                 None => return Err(self.unknown_target(layout, &[])),
             },
+            Controller::DriveFunction(given) => match input(&given.to) {
+                Some(to) => Box::new(drive_function::drive_function(name, given, to, self.step_s())?),
+                None => return Err(self.unknown_target(layout, &[])),
+            },
             Controller::StateFeedback(given) => {
                 let inputs: Vec<Input> = given.steers.iter().filter_map(|steer| input(&steer.to)).collect();
                 Box::new(self.feedback(name, given, &inputs)?)
@@ -141,7 +146,7 @@ impl<S: Quantity> ControllerReader<'_, S> {
 
     fn shaper(&self, name: &str, given: &schema::InputShaper<S>, to: Input) -> Result<InputShaper<S>, FieldError> {
         let field = |rest: &str| format!("controllers.{name}.input_shaper.{rest}");
-        let step_s = self.scenario.simulation.step_s.get();
+        let step_s = self.step_s();
         let (period, damping_ratio) = (given.period_s.get(), given.damping_ratio.get());
         if let Some(found) = period.outside(|period| 2.0 * step_s < period && period <= MOST_STEPS * step_s) {
             let allowed = format!("more than two steps, {}, to {MOST_STEPS} steps", 2.0 * step_s);
@@ -211,9 +216,13 @@ impl<S: Quantity> ControllerReader<'_, S> {
         Ok(FeedbackRead { column: given.column.clone(), reference: given.reference, follows })
     }
 
+    fn step_s(&self) -> f64 {
+        self.scenario.simulation.step_s.get()
+    }
+
     /// The sampling period: a whole number of steps.
     fn period_s(&self, field: &str, given: Option<schema::Positive>) -> Result<f64, FieldError> {
-        let step_s = self.scenario.simulation.step_s.get();
+        let step_s = self.step_s();
         let Some(period_s) = given.map(|period| period.get()) else { return Ok(step_s) };
         let steps = period_s / step_s;
         if steps < 1.0 - WHOLE || (steps - libm::round(steps)).abs() > WHOLE {

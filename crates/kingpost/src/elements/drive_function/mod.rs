@@ -1,0 +1,83 @@
+//! A drive function: a command that is a function of time.
+
+mod cubic_spline;
+
+pub use cubic_spline::CubicSpline;
+
+use super::commanded::commanded;
+use super::{Context, Declaration, Element, Input, Own};
+use crate::scalar::Scalar;
+use crate::sea::waves::ramp;
+
+/// Adds a function of time to its command c and sets another input to the sum,
+///
+/// ```text
+/// u = c + s(t) f(t),    within the limits of the input
+/// ```
+///
+/// f is a cubic spline through given commands at given times, s the ramp over which waves begin too. An input is constant over
+/// a step; it gets the function's value at the middle of the step, so that it is not late.
+///
+/// Drive functions that hold a load in place on a moving base are found as the commands with the smallest deviation of the load
+/// (Maczyński & Wojciech, "Stabilization of load's position in offshore cranes", *J. Offshore Mech. Arct. Eng.* 134(2), 2012,
+/// 021101).
+#[derive(Clone, Debug)]
+pub struct DriveFunction<S = f64> {
+    /// Name in the results, and of its command.
+    pub name: String,
+    /// The input that it sets.
+    pub to: Input,
+    /// f; without it, the command passes.
+    pub function: Option<CubicSpline<S>>,
+    /// Length of the ramp, s; 0 without one.
+    pub ramp_s: f64,
+    /// Length of a step, s.
+    pub step_s: f64,
+}
+
+impl<S: Scalar> Element<S> for DriveFunction<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        Declaration {
+            numbers: vec!["action".to_owned()],
+            inputs: vec![Input { name: self.name.clone(), signal: None, ..self.to.clone() }],
+            outputs: vec![commanded(&self.name, self.to.unit)],
+            steers: vec![self.to.name.clone()],
+            ..Declaration::default()
+        }
+    }
+
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+        own.numbers[0] = at.inputs[0];
+    }
+
+    fn steer(
+        &mut self,
+        at: &Context<'_, S>,
+        _read: &[S],
+        own: &mut Own<'_, S>,
+        inputs: &mut [S],
+    ) -> Result<Vec<String>, String> {
+        let mut action = at.inputs[0];
+        if let Some(function) = &self.function {
+            let time_s = at.clock.time_s + 0.5 * self.step_s;
+            let [share, ..] = ramp(time_s, self.ramp_s);
+            action += S::constant(share) * function.at(time_s);
+            action = action.clipped(S::constant(self.to.lower), S::constant(self.to.upper));
+        }
+        own.numbers[0] = action;
+        inputs.fill(action);
+        Ok(Vec::new())
+    }
+
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
+        out.push(at.numbers[0]);
+    }
+
+    fn passes_to(&self, command: usize) -> Option<usize> {
+        Some(command)
+    }
+}

@@ -1,0 +1,35 @@
+//! Commands that are functions of time.
+
+use serde::{Deserialize, Serialize};
+
+use super::{NonNegative, Positive, SignalName, yes};
+use crate::scenario::leaf::Leaf;
+
+/// Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
+/// these commands, so that a load stays where it should.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "DriveFunction", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct DriveFunction<S = f64> {
+    /// Whether the function is added; if not, the command passes.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The input that it sets: of a drive, or the command of another controller.
+    pub to: SignalName,
+    /// Times of the curve's points in increasing order, s.
+    pub time_s: Vec<NonNegative>,
+    /// The command at each time, in the SI unit of the input.
+    pub command: Vec<S>,
+    /// The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
+    /// the first time and the last after the last.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub period_s: Option<Positive>,
+    /// Time in which the curve grows from 0 to its full size at the start of a run, in the same way as waves in the `ramp_s` of the sea, s;
+    /// 0: it has its full size at once.
+    #[serde(default)]
+    pub ramp_s: NonNegative,
+}
