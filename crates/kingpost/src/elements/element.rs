@@ -175,12 +175,14 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 }
 
-/// A linear feedback `u = G y` of small motions, held between two samples.
+/// A linear feedback `u = G y + H (sum of y T)` of small motions, held between two samples; the sum is over the samples so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearLaw {
     /// G: a row for each input that is steered, a column for each column that is read, in SI units.
     pub gains: Vec<Vec<f64>>,
-    /// The sampling period, s.
+    /// H, per second; without rows if nothing is summed.
+    pub integral_gains: Vec<Vec<f64>>,
+    /// The sampling period T, s.
     pub period_s: f64,
 }
 

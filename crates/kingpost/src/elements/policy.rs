@@ -107,7 +107,7 @@ impl<S: Scalar> Element<S> for Policy<S> {
 
     /// The Jacobian where all that it sees is 0: at rest at the target.
     fn linear_law(&self) -> Option<LinearLaw> {
-        self.acts.then(|| LinearLaw { gains: self.jacobian(), period_s: self.period_s })
+        self.acts.then(|| LinearLaw { gains: self.jacobian(), integral_gains: Vec::new(), period_s: self.period_s })
     }
 
     fn passes_to(&self, command: usize) -> Option<usize> {

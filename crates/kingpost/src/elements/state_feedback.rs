@@ -8,11 +8,14 @@ use crate::scalar::Scalar;
 /// Sets inputs from the columns x that it reads and its commands c, at multiples of its period:
 ///
 /// ```text
-/// u = c - K (x - x_ref - w),    within its limits
+/// u = c - K e - K_I (integral of e),    e = x - x_ref - w,    within its limits
 /// ```
 ///
 /// w is the command of the input that a column follows, and 0 for the others: the angle of a crane, for example, follows the
-/// command of its slewing gear. Between two samples `K (x - x_ref - w)` is held; the commands pass at every step.
+/// command of its slewing gear. With the gain of a position in K, of its rate in K and of the position in K_I, it is a PID
+/// controller. The integral is the sum over the samples times the period. While an input is at a limit, its integral does not
+/// grow further beyond it (conditional integration: Astrom & Hagglund, *Advanced PID Control*, 2006, sec. 3.5). Between two
+/// samples the correction is held; the commands pass at every step.
 #[derive(Clone, Debug)]
 pub struct StateFeedback<S = f64> {
     /// Name in the results.
@@ -47,6 +50,8 @@ pub struct FeedbackSteer<S = f64> {
     pub command: String,
     /// Its row of K.
     pub gains: Vec<S>,
+    /// Its row of K_I, 1/s more; empty without one.
+    pub integral_gains: Vec<S>,
     /// Its limits.
     pub limits: [S; 2],
 }
@@ -58,11 +63,14 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
 
     fn declare(&self) -> Declaration {
         let reads = self.reads.iter().map(|read| read.column.clone()).collect();
-        changed_commands("correction", self.steers.iter().map(|steer| (&steer.to, &*steer.command)), reads)
+        let steers = self.steers.iter().map(|steer| (&steer.to, &*steer.command));
+        let mut declared = changed_commands("correction", steers, reads);
+        declared.numbers.extend(self.steers.iter().map(|steer| format!("integral_{}", steer.to.name)));
+        declared
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
-        own.numbers[self.steers.len()..].copy_from_slice(at.inputs);
+        own.numbers[self.actions()].copy_from_slice(at.inputs);
     }
 
     fn steer(
@@ -72,10 +80,14 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
         own: &mut Own<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let (corrections, actions) = own.numbers.split_at_mut(self.steers.len());
+        let (corrections, rest) = own.numbers.split_at_mut(self.steers.len());
+        let (actions, integrals) = rest.split_at_mut(self.steers.len());
         if self.acts && is_tick(at.clock.time_s, self.period_s) {
-            for (steer, correction) in self.steers.iter().zip(&mut *corrections) {
-                *correction = self.correction(&steer.gains, read, at.inputs);
+            for (k, steer) in self.steers.iter().enumerate() {
+                let proportional = self.correction(&steer.gains, read, at.inputs);
+                let grown = self.correction(&steer.integral_gains, read, at.inputs) * S::constant(self.period_s);
+                integrals[k] += steer.kept(grown, at.inputs[k] - proportional - integrals[k] - grown);
+                corrections[k] = proportional + integrals[k];
             }
         }
         for (k, FeedbackSteer { limits: [lower, upper], .. }) in self.steers.iter().enumerate() {
@@ -86,12 +98,19 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        out.extend_from_slice(&at.numbers[self.steers.len()..]);
+        out.extend_from_slice(&at.numbers[self.actions()]);
     }
 
     fn linear_law(&self) -> Option<LinearLaw> {
-        let row = |steer: &FeedbackSteer<S>| steer.gains.iter().map(|gain| -gain.value()).collect();
-        self.acts.then(|| LinearLaw { gains: self.steers.iter().map(row).collect(), period_s: self.period_s })
+        let row = |gains: &Vec<S>| gains.iter().map(|gain| -gain.value()).collect::<Vec<_>>();
+        let gains = self.steers.iter().map(|steer| row(&steer.gains)).collect();
+        let integrates = self.steers.iter().any(|steer| !steer.integral_gains.is_empty());
+        let summed = |steer: &FeedbackSteer<S>| match steer.integral_gains.as_slice() {
+            [] => vec![0.0; self.reads.len()],
+            _ => row(&steer.integral_gains),
+        };
+        let integral_gains = if integrates { self.steers.iter().map(summed).collect() } else { Vec::new() };
+        self.acts.then_some(LinearLaw { gains, integral_gains, period_s: self.period_s })
     }
 
     fn passes_to(&self, command: usize) -> Option<usize> {
@@ -100,7 +119,12 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
 }
 
 impl<S: Scalar> StateFeedback<S> {
-    /// A row of K times the deviations.
+    /// The places of its actions among its numbers: corrections, actions, integrals.
+    fn actions(&self) -> core::ops::Range<usize> {
+        self.steers.len()..2 * self.steers.len()
+    }
+
+    /// A row of gains times the deviations.
     fn correction(&self, gains: &[S], read: &[S], commands: &[S]) -> S {
         let deviation = |(of, value): (&FeedbackRead<S>, &S)| {
             let still = *value - of.reference;
@@ -108,5 +132,13 @@ impl<S: Scalar> StateFeedback<S> {
         };
         let terms = self.reads.iter().zip(read).map(deviation).zip(gains);
         terms.fold(S::ZERO, |sum, (deviation, gain)| sum + *gain * deviation)
+    }
+}
+
+impl<S: Scalar> FeedbackSteer<S> {
+    /// What an integral grows by: nothing if the action is beyond a limit and it would push it further.
+    fn kept(&self, grown: S, action: S) -> S {
+        let beyond = action - action.clipped(self.limits[0], self.limits[1]);
+        (beyond * grown).select_below(0.0, || S::ZERO, || grown)
     }
 }

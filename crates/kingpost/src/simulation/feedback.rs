@@ -39,6 +39,8 @@ const BESIDE: f64 = 1e-9;
 struct FeedbackLoop {
     name: String,
     gains: DMatrix<f64>,
+    /// Without rows if nothing is summed.
+    integral_gains: DMatrix<f64>,
     reads: DMatrix<f64>,
     first: usize,
     steps: u64,
@@ -49,7 +51,7 @@ impl Simulation {
     /// [linear law](crate::elements::Element::linear_law); `None` if none grows, or nothing is fed back.
     ///
     /// Between samples `x' = A x + B u` with u held, so `x -> e^(A h) x + (integral of e^(A s) ds) B u` (Franklin, Powell &
-    /// Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a sample `u = G C x`. The eigenvalues z
+    /// Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a sample `u = G C x + H (sum of C x T)`. The eigenvalues z
     /// of the map over a time T in which all laws begin anew are those of modes that grow by |z|. A, B and C are by
     /// differences, in still water and with prescribed motions held.
     pub fn growing_with_feedback(&mut self) -> Option<GrowingMode> {
@@ -103,9 +105,10 @@ impl Simulation {
             let effect = |input: Option<usize>| input.map_or_else(nothing, |to| self.rates_by(Changed::Input(to)));
             columns.extend(reached.into_iter().map(effect));
             let reads: Vec<DVector<f64>> = (0..size).map(|state| self.columns_by_state(steer, state)).collect();
-            let gains = DMatrix::from_fn(law.gains.len(), reads[0].len(), |i, j| law.gains[i][j]);
+            let matrix = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), reads[0].len(), |i, j| rows[i][j]);
+            let (gains, integral_gains) = (matrix(&law.gains), matrix(&law.integral_gains));
             let steps = libm::round(law.period_s / self.settings.step_s).max(1.0) as u64;
-            loops.push(FeedbackLoop { name, gains, reads: DMatrix::from_columns(&reads), first, steps });
+            loops.push(FeedbackLoop { name, gains, integral_gains, reads: DMatrix::from_columns(&reads), first, steps });
         }
         (DMatrix::from_columns(&columns), loops)
     }
@@ -161,7 +164,7 @@ struct HeldInputs {
 }
 
 impl HeldInputs {
-    /// The map of states and held inputs over the time in which all laws begin anew, and this time, s.
+    /// The map of states, held inputs and sums over the time in which all laws begin anew, and this time, s.
     fn map(&self, loops: &[&FeedbackLoop]) -> Option<(DMatrix<f64>, f64)> {
         let (n, m) = self.b.shape();
         let unit = loops.iter().fold(0, |unit, one| divisor(unit, one.steps)).max(1);
@@ -170,29 +173,46 @@ impl HeldInputs {
             (all / divisor(all, own)).checked_mul(own).filter(|all| *all <= MOST_SAMPLES)
         })?;
         let between_s = unit as f64 * self.step_s;
-        let mut rates = DMatrix::zeros(n + m, n + m);
+        let sums = if loops.iter().any(|one| one.integral_gains.nrows() > 0) { m } else { 0 };
+        let mut rates = DMatrix::zeros(n + m + sums, n + m + sums);
         rates.view_mut((0, 0), (n, n)).copy_from(&(&self.a * between_s));
         rates.view_mut((0, n), (n, m)).copy_from(&(&self.b * between_s));
         let between = exponential(rates);
-        let mut map = DMatrix::identity(n + m, n + m);
+        let mut map = DMatrix::identity(n + m + sums, n + m + sums);
         for sample in 0..samples {
             for one in loops.iter().filter(|one| sample % (one.steps / unit) == 0) {
-                let mut update = DMatrix::identity(n + m, n + m);
-                let law = &one.gains * &one.reads;
-                update.view_mut((n + one.first, 0), (law.nrows(), n)).copy_from(&law);
-                (0..law.nrows()).for_each(|k| update[(n + one.first + k, n + one.first + k)] = 0.0);
-                map = update * map;
+                map = self.sampled(one, sums) * map;
             }
             map = &between * map;
         }
-        // Inputs that no loop sets stay zero.
+        // Inputs that no loop sets stay zero, and so do sums that nothing adds to.
         for input in 0..m {
-            if !loops.iter().any(|one| (one.first..one.first + one.gains.nrows()).contains(&input)) {
-                map.column_mut(n + input).fill(0.0);
-                map.row_mut(n + input).fill(0.0);
+            let of = |one: &&&FeedbackLoop| (one.first..one.first + one.gains.nrows()).contains(&input);
+            let of = loops.iter().find(of);
+            let unset = of.is_none().then_some(n + input);
+            let unsummed = of.is_none_or(|one| one.integral_gains.nrows() == 0) && sums > 0;
+            for place in unset.into_iter().chain(unsummed.then_some(n + m + input)) {
+                map.column_mut(place).fill(0.0);
+                map.row_mut(place).fill(0.0);
             }
         }
         Some((map, samples as f64 * between_s))
+    }
+
+    /// What a sample of a loop does to states, held inputs and sums.
+    fn sampled(&self, one: &FeedbackLoop, sums: usize) -> DMatrix<f64> {
+        let (n, m) = self.b.shape();
+        let mut update = DMatrix::identity(n + m + sums, n + m + sums);
+        let mut law = &one.gains * &one.reads;
+        if one.integral_gains.nrows() > 0 {
+            let summed = &one.integral_gains * &one.reads * (one.steps as f64 * self.step_s);
+            law += &summed;
+            update.view_mut((n + m + one.first, 0), (law.nrows(), n)).copy_from(&summed);
+            (0..law.nrows()).for_each(|k| update[(n + one.first + k, n + m + one.first + k)] = 1.0);
+        }
+        update.view_mut((n + one.first, 0), (law.nrows(), n)).copy_from(&law);
+        (0..law.nrows()).for_each(|k| update[(n + one.first + k, n + one.first + k)] = 0.0);
+        update
     }
 
     /// The rate of the fastest growth with these laws, 1/s.

@@ -4,6 +4,8 @@ use crate::common;
 
 use common::simulation;
 use kingpost::Simulation;
+use kingpost::elements::CubicSpline;
+use kingpost::elements::drives::Oscillation;
 use kingpost::scenario::read;
 use serde_json::{Value, json};
 
@@ -165,6 +167,131 @@ fn feedback_is_its_law_between_samples_and_within_limits() {
     assert!((20..250).contains(&clipped), "{clipped} steps at a limit");
 }
 
+/// A feedback of position, its integral and its rate: a PID controller, with the same sums in another order.
+const PID: &str = "controllers:
+  hold:
+    state_feedback:
+      reads: [{column: slide.joint_position, reference: 0.1}, {column: slide.joint_velocity}]
+      steers: [{to: push, gains: [6, 0.5], integral_gains: [1.5, 0], lower: -0.3, upper: 0.3}]
+      period_s: 0.02
+";
+
+#[test]
+fn an_integral_is_the_sum_of_samples_and_stays_while_the_input_is_at_a_limit() {
+    let mut found = simulation(&oscillator(0.05, 0.01, 20.0, PID));
+    let (mut integral, mut action, mut waited) = (0.0, 0.0, 0);
+    for step in 0..2000 {
+        let read = ["position", "velocity"].map(|of| value(&mut found, &format!("slide.joint_{of}")));
+        if step % 2 == 0 {
+            let proportional = 6.0 * (read[0] - 0.1) + 0.5 * read[1];
+            let grown = 1.5 * (read[0] - 0.1) * 0.02;
+            let next = -(proportional + integral + grown);
+            let pushes_beyond = (next > 0.3 && grown < 0.0) || (next < -0.3 && grown > 0.0);
+            waited += usize::from(pushes_beyond);
+            integral += if pushes_beyond { 0.0 } else { grown };
+            action = (-(proportional + integral)).clamp(-0.3, 0.3);
+        }
+        found.step(1).expect("it runs");
+        let set = value(&mut found, "hold.commanded_lever");
+        assert!((set - action).abs() < 1e-13, "step {step}: {set}, not {action}");
+    }
+    assert!((5..500).contains(&waited), "{waited} samples at a limit");
+    // The spring needs 20 * 0.1 N = 0.2 of the lever: without the integral the cage would stay short of it.
+    assert!((value(&mut found, "slide.joint_position") - 0.1).abs() < 1e-3);
+}
+
+/// `m x'' + c x' + k x = -F K_I (integral of x)` is stable for `F K_I < c k / m` (Routh). The sum counts the present sample, half a
+/// period early, and its value is held, half a period late.
+#[test]
+fn the_linear_check_knows_the_integral() {
+    let (zeta, force) = (0.05, 10.0);
+    let damping = 2.0 * zeta * libm::sqrt(STIFFNESS * MASS);
+    let largest = damping * STIFFNESS / MASS / force;
+    for (share, grows) in [(0.95, false), (1.05, true)] {
+        let text = format!(
+            "controllers: {{hold: {{state_feedback: {{reads: [{{column: slide.joint_position}}], steers: [{{to: push, gains: [0], integral_gains: [{}]}}]}}}}}}\n",
+            share * largest
+        );
+        let mut found = simulation(&oscillator(zeta, 0.001, 1.0, &text));
+        let mode = found.growing_with_feedback();
+        assert_eq!(mode.is_some(), grows, "{share}: {mode:?}");
+        assert!(mode.is_none_or(|mode| mode.coordinate == "slide" && mode.because_of == ["hold"]));
+    }
+}
+
+/// A curve through four commands, repeated, with a ramp; the step is 10 ms.
+const FUNCTION: &str = "controllers: {command: {drive_function: {to: push, period_s: 0.8, ramp_s: 0.5, time_s: [0, 0.2, 0.4, 0.6], command: [0, 0.6, 0, -0.6]}}}\n";
+
+#[test]
+fn a_drive_function_adds_its_curve_at_the_middle_of_the_step_to_its_command_within_limits() {
+    let mut found = simulation(&oscillator(0.0, 0.01, 4.5, &(FUNCTION.to_owned() + MOVES)));
+    let curve = CubicSpline::periodic(vec![0.0, 0.2, 0.4, 0.6], vec![0.0, 0.6, 0.0, -0.6], 0.8);
+    let mut at_limit = 0;
+    for step in 0..400 {
+        let middle = 0.01 * f64::from(step) + 0.005;
+        found.step(1).expect("it runs");
+        let command = found.inputs().iter().find(|input| input.name == "command").expect("an input").value;
+        let x = f64::min(middle / 0.5, 1.0);
+        let ramp = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
+        let expected = (command + ramp * curve.at(middle)).clamp(-1.0, 1.0);
+        let set = value(&mut found, "command.commanded_lever");
+        assert!((set - expected).abs() < 1e-12, "step {step}: {set}, not {expected}");
+        at_limit += usize::from(set.abs() == 1.0);
+    }
+    assert!(at_limit > 0, "0.6 and 0.6 exceed the limit of the lever");
+    let off = FUNCTION.replace("{to:", "{enabled: false, to:") + MOVES;
+    let mut off = simulation(&oscillator(0.0, 0.01, 4.5, &off));
+    let mut plain = simulation(&oscillator(0.0, 0.01, 4.5, &MOVES.replace("input: command", "input: push")));
+    off.step(300).expect("it runs");
+    plain.step(300).expect("it runs");
+    let [off, plain] = [&mut off, &mut plain].map(|run| value(run, "slide.joint_position").to_bits());
+    assert_eq!(off, plain);
+}
+
+/// The force that moves the cage on `x = a s(t) sin(w t)` is `m x'' + c x' + k x`: a drive function through its values at 40 times
+/// errs by 5/384 h^4 f'''' (Hall & Meyer), 1e-4 of the force, and so does the motion.
+#[test]
+fn the_function_of_inverse_dynamics_moves_the_cage_on_its_way() {
+    let (zeta, w, amplitude) = (0.2, 2.0, 0.1);
+    let damping = 2.0 * zeta * libm::sqrt(STIFFNESS * MASS);
+    let way = |t: f64| {
+        let swing = Oscillation { coordinate: 0, amplitude, frequency_rad_s: w, phase_rad: 0.0, ramp_s: 8.0 };
+        swing.motion(kingpost::dynamics::Clock { time_s: t, middle_s: t })
+    };
+    let times: Vec<f64> = (0..=40).map(|k| 0.15 * f64::from(k)).collect();
+    let force = |t: f64| {
+        let [x, rate, acceleration] = way(t);
+        (MASS * acceleration + damping * rate + STIFFNESS * x) / 10.0
+    };
+    let commands: Vec<f64> = times.iter().map(|t| force(*t)).collect();
+    let text = format!(
+        "controllers: {{command: {{drive_function: {{to: push, time_s: {times:?}, command: {commands:?}}}}}}}\n"
+    );
+    let mut found = simulation(&oscillator(zeta, 0.001, 6.0, &text));
+    for step in 1..50 {
+        found.step(100).expect("it runs");
+        let time = 0.1 * f64::from(step);
+        let x = value(&mut found, "slide.joint_position");
+        assert!((x - way(time)[0]).abs() < 5e-4 * amplitude, "at {time} s: {x}, not {}", way(time)[0]);
+    }
+}
+
+#[test]
+fn mistakes_of_drive_functions_are_reported_with_their_place() {
+    let text = oscillator(0.0, 0.01, 1.0, FUNCTION);
+    for (field, set, expected) in [
+        ("time_s", json!([0.0, 0.2]), "time_s: found 2 of them, allowed: at least 3 times"),
+        ("command", json!([0.0]), "command: found 1 commands, allowed: 4, one for each time"),
+        ("time_s.2", json!(0.2), "time_s.2: found 0.2, allowed: more than 0.2, the time before"),
+        ("period_s", json!(0.6), "period_s: found 0.6, allowed: more than 0.6, from the first time to the last"),
+        ("to", json!("pull"), "to: found pull, allowed: "),
+        ("time_s.0", json!(-1.0), "time_s.0: "),
+    ] {
+        let found = error_of(&text, &[(&format!("controllers.command.drive_function.{field}"), set)]);
+        assert!(found.contains(&format!("controllers.command.drive_function.{expected}")), "{found}\n{expected}");
+    }
+}
+
 #[test]
 fn a_command_passes_all_controllers_in_the_step_in_which_it_is_set() {
     // The operation sets the command at once: the drive has it in the first step, and not a step later for each controller.
@@ -233,6 +360,10 @@ fn mistakes_are_reported_with_their_place_and_what_exists() {
         (
             (&*format!("{hold}.steers.0.gains"), json!([1.0])),
             "steers.0.gains: found 1 gains, allowed: 2, one for each column in reads",
+        ),
+        (
+            (&*format!("{hold}.steers.0.integral_gains"), json!([1.0, 2.0, 3.0])),
+            "steers.0.integral_gains: found 3 gains, allowed: 2, one for each column in reads",
         ),
         ((&*format!("{hold}.steers.0.upper"), json!(1.5)), "steers.0.upper: found 1.5, allowed: -1 to 1 1"),
         ((&*format!("{hold}.steers.0.lower"), json!(0.4)), "steers.0.lower: found a range of"),

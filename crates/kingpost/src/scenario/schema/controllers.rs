@@ -122,7 +122,8 @@ pub enum ShaperKind {
     Ei,
 }
 
-/// Sets inputs to `c - K (x - reference)`, within limits: c their commands, x the columns that it reads, K the gains.
+/// Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
+/// reads, K and K_I the gains.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -176,6 +177,9 @@ pub struct FeedbackSteer<S = f64> {
     pub to: SignalName,
     /// Its row of K: a gain for each column, the input's unit over the column's.
     pub gains: Vec<S>,
+    /// Its row of K_I: a gain for the integral of each column over time, the input's unit over the column's and over s.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub integral_gains: Vec<S>,
     /// The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lower: Option<S>,

@@ -240,13 +240,9 @@ fn steered<S: Quantity>(
     given: &schema::FeedbackSteer<S>,
     to: &Input,
 ) -> Result<FeedbackSteer<S>, FieldError> {
-    if given.gains.len() != feedback.reads.len() {
-        let found = format!("{} gains", given.gains.len());
-        let allowed = format!("{}, one for each column in reads", feedback.reads.len());
-        return Err(FieldError::new(format!("{field}.gains"), found, allowed));
-    }
-    for (k, gain) in given.gains.iter().enumerate() {
-        finite(&format!("{field}.gains.{k}"), *gain)?;
+    check_gains(&format!("{field}.gains"), &given.gains, feedback.reads.len())?;
+    if !given.integral_gains.is_empty() {
+        check_gains(&format!("{field}.integral_gains"), &given.integral_gains, feedback.reads.len())?;
     }
     let Input { lower, upper, .. } = *to;
     for (end, limit) in [("lower", given.lower), ("upper", given.upper)] {
@@ -261,7 +257,17 @@ fn steered<S: Quantity>(
     }
     let several = feedback.steers.len() > 1;
     let command = if several { format!("{name}.{}", to.name) } else { name.to_owned() };
-    Ok(FeedbackSteer { to: to.clone(), command, gains: given.gains.clone(), limits })
+    let (gains, integral_gains) = (given.gains.clone(), given.integral_gains.clone());
+    Ok(FeedbackSteer { to: to.clone(), command, gains, integral_gains, limits })
+}
+
+/// A row of gains: a finite one for each column.
+fn check_gains<S: Quantity>(field: &str, gains: &[S], columns: usize) -> Result<(), FieldError> {
+    if gains.len() != columns {
+        let allowed = format!("{columns}, one for each column in reads");
+        return Err(FieldError::new(field, format!("{} gains", gains.len()), allowed));
+    }
+    gains.iter().enumerate().try_for_each(|(k, gain)| finite(&format!("{field}.{k}"), *gain))
 }
 
 fn finite<S: Quantity>(field: &str, value: S) -> Result<(), FieldError> {
