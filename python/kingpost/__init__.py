@@ -37,6 +37,7 @@ __version__: str = engine.__version__
 __all__ = [
     "Accessor",
     "Batch",
+    "DriveFunctions",
     "Equilibrium",
     "Input",
     "KingpostError",
@@ -52,6 +53,7 @@ __all__ = [
     "State",
     "Study",
     "__version__",
+    "drive_functions",
     "equilibrium",
     "extremes",
     "fatigue",

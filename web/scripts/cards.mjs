@@ -32,6 +32,7 @@ const SHOTS = {
   hybrid_compensation: { time_s: 60, nearer: 1 },
   three_axis_compensation: { time_s: 60, nearer: 1 },
   level_platform: { time_s: 60, nearer: 1 },
+  load_held_by_drive_functions: { time_s: 75, nearer: 1 },
   a_frame_over_the_stern: { time_s: 30 },
   spreader_bar_lift: { time_s: 60 },
   four_leg_lift: { time_s: 90 },

@@ -120,7 +120,8 @@ def drive_functions(
     >>> import json
     >>> scenario = Scenario(json.dumps({
     ...     "version": 1, "title": "Cage", "simulation": {"step_s": 0.01, "duration_s": 4},
-    ...     "bodies": {"cage": cage}, "drives": {"push": push}, "controllers": {"f": {"drive_function": curve}},
+    ...     "bodies": {"cage": cage}, "drives": {"push": push},
+    ...     "controllers": {"f": {"drive_function": curve}},
     ... }), "cage.json")
     >>> ramp = np.linspace(0, 0.4, 401)
     >>> found = drive_functions(scenario, "f", wanted={"slide.joint_position": ramp}, from_s=1)

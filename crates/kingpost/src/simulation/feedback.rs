@@ -108,7 +108,14 @@ impl Simulation {
             let matrix = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), reads[0].len(), |i, j| rows[i][j]);
             let (gains, integral_gains) = (matrix(&law.gains), matrix(&law.integral_gains));
             let steps = libm::round(law.period_s / self.settings.step_s).max(1.0) as u64;
-            loops.push(FeedbackLoop { name, gains, integral_gains, reads: DMatrix::from_columns(&reads), first, steps });
+            loops.push(FeedbackLoop {
+                name,
+                gains,
+                integral_gains,
+                reads: DMatrix::from_columns(&reads),
+                first,
+                steps,
+            });
         }
         (DMatrix::from_columns(&columns), loops)
     }

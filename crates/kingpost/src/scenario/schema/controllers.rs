@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive, Selector, SignalName,
-    ThreeAxisCompensation, yes,
+    CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive, Selector,
+    SignalName, ThreeAxisCompensation, yes,
 };
 use crate::scenario::leaf::Leaf;
 
