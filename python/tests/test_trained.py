@@ -163,3 +163,19 @@ def test_a_mark_is_asked_for_before_copies_resume() -> None:
 def test_an_environment_without_a_policy_is_reported() -> None:
     with pytest.raises(KingpostError, match="found Kingpost/Nothing, allowed: Kingpost/AntiSway-v0"):
         trained("Kingpost/Nothing")
+
+
+@pytest.mark.parametrize(
+    ("changed", "expected"),
+    [
+        ({"every_s": 0.02}, "every_s: found 0.02, allowed: at least 0.05, the control period"),
+        ({"horizon_s": 0.02}, "horizon_s: found 0.02, allowed: at least 0.05, the control period"),
+        ({"every_s": float("nan")}, "every_s: found nan, allowed: a number greater than 0"),
+        ({"guided_s": -1}, "guided_s: found -1, allowed: 0 or more"),
+        ({"knots": 1}, "knots: found 1, allowed: 2 or more"),
+        ({"elites": 40}, "elites: found 40, allowed: 1 to 32, the candidates"),
+    ],
+)
+def test_a_plan_that_cannot_be_made_names_its_field(changed: dict, expected: str) -> None:
+    with pytest.raises(KingpostError, match=expected):
+        CrossEntropy(anti_sway(), [1.0, -0.8, 14.0, 15.0], Sampling(**changed), threads=1)

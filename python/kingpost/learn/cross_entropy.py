@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from ..errors import KingpostError
 from .acting import Policy, do_nothing
 from .episodes import Episodes
 from .task import Task
@@ -39,6 +41,15 @@ class Sampling:
         What it does not fall below.
     seed
         Seed of all that is drawn.
+
+    Raises
+    ------
+    KingpostError
+        If a number is not one that a plan can be made with.
+
+    >>> Sampling(candidates=16, elites=20)
+    Traceback (most recent call last):
+    kingpost.errors.KingpostError: elites: found 20, allowed: 1 to 16, the candidates
     """
 
     horizon_s: float = 4.0
@@ -52,6 +63,27 @@ class Sampling:
     spread: float = 0.3
     least_spread: float = 0.02
     seed: int = 1
+
+    def __post_init__(self) -> None:
+        for name in ("horizon_s", "every_s", "spread", "least_spread"):
+            if not (math.isfinite(value := getattr(self, name)) and value > 0):
+                raise KingpostError(f"{name}: found {value}, allowed: a number greater than 0")
+        if not (math.isfinite(self.guided_s) and self.guided_s >= 0):
+            raise KingpostError(f"guided_s: found {self.guided_s}, allowed: 0 or more")
+        for name, least in (("knots", 2), ("candidates", 2), ("iterations", 1), ("kept", 0)):
+            if getattr(self, name) < least:
+                raise KingpostError(f"{name}: found {getattr(self, name)}, allowed: {least} or more")
+        if not 1 <= self.elites <= self.candidates:
+            allowed = f"1 to {self.candidates}, the candidates"
+            raise KingpostError(f"elites: found {self.elites}, allowed: {allowed}")
+
+    def steps(self, name: str, control_period_s: float) -> int:
+        """The time ``horizon_s`` or ``every_s`` in control steps."""
+        steps = round(getattr(self, name) / control_period_s)
+        if steps < 1:
+            allowed = f"at least {control_period_s}, the control period"
+            raise KingpostError(f"{name}: found {getattr(self, name)}, allowed: {allowed}")
+        return steps
 
 
 class CrossEntropy:
@@ -98,6 +130,8 @@ class CrossEntropy:
     ) -> None:
         self.task, self.sampling = task, Sampling() if sampling is None else sampling
         self.guide = do_nothing(task) if guide is None else guide
+        self.hold = self.sampling.steps("every_s", task.control_period_s)
+        self.steps = self.sampling.steps("horizon_s", task.control_period_s)
         count = self.sampling.candidates
         self.copies = Episodes(task, count, threads)
         self.copies.begin({copy: np.random.default_rng(0) for copy in range(count)})
@@ -105,8 +139,6 @@ class CrossEntropy:
         self.copies.mark()
         self.random = np.random.default_rng(self.sampling.seed)
         self.taken = 0
-        self.hold = round(self.sampling.every_s / task.control_period_s)
-        self.steps = round(self.sampling.horizon_s / task.control_period_s)
         self.best = np.zeros((1, self.sampling.knots, len(task.set)))
 
     def action(self) -> np.ndarray:
