@@ -52,6 +52,14 @@ describe("the sea around the ship", () => {
     expect(SurfaceGrid.around({ ...model(3), hulls: [] })).toBeNull();
     expect(SurfaceGrid.around({ ...model(3), sea: null })).toBeNull();
   });
+
+  it("is drawn around a ship that the waves move, which has no hull's data", () => {
+    const { joints, bodies, ...rest } = { ...model(3), hulls: [] };
+    const moved = joints.map((joint) => (joint.body === "ship" ? { ...joint, kind: "moved_by_waves" } : joint));
+    const box = bodies.map((body) => (body.name === "ship" ? { ...body, shape: { kind: "box" as const, length_m: 40, width_m: 10, height_m: 4 } } : body));
+    const grid = SurfaceGrid.around({ ...rest, joints: moved, bodies: box })!;
+    expect(grid.surface(new FakeEngine(), at(0, 0)).x_m[LINES - 1]).toBeGreaterThan(400);
+  });
 });
 
 describe("how a hull floats", () => {

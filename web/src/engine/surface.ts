@@ -22,6 +22,16 @@ export interface Surface {
   elevation_m: Float64Array | Float32Array;
 }
 
+/** The ships that the water is drawn for: hulls, and boxes that the waves move; none without a sea. */
+export function shipsInTheSea({ sea, hulls, joints, bodies }: ModelInfo): { body: string; length_m: number }[] {
+  if (!sea) return [];
+  const boxes = joints.filter(({ kind }) => kind === "moved_by_waves").flatMap(({ body }) => {
+    const shape = bodies.find(({ name }) => name === body)?.shape;
+    return shape?.kind === "box" ? [{ body, length_m: shape.length_m }] : [];
+  });
+  return [...hulls.map(({ body, length_m }) => ({ body, length_m })), ...boxes];
+}
+
 /** The grid of the surface: around the hull, on lines that stay fixed while it drifts. */
 export class SurfaceGrid {
   private constructor(
@@ -30,10 +40,10 @@ export class SurfaceGrid {
     private readonly isLevel: boolean,
   ) {}
 
-  /** Null if there is no hull in a sea. */
+  /** Null if there is no ship in a sea. */
   static around(model: ModelInfo): SurfaceGrid | null {
-    if (!model.sea || model.hulls.length === 0) return null;
-    const longest = model.hulls.reduce((a, b) => (b.length_m > a.length_m ? b : a));
+    const longest = shipsInTheSea(model).sort((a, b) => b.length_m - a.length_m)[0];
+    if (!model.sea || !longest) return null;
     const body = model.bodies.findIndex(({ name }) => name === longest.body);
     return new SurfaceGrid(body, longest.length_m, model.sea.wave_components === 0);
   }

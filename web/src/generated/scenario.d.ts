@@ -3906,6 +3906,9 @@ export type Controller =
       input_shaper: InputShaper;
     }
   | {
+      drive_function: DriveFunction;
+    }
+  | {
       state_feedback: StateFeedback;
     }
   | {
@@ -5708,6 +5711,37 @@ export interface InputShaper {
    * For ei: the swing that remains at the period, as a share of that without a shaper.
    */
   tolerance?: number;
+}
+/**
+ * Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
+ * these commands, so that a load stays where it should.
+ */
+export interface DriveFunction {
+  /**
+   * Whether the function is added; if not, the command passes.
+   */
+  enabled?: boolean;
+  /**
+   * The input that it sets: of a drive, or the command of another controller.
+   */
+  to: string;
+  /**
+   * Times of the curve's points in increasing order, s.
+   */
+  time_s: number[];
+  /**
+   * The command at each time, in the SI unit of the input.
+   */
+  command: number[];
+  /**
+   * The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
+   * the first time and the last after the last.
+   */
+  period_s?: number | null;
+  /**
+   * The curve grows smoothly from 0 to its full size in the first seconds of a run; 0: it has its full size at once.
+   */
+  ramp_s?: number;
 }
 /**
  * Sets inputs to `c - K (x - reference)`, within limits: c their commands, x the columns that it reads, K the gains.

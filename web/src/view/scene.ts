@@ -4,6 +4,7 @@ import type { Aside } from "../app/aside";
 import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
+import { shipsInTheSea } from "../engine/surface";
 import { length } from "../app/format";
 import type { Highlight } from "../equations/highlight";
 import { texts } from "../texts";
@@ -98,9 +99,10 @@ function showLosses(canvas: HTMLElement, view: View): void {
 }
 
 /** The data of the water for the picture. */
-function noteOf({ sea, hulls }: ModelInfo, spacing: number): string {
+function noteOf(model: ModelInfo, spacing: number): string {
+  const { sea } = model;
   if (!sea) return texts.picture.no_water(length(spacing));
-  if (hulls.length === 0) return texts.picture.water_without_hull(length(spacing));
+  if (shipsInTheSea(model).length === 0) return texts.picture.water_without_hull(length(spacing));
   if (sea.wave_components === 0) return texts.picture.still_water;
   return texts.picture.waves(sea.wave_components);
 }

@@ -3,6 +3,7 @@ import type { Color } from "three";
 import { onPalette } from "../app/palette";
 import type { Moment } from "../app/recording/recording";
 import type { Run } from "../app/session";
+import { shipsInTheSea } from "../engine/surface";
 import type { Surface } from "../engine/surface";
 import { airOf } from "./air";
 import { Cloud } from "./cloud";
@@ -97,7 +98,7 @@ export class View {
     this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
-    this.ground.visible = run.model.sea === null || run.model.hulls.length === 0;
+    this.ground.visible = shipsInTheSea(run.model).length === 0;
     if (this.daylight.surround(!this.ground.visible)) this.detail();
     this.highlight(this.highlighted);
     this.place(frame);
