@@ -5739,12 +5739,14 @@ export interface DriveFunction {
    */
   period_s?: number | null;
   /**
-   * The curve grows smoothly from 0 to its full size in the first seconds of a run; 0: it has its full size at once.
+   * Time in which the curve grows from 0 to its full size at the start of a run, in the same way as waves in the `ramp_s` of the sea, s;
+   * 0: it has its full size at once.
    */
   ramp_s?: number;
 }
 /**
- * Sets inputs to `c - K (x - reference)`, within limits: c their commands, x the columns that it reads, K the gains.
+ * Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
+ * reads, K and K_I the gains.
  */
 export interface StateFeedback {
   /**
@@ -5794,6 +5796,10 @@ export interface FeedbackSteer {
    * Its row of K: a gain for each column, the input's unit over the column's.
    */
   gains: number[];
+  /**
+   * Its row of K_I: a gain for the integral of each column over time, the input's unit over the column's and over s.
+   */
+  integral_gains?: number[];
   /**
    * The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
    */

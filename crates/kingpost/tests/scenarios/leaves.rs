@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 42] = [
+const STRUCTURE: [&str; 44] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -216,6 +216,8 @@ const STRUCTURE: [&str; 42] = [
     ".motion_reference_unit.period_s",
     ".state_feedback.period_s",
     ".policy.period_s",
+    ".drive_function.time_s",
+    ".drive_function.period_s",
     "encoder.period_s",
     ".load_cell.period_s",
     ".satellite_receiver.period_s",
