@@ -3,7 +3,7 @@
 use super::{Declaration, Input, Output};
 
 /// What the controller commands an input of this unit to be, as a column of `label`.
-pub fn commanded(label: &str, unit: &str) -> Output {
+fn commanded(label: &str, unit: &str) -> Output {
     let (variable, description, unit): (_, _, &'static [&'static str; 1]) = match unit {
         "rad" => ("commanded_angle", "angle that a controller commands", &["rad"]),
         "m" => ("commanded_length", "length that a controller commands", &["m"]),
@@ -16,6 +16,22 @@ pub fn commanded(label: &str, unit: &str) -> Output {
     Output::number(variable, description, "controller", label, unit)
 }
 
+/// A controller that sets one input and takes its command by its own name. Its first number is the action that its output shows.
+pub fn one_command(name: &str, to: &Input) -> Declaration {
+    Declaration {
+        numbers: vec!["action".to_owned()],
+        inputs: vec![command_of(to, name)],
+        outputs: vec![commanded(name, to.unit)],
+        steers: vec![to.name.clone()],
+        ..Declaration::default()
+    }
+}
+
+/// The command of an input, by the command's name.
+fn command_of(to: &Input, name: &str) -> Input {
+    Input { name: name.to_owned(), signal: None, ..to.clone() }
+}
+
 /// A controller that passes the command of each input that it sets, by the command's name, changed by a number that it
 /// `holds` between its samples. Its numbers are those, then the actions that its outputs show.
 pub fn changed_commands<'a>(
@@ -24,10 +40,9 @@ pub fn changed_commands<'a>(
     reads: Vec<String>,
 ) -> Declaration {
     let of_each = |what: &str| steers.clone().map(|(to, _)| format!("{what}_{}", to.name)).collect::<Vec<_>>();
-    let command = |(to, command): (&Input, &str)| Input { name: command.to_owned(), signal: None, ..to.clone() };
     Declaration {
         numbers: [of_each(holds), of_each("action")].concat(),
-        inputs: steers.clone().map(command).collect(),
+        inputs: steers.clone().map(|(to, command)| command_of(to, command)).collect(),
         outputs: steers.clone().map(|(to, command)| commanded(command, to.unit)).collect(),
         reads,
         steers: steers.map(|(to, _)| to.name.clone()).collect(),

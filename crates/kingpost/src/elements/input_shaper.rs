@@ -1,6 +1,6 @@
 //! An input shaper: a command that leaves no swing behind.
 
-use super::commanded::commanded;
+use super::commanded::one_command;
 use super::{Context, Declaration, Element, Input, Own};
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
@@ -73,14 +73,10 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
 
     fn declare(&self) -> Declaration {
         let kept = (0..self.steps_kept()).map(|step| format!("command_{step}"));
-        Declaration {
-            numbers: core::iter::once("action".to_owned()).chain(kept).collect(),
-            modes: vec!["next".to_owned()],
-            inputs: vec![Input { name: self.name.clone(), signal: None, ..self.to.clone() }],
-            outputs: vec![commanded(&self.name, self.to.unit)],
-            steers: vec![self.to.name.clone()],
-            ..Declaration::default()
-        }
+        let mut declared = one_command(&self.name, &self.to);
+        declared.numbers.extend(kept);
+        declared.modes = vec!["next".to_owned()];
+        declared
     }
 
     /// The command was the same before the run.

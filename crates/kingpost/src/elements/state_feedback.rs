@@ -102,15 +102,17 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
     }
 
     fn linear_law(&self) -> Option<LinearLaw> {
-        let row = |gains: &Vec<S>| gains.iter().map(|gain| -gain.value()).collect::<Vec<_>>();
-        let gains = self.steers.iter().map(|steer| row(&steer.gains)).collect();
-        let integrates = self.steers.iter().any(|steer| !steer.integral_gains.is_empty());
-        let summed = |steer: &FeedbackSteer<S>| match steer.integral_gains.as_slice() {
-            [] => vec![0.0; self.reads.len()],
-            _ => row(&steer.integral_gains),
+        // A row that is not given is zero.
+        let row = |gains: &[S]| {
+            (0..self.reads.len()).map(|k| gains.get(k).map_or(0.0, |gain| -gain.value())).collect::<Vec<_>>()
         };
-        let integral_gains = if integrates { self.steers.iter().map(summed).collect() } else { Vec::new() };
-        self.acts.then_some(LinearLaw { gains, integral_gains, period_s: self.period_s })
+        let integrates = self.steers.iter().any(|steer| !steer.integral_gains.is_empty());
+        let integral_steers = if integrates { self.steers.as_slice() } else { &[] };
+        self.acts.then(|| LinearLaw {
+            gains: self.steers.iter().map(|steer| row(&steer.gains)).collect(),
+            integral_gains: integral_steers.iter().map(|steer| row(&steer.integral_gains)).collect(),
+            period_s: self.period_s,
+        })
     }
 
     fn passes_to(&self, command: usize) -> Option<usize> {

@@ -51,9 +51,9 @@ impl Simulation {
     /// [linear law](crate::elements::Element::linear_law); `None` if none grows, or nothing is fed back.
     ///
     /// Between samples `x' = A x + B u` with u held, so `x -> e^(A h) x + (integral of e^(A s) ds) B u` (Franklin, Powell &
-    /// Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a sample `u = G C x + H (sum of C x T)`. The eigenvalues z
-    /// of the map over a time T in which all laws begin anew are those of modes that grow by |z|. A, B and C are by
-    /// differences, in still water and with prescribed motions held.
+    /// Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a sample `u = G C x + H (sum of C x T)`.
+    /// The eigenvalues z of the map over a time in which all laws begin anew are those of modes that grow by |z|. A, B and C
+    /// are by differences, in still water and with prescribed motions held.
     pub fn growing_with_feedback(&mut self) -> Option<GrowingMode> {
         let laws = self.laws();
         if laws.is_empty() {

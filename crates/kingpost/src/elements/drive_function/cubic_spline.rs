@@ -27,17 +27,11 @@ impl<S: Scalar> CubicSpline<S> {
     pub fn from_rest_to_rest(times_s: Vec<f64>, values: Vec<S>) -> Self {
         let lengths: Vec<f64> = times_s.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let inner = slopes(&lengths, &values);
-        let outer = |length_s: Option<&f64>| length_s.copied().unwrap_or_default();
-        let ends = [outer(lengths.first()), outer(lengths.last())];
         let slopes: Vec<S> = [&[S::ZERO], inner.as_slice(), &[S::ZERO]].concat();
         let right = slopes.windows(2).map(|pair| (pair[1] - pair[0]) * S::constant(6.0)).collect();
         let before = [&[0.0], lengths.as_slice()].concat();
         let after = [lengths.as_slice(), &[0.0]].concat();
-        let mut diagonal: Vec<f64> = before.iter().zip(&after).map(|(one, other)| 2.0 * (one + other)).collect();
-        if let [first, .., last] = diagonal.as_mut_slice() {
-            [*first, *last] = ends.map(|length| 2.0 * length);
-        }
-        let curvatures = tridiagonal(&before, &diagonal, &after, right);
+        let curvatures = tridiagonal(&before, &diagonal(&before, &after), &after, right);
         Self { times_s, values, curvatures, period_s: None }
     }
 
@@ -56,11 +50,10 @@ impl<S: Scalar> CubicSpline<S> {
         let ends = times_s.iter().skip(1).copied().chain([first_s + period_s]);
         let after: Vec<f64> = times_s.iter().zip(ends).map(|(start, end)| end - start).collect();
         let before: Vec<f64> = (0..n).map(|i| after[(i + n - 1) % n]).collect();
-        let diagonal: Vec<f64> = before.iter().zip(&after).map(|(one, other)| 2.0 * (one + other)).collect();
         let closed = [values.as_slice(), &values[..1]].concat();
         let slopes = slopes(&after, &closed);
         let right = (0..n).map(|i| (slopes[i] - slopes[(i + n - 1) % n]) * S::constant(6.0)).collect();
-        let curvatures = cyclic(&before, &diagonal, &after, right);
+        let curvatures = cyclic(&before, &diagonal(&before, &after), &after, right);
         Self { times_s, values, curvatures, period_s: Some(period_s) }
     }
 
@@ -86,6 +79,11 @@ impl<S: Scalar> CubicSpline<S> {
             + self.curvatures[left] * bend(a)
             + self.curvatures[right] * bend(b)
     }
+}
+
+/// Twice the lengths on both sides of each time; an end has one.
+fn diagonal(before: &[f64], after: &[f64]) -> Vec<f64> {
+    before.iter().zip(after).map(|(one, other)| 2.0 * (one + other)).collect()
 }
 
 /// The slopes of the chords between values.

@@ -4,7 +4,7 @@ mod cubic_spline;
 
 pub use cubic_spline::CubicSpline;
 
-use super::commanded::commanded;
+use super::commanded::one_command;
 use super::{Context, Declaration, Element, Input, Own};
 use crate::scalar::Scalar;
 use crate::sea::waves::ramp;
@@ -41,13 +41,7 @@ impl<S: Scalar> Element<S> for DriveFunction<S> {
     }
 
     fn declare(&self) -> Declaration {
-        Declaration {
-            numbers: vec!["action".to_owned()],
-            inputs: vec![Input { name: self.name.clone(), signal: None, ..self.to.clone() }],
-            outputs: vec![commanded(&self.name, self.to.unit)],
-            steers: vec![self.to.name.clone()],
-            ..Declaration::default()
-        }
+        one_command(&self.name, &self.to)
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {

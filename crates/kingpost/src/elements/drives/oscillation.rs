@@ -58,14 +58,9 @@ impl<S: Scalar> Oscillation<S> {
         let position = self.amplitude * sine;
         let rate = self.amplitude * self.frequency_rad_s * cosine;
         let acceleration = -(self.frequency_rad_s * self.frequency_rad_s * position);
-        let [share, first, second] = self.ramp(clock).map(S::constant);
+        let [share, first, second] = ramp(clock.time_s, self.ramp_s).map(S::constant);
         let twice = first + first;
         [share * position, share * rate + first * position, share * acceleration + twice * rate + second * position]
-    }
-
-    /// s, and its first and second rate.
-    fn ramp(&self, clock: Clock) -> [f64; 3] {
-        if clock.middle_s >= self.ramp_s { [1.0, 0.0, 0.0] } else { ramp(clock.time_s, self.ramp_s) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::super::schema;
 use super::super::FieldError;
-use super::finite;
+use super::all_finite;
 use crate::elements::{CubicSpline, DriveFunction, Input};
 use crate::scenario::leaf::Quantity;
 
@@ -28,9 +28,7 @@ pub fn drive_function<S: Quantity>(
         let allowed = format!("more than {}, the time before", times_s[i - 1]);
         return Err(FieldError::new(field(&format!("time_s.{i}")), times_s[i], allowed));
     }
-    for (k, command) in given.command.iter().enumerate() {
-        finite(&field(&format!("command.{k}")), *command)?;
-    }
+    all_finite(&field("command"), &given.command)?;
     let lasts_s = times_s[times_s.len() - 1] - times_s[0];
     let period_s = given.period_s.map(|period| period.get());
     if let Some(period_s) = period_s.filter(|period_s| *period_s <= lasts_s) {

@@ -93,15 +93,12 @@ impl<S: Quantity> ControllerReader<'_, S> {
         (elements, layout): (&[AnyElement<S>], &Layout),
     ) -> Result<Option<AnyElement<S>>, FieldError> {
         let input = |to: &str| layout.inputs.iter().find(|input| input.name == to).cloned();
+        let only = |to: &str| input(to).ok_or_else(|| self.unknown_target(layout, &[]));
         Ok(Some(match controller {
-            Controller::InputShaper(given) => match input(&given.to) {
-                Some(to) => Box::new(self.shaper(name, given, to)?),
-                None => return Err(self.unknown_target(layout, &[])),
-            },
-            Controller::DriveFunction(given) => match input(&given.to) {
-                Some(to) => Box::new(drive_function::drive_function(name, given, to, self.step_s())?),
-                None => return Err(self.unknown_target(layout, &[])),
-            },
+            Controller::InputShaper(given) => Box::new(self.shaper(name, given, only(&given.to)?)?),
+            Controller::DriveFunction(given) => {
+                Box::new(drive_function::drive_function(name, given, only(&given.to)?, self.step_s())?)
+            }
             Controller::StateFeedback(given) => {
                 let inputs: Vec<Input> = given.steers.iter().filter_map(|steer| input(&steer.to)).collect();
                 Box::new(self.feedback(name, given, &inputs)?)
@@ -267,7 +264,11 @@ fn check_gains<S: Quantity>(field: &str, gains: &[S], columns: usize) -> Result<
         let allowed = format!("{columns}, one for each column in reads");
         return Err(FieldError::new(field, format!("{} gains", gains.len()), allowed));
     }
-    gains.iter().enumerate().try_for_each(|(k, gain)| finite(&format!("{field}.{k}"), *gain))
+    all_finite(field, gains)
+}
+
+fn all_finite<S: Quantity>(field: &str, values: &[S]) -> Result<(), FieldError> {
+    values.iter().enumerate().try_for_each(|(k, value)| finite(&format!("{field}.{k}"), *value))
 }
 
 fn finite<S: Quantity>(field: &str, value: S) -> Result<(), FieldError> {

@@ -1,7 +1,7 @@
 //! Learned policies, and selectors of controllers.
 
 use super::super::{FieldError, columns};
-use super::{ControllerReader, finite};
+use super::{ControllerReader, all_finite, finite};
 use crate::elements::{Input, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
@@ -91,13 +91,9 @@ fn layers<S: Quantity>(lead: &str, given: &schema::Policy<S>) -> Result<Vec<Poli
                 let found = format!("{} numbers", weights.len());
                 return Err(FieldError::new(format!("{field}.weights.{row}"), found, allowed));
             }
-            for (column, weight) in weights.iter().enumerate() {
-                finite(&format!("{field}.weights.{row}.{column}"), *weight)?;
-            }
+            all_finite(&format!("{field}.weights.{row}"), weights)?;
         }
-        for (row, bias) in layer.biases.iter().enumerate() {
-            finite(&format!("{field}.biases.{row}"), *bias)?;
-        }
+        all_finite(&format!("{field}.biases"), &layer.biases)?;
         numbers += outputs * (inputs + 1);
         inputs = outputs;
         layers.push(PolicyLayer { weights: layer.weights.clone(), biases: layer.biases.clone() });
