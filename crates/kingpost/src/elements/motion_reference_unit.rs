@@ -1,7 +1,7 @@
 //! A motion reference unit: a sensor of a body's motion, with its own sampling period.
 
 use super::hull::HullFrame;
-use super::sensing::{Sampler, SlowMotion};
+use super::sensing::{PositionAid, Sampler};
 use super::ticks::{Due, due};
 use super::{Components, Context, Declaration, Element, ElementState, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
@@ -25,7 +25,7 @@ pub struct MotionReferenceUnit<S = f64> {
     /// The filter of heave, of the horizontal motion and of their rates; without it they are the motion itself.
     pub heave_filter: Option<HeaveFilter<S>>,
     /// The satellite receiver that gives back the slow motion that the filter removes.
-    pub slow_motion: Option<SlowMotion<S>>,
+    pub receiver: Option<PositionAid<S>>,
 }
 
 /// Heave as a unit gives it that integrates its accelerations twice: the drift is removed by a high-pass filter,
@@ -37,6 +37,20 @@ pub struct MotionReferenceUnit<S = f64> {
 /// with w = 2 pi over the cut-off period (Godhavn, "Adaptive tuning of heave filter in motion sensor", OCEANS '98, eqs.
 /// 1-4). At the frequency omega it leads by atan2(2 zeta w omega, omega^2 - w^2). The states are the removed part a = h
 /// - y and its rate: a'' + 2 zeta w a' + w^2 a = 2 zeta w h' + w^2 h.
+///
+/// A receiver on the same body gives back the motion that the filter H removes. With the position g of the unit by it,
+///
+/// ```text
+/// y = H h + (1 - H) g,    1 - H = (2 zeta w s + w^2) / (s^2 + 2 zeta w s + w^2)
+/// ```
+///
+/// the complementary filter (Brown & Hwang, *Introduction to Random Signals and Applied Kalman Filtering*, 4th ed., 2012,
+/// sec. 8.10): of an exact g it makes y = h, whatever H, and it keeps fast errors of g and slow errors of h out. Its states
+/// are the given back part b and c = b' - 2 zeta w g:
+///
+/// ```text
+/// b' = c + 2 zeta w g,    c' = w^2 (g - b) - 2 zeta w b'
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct HeaveFilter<S = f64> {
     /// w, rad/s.
@@ -48,7 +62,8 @@ pub struct HeaveFilter<S = f64> {
 /// Roll, pitch, heave, heave rate, angular velocity; then what a unit with horizontal motion adds.
 const COUNT: usize = 12;
 const VERTICAL_ONLY: usize = 7;
-const KEPT: [&str; COUNT] =
+/// Names of the signals of a motion, in the order of its outputs.
+pub(super) const KEPT: [&str; COUNT] =
     ["roll", "pitch", "heave", "heave_rate", "x_rate", "y_rate", "z_rate", "x", "x_velocity", "y", "y_velocity", "yaw"];
 /// The axes with a filter in the order of its states: z, then x and y.
 const FILTERED: [&str; 3] = ["heave", "x", "y"];
@@ -59,40 +74,19 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let number = |variable, description, unit| Output::number(variable, description, "sensor", &self.name, unit);
-        let angular_velocity = Output {
-            components: Components::Axis,
-            frame: VectorFrame::Body,
-            ..number("measured_angular_velocity", "measured angular velocity of a sensor's body", &["rad/s"])
-        };
-        let parts = self.heave_filter.iter().map(|_| "removed").chain(self.slow_motion.iter().map(|_| "restored"));
+        let parts = self.heave_filter.iter().map(|_| "removed").chain(self.receiver.iter().map(|_| "restored"));
         let states = parts.flat_map(|part| {
             FILTERED[..self.filtered()].iter().flat_map(move |axis| {
                 let rate = format!("{part}_{axis}_rate");
                 [ElementState::memory(format!("{part}_{axis}"), "m"), ElementState::memory(rate, "m/s")]
             })
         });
-        let mut outputs = vec![
-            number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
-            number("measured_pitch", "measured pitch of a sensor's body, positive bow down", &["rad"]),
-            number("measured_heave", "measured height of a sensor above its height at the start", &["m"]),
-            number("measured_heave_rate", "measured vertical velocity of a sensor", &["m/s"]),
-            angular_velocity,
-        ];
-        if self.horizontal {
-            outputs.extend([
-                number("measured_x", "measured displacement of a sensor along x of the world from the start", &["m"]),
-                number("measured_x_velocity", "measured velocity of a sensor along x of the world", &["m/s"]),
-                number("measured_y", "measured displacement of a sensor along y of the world from the start", &["m"]),
-                number("measured_y_velocity", "measured velocity of a sensor along y of the world", &["m/s"]),
-                number("measured_yaw", "measured yaw of a sensor's body, positive bow to port", &["rad"]),
-            ]);
-        }
-        let mut declaration = self.sampler.declaration(&self.name, &KEPT[..self.sampler.count()], outputs);
-        let kept = [&ZEROS].into_iter().chain(self.slow_motion.iter().flat_map(|_| [&FIXES, &FIX_RATES, &FIRST_FIXES]));
+        let mut declaration =
+            self.sampler.declaration(&self.name, &KEPT[..self.sampler.count()], motion(&self.name, self.horizontal));
+        let kept = [&ZEROS].into_iter().chain(self.receiver.iter().flat_map(|_| [&FIXES, &FIX_RATES, &FIRST_FIXES]));
         declaration.numbers.extend(kept.flat_map(|names| &names[..self.filtered()]).map(ToString::to_string));
-        declaration.modes.extend(self.slow_motion.iter().map(|_| "next_fix".to_owned()));
-        let reads = self.slow_motion.iter().flat_map(SlowMotion::columns).collect();
+        declaration.modes.extend(self.receiver.iter().map(|_| "next_fix".to_owned()));
+        let reads = self.receiver.iter().flat_map(PositionAid::columns).collect();
         Declaration { states: states.collect(), reads, ..declaration }
     }
 
@@ -121,7 +115,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
             rates[0] = state[1];
             rates[1] = damping * (exact[*velocity] - state[1]) + stiffness * (exact[*place] - state[0]);
         }
-        for axis in (0..count).filter(|_| self.slow_motion.is_some()) {
+        for axis in (0..count).filter(|_| self.receiver.is_some()) {
             let (rates, state, fix) =
                 (&mut of_restored[2 * axis..], &restored[2 * axis..], self.given(at, numbers, axis));
             rates[0] = state[1] + damping * fix;
@@ -138,14 +132,14 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         own: &mut Own<'_, S>,
         _inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let Some(slow) = &self.slow_motion else { return Ok(Vec::new()) };
+        let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
         let (next, count, kept) = (own.modes.len() - 1, self.filtered(), self.sampler.numbers());
-        let Some(Due { is_first, .. }) = due(at.clock.time_s, slow.period_s, &mut own.modes[next]) else {
+        let Some(Due { is_first, .. }) = due(at.clock.time_s, receiver.period_s, &mut own.modes[next]) else {
             return Ok(Vec::new());
         };
         let found = self.measured(at, &own.numbers[kept..], own.states);
-        let delivers = is_first || slow.delivers(read);
-        let fix = self.fix(slow, at.clock.time_s, read, &found);
+        let delivers = is_first || receiver.delivers(read);
+        let fix = self.fix(receiver, at.clock.time_s, read, &found);
         let numbers = &mut own.numbers[kept..];
         for axis in 0..count {
             let [place, velocity] = PAIRS[axis].map(|signal| found[signal]);
@@ -178,6 +172,33 @@ const ZEROS: [&str; 3] = ["zero_height", "zero_x", "zero_y"];
 const FIXES: [&str; 3] = ["fix_height", "fix_x", "fix_y"];
 const FIX_RATES: [&str; 3] = ["fix_height_rate", "fix_x_rate", "fix_y_rate"];
 const FIRST_FIXES: [&str; 3] = ["first_fix_height", "first_fix_x", "first_fix_y"];
+
+/// The outputs of a measured motion, by all units alike.
+pub(super) fn motion(sensor: &str, horizontal: bool) -> Vec<Output> {
+    let number = |variable, description, unit| Output::number(variable, description, "sensor", sensor, unit);
+    let angular_velocity = Output {
+        components: Components::Axis,
+        frame: VectorFrame::Body,
+        ..number("measured_angular_velocity", "measured angular velocity of a sensor's body", &["rad/s"])
+    };
+    let mut outputs = vec![
+        number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
+        number("measured_pitch", "measured pitch of a sensor's body, positive bow down", &["rad"]),
+        number("measured_heave", "measured height of a sensor above its height at the start", &["m"]),
+        number("measured_heave_rate", "measured vertical velocity of a sensor", &["m/s"]),
+        angular_velocity,
+    ];
+    if horizontal {
+        outputs.extend([
+            number("measured_x", "measured displacement of a sensor along x of the world from the start", &["m"]),
+            number("measured_x_velocity", "measured velocity of a sensor along x of the world", &["m/s"]),
+            number("measured_y", "measured displacement of a sensor along y of the world from the start", &["m"]),
+            number("measured_y_velocity", "measured velocity of a sensor along y of the world", &["m/s"]),
+            number("measured_yaw", "measured yaw of a sensor's body, positive bow to port", &["rad"]),
+        ]);
+    }
+    outputs
+}
 
 impl<S: Scalar> HeaveFilter<S> {
     /// 2 zeta w, 1/s.
@@ -219,7 +240,7 @@ impl<S: Scalar> MotionReferenceUnit<S> {
         for (axis, [place, velocity]) in PAIRS[..count].iter().enumerate() {
             all[*place] -= states[2 * axis];
             all[*velocity] -= states[2 * axis + 1];
-            if self.slow_motion.is_some() {
+            if self.receiver.is_some() {
                 let restored = &states[2 * (count + axis)..];
                 all[*place] += restored[0];
                 all[*velocity] += restored[1] + filter.damping() * self.given(at, numbers, axis);
@@ -231,16 +252,16 @@ impl<S: Scalar> MotionReferenceUnit<S> {
     /// g of an axis, which has moved on since the last position of the receiver, m.
     fn given(&self, at: &Context<'_, S>, numbers: &[S], axis: usize) -> S {
         let (count, next) = (self.filtered(), at.modes.last().copied().unwrap_or_default());
-        let since_s = self.slow_motion.as_ref().map_or(0.0, |slow| slow.since_fix_s(at.clock.time_s, next));
+        let since_s = self.receiver.as_ref().map_or(0.0, |receiver| receiver.since_fix_s(at.clock.time_s, next));
         numbers[count + axis] + S::constant(since_s) * numbers[2 * count + axis]
     }
 
     /// Where the unit is by a receiver, world axes, by the angles that it measures with their errors.
-    fn fix(&self, slow: &SlowMotion<S>, time_s: f64, read: &[S], found: &[S; COUNT]) -> Vector3<S> {
+    fn fix(&self, receiver: &PositionAid<S>, time_s: f64, read: &[S], found: &[S; COUNT]) -> Vector3<S> {
         let with_errors = |signal: usize| self.sampler.now(time_s, signal, found[signal]);
         let yaw = if self.horizontal { with_errors(COUNT - 1) } else { S::ZERO };
         let rotation = rotation_from_roll_pitch_yaw(Vector3([with_errors(0), with_errors(1), yaw]));
         let velocity = Vector3([found[8], found[10], found[3]]);
-        slow.fix(read, (rotation, Vector3([4, 5, 6].map(with_errors))), velocity)
+        receiver.fix(read, (rotation, Vector3([4, 5, 6].map(with_errors))), velocity)
     }
 }

@@ -5,6 +5,7 @@ use super::{Simulation, stage};
 use crate::elements::{LinearLaw, Situation};
 use crate::integrate::Stage;
 use crate::results::Sample;
+use crate::spatial::exponential;
 use core::f64::consts::{PI, TAU};
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
@@ -26,8 +27,6 @@ pub struct GrowingMode {
 const SLOWEST_GROWTH: f64 = 1e-3;
 /// A law is the reason if without it nothing grows at more than this share of the rate.
 const SHARE: f64 = 0.5;
-/// Largest norm of A times a sampling period: beyond it the matrix exponential is rounding noise.
-const LARGEST_NORM: f64 = 1e9;
 /// Most samples after which all laws sample at once again.
 const MOST_SAMPLES: u64 = 1000;
 /// Iterations of the search for eigenvalues.
@@ -252,30 +251,6 @@ fn vector(map: &DMatrix<f64>, value: Complex<f64>) -> DVector<Complex<f64>> {
         found = next.unscale(size);
     }
     found
-}
-
-/// The exponential of a matrix by Taylor's series of a small part of it, squared again (Moler & Van Loan, "Nineteen dubious
-/// ways to compute the exponential of a matrix", *SIAM Review* 45(1), 2003, method 3): to rounding with 18 terms up to a norm
-/// of 1/2.
-fn exponential(matrix: DMatrix<f64>) -> DMatrix<f64> {
-    let n = matrix.nrows();
-    let norm = matrix.norm();
-    if !norm.is_finite() || norm > LARGEST_NORM {
-        return DMatrix::from_element(n, n, f64::NAN);
-    }
-    let (mut small, mut squarings) = (matrix, 0);
-    while small.norm() > 0.5 {
-        small *= 0.5;
-        squarings += 1;
-    }
-    let mut term = DMatrix::identity(n, n);
-    let mut sum = term.clone();
-    for k in 1..=18 {
-        term = &term * &small / f64::from(k);
-        sum += &term;
-    }
-    (0..squarings).for_each(|_| sum = &sum * &sum);
-    sum
 }
 
 /// Greatest common divisor.

@@ -4,6 +4,7 @@
 //! doi 10.1115/1.4042536. Spatial quantities are body components about the body's centre of mass,
 //! angular part first.
 
+mod exponential;
 mod frame;
 mod inertia;
 mod matrix;
@@ -13,11 +14,14 @@ mod rotation;
 mod twist;
 mod vector;
 
+pub use exponential::exponential;
 pub use frame::Frame;
 pub use inertia::SpatialInertia;
 pub use matrix::{Matrix3, Symmetric3};
 pub use quaternion::Quaternion;
 pub use rigid_inertia::RigidInertia;
-pub use rotation::{dexp_inverse_body, exp, hat, log, roll_pitch_yaw, rotation_from_roll_pitch_yaw, vee};
+pub use rotation::{
+    dexp_inverse_body, exp, hat, log, log_of_part_turn, roll_pitch_yaw, rotation_from_roll_pitch_yaw, vee,
+};
 pub use twist::{Twist, Wrench};
 pub use vector::Vector3;

@@ -75,6 +75,24 @@ pub fn log(r: &Matrix3<f64>) -> Vector3<f64> {
     axis * (sign * angle / axis.norm())
 }
 
+/// The same for a turn well below half of one, with derivatives: `t / sin(t)` times the skew part.
+pub fn log_of_part_turn<S: Scalar>(r: &Matrix3<S>) -> Vector3<S> {
+    let (sine_axis, c) = (vee(r), S::constant);
+    let square = sine_axis.norm_squared();
+    let cosine = (r.0[0][0] + r.0[1][1] + r.0[2][2] - S::ONE) * c(0.5);
+    let scale = square.select_below(
+        SERIES_LIMIT,
+        || {
+            c(1.0)
+                + square
+                    * (c(1.0 / 6.0)
+                        + square * (c(3.0 / 40.0) + square * (c(15.0 / 336.0) + square * c(105.0 / 3456.0))))
+        },
+        || square.sqrt().atan2(cosine) / square.sqrt(),
+    );
+    sine_axis * scale
+}
+
 /// Rate of the rotation vector `a` when `R = R0 exp(hat(a))` turns with angular velocity `omega`
 /// in body components: `a' = omega + a x omega / 2 + c a x (a x omega)` with
 /// `c = (1 - t/2 cot(t/2)) / t^2` (Munthe-Kaas 1998; Iserles et al. 2000, eq. B.11, in body form).
@@ -126,6 +144,7 @@ mod tests {
             assert!(distance(&(r * r.transpose()), &Matrix3::identity()) < 1e-15);
             assert!((r.determinant() - 1.0).abs() < 1e-15);
             assert!((log(&r) - a).norm() < 1e-14);
+            assert!((log_of_part_turn(&r) - a).norm() < 1e-14);
         }
     }
 

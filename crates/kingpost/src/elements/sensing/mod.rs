@@ -3,13 +3,13 @@
 mod encoder;
 mod errors;
 mod load_cell;
+mod position_aid;
 mod sampler;
 mod satellite_receiver;
-mod slow_motion;
 
 pub use encoder::Encoder;
 pub use errors::{DropOuts, SensorNoise, SignalErrors};
 pub use load_cell::LoadCell;
+pub use position_aid::PositionAid;
 pub use sampler::Sampler;
 pub use satellite_receiver::SatelliteReceiver;
-pub use slow_motion::SlowMotion;

@@ -37,6 +37,11 @@ impl<S: Scalar> Sampler<S> {
         self.count() * (1 + self.delay_samples)
     }
 
+    /// Number of its modes: those of the element begin after them.
+    pub fn modes(&self) -> usize {
+        self.status_mode() + usize::from(self.drop_outs.is_some())
+    }
+
     /// The declaration of a sensor of this name with these signals and outputs, its status behind them if it can drop out.
     pub fn declaration(&self, name: &str, signals: &[&str], outputs: Vec<Output>) -> Declaration {
         Declaration {
@@ -118,7 +123,8 @@ impl<S: Scalar> Sampler<S> {
         self.with_errors(signal, value, self.sample_at(time_s))
     }
 
-    fn sample_at(&self, time_s: f64) -> u64 {
+    /// The number of the sample at a time.
+    pub fn sample_at(&self, time_s: f64) -> u64 {
         libm::round(time_s / self.period_s) as u64
     }
 

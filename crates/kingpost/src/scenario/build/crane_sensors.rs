@@ -157,6 +157,11 @@ pub fn of_rate<S: Quantity>(given: &schema::RateErrors<S>) -> SignalErrors<S> {
     SignalErrors { noise, bias: given.bias_rad_s, resolution }
 }
 
+pub fn of_acceleration<S: Quantity>(given: &schema::AccelerationErrors<S>) -> SignalErrors<S> {
+    let (noise, resolution) = (given.noise_m_s2.get(), given.resolution_m_s2.get());
+    SignalErrors { noise, bias: given.bias_m_s2, resolution }
+}
+
 fn of_force<S: Quantity>(given: &schema::ForceErrors<S>) -> SignalErrors<S> {
     let (noise, resolution) = (given.noise_n.get(), given.resolution_n.get());
     SignalErrors { noise, bias: given.bias_n, resolution }

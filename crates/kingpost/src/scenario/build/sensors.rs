@@ -4,8 +4,9 @@ use super::super::schema::{self, Drive, Scenario, Sensor};
 use super::damping::{from_centre, rigid};
 use super::{FieldError, clearances, crane_sensors};
 use crate::elements::hull::HullFrame;
-use crate::elements::sensing::SlowMotion;
-use crate::elements::{AnyElement, HeaveFilter, Layout, MotionReferenceUnit};
+use crate::elements::inertial_unit::{Assumed, Design, Instruments};
+use crate::elements::sensing::PositionAid;
+use crate::elements::{AnyElement, HeaveFilter, InertialUnit, Layout, MotionReferenceUnit};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
@@ -21,6 +22,7 @@ pub fn build<S: Quantity>(
     for (name, sensor) in &scenario.sensors {
         sensors.extend(match sensor {
             Sensor::MotionReferenceUnit(given) => motion_reference_unit(scenario, name, given, model)?,
+            Sensor::InertialUnit(given) => inertial_unit(scenario, name, given, model)?,
             Sensor::Encoder(given) => crane_sensors::encoder(scenario, name, given, model)?,
             Sensor::LinearEncoder(given) => crane_sensors::linear_encoder(scenario, name, given, model)?,
             Sensor::LoadCell(given) => crane_sensors::load_cell(scenario, name, given, elements)?,
@@ -50,8 +52,9 @@ fn motion_reference_unit<S: Quantity>(
     let sampling = (given.period_s, given.delay_samples);
     let sampler = crane_sensors::sampler(scenario, [name, "motion_reference_unit"], errors, sampling, given.drop_outs)?;
     let receiver = given.heave_filter.as_ref().and_then(|filter| filter.receiver.as_ref());
-    let slow_motion = receiver.map(|receiver| slow_motion(scenario, &field("heave_filter.receiver"), receiver, given));
-    let slow_motion = slow_motion.transpose()?;
+    let on = (&given.body, given.position_m);
+    let receiver = receiver.map(|receiver| position_aid(scenario, &field("heave_filter.receiver"), receiver, on));
+    let receiver = receiver.transpose()?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     let heave_filter = given.heave_filter.as_ref().map(|filter| HeaveFilter {
         cutoff: S::constant(core::f64::consts::TAU) / filter.cutoff_period_s.get(),
@@ -60,16 +63,60 @@ fn motion_reference_unit<S: Quantity>(
     let place = HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) };
     let horizontal = given.horizontal_motion;
     let name = name.to_owned();
-    Ok(Some(Box::new(MotionReferenceUnit { name, place, horizontal, sampler, heave_filter, slow_motion })))
+    Ok(Some(Box::new(MotionReferenceUnit { name, place, horizontal, sampler, heave_filter, receiver })))
 }
 
-/// The receiver that gives a unit its slow motion.
-fn slow_motion<S: Quantity>(
+fn inertial_unit<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::InertialUnit<S>,
+    model: &Model<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let field = |rest: &str| format!("sensors.{name}.inertial_unit.{rest}");
+    rigid(scenario, field("body"), &given.body)?;
+    let sampling = (given.period_s, given.delay_samples);
+    let errors = vec![None; InertialUnit::<S>::SIGNALS];
+    let sampler = crane_sensors::sampler(scenario, [name, "inertial_unit"], errors, sampling, given.drop_outs)?;
+    let on = (&given.body, given.position_m);
+    let receiver = given.receiver.as_ref().map(|receiver| position_aid(scenario, &field("receiver"), receiver, on));
+    let receiver = receiver.transpose()?;
+    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
+    let filter = &given.filter;
+    let least = 4.0 * sampler.period_s;
+    if filter.wave_period_s.get() < least {
+        let allowed = format!("at least four times period_s, {least} s");
+        return Err(FieldError::new(field("filter.wave_period_s"), filter.wave_period_s.get(), allowed));
+    }
+    let design = Design::new(&Assumed {
+        period_s: sampler.period_s,
+        acceleration_noise: filter.acceleration_noise_m_s2.get(),
+        rate_noise: filter.rate_noise_rad_s.get(),
+        heading_noise: filter.heading_noise_rad.get(),
+        motion_m: filter.wave_motion_m.get(),
+        motion_period_s: filter.wave_period_s.get(),
+        receiver: receiver.as_ref().map(|receiver| [receiver.period_s, filter.position_noise_m.get()]),
+    });
+    if !design.is_finite() {
+        let allowed = "noises and waves from which gains of finite size follow";
+        return Err(FieldError::new(field("filter"), "numbers too far apart", allowed));
+    }
+    let instruments = Instruments {
+        acceleration: given.acceleration_errors.as_ref().map(crane_sensors::of_acceleration),
+        rate: given.rate_errors.as_ref().map(crane_sensors::of_rate),
+        heading: given.heading_errors.as_ref().map(crane_sensors::of_angle),
+    };
+    let place = HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) };
+    let name = name.to_owned();
+    Ok(Some(Box::new(InertialUnit { name, place, instruments, sampler, design, receiver })))
+}
+
+/// The receiver that helps a unit at a point of a body.
+fn position_aid<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     name: &str,
-    unit: &schema::MotionReferenceUnit<S>,
-) -> Result<SlowMotion<S>, FieldError> {
+    (body, position_m): (&schema::Name, [S; 3]),
+) -> Result<PositionAid<S>, FieldError> {
     let enabled = scenario.sensors.iter().filter_map(|(name, sensor)| match sensor {
         Sensor::SatelliteReceiver(receiver) if receiver.enabled => Some((name.as_str(), receiver)),
         _ => None,
@@ -79,13 +126,13 @@ fn slow_motion<S: Quantity>(
         let names: Vec<&str> = receivers.iter().map(|(name, _)| *name).collect();
         return Err(FieldError::new(field, name, allowed(&names, name, "a satellite receiver that is enabled")));
     };
-    if receiver.body != unit.body {
+    if receiver.body != *body {
         let found = format!("{name}, which is on {}", receiver.body);
-        return Err(FieldError::new(field, found, format!("a satellite receiver on {}", unit.body)));
+        return Err(FieldError::new(field, found, format!("a satellite receiver on {body}")));
     }
-    let [unit, antenna] = [unit.position_m, receiver.position_m].map(Vector3);
+    let [unit, antenna] = [position_m, receiver.position_m].map(Vector3);
     let period_s = receiver.period_s.get();
-    Ok(SlowMotion {
+    Ok(PositionAid {
         receiver: name.to_owned(),
         arm: antenna - unit,
         period_s,

@@ -27,7 +27,8 @@ pub struct HeaveCompensation<S = f64> {
     /// The controlled drive of the rope's drum, or of a joint that moves sheaves between drum and tip: the slide of a
     /// compensation cylinder. Its set-point is a speed, which counts as the operator's.
     pub drive: Name,
-    /// The motion reference unit that it measures the tip's motion by; without it, it knows that motion exactly and at once.
+    /// The motion reference unit or inertial unit that it measures the tip's motion by; without it, it knows that motion exactly and
+    /// at once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.

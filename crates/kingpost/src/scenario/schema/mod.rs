@@ -20,6 +20,7 @@ mod gusts;
 mod heave_compensation;
 mod histories;
 mod hydrodynamics;
+mod inertial_unit;
 mod integrators;
 mod joints;
 mod joints_of_several_axes;
@@ -87,6 +88,7 @@ pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
 pub use heave_compensation::{HeaveCompensation, HeavePrediction};
 pub use histories::{AngleOscillation, AngleTravel, History, HistoryList, LengthOscillation, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
+pub use inertial_unit::{InertialFilter, InertialUnit};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
@@ -102,7 +104,9 @@ pub use ropes::{
     CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
 };
 pub use sea::Sea;
-pub use sensor_errors::{AngleErrors, DropOuts, ForceErrors, LengthErrors, RateErrors, SpeedErrors};
+pub use sensor_errors::{
+    AccelerationErrors, AngleErrors, DropOuts, ForceErrors, LengthErrors, RateErrors, SpeedErrors,
+};
 pub use sensors::{HeaveFilter, MotionReferenceUnit, Sensor, Wire};
 pub use sensors_of_the_crane::{Encoder, LinearEncoder, LoadCell, RopeEnd, SatelliteReceiver};
 pub use slack_tank::SlackTank;

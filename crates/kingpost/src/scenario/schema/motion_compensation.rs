@@ -30,8 +30,8 @@ pub struct ThreeAxisCompensation<S = f64> {
     pub drive: Name,
     /// The controlled drives that move the tip: of slewing, luffing, knuckle, telescope. At least two.
     pub joints: Vec<CompensationDrive>,
-    /// The motion reference unit, with horizontal motion, that it measures the tip's motion by; without it, it knows that
-    /// motion exactly and at once.
+    /// The motion reference unit with horizontal motion, or the inertial unit, that it measures the tip's motion by; without it,
+    /// it knows that motion exactly and at once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.
@@ -75,8 +75,8 @@ pub struct PlatformCompensation<S = f64> {
     pub position_m: [S; 3],
     /// The controlled drives that move it. At least three.
     pub joints: Vec<CompensationDrive>,
-    /// The motion reference unit, on the ship, that it measures the motion by; without it, it knows the motion exactly and at
-    /// once.
+    /// The motion reference unit or inertial unit, on the ship, that it measures the motion by; without it, it knows the motion
+    /// exactly and at once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.

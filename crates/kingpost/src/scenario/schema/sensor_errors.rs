@@ -80,6 +80,27 @@ pub struct SpeedErrors<S = f64> {
     pub resolution_m_s: NonNegative,
 }
 
+/// Errors of a measured acceleration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AccelerationErrors", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AccelerationErrors<S = f64> {
+    /// Standard deviation of its white noise in a sample, m/s^2: the density per root hertz over the root of twice the
+    /// period.
+    #[serde(default)]
+    pub noise_m_s2: NonNegative<S>,
+    /// Constant error, m/s^2.
+    #[serde(default)]
+    pub bias_m_s2: S,
+    /// Smallest step, m/s^2; 0 is none. Derivatives do not go through it.
+    #[serde(default)]
+    pub resolution_m_s2: NonNegative,
+}
+
 /// Errors of a measured angular velocity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    AirGap, AngleErrors, Clearance, DropOuts, Encoder, LengthErrors, LinearEncoder, LoadCell, Name, Positive,
-    RateErrors, SatelliteReceiver, SignalName, SpeedErrors, yes,
+    AirGap, AngleErrors, Clearance, DropOuts, Encoder, InertialUnit, LengthErrors, LinearEncoder, LoadCell, Name,
+    Positive, RateErrors, SatelliteReceiver, SignalName, SpeedErrors, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -19,6 +19,8 @@ use crate::scenario::leaf::Leaf;
 pub enum Sensor<S = f64> {
     /// Roll, pitch, heave, heave rate and angular velocity at a point of a body.
     MotionReferenceUnit(Box<MotionReferenceUnit<S>>),
+    /// Attitude and motion of a point of a body, by accelerometers and gyroscopes.
+    InertialUnit(Box<InertialUnit<S>>),
     /// The angle of a joint.
     Encoder(Encoder<S>),
     /// The extension of a joint.

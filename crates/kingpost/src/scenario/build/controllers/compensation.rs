@@ -5,7 +5,9 @@ use super::super::FieldError;
 use super::hoists::{hung, named};
 use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
 use crate::elements::drives::ControlledDrive;
-use crate::elements::{AnyElement, HeaveCompensation, MotionReferenceUnit, of_kind};
+use crate::elements::hull::HullFrame;
+use crate::elements::sensing::Sampler;
+use crate::elements::{AnyElement, HeaveCompensation, InertialUnit, MotionReferenceUnit, of_kind};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 
@@ -54,7 +56,7 @@ pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -
 
 /// What a compensation knows the motion by.
 pub struct MotionSource<'a, S> {
-    /// The motion reference unit.
+    /// The unit.
     pub sensor: Option<&'a schema::Name>,
     /// Whether it has to measure horizontal motion.
     pub horizontal: bool,
@@ -62,19 +64,63 @@ pub struct MotionSource<'a, S> {
     pub prediction: Option<&'a schema::HeavePrediction<S>>,
 }
 
-/// The motion reference unit of a compensation, if it has one.
-pub fn unit<'a, S: Quantity>(
+/// The unit of a compensation: a motion reference unit or an inertial unit.
+pub struct MotionUnit<S> {
+    name: String,
+    /// Its body and place.
+    pub place: HullFrame<S>,
+    horizontal: bool,
+    has_status: bool,
+    /// Age of its outputs, s.
+    age_s: f64,
+    /// The cut-off frequency (rad/s) and damping ratio of the filter of its heave, unless it removes nothing.
+    high_pass: Option<[S; 2]>,
+}
+
+impl<S: Quantity> MotionUnit<S> {
+    fn new(name: &str, (place, horizontal): (HullFrame<S>, bool), sampler: &Sampler<S>) -> Self {
+        let age_s = sampler.period_s * sampler.delay_samples as f64;
+        Self {
+            name: name.to_owned(),
+            place,
+            horizontal,
+            has_status: sampler.drop_outs.is_some(),
+            age_s,
+            high_pass: None,
+        }
+    }
+}
+
+impl<S: Quantity> From<&MotionReferenceUnit<S>> for MotionUnit<S> {
+    fn from(unit: &MotionReferenceUnit<S>) -> Self {
+        // One that a satellite receiver helps removes nothing.
+        let filter = unit.heave_filter.filter(|_| unit.receiver.is_none());
+        let high_pass = filter.map(|filter| [filter.cutoff, filter.damping_ratio]);
+        Self { high_pass, ..Self::new(&unit.name, (unit.place, unit.horizontal), &unit.sampler) }
+    }
+}
+
+impl<S: Quantity> From<&InertialUnit<S>> for MotionUnit<S> {
+    fn from(unit: &InertialUnit<S>) -> Self {
+        Self::new(&unit.name, (unit.place, true), &unit.sampler)
+    }
+}
+
+/// The unit of a compensation, if it has one.
+pub fn unit<S: Quantity>(
     lead: &str,
     source: &MotionSource<'_, S>,
-    elements: &'a [AnyElement<S>],
-) -> Result<Option<&'a MotionReferenceUnit<S>>, FieldError> {
+    elements: &[AnyElement<S>],
+) -> Result<Option<MotionUnit<S>>, FieldError> {
     let Some(sensor) = source.sensor else { return Ok(None) };
     let field = format!("{lead}.sensor");
-    let built = of_kind::<S, MotionReferenceUnit<S>>(elements).map(|unit| (unit.name.as_str(), unit)).collect();
-    let unit = named(&field, sensor, (built, "a motion reference unit"))?;
+    let units = of_kind::<S, MotionReferenceUnit<S>>(elements).map(|unit| (unit.name.as_str(), MotionUnit::from(unit)));
+    let inertial = of_kind::<S, InertialUnit<S>>(elements).map(|unit| (unit.name.as_str(), MotionUnit::from(unit)));
+    let unit = named(&field, sensor, (units.chain(inertial).collect(), "a motion reference unit or an inertial unit"))?;
     if source.horizontal && !unit.horizontal {
         let found = format!("{}, which measures no horizontal motion", sensor.as_str());
-        return Err(FieldError::new(field, found, "a motion reference unit with horizontal_motion: true"));
+        let allowed = "a motion reference unit with horizontal_motion: true, or an inertial unit";
+        return Err(FieldError::new(field, found, allowed));
     }
     Ok(Some(unit))
 }
@@ -89,12 +135,12 @@ pub fn estimator<S: Quantity>(
     let unit = unit(lead, source, elements)?;
     let responses: Vec<S> = drives.iter().map(|drive| drive.response_time).collect();
     let field = format!("{lead}.prediction");
-    let prediction = source.prediction.map(|with| prediction(&field, with, period_s, (unit, &responses)));
+    let prediction = source.prediction.map(|with| prediction(&field, with, period_s, (unit.as_ref(), &responses)));
     let measurement = unit.map_or(Measurement::Ideal, |unit| Measurement::Unit {
-        name: unit.name.clone(),
+        name: unit.name,
         place: unit.place,
         horizontal: unit.horizontal,
-        has_status: unit.sampler.drop_outs.is_some(),
+        has_status: unit.has_status,
     });
     Ok(Estimator { measurement, prediction: prediction.transpose()?, period_s })
 }
@@ -103,7 +149,7 @@ fn prediction<S: Quantity>(
     field: &str,
     given: &schema::HeavePrediction<S>,
     period_s: f64,
-    (unit, responses_s): (Option<&MotionReferenceUnit<S>>, &[S]),
+    (unit, responses_s): (Option<&MotionUnit<S>>, &[S]),
 ) -> Result<Prediction<S>, FieldError> {
     let (shortest, longest) = (given.shortest_period_s.get(), given.longest_period_s.get());
     if shortest < 4.0 * period_s {
@@ -121,11 +167,9 @@ fn prediction<S: Quantity>(
         sampling_period_s: period_s,
     };
     let bank = FilterBank::new(band);
-    let age = unit.map_or(0.0, |unit| unit.sampler.period_s * unit.sampler.delay_samples as f64);
-    // A unit that a satellite receiver helps removes nothing.
-    let filter = unit.filter(|unit| unit.slow_motion.is_none()).and_then(|unit| unit.heave_filter);
+    let age = unit.map_or(0.0, |unit| unit.age_s);
     let delay = S::constant(age) + given.extra_delay_s.get();
-    let high_pass = filter.map(|filter| [filter.cutoff, filter.damping_ratio]);
+    let high_pass = unit.and_then(|unit| unit.high_pass);
     let position = Dynamics { high_pass, delay, lag: S::ZERO };
     let of_drive = |response_s: &S| {
         let lag = given.drive_response_s.map_or(*response_s, |time| time.get());

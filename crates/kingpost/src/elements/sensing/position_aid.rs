@@ -1,24 +1,11 @@
-//! Slow motion by satellites: what the filter of a motion reference unit removes, from the positions of a receiver.
+//! A satellite receiver that helps another sensor of the same body with its positions.
 
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
 
-/// A receiver on the same body that gives back the motion that a high-pass filter removes. With the filter H and the
-/// position g of the unit by the receiver,
-///
-/// ```text
-/// y = H h + (1 - H) g,    1 - H = (2 zeta w s + w^2) / (s^2 + 2 zeta w s + w^2)
-/// ```
-///
-/// the complementary filter (Brown & Hwang, *Introduction to Random Signals and Applied Kalman Filtering*, 4th ed., 2012,
-/// sec. 8.10): of an exact g it makes y = h, whatever H, and it keeps fast errors of g and slow errors of h out. Its states
-/// are the given back part b and c = b' - 2 zeta w g:
-///
-/// ```text
-/// b' = c + 2 zeta w g,    c' = w^2 (g - b) - 2 zeta w b'
-/// ```
+/// A receiver on the same body, whose positions keep a unit from wandering.
 #[derive(Clone, Debug)]
-pub struct SlowMotion<S = f64> {
+pub struct PositionAid<S = f64> {
     /// The receiver's name.
     pub receiver: String,
     /// From the unit to the antenna, in the axes of their body, m.
@@ -31,7 +18,7 @@ pub struct SlowMotion<S = f64> {
     pub has_status: bool,
 }
 
-impl<S: Scalar> SlowMotion<S> {
+impl<S: Scalar> PositionAid<S> {
     /// The columns that it needs.
     pub fn columns(&self) -> Vec<String> {
         let place = ["x", "y", "z"].map(|axis| format!("{}.measured_position.{axis}", self.receiver));

@@ -1,0 +1,230 @@
+//! An inertial unit: accelerometers and gyroscopes, and the filter that finds the motion of a body from them.
+
+mod gains;
+mod navigation;
+
+pub use gains::{Assumed, Design, Gains, stationary_gain};
+pub use navigation::{Increments, Moving, Navigation};
+
+use super::hull::{HullFrame, HullMotion};
+use super::motion_reference_unit::{KEPT, motion};
+use super::sensing::{PositionAid, Sampler, SensorNoise, SignalErrors};
+use super::ticks::{Due, due};
+use super::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, roll_pitch_yaw};
+
+/// Finds attitude, angular velocity, displacement and velocity of a point of a body from its own accelerometers and
+/// gyroscopes, by an error-state Kalman filter: strapdown integration, whose errors are estimated from what else is known and
+/// taken away at once. Known are the heading, by a gyrocompass, and that the ship moves in waves about a mean place; or
+/// positions by a satellite receiver on the same body. The gains are the stationary ones ([`Design`]): the filter begins as
+/// it is after a long time at rest.
+///
+/// (Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation Systems*, 2nd ed., 2013, ch. 5 and 14.)
+#[derive(Clone, Debug)]
+pub struct InertialUnit<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// The body, and the point.
+    pub place: HullFrame<S>,
+    /// The errors of its instruments.
+    pub instruments: Instruments<S>,
+    /// The sampling of its results, which have no more errors.
+    pub sampler: Sampler<S>,
+    /// The filter's constants.
+    pub design: Design,
+    /// The satellite receiver that helps it.
+    pub receiver: Option<PositionAid<S>>,
+}
+
+/// The errors of an inertial unit's instruments; `None` is none.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Instruments<S = f64> {
+    /// Of each component of the specific force, m/s^2.
+    pub acceleration: Option<SignalErrors<S>>,
+    /// Of each component of the angular velocity, rad/s.
+    pub rate: Option<SignalErrors<S>>,
+    /// Of the heading by the gyrocompass, rad.
+    pub heading: Option<SignalErrors<S>>,
+}
+
+/// Signals: those of a motion, then the specific force.
+const MOTION: usize = KEPT.len();
+const COUNT: usize = MOTION + 3;
+/// The random numbers of the instruments: after those of the signals.
+const OF_INSTRUMENTS: usize = 32;
+/// The numbers behind the sampler's: the estimate; the exact motion at the last sample; the angular velocity found then; where
+/// the unit was at the start; its mean place, and its place by the first position of the receiver, relative to that.
+const EXACT: usize = navigation::NUMBERS;
+const RATE: usize = EXACT + navigation::OF_MOVING;
+const ZERO: usize = RATE + 3;
+const MEAN: usize = ZERO + 3;
+const FIRST_FIX: usize = MEAN + 3;
+const NUMBERS: usize = FIRST_FIX + 3;
+/// The modes behind the sampler's: whether it has begun; with a receiver, the number of its next position and whether it is out.
+const MODES: [&str; 3] = ["has_begun", "next_fix", "receiver_out"];
+const HAS_BEGUN: usize = 0;
+const NEXT_FIX: usize = 1;
+const RECEIVER_OUT: usize = 2;
+/// Periods of the waves over which the mean place is found.
+const MEAN_OVER: f64 = 10.0;
+
+impl<S: Scalar> Element<S> for InertialUnit<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let mut outputs = motion(&self.name, true);
+        outputs.push(Output {
+            components: Components::Axis,
+            frame: VectorFrame::Body,
+            ..Output::number(
+                "measured_specific_force",
+                "acceleration less that of gravity, as a sensor measures it",
+                "sensor",
+                &self.name,
+                &["m/s2"],
+            )
+        });
+        let names: Vec<&str> = KEPT.into_iter().chain(["force_x", "force_y", "force_z"]).collect();
+        let mut declaration = self.sampler.declaration(&self.name, &names, outputs);
+        declaration.numbers.extend((0..NUMBERS).map(|number| format!("filter_{number}")));
+        declaration.modes.extend(MODES[..self.modes()].iter().map(ToString::to_string));
+        declaration.reads = self.receiver.iter().flat_map(PositionAid::columns).collect();
+        declaration
+    }
+
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+        let (now, gravity) = (self.place.motion(at), at.world.gravity);
+        let exact = moving(&now);
+        let up = Vector3([S::ZERO, S::ZERO, gravity]);
+        let at_rest = Increments { specific_force: exact.rotation.transpose_times(up), rate: Vector3::zero() };
+        let seen = self.instruments.with_bias(&at_rest);
+        let estimate = Navigation::settled(exact, &seen, gravity);
+        let kept = &mut own.numbers[self.sampler.numbers()..];
+        estimate.write(kept);
+        exact.write(&mut kept[EXACT..]);
+        now.twist.angular.write_to(&mut kept[RATE..]);
+        now.frame.position.write_to(&mut kept[ZERO..]);
+        self.sampler.begin(own, &signals(&estimate, now.twist.angular, seen.specific_force));
+    }
+
+    /// Takes a position of the receiver where it has a new one.
+    fn steer(
+        &mut self,
+        at: &Context<'_, S>,
+        read: &[S],
+        own: &mut Own<'_, S>,
+        _inputs: &mut [S],
+    ) -> Result<Vec<String>, String> {
+        let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
+        let modes = &mut own.modes[self.sampler.modes()..];
+        let due = due(at.clock.time_s, receiver.period_s, &mut modes[NEXT_FIX]);
+        let Some(Due { is_first, .. }) = due else { return Ok(Vec::new()) };
+        let delivers = is_first || receiver.delivers(read);
+        modes[RECEIVER_OUT] = i64::from(!delivers);
+        if delivers {
+            self.take(receiver, read, is_first, &mut own.numbers[self.sampler.numbers()..]);
+        }
+        Ok(Vec::new())
+    }
+
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+        // The start is not the end of a sample: what the unit knows then is that of the start.
+        let modes = &mut own.modes[self.sampler.modes()..];
+        if core::mem::replace(&mut modes[HAS_BEGUN], 1) == 0 {
+            return;
+        }
+        let has_fixes = self.receiver.is_some() && modes[RECEIVER_OUT] == 0;
+        let kept = &mut own.numbers[self.sampler.numbers()..];
+        let exact = moving(&self.place.motion(at));
+        let (sample, gravity) = (self.sampler.sample_at(at.clock.time_s), at.world.gravity);
+        let increments = exact.since(&Moving::read(&kept[EXACT..]), gravity, self.sampler.period_s);
+        let measured = self.instruments.measure(&increments, &self.sampler.noise, sample);
+        let mut estimate = Navigation::read(kept);
+        estimate.advance(&measured, gravity, &self.design);
+        if !has_fixes {
+            let from_mean = estimate.from_mean(Vector3::from_slice(&kept[MEAN..]));
+            estimate.correct(from_mean, &self.design.mean);
+        }
+        let heading = self.instruments.heading(&exact, &self.sampler.noise, sample);
+        estimate.correct_heading(heading, &self.design);
+        estimate.write(kept);
+        exact.write(&mut kept[EXACT..]);
+        let rate = estimate.rate(&measured);
+        rate.write_to(&mut kept[RATE..]);
+        self.sampler.take(at.clock.time_s, own, &signals(&estimate, rate, measured.specific_force));
+    }
+
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
+        self.sampler.outputs(at.numbers, at.modes, out);
+    }
+}
+
+impl<S: Scalar> InertialUnit<S> {
+    /// Number of its signals.
+    pub const SIGNALS: usize = COUNT;
+
+    fn modes(&self) -> usize {
+        if self.receiver.is_some() { MODES.len() } else { NEXT_FIX }
+    }
+
+    /// Corrects the estimate by a position of the receiver, which also moves the mean place.
+    fn take(&self, receiver: &PositionAid<S>, read: &[S], is_first: bool, kept: &mut [S]) {
+        let mut estimate = Navigation::read(kept);
+        let Moving { rotation, velocity } = estimate.moving;
+        let rate = Vector3::from_slice(&kept[RATE..]);
+        let fix = receiver.fix(read, (rotation, rate), velocity);
+        if is_first {
+            (fix - estimate.displacement).write_to(&mut kept[FIRST_FIX..]);
+        }
+        let place = fix - Vector3::from_slice(&kept[FIRST_FIX..]);
+        if let Some(gains) = &self.design.fix {
+            estimate.correct(place - estimate.displacement, gains);
+        }
+        estimate.write(kept);
+        let share = (receiver.period_s / (MEAN_OVER * self.design.motion_period_s)).min(1.0);
+        let mean = Vector3::from_slice(&kept[MEAN..]);
+        (mean + (place - mean) * S::constant(share)).write_to(&mut kept[MEAN..]);
+    }
+}
+
+impl<S: Scalar> Instruments<S> {
+    /// The increments with their biases alone.
+    fn with_bias(&self, of: &Increments<S>) -> Increments<S> {
+        let bias = |errors: Option<SignalErrors<S>>| errors.map_or(Vector3::zero(), |errors| Vector3([errors.bias; 3]));
+        Increments { specific_force: of.specific_force + bias(self.acceleration), rate: of.rate + bias(self.rate) }
+    }
+
+    /// The increments with all errors of a sample.
+    fn measure(&self, of: &Increments<S>, noise: &SensorNoise, sample: u64) -> Increments<S> {
+        let with = |values: Vector3<S>, errors: Option<SignalErrors<S>>, first: usize| {
+            let one = |axis: usize| errors.map_or(values[axis], |e| e.on(values[axis], noise, first + axis, sample));
+            Vector3([0, 1, 2].map(one))
+        };
+        Increments {
+            specific_force: with(of.specific_force, self.acceleration, OF_INSTRUMENTS),
+            rate: with(of.rate, self.rate, OF_INSTRUMENTS + 3),
+        }
+    }
+
+    /// The heading by the gyrocompass, rad.
+    fn heading(&self, exact: &Moving<S>, noise: &SensorNoise, sample: u64) -> S {
+        let yaw = roll_pitch_yaw(&exact.rotation)[2];
+        self.heading.map_or(yaw, |errors| errors.on(yaw, noise, OF_INSTRUMENTS + 6, sample))
+    }
+}
+
+fn moving<S: Scalar>(now: &HullMotion<S>) -> Moving<S> {
+    let rotation = now.frame.rotation;
+    Moving { rotation, velocity: rotation * now.twist.linear }
+}
+
+/// What it delivers, in the order of [`KEPT`]; then the specific force.
+fn signals<S: Scalar>(found: &Navigation<S>, rate: Vector3<S>, specific_force: Vector3<S>) -> [S; COUNT] {
+    let [roll, pitch, yaw] = roll_pitch_yaw(&found.moving.rotation).0;
+    let ([x, y, z], [x_velocity, y_velocity, z_velocity]) = (found.displacement.0, found.moving.velocity.0);
+    let ([p, q, r], [f_x, f_y, f_z]) = (rate.0, specific_force.0);
+    [roll, pitch, z, z_velocity, p, q, r, x, x_velocity, y, y_velocity, yaw, f_x, f_y, f_z]
+}

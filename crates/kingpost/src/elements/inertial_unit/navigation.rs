@@ -1,0 +1,172 @@
+//! Strapdown navigation: what an inertial unit finds of its motion, and how innovations correct it.
+
+use super::gains::{Design, Gains};
+use crate::scalar::Scalar;
+use crate::spatial::{Matrix3, Vector3, exp, log_of_part_turn, roll_pitch_yaw};
+
+/// What accelerometers and gyroscopes measure over a sample: mean values, body axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Increments<S> {
+    /// Acceleration less that of gravity, m/s^2.
+    pub specific_force: Vector3<S>,
+    /// Angular velocity, rad/s.
+    pub rate: Vector3<S>,
+}
+
+/// A body's attitude and the velocity of a point of it, world axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving<S> {
+    /// From body axes to those of the world.
+    pub rotation: Matrix3<S>,
+    /// m/s.
+    pub velocity: Vector3<S>,
+}
+
+impl<S: Scalar> Moving<S> {
+    /// The exact increments from an earlier motion to this one, over a time T:
+    ///
+    /// ```text
+    /// omega = log(R_0^T R_1) / T,    f = exp(-omega T / 2) R_0^T ((v_1 - v_0) / T + g z)
+    /// ```
+    ///
+    /// as units give them after their own fast integration (Savage, "Strapdown inertial navigation integration algorithm
+    /// design", *J. Guidance, Control, and Dynamics* 21(1), 1998, p. 19; (2), p. 208).
+    pub fn since(&self, before: &Self, gravity: S, period_s: f64) -> Increments<S> {
+        let per_period = S::constant(1.0 / period_s);
+        let turn = log_of_part_turn(&(before.rotation.transpose() * self.rotation));
+        let middle = before.rotation * exp(turn * S::constant(0.5));
+        let acceleration = (self.velocity - before.velocity) * per_period;
+        let specific_force = middle.transpose_times(acceleration + Vector3([S::ZERO, S::ZERO, gravity]));
+        Increments { specific_force, rate: turn * per_period }
+    }
+}
+
+/// What the unit finds: an estimate of its motion and of the errors of its sensors.
+#[derive(Clone, Copy, Debug)]
+pub struct Navigation<S> {
+    /// Attitude and velocity.
+    pub moving: Moving<S>,
+    /// Displacement from its mean place, world axes, m.
+    pub displacement: Vector3<S>,
+    /// Error of the accelerometers along the vertical, m/s^2.
+    pub acceleration_error: S,
+    /// Errors of the gyroscopes, body axes, rad/s.
+    pub rate_errors: Vector3<S>,
+    /// The motion in waves along each axis of the world: its integral (m s) and itself (m).
+    pub waves: [[S; 2]; 3],
+}
+
+/// Number of the numbers of an estimate, and of a motion.
+pub const NUMBERS: usize = 25;
+pub const OF_MOVING: usize = 12;
+
+impl<S: Scalar> Navigation<S> {
+    /// The estimate after a long time at rest, with the attitude, velocity and errors that the unit then has: gyroscopes at rest
+    /// show their errors, accelerometers the vertical and their error along it. What they err by across it, tilts the estimate.
+    pub fn settled(truth: Moving<S>, at_rest: &Increments<S>, gravity: S) -> Self {
+        let seen = truth.rotation * at_rest.specific_force;
+        let size = seen.norm();
+        let tilt = seen.cross(Vector3([S::ZERO, S::ZERO, S::ONE])) * (S::ONE / size);
+        Self {
+            moving: Moving { rotation: exp(tilt) * truth.rotation, ..truth },
+            displacement: Vector3::zero(),
+            acceleration_error: size - gravity,
+            rate_errors: at_rest.rate,
+            waves: [[S::ZERO; 2]; 3],
+        }
+    }
+
+    /// From numbers of an element.
+    pub fn read(numbers: &[S]) -> Self {
+        let column = |first: usize| Vector3::from_slice(&numbers[first..]);
+        Self {
+            moving: Moving::read(numbers),
+            displacement: column(12),
+            acceleration_error: numbers[15],
+            rate_errors: column(16),
+            waves: [0, 1, 2].map(|axis| [numbers[19 + 2 * axis], numbers[20 + 2 * axis]]),
+        }
+    }
+
+    /// To numbers of an element.
+    pub fn write(&self, numbers: &mut [S]) {
+        self.moving.write(numbers);
+        self.displacement.write_to(&mut numbers[12..]);
+        numbers[15] = self.acceleration_error;
+        self.rate_errors.write_to(&mut numbers[16..]);
+        numbers[19..NUMBERS].copy_from_slice(self.waves.as_flattened());
+    }
+
+    /// The angular velocity without its error.
+    pub fn rate(&self, measured: &Increments<S>) -> Vector3<S> {
+        measured.rate - self.rate_errors
+    }
+
+    /// Moves on by one sample.
+    pub fn advance(&mut self, measured: &Increments<S>, gravity: S, design: &Design) {
+        let (period, half) = (S::constant(design.period_s), S::constant(0.5 * design.period_s));
+        let rate = self.rate(measured);
+        let rotation = self.moving.rotation;
+        let along = rotation * exp(rate * half) * measured.specific_force;
+        let acceleration = along - Vector3([S::ZERO, S::ZERO, gravity + self.acceleration_error]);
+        self.displacement += (self.moving.velocity + acceleration * half) * period;
+        self.moving.velocity += acceleration * period;
+        self.moving.rotation = rotation * exp(rate * period);
+        for [integral, motion] in &mut self.waves {
+            let [of_integral, of_motion] = design.waves.map(|row| row.map(S::constant));
+            [*integral, *motion] = [
+                of_integral[0] * *integral + of_integral[1] * *motion,
+                of_motion[0] * *integral + of_motion[1] * *motion,
+            ];
+        }
+    }
+
+    /// What the mean place lacks to where the estimate without the motion in waves is, m.
+    pub fn from_mean(&self, mean: Vector3<S>) -> Vector3<S> {
+        mean - self.displacement + Vector3(self.waves.map(|[_, motion]| motion))
+    }
+
+    /// Corrects all by an innovation, m along the axes of the world. A tilt about y moves the point along x, one about x
+    /// against y.
+    pub fn correct(&mut self, innovation: Vector3<S>, by: &Gains) {
+        let (level, vertical) = (by.level.map(S::constant), by.vertical.map(S::constant));
+        let [x, y, z] = innovation.0;
+        let along = |gain: usize| Vector3([level[gain] * x, level[gain] * y, vertical[gain] * z]);
+        let about = |gain: usize| Vector3([-(level[gain] * y), level[gain] * x, S::ZERO]);
+        self.displacement += along(0);
+        self.moving.velocity += along(1);
+        self.acceleration_error += vertical[2] * z;
+        self.turn(about(2), about(3));
+        let gains = [[level[4], level[5]], [level[4], level[5]], [vertical[3], vertical[4]]];
+        for ((waves, gains), along) in self.waves.iter_mut().zip(gains).zip(innovation.0) {
+            (0..2).for_each(|state| waves[state] += gains[state] * along);
+        }
+    }
+
+    /// Corrects the heading by a measured one, rad.
+    pub fn correct_heading(&mut self, measured: S, design: &Design) {
+        let (sine, cosine) = (measured - roll_pitch_yaw(&self.moving.rotation)[2]).sin_cos();
+        let innovation = sine.atan2(cosine);
+        let [angle, rate] = design.heading.map(|gain| Vector3([S::ZERO, S::ZERO, S::constant(gain) * innovation]));
+        self.turn(angle, rate);
+    }
+
+    /// Turns the attitude, rad, and adds to the errors of the rates, rad/s, both world axes.
+    fn turn(&mut self, by: Vector3<S>, rates: Vector3<S>) {
+        self.moving.rotation = exp(by) * self.moving.rotation;
+        self.rate_errors += self.moving.rotation.transpose_times(rates);
+    }
+}
+
+impl<S: Scalar> Moving<S> {
+    /// From numbers of an element.
+    pub fn read(numbers: &[S]) -> Self {
+        Self { rotation: Matrix3::from_fn(|i, j| numbers[3 * i + j]), velocity: Vector3::from_slice(&numbers[9..]) }
+    }
+
+    /// To numbers of an element.
+    pub fn write(&self, numbers: &mut [S]) {
+        numbers[..9].copy_from_slice(self.rotation.0.as_flattened());
+        self.velocity.write_to(&mut numbers[9..]);
+    }
+}
