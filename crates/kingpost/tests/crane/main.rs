@@ -14,6 +14,7 @@ mod cylinder_compensators;
 mod cylinders;
 mod entrained_water;
 mod heave_compensation;
+mod inertial_unit;
 mod inextensible_ropes;
 mod load_charts;
 mod motion_compensation;

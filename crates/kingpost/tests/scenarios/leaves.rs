@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 44] = [
+const STRUCTURE: [&str; 46] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -214,6 +214,8 @@ const STRUCTURE: [&str; 44] = [
     ".pierson_moskowitz.direction_rad",
     ".acceleration_m_s2",
     ".motion_reference_unit.period_s",
+    ".inertial_unit.period_s",
+    ".inertial_unit.filter.",
     ".state_feedback.period_s",
     ".policy.period_s",
     ".drive_function.time_s",

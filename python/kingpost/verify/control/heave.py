@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...reports.tables import table
-from .standard import LENGTH_S, SEAS, in_sea, judged, settled, with_satellites
+from .standard import LENGTH_S, SEAS, in_sea, judged, settled, with_inertial_unit, with_satellites
 
 SCENARIO = "heave_compensation"
 CONTROLLER = "controllers.compensation.heave_compensation"
@@ -25,13 +25,18 @@ CONTROLS: dict[str, dict[str, Any]] = {
     "sensor": {},
     "sensor, no prediction": {f"{CONTROLLER}.prediction": None},
     "sensor and satellites": with_satellites(CONTROLLER),
+    "inertial unit": with_inertial_unit(CONTROLLER),
+    "inertial unit and satellites": with_inertial_unit(CONTROLLER, satellites=True),
 }
 """`sensor`: noise, bias, high-pass filter of heave with 20 s, 0.1 s of delay. `satellites`: a receiver with
-noise of 2 cm at 10 Hz and 0.1 s of delay gives back what the filter removes."""
+noise of 2 cm at 10 Hz and 0.1 s of delay gives back what the filter removes. `inertial unit`: accelerometers and
+gyroscopes with noise and bias, a filter that knows the waves, 0.1 s of delay."""
 
 DEPTHS: dict[str, dict[str, Any]] = {"30 m": {}, "1000 m": {"load_height_m": -1000}}
 
-ALLOWED = {"ideal": 2.0, "sensor": 5.0, "sensor and satellites": 5.0}
+ALLOWED = {"ideal": 2.0} | dict.fromkeys(
+    ("sensor", "sensor and satellites", "inertial unit", "inertial unit and satellites"), 5.0
+)
 """Residual at the winch and at the hook that is asked for, % of the heave of the tip."""
 
 
@@ -63,7 +68,7 @@ def cases() -> Iterator[tuple[str, str, str]]:
     """Sea, depth and control of each run.
 
     >>> len(list(cases()))
-    36
+    48
     """
     return ((sea, depth, control) for sea in SEAS for depth in DEPTHS for control in CONTROLS)
 

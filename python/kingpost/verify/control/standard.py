@@ -30,6 +30,9 @@ SETTLED_S = 100.0
 UNIT = "sensors.mru.motion_reference_unit"
 """The motion reference unit of the scenarios of compensations."""
 
+INERTIAL = "sensors.inertial.inertial_unit"
+"""The inertial unit of the scenario of heave compensation."""
+
 AT_A_LIMIT = "at a limit"
 """The verdict on a run whose drive exceeds a limit: the command fails."""
 
@@ -74,25 +77,46 @@ def settled(scenario: str, given: dict[str, Any], length_s: float) -> Settled:
     return Settled(found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None)))
 
 
+RECEIVER = {
+    "body": "hull",
+    "position_m": [-5, 0, 30],
+    "period_s": 0.1,
+    "delay_samples": 1,
+    "vertical_errors": {"noise_m": 0.02, "resolution_m": 0.001},
+}
+"""A satellite receiver: noise of 2 cm at 10 Hz, 0.1 s of delay."""
+
+
 def with_satellites(controller: str) -> dict[str, Any]:
     """What gives the unit a satellite receiver, and the controller the short waves that a receiver leaves.
 
     >>> list(with_satellites("controllers.c"))[-1]
     'controllers.c.prediction.shortest_period_s'
     """
-    receiver = {
-        "body": "hull",
-        "position_m": [-5, 0, 30],
-        "period_s": 0.1,
-        "delay_samples": 1,
-        "vertical_errors": {"noise_m": 0.02, "resolution_m": 0.001},
-    }
-    return {
-        "sensors.satellites": {"satellite_receiver": receiver},
-        f"{UNIT}.heave_filter.receiver": "satellites",
-        # A rope of 1,000 m with its load has a period of 3 to 4 s, which waves of 8 s still reach.
-        f"{controller}.prediction.shortest_period_s": 3,
-    }
+    satellites = {"sensors.satellites": {"satellite_receiver": RECEIVER}}
+    return satellites | {f"{UNIT}.heave_filter.receiver": "satellites"} | short_waves(controller)
+
+
+def with_inertial_unit(controller: str, *, satellites: bool = False) -> dict[str, Any]:
+    """What lets a controller measure by the inertial unit, which a satellite receiver may help.
+
+    >>> list(with_inertial_unit("controllers.c"))
+    ['controllers.c.sensor', 'controllers.c.prediction.shortest_period_s']
+    """
+    alone = {f"{controller}.sensor": "inertial"} | short_waves(controller)
+    receiver = {"sensors.satellites": {"satellite_receiver": RECEIVER}, f"{INERTIAL}.receiver": "satellites"}
+    return alone | (receiver if satellites else {})
+
+
+def short_waves(controller: str) -> dict[str, Any]:
+    """A prediction down to 3 s, which sensors without a high-pass filter leave.
+
+    A rope of 1,000 m with its load has a period of 3 to 4 s, which waves of 8 s still reach.
+
+    >>> short_waves("controllers.c")
+    {'controllers.c.prediction.shortest_period_s': 3}
+    """
+    return {f"{controller}.prediction.shortest_period_s": 3}
 
 
 def judged(ends: dict[str, float], allowed: float | None, utilisation: dict[str, float]) -> str:

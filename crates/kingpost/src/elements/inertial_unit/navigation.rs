@@ -170,3 +170,74 @@ impl<S: Scalar> Moving<S> {
         self.velocity.write_to(&mut numbers[9..]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gains::Assumed;
+    use super::*;
+
+    const GRAVITY: f64 = 9.80665;
+    const PERIOD_S: f64 = 0.02;
+
+    fn design() -> Design {
+        Design::new(&Assumed {
+            period_s: PERIOD_S,
+            acceleration_noise: 0.002,
+            rate_noise: 3e-4,
+            heading_noise: 2e-3,
+            motion_m: 0.3,
+            motion_period_s: 9.0,
+            receiver: None,
+        })
+    }
+
+    fn moved(time_s: f64) -> Moving<f64> {
+        let angles = Vector3::new(0.3 * libm::sin(0.9 * time_s), 0.2 * libm::cos(0.7 * time_s), 0.1 * time_s);
+        let velocity = Vector3::new(libm::sin(time_s), 0.5 * libm::cos(1.3 * time_s), libm::sin(0.8 * time_s));
+        Moving { rotation: exp(angles), velocity }
+    }
+
+    /// Savage (1998): increments and their integration undo each other, whatever the motion; displacements then follow by the
+    /// trapezoidal rule.
+    #[test]
+    fn without_errors_the_attitude_and_the_velocity_are_exact() {
+        let (design, start) = (design(), moved(0.0));
+        let at_rest = Increments {
+            specific_force: start.rotation.transpose_times(Vector3::new(0.0, 0.0, GRAVITY)),
+            rate: Vector3::zero(),
+        };
+        let (mut found, mut before) = (Navigation::settled(start, &at_rest, GRAVITY), start);
+        let mut by_trapezia = Vector3::zero();
+        for k in 1..=5000 {
+            let now = moved(PERIOD_S * f64::from(k));
+            found.advance(&now.since(&before, GRAVITY, PERIOD_S), GRAVITY, &design);
+            by_trapezia += (now.velocity + before.velocity) * (0.5 * PERIOD_S);
+            before = now;
+        }
+        // 5000 products of rotations, and sums of as many accelerations.
+        let turned = log_of_part_turn(&(found.moving.rotation * before.rotation.transpose()));
+        assert!(turned.norm() < 1e-12, "{turned:?}");
+        assert!((found.moving.velocity - before.velocity).norm() < 1e-10, "{:?}", found.moving.velocity);
+        assert!((found.displacement - by_trapezia).norm() < 1e-8, "{:?}", found.displacement);
+    }
+
+    /// At rest, a unit that begins with wrong attitude and without knowledge of its errors finds them: the roots of the filter are
+    /// at 0.02 per second and above, those of the errors' slow wandering lower.
+    #[test]
+    fn errors_of_the_gyroscopes_and_of_the_attitude_are_found_at_rest() {
+        let (design, errors) = (design(), Vector3::new(1e-4, -2e-4, 1.5e-4));
+        let still = Moving { rotation: Matrix3::identity(), velocity: Vector3::zero() };
+        let exact = still.since(&still, GRAVITY, PERIOD_S);
+        let mut found = Navigation::settled(still, &exact, GRAVITY);
+        found.moving.rotation = exp(Vector3::new(0.005, -0.004, 0.003));
+        let measured = Increments { rate: exact.rate + errors, ..exact };
+        for _ in 0..(3000.0 / PERIOD_S) as usize {
+            found.advance(&measured, GRAVITY, &design);
+            found.correct(found.from_mean(Vector3::zero()), &design.mean);
+            found.correct_heading(0.0, &design);
+        }
+        assert!((found.rate_errors - errors).norm() < 0.01 * errors.norm(), "{:?}", found.rate_errors);
+        let tilt = log_of_part_turn(&found.moving.rotation);
+        assert!(tilt.norm() < 1e-4, "{tilt:?}");
+    }
+}

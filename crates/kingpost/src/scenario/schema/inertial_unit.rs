@@ -64,9 +64,10 @@ pub struct InertialFilter {
     pub heading_noise_rad: Positive,
     /// Standard deviation of the noise of the receiver's positions, m.
     pub position_noise_m: Positive,
-    /// Standard deviation of the motion of the unit in waves, m.
+    /// Standard deviation of the motion of the unit in waves, m: the smaller, the more the mean place counts against the
+    /// accelerometers.
     pub wave_motion_m: Positive,
-    /// Middle period of the waves, s: half or twice of it does little harm.
+    /// Middle period of the waves, s: half or twice that does little harm.
     pub wave_period_s: Positive,
 }
 
@@ -78,7 +79,7 @@ impl Default for InertialFilter {
             rate_noise_rad_s: Positive::literal(3e-4),
             heading_noise_rad: Positive::literal(0.002),
             position_noise_m: Positive::literal(0.02),
-            wave_motion_m: Positive::literal(0.3),
+            wave_motion_m: Positive::literal(0.15),
             wave_period_s: Positive::literal(10.0),
         }
     }
