@@ -24,7 +24,7 @@ pub struct Assumed {
 
 /// The gains of one innovation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gains {
+pub struct KalmanGains {
     /// Of a horizontal channel: displacement, velocity, tilt, error of the rate, both states of the motion in waves.
     pub level: [f64; 6],
     /// Of the vertical channel: displacement, velocity, error of the acceleration, both states of the motion in waves.
@@ -41,9 +41,9 @@ pub struct Design {
     /// How the states of the motion in waves change in T.
     pub waves: [[f64; 2]; 2],
     /// Where nothing but the mean place is known, at every sample.
-    pub mean: Gains,
+    pub mean: KalmanGains,
     /// At a position of the receiver.
-    pub fix: Option<Gains>,
+    pub fix: Option<KalmanGains>,
     /// Of the heading: angle and error of the rate, at every sample.
     pub heading: [f64; 2],
 }
@@ -91,7 +91,7 @@ impl Design {
             let (transition, noise) = repeated(chain, noise, samples);
             stationary_gain(&transition, &noise, &first(chain.nrows()), deviation)
         };
-        let fixes = of.receiver.map(|receiver| Gains {
+        let fixes = of.receiver.map(|receiver| KalmanGains {
             level: padded(&fix(&level, &level_noise, receiver)),
             vertical: padded(&fix(&vertical, &vertical_noise, receiver)),
         });
@@ -100,7 +100,7 @@ impl Design {
             period_s: of.period_s,
             motion_period_s: of.motion_period_s,
             waves: [0, 1].map(|i| [0, 1].map(|j| waves.0[(i, j)])),
-            mean: Gains {
+            mean: KalmanGains {
                 level: padded(&mean(&level, &level_noise)),
                 vertical: padded(&mean(&vertical, &vertical_noise)),
             },
@@ -113,7 +113,7 @@ impl Design {
 impl Design {
     /// Whether such a filter exists: its gains are numbers.
     pub fn is_finite(&self) -> bool {
-        let of = |gains: &Gains| gains.level.iter().chain(&gains.vertical).all(|gain| gain.is_finite());
+        let of = |gains: &KalmanGains| gains.level.iter().chain(&gains.vertical).all(|gain| gain.is_finite());
         of(&self.mean) && self.fix.as_ref().is_none_or(of) && self.heading.iter().all(|gain| gain.is_finite())
     }
 }

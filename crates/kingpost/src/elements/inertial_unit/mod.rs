@@ -3,7 +3,7 @@
 mod gains;
 mod navigation;
 
-pub use gains::{Assumed, Design, Gains, stationary_gain};
+pub use gains::{Assumed, Design, KalmanGains, stationary_gain};
 pub use navigation::{Increments, Moving, Navigation};
 
 use super::hull::{HullFrame, HullMotion};

@@ -1,6 +1,6 @@
 //! Strapdown navigation: what an inertial unit finds of its motion, and how innovations correct it.
 
-use super::gains::{Design, Gains};
+use super::gains::{Design, KalmanGains};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, exp, log_of_part_turn, roll_pitch_yaw};
 
@@ -128,7 +128,7 @@ impl<S: Scalar> Navigation<S> {
 
     /// Corrects all by an innovation, m along the axes of the world. A tilt about y moves the point along x, one about x
     /// against y.
-    pub fn correct(&mut self, innovation: Vector3<S>, by: &Gains) {
+    pub fn correct(&mut self, innovation: Vector3<S>, by: &KalmanGains) {
         let (level, vertical) = (by.level.map(S::constant), by.vertical.map(S::constant));
         let [x, y, z] = innovation.0;
         let along = |gain: usize| Vector3([level[gain] * x, level[gain] * y, vertical[gain] * z]);
