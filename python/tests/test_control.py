@@ -40,6 +40,20 @@ def test_a_case_of_the_standard_seas_is_measured_and_printed():
     assert "off" in heave.text([row])
 
 
+def test_an_inertial_unit_alone_leaves_less_than_five_percent_of_the_tips_heave():
+    row = heave.measure("Hs 2.0 m, Tp 10 s", "30 m", "inertial unit")
+    assert row.verdict == "reached", row
+
+
+def test_the_sensor_of_heave_compensation_is_chosen_by_a_parameter():
+    velocity = "compensation.compensation_tip_velocity"
+    runs = [kingpost.run("heave_compensation", SHORT | {"sensor": name}) for name in ("mru", "inertial")]
+    one, other = (ds.kingpost[velocity].values for ds in runs)
+    assert (one != other).any()
+    with pytest.raises(kingpost.KingpostError, match="one of mru, inertial"):
+        kingpost.load("heave_compensation", {"sensor": "imu"})
+
+
 def test_drop_outs_are_in_the_table_of_events():
     field = f"{standard.UNIT}.drop_outs"
     ds = kingpost.run("heave_compensation", SHORT | {field: {"mean_interval_s": 0.5, "mean_duration_s": 0.2}})

@@ -3731,6 +3731,9 @@ export type Sensor =
       motion_reference_unit: MotionReferenceUnit;
     }
   | {
+      inertial_unit: InertialUnit;
+    }
+  | {
       encoder: Encoder;
     }
   | {
@@ -3807,6 +3810,44 @@ export type RateErrors = {
    * The same as `resolution_rad_s`, in the unit of this name.
    */
   resolution_deg_s?: number;
+};
+/**
+ * What the filter assumes.
+ */
+export type InertialFilter = {
+  /**
+   * Standard deviation of the noise of an accelerometer in a sample, m/s^2.
+   */
+  acceleration_noise_m_s2?: number;
+  /**
+   * Standard deviation of the noise of a gyroscope in a sample, rad/s.
+   */
+  rate_noise_rad_s?: number;
+  /**
+   * The same as `rate_noise_rad_s`, in the unit of this name.
+   */
+  rate_noise_deg_s?: number;
+  /**
+   * Standard deviation of the noise of the heading in a sample, rad.
+   */
+  heading_noise_rad?: number;
+  /**
+   * The same as `heading_noise_rad`, in the unit of this name.
+   */
+  heading_noise_deg?: number;
+  /**
+   * Standard deviation of the noise of the receiver's positions, m.
+   */
+  position_noise_m?: number;
+  /**
+   * Standard deviation of the motion of the unit in waves, m: the smaller, the more the mean place counts against the
+   * accelerometers.
+   */
+  wave_motion_m?: number;
+  /**
+   * Middle period of the waves, s: half or twice that does little harm.
+   */
+  wave_period_s?: number;
 };
 /**
  * Errors of a measured force.
@@ -5494,6 +5535,76 @@ export interface DropOuts {
   mean_duration_s: number;
 }
 /**
+ * Finds the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state Kalman filter. Its
+ * outputs are those of a motion reference unit with horizontal motion, and `measured_specific_force.x`, `.y`, `.z` (m/s^2,
+ * body axes): the acceleration less that of gravity. Without a receiver it finds the motion about the mean place. It begins
+ * as after a long time at rest.
+ */
+export interface InertialUnit {
+  /**
+   * Whether the sensor measures.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * The point, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Time between two samples, s.
+   */
+  period_s: number;
+  /**
+   * Delay of its outputs, in samples: 0 to 1000.
+   */
+  delay_samples?: number;
+  /**
+   * Errors of each accelerometer; without them all are exact.
+   */
+  acceleration_errors?: AccelerationErrors | null;
+  /**
+   * Errors of each gyroscope; without them all are exact.
+   */
+  rate_errors?: RateErrors | null;
+  /**
+   * Errors of the gyrocompass; without them it is exact.
+   */
+  heading_errors?: AngleErrors | null;
+  /**
+   * A satellite receiver on the same body that helps: with it, the displacement is that from the start, however slow.
+   */
+  receiver?: string | null;
+  filter?: InertialFilter;
+  /**
+   * Failures of the connection to the unit; without them it always works.
+   */
+  drop_outs?: DropOuts | null;
+}
+/**
+ * Errors of a measured acceleration.
+ */
+export interface AccelerationErrors {
+  /**
+   * Standard deviation of its white noise in a sample, m/s^2: the density per root hertz over the root of twice the
+   * period.
+   */
+  noise_m_s2?: number;
+  /**
+   * Constant error, m/s^2.
+   */
+  bias_m_s2?: number;
+  /**
+   * Smallest step, m/s^2; 0 is none. Derivatives do not go through it.
+   */
+  resolution_m_s2?: number;
+}
+/**
  * Measures the angle of a joint: `measured_angle`, rad.
  */
 export interface Encoder {
@@ -5947,7 +6058,8 @@ export interface HeaveCompensation {
    */
   drive: string;
   /**
-   * The motion reference unit that it measures the tip's motion by; without it, it knows that motion exactly and at once.
+   * The motion reference unit or inertial unit that it measures the tip's motion by; without it, it knows that motion exactly and
+   * at once.
    */
   sensor?: string | null;
   /**
@@ -6023,8 +6135,8 @@ export interface ThreeAxisCompensation {
    */
   joints: CompensationDrive[];
   /**
-   * The motion reference unit, with horizontal motion, that it measures the tip's motion by; without it, it knows that
-   * motion exactly and at once.
+   * The motion reference unit with horizontal motion, or the inertial unit, that it measures the tip's motion by; without it,
+   * it knows that motion exactly and at once.
    */
   sensor?: string | null;
   /**
@@ -6088,8 +6200,8 @@ export interface PlatformCompensation {
    */
   joints: CompensationDrive[];
   /**
-   * The motion reference unit, on the ship, that it measures the motion by; without it, it knows the motion exactly and at
-   * once.
+   * The motion reference unit or inertial unit, on the ship, that it measures the motion by; without it, it knows the motion
+   * exactly and at once.
    */
   sensor?: string | null;
   /**

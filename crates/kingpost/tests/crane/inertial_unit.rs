@@ -64,7 +64,7 @@ fn largest(rows: &[[[f64; 2]; 3]], quantity: usize) -> f64 {
     off.iter().fold(0.0, |largest, x| largest.max((x - mean).abs()))
 }
 
-/// The unit is accelerated sideways by 5 m of lever times 10 degrees at 10 s, 0.34 m/s2: an inclinometer there is off by 2 degrees.
+/// The unit is accelerated sideways by 5 m of lever times 10 degrees at 10 s, 0.34 m/s^2: an inclinometer there is off by 2 degrees.
 /// What passes of waves through the stationary gains is a few per cent of the displacement at most, and less of the velocity
 /// and of the tilt.
 #[test]
@@ -174,4 +174,16 @@ fn what_cannot_be_is_named_with_its_place() {
     let on_another = [("sensors.gnss", stem), ("sensors.inertial.inertial_unit.receiver", json!("gnss"))];
     let found = error(&on_another);
     assert!(found.contains("which is on stem") && found.contains("a satellite receiver on raft"), "{found}");
+}
+
+/// The heading is that of the gyrocompass, with its constant error from the start.
+#[test]
+fn its_yaw_is_that_of_the_gyrocompass() {
+    let errors = [("sensors.inertial.inertial_unit.heading_errors", json!({"bias_rad": 0.01}))];
+    let mut simulation = changed(&errors);
+    for _ in 0..20 {
+        simulation.step(50).unwrap();
+        let yaw = values(&mut simulation, "measured_yaw")[0];
+        assert!((yaw - 0.01).abs() < 1e-4, "{yaw}");
+    }
 }

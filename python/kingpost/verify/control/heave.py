@@ -29,8 +29,8 @@ CONTROLS: dict[str, dict[str, Any]] = {
     "inertial unit and satellites": with_inertial_unit(CONTROLLER, satellites=True),
 }
 """`sensor`: noise, bias, high-pass filter of heave with 20 s, 0.1 s of delay. `satellites`: a receiver with
-noise of 2 cm at 10 Hz and 0.1 s of delay gives back what the filter removes. `inertial unit`: accelerometers and
-gyroscopes with noise and bias, a filter that knows the waves, 0.1 s of delay."""
+noise of 2 cm at 10 Hz and 0.1 s of delay gives back what the filter removes. `inertial unit`:
+accelerometers and gyroscopes with noise and bias, a filter that knows the waves, 0.1 s of delay."""
 
 DEPTHS: dict[str, dict[str, Any]] = {"30 m": {}, "1000 m": {"load_height_m": -1000}}
 

@@ -12,7 +12,7 @@ use super::sensing::{PositionAid, Sampler, SensorNoise, SignalErrors};
 use super::ticks::{Due, due};
 use super::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
-use crate::spatial::{Vector3, roll_pitch_yaw};
+use crate::spatial::{Vector3, exp, roll_pitch_yaw};
 
 /// Finds attitude, angular velocity, displacement and velocity of a point of a body from its own accelerometers and
 /// gyroscopes, by an error-state Kalman filter: strapdown integration, whose errors are estimated from what else is known and
@@ -84,7 +84,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
                 "acceleration less that of gravity, as a sensor measures it",
                 "sensor",
                 &self.name,
-                &["m/s2"],
+                &["m/s^2"],
             )
         });
         let names: Vec<&str> = KEPT.into_iter().chain(["force_x", "force_y", "force_z"]).collect();
@@ -101,7 +101,9 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
         let up = Vector3([S::ZERO, S::ZERO, gravity]);
         let at_rest = Increments { specific_force: exact.rotation.transpose_times(up), rate: Vector3::zero() };
         let seen = self.instruments.with_bias(&at_rest);
-        let estimate = Navigation::settled(exact, &seen, gravity);
+        let heading = Vector3([S::ZERO, S::ZERO, self.instruments.heading.map_or(S::ZERO, |errors| errors.bias)]);
+        let turned = Moving { rotation: exp(heading) * exact.rotation, ..exact };
+        let estimate = Navigation::settled(turned, &seen, gravity);
         let kept = &mut own.numbers[self.sampler.numbers()..];
         estimate.write(kept);
         exact.write(&mut kept[EXACT..]);

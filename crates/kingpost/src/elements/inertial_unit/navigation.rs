@@ -61,8 +61,9 @@ pub const NUMBERS: usize = 25;
 pub const OF_MOVING: usize = 12;
 
 impl<S: Scalar> Navigation<S> {
-    /// The estimate after a long time at rest, with the attitude, velocity and errors that the unit then has: gyroscopes at rest
-    /// show their errors, accelerometers the vertical and their error along it. What they err by across it, tilts the estimate.
+    /// The estimate after a long time at rest, for the attitude by the gyrocompass and the velocity that the unit then has.
+    /// Gyroscopes at rest show their errors; accelerometers show their error along the vertical, and tilt the horizon by
+    /// that across it over g.
     pub fn settled(truth: Moving<S>, at_rest: &Increments<S>, gravity: S) -> Self {
         let seen = truth.rotation * at_rest.specific_force;
         let size = seen.norm();

@@ -6,7 +6,7 @@ use super::{AccelerationErrors, AngleErrors, DropOuts, Name, Positive, RateError
 use crate::scenario::leaf::Leaf;
 
 /// Finds the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state Kalman filter. Its
-/// outputs are those of a motion reference unit with horizontal motion, and `measured_specific_force.x`, `.y`, `.z` (m/s2,
+/// outputs are those of a motion reference unit with horizontal motion, and `measured_specific_force.x`, `.y`, `.z` (m/s^2,
 /// body axes): the acceleration less that of gravity. Without a receiver it finds the motion about the mean place. It begins
 /// as after a long time at rest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
