@@ -1,6 +1,6 @@
 //! The stationary gains of the error-state Kalman filter of an inertial unit.
 
-use crate::spatial::exponential;
+use super::process::{Process, difference, first};
 use nalgebra::{DMatrix, DVector};
 
 /// What the filter assumes of its unit and of the sea.
@@ -56,8 +56,6 @@ const UNEXPLAINED: f64 = 0.1;
 const ACCELERATION_WANDERS: f64 = 1e-5;
 const RATE_WANDERS: f64 = 1e-6;
 const GRAVITY_M_S2: f64 = 9.80665;
-/// The squares of the recursion: 2^40 samples.
-const DOUBLINGS: usize = 40;
 
 impl Design {
     /// The filter for these assumptions. The errors of a horizontal channel and of the vertical one obey
@@ -70,47 +68,29 @@ impl Design {
     /// with the white noises a and w of the accelerometers and gyroscopes and the wandering error b of a gyroscope or
     /// an accelerometer (Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation Systems*, 2nd ed.,
     /// 2013, ch. 14). The ship stays about its mean place but for the motion x in waves, for which
-    /// `x'' + 2 zeta w0 x' + w0^2 x = noise'` as in the filter of waves of Fossen (2021, sec. 13.3): a filter that knows it does
+    /// `x'' + 2 zeta w0 x' + w0^2 x = noise'`, as in the filter of waves of Fossen (2021, sec. 13.3): a filter that knows it does
     /// not take waves for errors, and shifts neither their phase nor their size.
     pub fn new(of: &Assumed) -> Self {
-        let waves = waves(of);
-        let [(level, level_noise), (vertical, vertical_noise)] = [level(of), vertical(of)];
-        let mean = |chain: &DMatrix<f64>, noise: &DMatrix<f64>| {
-            let (size, after) = (chain.nrows() + 2, chain.nrows());
-            let (mut transition, mut all) = (DMatrix::zeros(size, size), DMatrix::zeros(size, size));
-            transition.view_mut((0, 0), (after, after)).copy_from(chain);
-            transition.view_mut((after, after), (2, 2)).copy_from(&waves.0);
-            all.view_mut((0, 0), (after, after)).copy_from(noise);
-            all.view_mut((after, after), (2, 2)).copy_from(&waves.1);
-            let mut measured = DVector::zeros(size);
-            (measured[0], measured[size - 1]) = (1.0, -1.0);
-            stationary_gain(&transition, &all, &measured, UNEXPLAINED * of.motion_m)
+        let (level, vertical, waves) = (level(of), vertical(of), waves(of));
+        let mean =
+            |chain: &Process| chain.beside(&waves).gain(&difference(chain.size() + 2), UNEXPLAINED * of.motion_m);
+        let fix = |chain: &Process, [period_s, deviation]: [f64; 2]| {
+            let samples = libm::round(period_s / of.period_s).max(1.0);
+            chain.after(samples).gain(&first(chain.size()), deviation)
         };
-        let fix = |chain: &DMatrix<f64>, noise: &DMatrix<f64>, [period_s, deviation]: [f64; 2]| {
-            let samples = libm::round(period_s / of.period_s).max(1.0) as usize;
-            let (transition, noise) = repeated(chain, noise, samples);
-            stationary_gain(&transition, &noise, &first(chain.nrows()), deviation)
-        };
-        let fixes = of.receiver.map(|receiver| KalmanGains {
-            level: padded(&fix(&level, &level_noise, receiver)),
-            vertical: padded(&fix(&vertical, &vertical_noise, receiver)),
-        });
-        let (turn, turn_noise) = heading(of);
         Self {
             period_s: of.period_s,
             motion_period_s: of.motion_period_s,
-            waves: [0, 1].map(|i| [0, 1].map(|j| waves.0[(i, j)])),
-            mean: KalmanGains {
-                level: padded(&mean(&level, &level_noise)),
-                vertical: padded(&mean(&vertical, &vertical_noise)),
-            },
-            fix: fixes,
-            heading: padded(&stationary_gain(&turn, &turn_noise, &first(2), of.heading_noise)),
+            waves: [0, 1].map(|i| [0, 1].map(|j| waves.transition[(i, j)])),
+            mean: KalmanGains { level: padded(&mean(&level)), vertical: padded(&mean(&vertical)) },
+            fix: of.receiver.map(|receiver| KalmanGains {
+                level: padded(&fix(&level, receiver)),
+                vertical: padded(&fix(&vertical, receiver)),
+            }),
+            heading: padded(&heading(of).gain(&first(2), of.heading_noise)),
         }
     }
-}
 
-impl Design {
     /// Whether such a filter exists: its gains are numbers.
     pub fn is_finite(&self) -> bool {
         let of = |gains: &KalmanGains| gains.level.iter().chain(&gains.vertical).all(|gain| gain.is_finite());
@@ -118,98 +98,43 @@ impl Design {
     }
 }
 
-/// Displacement, velocity, tilt, error of the rate: what a sample does to them, and the covariance that it adds.
-fn level(of: &Assumed) -> (DMatrix<f64>, DMatrix<f64>) {
-    let rates = chain(&[1.0, GRAVITY_M_S2, -1.0]);
+/// Displacement, velocity, tilt, error of the rate.
+fn level(of: &Assumed) -> Process {
     let noises = [0.0, of.acceleration_noise * of.period_s, of.rate_noise * of.period_s, RATE_WANDERS * root(of)];
-    (exponential(rates * of.period_s), squares(&noises))
+    Process::new(each_by_the_next(&[1.0, GRAVITY_M_S2, -1.0]), of.period_s, &noises)
 }
 
 /// Displacement, velocity, error of the acceleration.
-fn vertical(of: &Assumed) -> (DMatrix<f64>, DMatrix<f64>) {
+fn vertical(of: &Assumed) -> Process {
     let noises = [0.0, of.acceleration_noise * of.period_s, ACCELERATION_WANDERS * root(of)];
-    (exponential(chain(&[1.0, -1.0]) * of.period_s), squares(&noises))
+    Process::new(each_by_the_next(&[1.0, -1.0]), of.period_s, &noises)
 }
 
 /// Heading, error of the rate.
-fn heading(of: &Assumed) -> (DMatrix<f64>, DMatrix<f64>) {
-    let noises = [of.rate_noise * of.period_s, RATE_WANDERS * root(of)];
-    (exponential(chain(&[-1.0]) * of.period_s), squares(&noises))
+fn heading(of: &Assumed) -> Process {
+    Process::new(each_by_the_next(&[-1.0]), of.period_s, &[of.rate_noise * of.period_s, RATE_WANDERS * root(of)])
 }
 
 /// The motion in waves, with its integral as the first state; its variance is that of the motion.
-fn waves(of: &Assumed) -> (DMatrix<f64>, DMatrix<f64>) {
+fn waves(of: &Assumed) -> Process {
     let frequency = core::f64::consts::TAU / of.motion_period_s;
-    let rates = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -frequency * frequency, -2.0 * DAMPING_RATIO * frequency]);
-    let density = 4.0 * DAMPING_RATIO * frequency * of.motion_m * of.motion_m;
-    (exponential(rates * of.period_s), squares(&[0.0, libm::sqrt(density) * root(of)]))
+    let (spring, damper) = (frequency * frequency, 2.0 * DAMPING_RATIO * frequency);
+    let rates = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -spring, -damper]);
+    Process::new(rates, of.period_s, &[0.0, libm::sqrt(2.0 * damper) * of.motion_m * root(of)])
 }
 
 fn root(of: &Assumed) -> f64 {
     libm::sqrt(of.period_s)
 }
 
-/// States each of which changes with the next: the rate of state k is that factor times state k + 1.
-fn chain(factors: &[f64]) -> DMatrix<f64> {
+/// The rate of state k is this factor times state k + 1.
+fn each_by_the_next(factors: &[f64]) -> DMatrix<f64> {
     let size = factors.len() + 1;
     DMatrix::from_fn(size, size, |i, j| if j == i + 1 { factors[i] } else { 0.0 })
 }
 
-fn squares(deviations: &[f64]) -> DMatrix<f64> {
-    DMatrix::from_diagonal(&DVector::from_iterator(deviations.len(), deviations.iter().map(|x| x * x)))
-}
-
-fn first(size: usize) -> DVector<f64> {
-    DVector::from_fn(size, |i, _| if i == 0 { 1.0 } else { 0.0 })
-}
-
-/// Several samples as one.
-fn repeated(transition: &DMatrix<f64>, noise: &DMatrix<f64>, samples: usize) -> (DMatrix<f64>, DMatrix<f64>) {
-    let (mut all, mut sum) = (transition.clone(), noise.clone());
-    for _ in 1..samples {
-        all = transition * all;
-        sum = transition * sum * transition.transpose() + noise;
-    }
-    (all, sum)
-}
-
 fn padded<const N: usize>(gain: &DVector<f64>) -> [f64; N] {
     core::array::from_fn(|i| gain.get(i).copied().unwrap_or_default())
-}
-
-/// The gain K = P h / (h^T P h + r^2) of a Kalman filter after many samples: P solves the algebraic Riccati equation
-///
-/// ```text
-/// P = A P A^T - A P h (h^T P h + r^2)^-1 h^T P A^T + Q
-/// ```
-///
-/// by doubling (Anderson & Moore, *Optimal Filtering*, 1979, sec. 6.7): after k rounds it is the covariance after 2^k
-/// samples.
-pub fn stationary_gain(
-    transition: &DMatrix<f64>,
-    noise: &DMatrix<f64>,
-    measured: &DVector<f64>,
-    deviation: f64,
-) -> DVector<f64> {
-    let size = noise.nrows();
-    let (mut a, mut p) = (transition.transpose(), noise.clone());
-    let mut g = measured * measured.transpose() / (deviation * deviation);
-    for _ in 0..DOUBLINGS {
-        let Some(inverse) = (DMatrix::identity(size, size) + &g * &p).try_inverse() else { break };
-        let through = &a * &inverse;
-        let more = a.transpose() * &p * &inverse * &a;
-        g = &g + &through * &g * a.transpose();
-        a = through * a;
-        let settled = more.norm() <= f64::EPSILON * p.norm();
-        p += more;
-        p = (&p + p.transpose()) * 0.5;
-        if settled {
-            break;
-        }
-    }
-    let seen = &p * measured;
-    let variance = measured.dot(&seen) + deviation * deviation;
-    seen / variance
 }
 
 #[cfg(test)]
@@ -226,22 +151,6 @@ mod tests {
         receiver: Some([0.1, 0.02]),
     };
 
-    /// The alpha-beta filter of a place whose velocity jumps at random, by its tracking index L = s_a T^2 / r (Kalata, *IEEE
-    /// Trans. Aerospace and Electronic Systems* 20, 1984, p. 174).
-    #[test]
-    fn the_gain_of_a_place_and_a_velocity_is_that_of_the_tracking_index() {
-        for index in [1e-4, 0.01, 0.5, 3.0] {
-            let (period, deviation) = (0.5, 2.0);
-            let acceleration = index * deviation / (period * period);
-            let entry = DVector::from_row_slice(&[0.5 * period * period, period]) * acceleration;
-            let transition = DMatrix::from_row_slice(2, 2, &[1.0, period, 0.0, 1.0]);
-            let gain = stationary_gain(&transition, &(&entry * entry.transpose()), &first(2), deviation);
-            let r = (4.0 + index - (8.0 * index + index * index).sqrt()) / 4.0;
-            let (alpha, beta) = (1.0 - r * r, 2.0 * (2.0 - (1.0 - r * r)) - 4.0 * r);
-            assert!((gain[0] - alpha).abs() < 1e-9 && (gain[1] * period - beta).abs() < 1e-9, "{index}: {gain}");
-        }
-    }
-
     /// The model of the waves explains a motion of its own period: little of it is left in the estimate. A filter without such
     /// a model takes over the share 2 zeta w0 / w of it, 13 % at a cut-off of 100 s.
     #[test]
@@ -251,7 +160,7 @@ mod tests {
         let [gain, chain] = [design.mean.vertical, [0.0; 5]];
         let (mut error, mut largest) = (chain, [0.0_f64; 2]);
         // The errors of the filter, driven by the wave as the distance from the mean place.
-        let (transition, _) = vertical(&ASSUMED);
+        let transition = vertical(&ASSUMED).transition;
         for k in 0..200_000 {
             let moved = &transition * DVector::from_row_slice(&error[..3]);
             let waves = [0, 1].map(|i| design.waves[i][0] * error[3] + design.waves[i][1] * error[4]);
@@ -264,6 +173,16 @@ mod tests {
             }
         }
         assert!(largest[0] < 0.03 && largest[1] < 0.01 * frequency, "{largest:?}");
+    }
+
+    /// After a long time without a position the next counts fully, as far as numbers reach.
+    #[test]
+    fn a_receiver_that_is_hardly_ever_heard_counts_fully_and_takes_no_longer() {
+        for period_s in [1e5, 1e9, 1e300, f64::INFINITY] {
+            let design = Design::new(&Assumed { receiver: Some([period_s, 0.02]), ..ASSUMED });
+            let gain = design.fix.map_or(0.0, |fix| fix.vertical[0]);
+            assert!(gain > 0.999 && gain <= 1.0 || !design.is_finite(), "{period_s}: {gain}");
+        }
     }
 
     /// A receiver with little noise is followed faster than one with much, and the bandwidth is never above its samples'.

@@ -2,9 +2,11 @@
 
 mod gains;
 mod navigation;
+mod process;
 
-pub use gains::{Assumed, Design, KalmanGains, stationary_gain};
+pub use gains::{Assumed, Design, KalmanGains};
 pub use navigation::{Increments, Moving, Navigation};
+pub use process::Process;
 
 use super::hull::{HullFrame, HullMotion};
 use super::motion_reference_unit::{KEPT, motion};
@@ -53,12 +55,11 @@ const MOTION: usize = KEPT.len();
 const COUNT: usize = MOTION + 3;
 /// The random numbers of the instruments: after those of the signals.
 const OF_INSTRUMENTS: usize = 32;
-/// The numbers behind the sampler's: the estimate; the exact motion at the last sample; the angular velocity found then; where
-/// the unit was at the start; its mean place, and its place by the first position of the receiver, relative to that.
+/// The numbers behind the sampler's: the estimate; the exact motion at the last sample; the angular velocity found then; the mean
+/// place; and what the receiver's positions have to be reduced by, so that the first one is the displacement then.
 const EXACT: usize = navigation::NUMBERS;
 const RATE: usize = EXACT + navigation::OF_MOVING;
-const ZERO: usize = RATE + 3;
-const MEAN: usize = ZERO + 3;
+const MEAN: usize = RATE + 3;
 const FIRST_FIX: usize = MEAN + 3;
 const NUMBERS: usize = FIRST_FIX + 3;
 /// The modes behind the sampler's: whether it has begun; with a receiver, the number of its next position and whether it is out.
@@ -108,7 +109,6 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
         estimate.write(kept);
         exact.write(&mut kept[EXACT..]);
         now.twist.angular.write_to(&mut kept[RATE..]);
-        now.frame.position.write_to(&mut kept[ZERO..]);
         self.sampler.begin(own, &signals(&estimate, now.twist.angular, seen.specific_force));
     }
 

@@ -1,0 +1,138 @@
+//! Linear processes in samples, and what a Kalman filter knows of them after a long time.
+
+use crate::spatial::exponential;
+use nalgebra::{DMatrix, DVector};
+
+/// Rounds of the recursion: the last is the covariance after 2^40 samples.
+const DOUBLINGS: usize = 40;
+
+/// A linear process in a sample: `x <- A x + n`, with the covariance Q of the noise n.
+#[derive(Clone, Debug)]
+pub struct Process {
+    /// A.
+    pub transition: DMatrix<f64>,
+    /// Q.
+    pub noise: DMatrix<f64>,
+}
+
+impl Process {
+    /// From `x' = F x` and the standard deviations that a sample adds.
+    pub fn new(rates: DMatrix<f64>, period_s: f64, deviations: &[f64]) -> Self {
+        let squares = deviations.iter().map(|x| x * x);
+        let noise = DMatrix::from_diagonal(&DVector::from_iterator(deviations.len(), squares));
+        Self { transition: exponential(rates * period_s), noise }
+    }
+
+    /// Number of its states.
+    pub fn size(&self) -> usize {
+        self.noise.nrows()
+    }
+
+    /// Both as one process, this one first.
+    pub fn beside(&self, other: &Self) -> Self {
+        let (one, all) = (self.size(), self.size() + other.size());
+        let both = |first: &DMatrix<f64>, second: &DMatrix<f64>| {
+            let mut both = DMatrix::zeros(all, all);
+            both.view_mut((0, 0), first.shape()).copy_from(first);
+            both.view_mut((one, one), second.shape()).copy_from(second);
+            both
+        };
+        Self { transition: both(&self.transition, &other.transition), noise: both(&self.noise, &other.noise) }
+    }
+
+    /// One step that is this number of samples, by squares. Not finite for too many.
+    pub fn after(&self, samples: f64) -> Self {
+        let (mut left, mut power) = (samples, self.clone());
+        let mut all: Option<Self> = None;
+        while left >= 1.0 {
+            if left % 2.0 >= 1.0 {
+                all = Some(all.map_or_else(|| power.clone(), |all| all.then(&power)));
+            }
+            power = power.then(&power);
+            if !power.noise.norm().is_finite() {
+                return power;
+            }
+            left = libm::floor(0.5 * left);
+        }
+        all.unwrap_or(power)
+    }
+
+    /// This process, then another.
+    fn then(&self, next: &Self) -> Self {
+        let turned = &next.transition * &self.noise * next.transition.transpose();
+        Self { transition: &next.transition * &self.transition, noise: turned + &next.noise }
+    }
+
+    /// The gain K = P h / (h^T P h + r^2) of a Kalman filter after many samples of h^T x + r n, n of variance 1: P solves the algebraic Riccati equation
+    ///
+    /// ```text
+    /// P = A P A^T - A P h (h^T P h + r^2)^-1 h^T P A^T + Q
+    /// ```
+    ///
+    /// by doubling (Anderson & Moore, *Optimal Filtering*, 1979, sec. 6.7): after k rounds it is the covariance after 2^k
+    /// samples.
+    pub fn gain(&self, measured: &DVector<f64>, deviation: f64) -> DVector<f64> {
+        let size = self.size();
+        let (mut a, mut p) = (self.transition.transpose(), self.noise.clone());
+        let mut g = measured * measured.transpose() / (deviation * deviation);
+        for _ in 0..DOUBLINGS {
+            let Some(inverse) = (DMatrix::identity(size, size) + &g * &p).try_inverse() else { break };
+            let through = &a * &inverse;
+            let more = a.transpose() * &p * &inverse * &a;
+            g = &g + &through * &g * a.transpose();
+            a = through * a;
+            let settled = more.norm() <= f64::EPSILON * p.norm();
+            p += more;
+            p = (&p + p.transpose()) * 0.5;
+            if settled {
+                break;
+            }
+        }
+        let seen = &p * measured;
+        let variance = measured.dot(&seen) + deviation * deviation;
+        seen / variance
+    }
+}
+
+/// The first state is measured.
+pub fn first(size: usize) -> DVector<f64> {
+    DVector::from_fn(size, |i, _| if i == 0 { 1.0 } else { 0.0 })
+}
+
+/// The first state less the last is measured.
+pub fn difference(size: usize) -> DVector<f64> {
+    let mut measured = first(size);
+    measured[size - 1] = -1.0;
+    measured
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The alpha-beta filter of a place whose velocity jumps at random, by its tracking index L = s_a T^2 / r (Kalata, *IEEE
+    /// Trans. Aerospace and Electronic Systems* 20, 1984, p. 174).
+    #[test]
+    fn the_gain_of_a_place_and_a_velocity_is_that_of_the_tracking_index() {
+        for index in [1e-4, 0.01, 0.5, 3.0] {
+            let (period, deviation) = (0.5, 2.0);
+            let acceleration = index * deviation / (period * period);
+            let entry = DVector::from_row_slice(&[0.5 * period * period, period]) * acceleration;
+            let transition = DMatrix::from_row_slice(2, 2, &[1.0, period, 0.0, 1.0]);
+            let process = Process { transition, noise: &entry * entry.transpose() };
+            let gain = process.gain(&first(2), deviation);
+            let r = (4.0 + index - (8.0 * index + index * index).sqrt()) / 4.0;
+            let (alpha, beta) = (1.0 - r * r, 2.0 * (2.0 - (1.0 - r * r)) - 4.0 * r);
+            assert!((gain[0] - alpha).abs() < 1e-9 && (gain[1] * period - beta).abs() < 1e-9, "{index}: {gain}");
+        }
+    }
+
+    #[test]
+    fn a_step_of_several_samples_is_each_after_the_other() {
+        let chain = Process::new(DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -0.5, -0.1]), 0.3, &[0.1, 0.2]);
+        let one_by_one = (1..13).fold(chain.clone(), |all, _| all.then(&chain));
+        let at_once = chain.after(13.0);
+        assert!((&at_once.transition - &one_by_one.transition).norm() < 1e-14 * one_by_one.transition.norm());
+        assert!((&at_once.noise - &one_by_one.noise).norm() < 1e-13 * one_by_one.noise.norm());
+    }
+}
