@@ -1,8 +1,7 @@
 //! A motion reference unit: a sensor of a body's motion, with its own sampling period.
 
 use super::hull::HullFrame;
-use super::sensing::{PositionAid, Sampler};
-use super::ticks::{Due, due};
+use super::sensing::{PositionAid, ReceiverSample, Sampler};
 use super::{Components, Context, Declaration, Element, ElementState, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
@@ -134,11 +133,9 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
     ) -> Result<Vec<String>, String> {
         let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
         let (next, count, kept) = (own.modes.len() - 1, self.filtered(), self.sampler.numbers());
-        let Some(Due { is_first, .. }) = due(at.clock.time_s, receiver.period_s, &mut own.modes[next]) else {
-            return Ok(Vec::new());
-        };
+        let sample = receiver.sample(at.clock.time_s, read, &mut own.modes[next]);
+        let Some(ReceiverSample { is_first, delivers }) = sample else { return Ok(Vec::new()) };
         let found = self.measured(at, &own.numbers[kept..], own.states);
-        let delivers = is_first || receiver.delivers(read);
         let fix = self.fix(receiver, at.clock.time_s, read, &found);
         let numbers = &mut own.numbers[kept..];
         for axis in 0..count {

@@ -157,8 +157,7 @@ mod tests {
     fn a_regular_wave_of_the_assumed_period_passes_with_its_phase_and_size() {
         let design = Design::new(&ASSUMED);
         let frequency = core::f64::consts::TAU / ASSUMED.motion_period_s;
-        let [gain, chain] = [design.mean.vertical, [0.0; 5]];
-        let (mut error, mut largest) = (chain, [0.0_f64; 2]);
+        let (gain, mut error, mut largest) = (design.mean.vertical, [0.0; 5], [0.0_f64; 2]);
         // The errors of the filter, driven by the wave as the distance from the mean place.
         let transition = vertical(&ASSUMED).transition;
         for k in 0..200_000 {

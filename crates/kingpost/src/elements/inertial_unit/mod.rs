@@ -6,12 +6,10 @@ mod process;
 
 pub use gains::{Assumed, Design, KalmanGains};
 pub use navigation::{Increments, Moving, Navigation};
-pub use process::Process;
 
 use super::hull::{HullFrame, HullMotion};
 use super::motion_reference_unit::{KEPT, motion};
-use super::sensing::{PositionAid, Sampler, SensorNoise, SignalErrors};
-use super::ticks::{Due, due};
+use super::sensing::{PositionAid, ReceiverSample, Sampler, SensorNoise, SignalErrors};
 use super::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, exp, roll_pitch_yaw};
@@ -51,8 +49,7 @@ pub struct Instruments<S = f64> {
 }
 
 /// Signals: those of a motion, then the specific force.
-const MOTION: usize = KEPT.len();
-const COUNT: usize = MOTION + 3;
+const COUNT: usize = KEPT.len() + 3;
 /// The random numbers of the instruments: after those of the signals.
 const OF_INSTRUMENTS: usize = 32;
 /// The numbers behind the sampler's: the estimate; the exact motion at the last sample; the angular velocity found then; the mean
@@ -122,9 +119,8 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
     ) -> Result<Vec<String>, String> {
         let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
         let modes = &mut own.modes[self.sampler.modes()..];
-        let due = due(at.clock.time_s, receiver.period_s, &mut modes[NEXT_FIX]);
-        let Some(Due { is_first, .. }) = due else { return Ok(Vec::new()) };
-        let delivers = is_first || receiver.delivers(read);
+        let sample = receiver.sample(at.clock.time_s, read, &mut modes[NEXT_FIX]);
+        let Some(ReceiverSample { is_first, delivers }) = sample else { return Ok(Vec::new()) };
         modes[RECEIVER_OUT] = i64::from(!delivers);
         if delivers {
             self.take(receiver, read, is_first, &mut own.numbers[self.sampler.numbers()..]);

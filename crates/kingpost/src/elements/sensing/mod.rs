@@ -10,6 +10,6 @@ mod satellite_receiver;
 pub use encoder::Encoder;
 pub use errors::{DropOuts, SensorNoise, SignalErrors};
 pub use load_cell::LoadCell;
-pub use position_aid::PositionAid;
+pub use position_aid::{PositionAid, ReceiverSample};
 pub use sampler::Sampler;
 pub use satellite_receiver::SatelliteReceiver;

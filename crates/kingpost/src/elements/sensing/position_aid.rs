@@ -1,5 +1,6 @@
 //! A satellite receiver that helps another sensor of the same body with its positions.
 
+use crate::elements::ticks::{Due, due};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
 
@@ -18,6 +19,15 @@ pub struct PositionAid<S = f64> {
     pub has_status: bool,
 }
 
+/// What a unit gets of its receiver at a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ReceiverSample {
+    /// Whether it is the first.
+    pub is_first: bool,
+    /// Whether there is a position; the first sample always has one.
+    pub delivers: bool,
+}
+
 impl<S: Scalar> PositionAid<S> {
     /// The columns that it needs.
     pub fn columns(&self) -> Vec<String> {
@@ -26,9 +36,12 @@ impl<S: Scalar> PositionAid<S> {
         place.into_iter().chain(status).collect()
     }
 
-    /// Whether the receiver delivers, by these columns.
-    pub fn delivers(&self, read: &[S]) -> bool {
-        !self.has_status || read.last().is_none_or(|status| status.all(|status| status > 0.5))
+    /// The sample of the receiver that is due at a time, if it has not been taken, by these columns; `next` is a mode of the
+    /// unit, as for [`due`].
+    pub fn sample(&self, time_s: f64, read: &[S], next: &mut i64) -> Option<ReceiverSample> {
+        let Due { is_first, .. } = due(time_s, self.period_s, next)?;
+        let works = !self.has_status || read.last().is_none_or(|status| status.all(|status| status > 0.5));
+        Some(ReceiverSample { is_first, delivers: is_first || works })
     }
 
     /// g by these columns at a sample of the receiver, m: with the unit's rotation R, its angular velocity omega in its own
