@@ -163,9 +163,36 @@ def test_the_gains_in_the_gallery_are_those_of_the_regulator() -> None:
     expected = steers_of(found.scenario(kingpost.load(GALLERY), "swing_feedback"))
     for one, other in zip(steers[GALLERY], expected, strict=True):
         assert one["gains"] == pytest.approx(other["gains"], abs=1e-4)
-    # At sea the slewing gear alone is moved, by the same gains.
-    of_slewing = [steers[GALLERY][0]["gains"][k] for k in (0, 1, 4, 5)]
-    assert steers[f"{GALLERY}_at_sea"][0]["gains"] == of_slewing
+    # At sea slewing alone is moved, by the gains of a longer period, which bear the delay of the gyroscopes.
+    late = kingpost.lqr(GALLERY, inputs=inputs, Q=weights, R=[1, 1], period_s=0.5).gains[0]
+    of_slewing = late.sel(state=["slew", "slew.rate", "pendant.first", "pendant.first.rate"]).values
+    assert steers[f"{GALLERY}_at_sea"][0]["gains"] == pytest.approx(of_slewing, abs=1e-4)
+
+
+def test_gains_for_an_exact_angle_are_named_before_the_run_where_gyroscopes_are_late() -> None:
+    """Source: half the sampling frequency of the feedback, 5 Hz, at which a run with these gains shakes."""
+    at_sea = kingpost.load(f"{GALLERY}_at_sea", feedback=True)
+    assert at_sea.model["warnings"] == []
+    feedback = "controllers.swing_feedback.state_feedback"
+    gains = [steers_of(kingpost.load(GALLERY))[0]["gains"][k] for k in (0, 1, 4, 5)]
+    (words,) = at_sea.with_overrides(
+        {f"{feedback}.steers.0.gains": gains, f"{feedback}.period_s": 0.1}
+    ).model["warnings"]
+    assert words.startswith("swing_feedback: an oscillation of slew of period 0.2 s grows")
+
+
+def test_a_feedback_by_gyroscopes_takes_the_swing_out_of_a_load_at_sea() -> None:
+    """Source: measured, 0.70 degrees instead of 4.6 at Hs 1 m, 15 %."""
+    swing = {}
+    for feedback in (False, True):
+        recorded = kingpost.run(f"{GALLERY}_at_sea", waves=True, feedback=feedback)
+        after = recorded.time.values > 115
+        columns = ("load.roll", "gyroscopes.measured_roll")
+        roll, found = (recorded.kingpost[name].values for name in columns)
+        swing[feedback] = roll[after].std()
+        # A row is 0.1 s, and so is the delay.
+        assert (found[1:] - roll[:-1])[after[1:]].std() < np.radians(0.1)
+    assert swing[True] < 0.2 * swing[False]
 
 
 def steers_of(scenario: kingpost.Scenario) -> list[dict]:

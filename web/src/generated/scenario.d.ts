@@ -3734,6 +3734,9 @@ export type Sensor =
       inertial_unit: InertialUnit;
     }
   | {
+      swing_estimator: SwingEstimator;
+    }
+  | {
       encoder: Encoder;
     }
   | {
@@ -3848,6 +3851,31 @@ export type InertialFilter = {
    * Middle period of the waves, s: half or twice that does little harm.
    */
   wave_period_s?: number;
+};
+/**
+ * What the filter assumes.
+ */
+export type SwingFilter = {
+  /**
+   * Standard deviation of the noise of a gyroscope in a sample, rad/s.
+   */
+  rate_noise_rad_s?: number;
+  /**
+   * The same as `rate_noise_rad_s`, in the unit of this name.
+   */
+  rate_noise_deg_s?: number;
+  /**
+   * Standard deviation of the swing, rad: the smaller, the more the vertical counts against the gyroscopes.
+   */
+  swing_rad?: number;
+  /**
+   * The same as `swing_rad`, in the unit of this name.
+   */
+  swing_deg?: number;
+  /**
+   * Middle period of the swing, s: half or twice that does little harm.
+   */
+  swing_period_s?: number;
 };
 /**
  * Errors of a measured force.
@@ -5603,6 +5631,38 @@ export interface AccelerationErrors {
    * Smallest step, m/s^2; 0 is none. Derivatives do not go through it.
    */
   resolution_m_s2?: number;
+}
+/**
+ * Finds how a load or a hook swings from gyroscopes on it, by an error-state Kalman filter which knows that it swings about
+ * the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes). A
+ * constant inclination fades from its results. It begins as after a long time at rest.
+ */
+export interface SwingEstimator {
+  /**
+   * Whether the sensor measures.
+   */
+  enabled?: boolean;
+  /**
+   * The body with the gyroscopes.
+   */
+  body: string;
+  /**
+   * Time between two samples, s.
+   */
+  period_s: number;
+  /**
+   * Delay of its outputs, in samples: 0 to 1000.
+   */
+  delay_samples?: number;
+  /**
+   * Errors of each gyroscope; without them all are exact.
+   */
+  rate_errors?: RateErrors | null;
+  filter?: SwingFilter;
+  /**
+   * Failures of the connection to the sensor; without them it always works.
+   */
+  drop_outs?: DropOuts | null;
 }
 /**
  * Measures the angle of a joint: `measured_angle`, rad.

@@ -12,6 +12,8 @@ pub enum Situation {
     Running,
     /// Rest: without waves, and with prescribed motions held.
     AtRest,
+    /// The same, and sensors give what they measure at once: without samples, delays and errors.
+    Unsampled,
     /// The search for an equilibrium: as at rest, and elements that hold the model in place act at once and without
     /// limits.
     Settling,

@@ -22,6 +22,8 @@ pub struct Declaration {
     pub events: Vec<Event>,
     /// Its sampling period, s, if it samples: at whole multiples of it, first at the start of the run.
     pub period_s: Option<f64>,
+    /// Delay of its sampled outputs, in samples.
+    pub delay_samples: usize,
     /// Whether its states stay as they are while an equilibrium is sought, because a user has moved them there.
     pub keeps_states: bool,
     /// Whether it prescribes the motion of coordinates.

@@ -20,6 +20,8 @@ pub struct Share {
     pub has_own: bool,
     /// Its sampling period, s.
     pub period_s: Option<f64>,
+    /// Delay of its sampled outputs, in samples.
+    pub delay_samples: usize,
     /// Whether its states stay unchanged while an equilibrium is sought.
     pub keeps_states: bool,
 }
@@ -157,6 +159,7 @@ impl Layout {
                 numbers: range(number, declared.numbers.len()),
                 modes: range(layout.modes.len(), declared.modes.len()),
                 period_s: declared.period_s,
+                delay_samples: declared.delay_samples,
                 keeps_states: declared.keeps_states,
             });
             (input, number) = (input + declared.inputs.len(), number + declared.numbers.len());

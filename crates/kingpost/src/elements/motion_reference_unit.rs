@@ -155,7 +155,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        self.sampler.outputs(at.numbers, at.modes, out);
+        self.sampler.outputs(at, out, || self.measured(at, &at.numbers[self.sampler.numbers()..], at.states));
     }
 }
 
@@ -170,17 +170,28 @@ const FIXES: [&str; 3] = ["fix_height", "fix_x", "fix_y"];
 const FIX_RATES: [&str; 3] = ["fix_height_rate", "fix_x_rate", "fix_y_rate"];
 const FIRST_FIXES: [&str; 3] = ["first_fix_height", "first_fix_x", "first_fix_y"];
 
-/// The outputs of a measured motion, by all units alike.
-pub(super) fn motion(sensor: &str, horizontal: bool) -> Vec<Output> {
+/// The outputs of a measured inclination and angular velocity, by all sensors alike.
+pub(super) fn inclination(sensor: &str) -> [Output; 3] {
     let number = |variable, description, unit| Output::number(variable, description, "sensor", sensor, unit);
     let angular_velocity = Output {
         components: Components::Axis,
         frame: VectorFrame::Body,
         ..number("measured_angular_velocity", "measured angular velocity of a sensor's body", &["rad/s"])
     };
-    let mut outputs = vec![
+    [
         number("measured_roll", "measured roll of a sensor's body, positive port side up", &["rad"]),
         number("measured_pitch", "measured pitch of a sensor's body, positive bow down", &["rad"]),
+        angular_velocity,
+    ]
+}
+
+/// The outputs of a measured motion, by all units alike.
+pub(super) fn motion(sensor: &str, horizontal: bool) -> Vec<Output> {
+    let number = |variable, description, unit| Output::number(variable, description, "sensor", sensor, unit);
+    let [roll, pitch, angular_velocity] = inclination(sensor);
+    let mut outputs = vec![
+        roll,
+        pitch,
         number("measured_heave", "measured height of a sensor above its height at the start", &["m"]),
         number("measured_heave_rate", "measured vertical velocity of a sensor", &["m/s"]),
         angular_velocity,

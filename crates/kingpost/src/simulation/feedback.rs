@@ -1,13 +1,13 @@
 //! Small motions with the feedback of the elements that state a linear law: which modes grow.
 
+use super::sampled_loops::{FeedbackLoop, HeldInputs, Sensed, fastest, vector};
 use super::small_motions::{Changed, DIFFERENCE};
 use super::{Simulation, stage};
 use crate::elements::{LinearLaw, Situation};
 use crate::integrate::Stage;
 use crate::results::Sample;
-use crate::spatial::exponential;
 use core::f64::consts::{PI, TAU};
-use nalgebra::{Complex, DMatrix, DVector, Schur};
+use nalgebra::{Complex, DMatrix, DVector};
 
 /// A mode that grows with feedback.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,24 +27,6 @@ pub struct GrowingMode {
 const SLOWEST_GROWTH: f64 = 1e-3;
 /// A law is the reason if without it nothing grows at more than this share of the rate.
 const SHARE: f64 = 0.5;
-/// Most samples after which all laws sample at once again.
-const MOST_SAMPLES: u64 = 1000;
-/// Iterations of the search for eigenvalues.
-const MOST_ITERATIONS: usize = 20_000;
-/// Shift from the eigenvalue in the inverse iteration, as a share of its modulus.
-const BESIDE: f64 = 1e-9;
-
-/// A law with the inputs that it sets, among those of all laws, and how often it samples, in steps.
-struct FeedbackLoop {
-    name: String,
-    gains: DMatrix<f64>,
-    /// Without rows if nothing is summed.
-    integral_gains: DMatrix<f64>,
-    reads: DMatrix<f64>,
-    first: usize,
-    steps: u64,
-}
-
 impl Simulation {
     /// The mode that grows fastest from here with the feedback of all elements that state a
     /// [linear law](crate::elements::Element::linear_law); `None` if none grows, or nothing is fed back.
@@ -52,14 +34,15 @@ impl Simulation {
     /// Between samples `x' = A x + B u` with u held, so `x -> e^(A h) x + (integral of e^(A s) ds) B u` (Franklin, Powell &
     /// Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a sample `u = G C x + H (sum of C x T)`.
     /// The eigenvalues z of the map over a time in which all laws begin anew are those of modes that grow by |z|. A, B and C
-    /// are by differences, in still water and with prescribed motions held.
+    /// are by differences, in still water and with prescribed motions held; sensors are taken as exact, with their
+    /// delays.
     pub fn growing_with_feedback(&mut self) -> Option<GrowingMode> {
         let laws = self.laws();
         if laws.is_empty() {
             return None;
         }
         let a = self.small_motions();
-        self.plant.set_situation(Situation::AtRest);
+        self.plant.set_situation(Situation::Unsampled);
         let (b, loops) = self.loops(laws, a.nrows());
         self.plant.set_situation(Situation::Running);
         let held = HeldInputs { a, b, step_s: self.settings.step_s };
@@ -106,15 +89,10 @@ impl Simulation {
             let reads: Vec<DVector<f64>> = (0..size).map(|state| self.columns_by_state(steer, state)).collect();
             let matrix = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), reads[0].len(), |i, j| rows[i][j]);
             let (gains, integral_gains) = (matrix(&law.gains), matrix(&law.integral_gains));
-            let steps = libm::round(law.period_s / self.settings.step_s).max(1.0) as u64;
-            loops.push(FeedbackLoop {
-                name,
-                gains,
-                integral_gains,
-                reads: DMatrix::from_columns(&reads),
-                first,
-                steps,
-            });
+            let steps = self.whole_steps(law.period_s);
+            let sensed = self.sensed(steer, steps);
+            let reads = DMatrix::from_columns(&reads);
+            loops.push(FeedbackLoop { name, gains, integral_gains, reads, sensed, first, steps });
         }
         (DMatrix::from_columns(&columns), loops)
     }
@@ -131,6 +109,24 @@ impl Simulation {
             at = *steer.inputs.get(passed)?;
         }
         Some(at)
+    }
+
+    /// How the columns that a steering element reads at every so many steps are sensed, if they are those of sensors. A value
+    /// that is held for longer than that is half the rest older on average.
+    fn sensed(&self, steer: usize, every: u64) -> Vec<Option<Sensed>> {
+        let layout = self.plant.layout();
+        let signals = layout.signals();
+        let of = |column: &String| {
+            let signal = signals.iter().find(|signal| signal.name == *column)?;
+            let share = &layout.shares[signal.element];
+            let steps = self.whole_steps(share.period_s?);
+            Some(Sensed { steps, age: share.delay_samples as u64 * steps + steps.saturating_sub(every) / 2 })
+        };
+        layout.steers[steer].reads.iter().map(of).collect()
+    }
+
+    fn whole_steps(&self, period_s: f64) -> u64 {
+        libm::round(period_s / self.settings.step_s).max(1.0) as u64
     }
 
     /// The columns that a steering element reads, by a state.
@@ -160,100 +156,4 @@ impl Simulation {
         let largest = (0..names.len()).max_by(|&i, &j| energy(i).total_cmp(&energy(j)));
         largest.map_or_else(String::new, |i| names[i].clone())
     }
-}
-
-/// A and B between samples.
-struct HeldInputs {
-    a: DMatrix<f64>,
-    b: DMatrix<f64>,
-    step_s: f64,
-}
-
-impl HeldInputs {
-    /// The map of states, held inputs and sums over the time in which all laws begin anew, and this time, s.
-    fn map(&self, loops: &[&FeedbackLoop]) -> Option<(DMatrix<f64>, f64)> {
-        let (n, m) = self.b.shape();
-        let unit = loops.iter().fold(0, |unit, one| divisor(unit, one.steps)).max(1);
-        let samples = loops.iter().try_fold(1, |all: u64, one| {
-            let own = one.steps / unit;
-            (all / divisor(all, own)).checked_mul(own).filter(|all| *all <= MOST_SAMPLES)
-        })?;
-        let between_s = unit as f64 * self.step_s;
-        let sums = if loops.iter().any(|one| one.integral_gains.nrows() > 0) { m } else { 0 };
-        let mut rates = DMatrix::zeros(n + m + sums, n + m + sums);
-        rates.view_mut((0, 0), (n, n)).copy_from(&(&self.a * between_s));
-        rates.view_mut((0, n), (n, m)).copy_from(&(&self.b * between_s));
-        let between = exponential(rates);
-        let mut map = DMatrix::identity(n + m + sums, n + m + sums);
-        for sample in 0..samples {
-            for one in loops.iter().filter(|one| sample % (one.steps / unit) == 0) {
-                map = self.sampled(one, sums) * map;
-            }
-            map = &between * map;
-        }
-        // Inputs that no loop sets stay zero, and so do sums that nothing adds to.
-        for input in 0..m {
-            let of = |one: &&&FeedbackLoop| (one.first..one.first + one.gains.nrows()).contains(&input);
-            let of = loops.iter().find(of);
-            let unset = of.is_none().then_some(n + input);
-            let unsummed = of.is_none_or(|one| one.integral_gains.nrows() == 0) && sums > 0;
-            for place in unset.into_iter().chain(unsummed.then_some(n + m + input)) {
-                map.column_mut(place).fill(0.0);
-                map.row_mut(place).fill(0.0);
-            }
-        }
-        Some((map, samples as f64 * between_s))
-    }
-
-    /// What a sample of a loop does to states, held inputs and sums.
-    fn sampled(&self, one: &FeedbackLoop, sums: usize) -> DMatrix<f64> {
-        let (n, m) = self.b.shape();
-        let mut update = DMatrix::identity(n + m + sums, n + m + sums);
-        let mut law = &one.gains * &one.reads;
-        if one.integral_gains.nrows() > 0 {
-            let summed = &one.integral_gains * &one.reads * (one.steps as f64 * self.step_s);
-            law += &summed;
-            update.view_mut((n + m + one.first, 0), (law.nrows(), n)).copy_from(&summed);
-            (0..law.nrows()).for_each(|k| update[(n + one.first + k, n + m + one.first + k)] = 1.0);
-        }
-        update.view_mut((n + one.first, 0), (law.nrows(), n)).copy_from(&law);
-        (0..law.nrows()).for_each(|k| update[(n + one.first + k, n + one.first + k)] = 0.0);
-        update
-    }
-
-    /// The rate of the fastest growth with these laws, 1/s.
-    fn growth(&self, loops: &[&FeedbackLoop]) -> Option<f64> {
-        let (map, time_s) = self.map(loops)?;
-        Some(libm::log(fastest(&map)?.norm_sqr()) / (2.0 * time_s))
-    }
-}
-
-/// The eigenvalue with the largest modulus.
-fn fastest(map: &DMatrix<f64>) -> Option<Complex<f64>> {
-    if !map.iter().all(|x| x.is_finite()) {
-        return None;
-    }
-    let values = Schur::try_new(map.clone(), f64::EPSILON, MOST_ITERATIONS)?.complex_eigenvalues();
-    values.iter().copied().max_by(|one, other| one.norm_sqr().total_cmp(&other.norm_sqr()))
-}
-
-/// The eigenvector of an eigenvalue, by inverse iteration with a shift; zero if there is none.
-fn vector(map: &DMatrix<f64>, value: Complex<f64>) -> DVector<Complex<f64>> {
-    let n = map.nrows();
-    let beside = value * (1.0 + BESIDE);
-    let shifted =
-        DMatrix::from_fn(n, n, |i, j| Complex::from(map[(i, j)]) - if i == j { beside } else { Complex::ZERO });
-    let factors = shifted.lu();
-    let mut found = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
-    for _ in 0..2 {
-        let Some(next) = factors.solve(&found) else { break };
-        let size = next.norm();
-        found = next.unscale(size);
-    }
-    found
-}
-
-/// Greatest common divisor.
-fn divisor(one: u64, other: u64) -> u64 {
-    if other == 0 { one } else { divisor(other, one % other) }
 }

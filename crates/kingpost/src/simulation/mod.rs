@@ -8,6 +8,7 @@ mod from_outside;
 mod limits;
 mod live;
 mod recording;
+mod sampled_loops;
 mod sea;
 mod settle;
 mod setup;

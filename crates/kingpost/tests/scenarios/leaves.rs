@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 46] = [
+const STRUCTURE: [&str; 48] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -216,6 +216,8 @@ const STRUCTURE: [&str; 46] = [
     ".motion_reference_unit.period_s",
     ".inertial_unit.period_s",
     ".inertial_unit.filter.",
+    ".swing_estimator.period_s",
+    ".swing_estimator.filter.",
     ".state_feedback.period_s",
     ".policy.period_s",
     ".drive_function.time_s",

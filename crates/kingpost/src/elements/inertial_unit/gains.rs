@@ -1,7 +1,7 @@
 //! The stationary gains of the error-state Kalman filter of an inertial unit.
 
-use super::process::{Process, difference, first};
-use nalgebra::{DMatrix, DVector};
+use super::super::sensing::{Process, RATE_WANDERS, difference, first};
+use nalgebra::DVector;
 
 /// What the filter assumes of its unit and of the sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,13 +48,10 @@ pub struct Design {
     pub heading: [f64; 2],
 }
 
-/// Damping ratio of the motion in waves: the width of its spectrum.
-const DAMPING_RATIO: f64 = 0.3;
 /// Standard deviation of what the motion in waves does not explain of the distance from the mean place, over it.
 const UNEXPLAINED: f64 = 0.1;
-/// How fast the errors of the sensors wander: m/s^2 and rad/s in the root of a second.
+/// How fast the error of an accelerometer wanders: m/s^2 in the root of a second.
 const ACCELERATION_WANDERS: f64 = 1e-5;
-const RATE_WANDERS: f64 = 1e-6;
 const GRAVITY_M_S2: f64 = 9.80665;
 
 impl Design {
@@ -67,11 +64,12 @@ impl Design {
     ///
     /// with the white noises a and w of the accelerometers and gyroscopes and the wandering error b of a gyroscope or
     /// an accelerometer (Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation Systems*, 2nd ed.,
-    /// 2013, ch. 14). The ship stays about its mean place but for the motion x in waves, for which
-    /// `x'' + 2 zeta w0 x' + w0^2 x = noise'`, as in the filter of waves of Fossen (2021, sec. 13.3): a filter that knows it does
-    /// not take waves for errors, and shifts neither their phase nor their size.
+    /// 2013, ch. 14). The ship stays about its mean place but for the motion in waves, an
+    /// [oscillation](Process::oscillation): a filter that knows it does not take waves for errors, and shifts neither their
+    /// phase nor their size.
     pub fn new(of: &Assumed) -> Self {
-        let (level, vertical, waves) = (level(of), vertical(of), waves(of));
+        let (level, vertical) = (level(of), vertical(of));
+        let waves = Process::oscillation(of.motion_period_s, of.motion_m, of.period_s);
         let mean =
             |chain: &Process| chain.beside(&waves).gain(&difference(chain.size() + 2), UNEXPLAINED * of.motion_m);
         let fix = |chain: &Process, [period_s, deviation]: [f64; 2]| {
@@ -87,7 +85,7 @@ impl Design {
                 level: padded(&fix(&level, receiver)),
                 vertical: padded(&fix(&vertical, receiver)),
             }),
-            heading: padded(&heading(of).gain(&first(2), of.heading_noise)),
+            heading: padded(&Process::of_angle(of.rate_noise, of.period_s).gain(&first(2), of.heading_noise)),
         }
     }
 
@@ -101,36 +99,17 @@ impl Design {
 /// Displacement, velocity, tilt, error of the rate.
 fn level(of: &Assumed) -> Process {
     let noises = [0.0, of.acceleration_noise * of.period_s, of.rate_noise * of.period_s, RATE_WANDERS * root(of)];
-    Process::new(each_by_the_next(&[1.0, GRAVITY_M_S2, -1.0]), of.period_s, &noises)
+    Process::chain(&[1.0, GRAVITY_M_S2, -1.0], of.period_s, &noises)
 }
 
 /// Displacement, velocity, error of the acceleration.
 fn vertical(of: &Assumed) -> Process {
     let noises = [0.0, of.acceleration_noise * of.period_s, ACCELERATION_WANDERS * root(of)];
-    Process::new(each_by_the_next(&[1.0, -1.0]), of.period_s, &noises)
-}
-
-/// Heading, error of the rate.
-fn heading(of: &Assumed) -> Process {
-    Process::new(each_by_the_next(&[-1.0]), of.period_s, &[of.rate_noise * of.period_s, RATE_WANDERS * root(of)])
-}
-
-/// The motion in waves, with its integral as the first state; its variance is that of the motion.
-fn waves(of: &Assumed) -> Process {
-    let frequency = core::f64::consts::TAU / of.motion_period_s;
-    let (spring, damper) = (frequency * frequency, 2.0 * DAMPING_RATIO * frequency);
-    let rates = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -spring, -damper]);
-    Process::new(rates, of.period_s, &[0.0, libm::sqrt(2.0 * damper) * of.motion_m * root(of)])
+    Process::chain(&[1.0, -1.0], of.period_s, &noises)
 }
 
 fn root(of: &Assumed) -> f64 {
     libm::sqrt(of.period_s)
-}
-
-/// The rate of state k is this factor times state k + 1.
-fn each_by_the_next(factors: &[f64]) -> DMatrix<f64> {
-    let size = factors.len() + 1;
-    DMatrix::from_fn(size, size, |i, j| if j == i + 1 { factors[i] } else { 0.0 })
 }
 
 fn padded<const N: usize>(gain: &DVector<f64>) -> [f64; N] {

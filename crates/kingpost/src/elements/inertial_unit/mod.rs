@@ -2,7 +2,6 @@
 
 mod gains;
 mod navigation;
-mod process;
 
 pub use gains::{Assumed, Design, KalmanGains};
 pub use navigation::{Increments, Moving, Navigation};
@@ -156,7 +155,12 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        self.sampler.outputs(at.numbers, at.modes, out);
+        self.sampler.outputs(at, out, || {
+            let now = self.place.motion(at);
+            let (exact, up) = (moving(&now), Vector3([S::ZERO, S::ZERO, at.world.gravity]));
+            let known = Navigation { displacement: now.frame.position, ..Navigation::without_errors(exact) };
+            signals(&known, now.twist.angular, exact.rotation.transpose_times(up))
+        });
     }
 }
 

@@ -67,12 +67,22 @@ impl<S: Scalar> Navigation<S> {
     pub fn settled(truth: Moving<S>, at_rest: &Increments<S>, gravity: S) -> Self {
         let seen = truth.rotation * at_rest.specific_force;
         let size = seen.norm();
-        let tilt = seen.cross(Vector3([S::ZERO, S::ZERO, S::ONE])) * (S::ONE / size);
+        let per_size = size.select_below(f64::MIN_POSITIVE, || S::ZERO, || S::ONE / size);
+        let tilt = seen.cross(Vector3([S::ZERO, S::ZERO, S::ONE])) * per_size;
         Self {
-            moving: Moving { rotation: exp(tilt) * truth.rotation, ..truth },
-            displacement: Vector3::zero(),
             acceleration_error: size - gravity,
             rate_errors: at_rest.rate,
+            ..Self::without_errors(Moving { rotation: exp(tilt) * truth.rotation, ..truth })
+        }
+    }
+
+    /// The estimate of a unit without errors at its mean place.
+    pub fn without_errors(moving: Moving<S>) -> Self {
+        Self {
+            moving,
+            displacement: Vector3::zero(),
+            acceleration_error: S::ZERO,
+            rate_errors: Vector3::zero(),
             waves: [[S::ZERO; 2]; 3],
         }
     }

@@ -43,6 +43,6 @@ impl<S: Scalar> Element<S> for Encoder<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        self.sampler.outputs(at.numbers, at.modes, out);
+        self.sampler.outputs(at, out, || [at.q[self.position]]);
     }
 }

@@ -1,9 +1,10 @@
-//! Sensors of a crane, and what all sensors have in common: noise, bias, resolution, delay, drop-outs.
+//! Sensors of a crane, and what all sensors have in common: noise, bias, resolution, delay, drop-outs, the gains of their filters.
 
 mod encoder;
 mod errors;
 mod load_cell;
 mod position_aid;
+mod process;
 mod sampler;
 mod satellite_receiver;
 
@@ -11,5 +12,6 @@ pub use encoder::Encoder;
 pub use errors::{DropOuts, SensorNoise, SignalErrors};
 pub use load_cell::LoadCell;
 pub use position_aid::{PositionAid, ReceiverSample};
+pub use process::{Process, RATE_WANDERS, difference, first};
 pub use sampler::Sampler;
 pub use satellite_receiver::SatelliteReceiver;

@@ -1,7 +1,7 @@
 //! The sampling of a sensor's signals: errors, a delay, and a last value that is held while the sensor drops out.
 
 use super::errors::{DropOuts, SensorNoise, SignalErrors};
-use crate::elements::{Crossing, Declaration, Delay, Event, Output, Own};
+use crate::elements::{Context, Crossing, Declaration, Delay, Event, Output, Own, Situation};
 use crate::scalar::Scalar;
 
 /// Samples a fixed list of signals. Its numbers stand first among the element's: the outputs, then a ring buffer for
@@ -51,6 +51,7 @@ impl<S: Scalar> Sampler<S> {
             events: self.events(),
             goes_alone: self.drop_outs.is_some(),
             period_s: Some(self.period_s),
+            delay_samples: self.delay_samples,
             ..Declaration::default()
         }
     }
@@ -107,10 +108,16 @@ impl<S: Scalar> Sampler<S> {
         self.drop_outs.is_none() || modes[self.status_mode()] != OUT
     }
 
-    /// The values that it delivers, then its status if it can drop out.
-    pub fn outputs(&self, numbers: &[S], modes: &[i64], out: &mut Vec<S>) {
-        out.extend_from_slice(&numbers[..self.count()]);
-        let status = if self.works(modes) { S::ONE } else { S::ZERO };
+    /// The values that it delivers, the exact ones in a [situation](Situation::Unsampled) without samples; then its status if
+    /// it can drop out.
+    pub fn outputs<Exact: AsRef<[S]>>(&self, at: &Context<'_, S>, out: &mut Vec<S>, exact: impl FnOnce() -> Exact) {
+        let count = self.count();
+        if at.situation == Situation::Unsampled {
+            out.extend_from_slice(&exact().as_ref()[..count]);
+        } else {
+            out.extend_from_slice(&at.numbers[..count]);
+        }
+        let status = if self.works(at.modes) { S::ONE } else { S::ZERO };
         out.extend(self.drop_outs.map(|_| status));
     }
 

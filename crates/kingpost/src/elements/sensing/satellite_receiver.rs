@@ -43,6 +43,6 @@ impl<S: Scalar> Element<S> for SatelliteReceiver<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        self.sampler.outputs(at.numbers, at.modes, out);
+        self.sampler.outputs(at, out, || place(&self.antenna, at.model, at.links).0);
     }
 }

@@ -1,12 +1,13 @@
 //! Encoders, load cells, satellite receivers, and the errors of all sensors that sample.
 
-use super::super::schema::{self, Force, Scenario};
+use super::super::schema::{self, Force, Positive, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
 use super::cylinders::attachment;
+use super::damping::rigid;
 use super::{FieldError, known};
 use crate::elements::sensing::{DropOuts, Sampler, SensorNoise, SignalErrors};
-use crate::elements::{AnyElement, Encoder, LoadCell, Rope, SatelliteReceiver, of_kind};
+use crate::elements::{AnyElement, Encoder, LoadCell, Rope, SatelliteReceiver, SwingEstimator, SwingFilter, of_kind};
 use crate::model::{AxisMotion, Model};
 use crate::scenario::leaf::Quantity;
 
@@ -18,7 +19,7 @@ pub fn sampler<S: Quantity>(
     scenario: &Scenario<S>,
     [name, kind]: [&str; 2],
     errors: Vec<Option<SignalErrors<S>>>,
-    (period_s, delay_samples): (schema::Positive, usize),
+    (period_s, delay_samples): (Positive, usize),
     drop_outs: Option<schema::DropOuts>,
 ) -> Result<Sampler<S>, FieldError> {
     let field = |rest: &str| format!("sensors.{name}.{kind}.{rest}");
@@ -160,6 +161,43 @@ pub fn of_rate<S: Quantity>(given: &schema::RateErrors<S>) -> SignalErrors<S> {
 pub fn of_acceleration<S: Quantity>(given: &schema::AccelerationErrors<S>) -> SignalErrors<S> {
     let (noise, resolution) = (given.noise_m_s2.get(), given.resolution_m_s2.get());
     SignalErrors { noise, bias: given.bias_m_s2, resolution }
+}
+
+/// A swing estimator.
+pub fn swing_estimator<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::SwingEstimator<S>,
+    model: &Model<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let field = |rest: &str| format!("sensors.{name}.swing_estimator.{rest}");
+    rigid(scenario, field("body"), &given.body)?;
+    let sampling = (given.period_s, given.delay_samples);
+    let errors = vec![None; SwingEstimator::<S>::SIGNALS];
+    let sampler = sampler(scenario, [name, "swing_estimator"], errors, sampling, given.drop_outs)?;
+    let schema::SwingFilter { rate_noise_rad_s, swing_rad, swing_period_s } = given.filter;
+    long_enough(field("filter.swing_period_s"), swing_period_s, &sampler)?;
+    let [noise, swing, period] = [rate_noise_rad_s, swing_rad, swing_period_s].map(|number| number.get());
+    let filter = SwingFilter::new(sampler.period_s, noise, swing, period);
+    exists(field("filter"), filter.is_finite())?;
+    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
+    let rate_errors = given.rate_errors.as_ref().map(of_rate);
+    Ok(Some(Box::new(SwingEstimator { name: name.to_owned(), body, rate_errors, sampler, filter })))
+}
+
+/// The middle period of an oscillation that a filter follows from sample to sample.
+pub fn long_enough<S: Quantity>(field: String, found: Positive, sampler: &Sampler<S>) -> Result<(), FieldError> {
+    let least = 4.0 * sampler.period_s;
+    if found.get() >= least {
+        return Ok(());
+    }
+    Err(FieldError::new(field, found.get(), format!("at least four times period_s, {least} s")))
+}
+
+/// Whether there is a filter for what it assumes.
+pub fn exists(field: String, is_finite: bool) -> Result<(), FieldError> {
+    let allowed = "noises and motions from which gains of finite size follow";
+    if is_finite { Ok(()) } else { Err(FieldError::new(field, "numbers too far apart", allowed)) }
 }
 
 fn of_force<S: Quantity>(given: &schema::ForceErrors<S>) -> SignalErrors<S> {

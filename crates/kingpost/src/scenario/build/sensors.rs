@@ -23,6 +23,7 @@ pub fn build<S: Quantity>(
         sensors.extend(match sensor {
             Sensor::MotionReferenceUnit(given) => motion_reference_unit(scenario, name, given, model)?,
             Sensor::InertialUnit(given) => inertial_unit(scenario, name, given, model)?,
+            Sensor::SwingEstimator(given) => crane_sensors::swing_estimator(scenario, name, given, model)?,
             Sensor::Encoder(given) => crane_sensors::encoder(scenario, name, given, model)?,
             Sensor::LinearEncoder(given) => crane_sensors::linear_encoder(scenario, name, given, model)?,
             Sensor::LoadCell(given) => crane_sensors::load_cell(scenario, name, given, elements)?,
@@ -82,11 +83,7 @@ fn inertial_unit<S: Quantity>(
     let receiver = receiver.transpose()?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     let filter = &given.filter;
-    let least = 4.0 * sampler.period_s;
-    if filter.wave_period_s.get() < least {
-        let allowed = format!("at least four times period_s, {least} s");
-        return Err(FieldError::new(field("filter.wave_period_s"), filter.wave_period_s.get(), allowed));
-    }
+    crane_sensors::long_enough(field("filter.wave_period_s"), filter.wave_period_s, &sampler)?;
     let design = Design::new(&Assumed {
         period_s: sampler.period_s,
         acceleration_noise: filter.acceleration_noise_m_s2.get(),
@@ -96,10 +93,7 @@ fn inertial_unit<S: Quantity>(
         motion_period_s: filter.wave_period_s.get(),
         receiver: receiver.as_ref().map(|receiver| [receiver.period_s, filter.position_noise_m.get()]),
     });
-    if !design.is_finite() {
-        let allowed = "noises and waves from which gains of finite size follow";
-        return Err(FieldError::new(field("filter"), "numbers too far apart", allowed));
-    }
+    crane_sensors::exists(field("filter"), design.is_finite())?;
     let instruments = Instruments {
         acceleration: given.acceleration_errors.as_ref().map(crane_sensors::of_acceleration),
         rate: given.rate_errors.as_ref().map(crane_sensors::of_rate),

@@ -40,6 +40,7 @@ mod sensors_of_the_crane;
 mod slack_tank;
 mod soft_hold;
 mod submerged;
+mod swing_estimator;
 mod top;
 mod trailing_edge;
 mod u_tank;
@@ -114,6 +115,7 @@ pub use soft_hold::SoftHold;
 pub use submerged::{
     EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
 };
+pub use swing_estimator::{SwingEstimator, SwingFilter};
 pub(super) use top::is_top_field;
 pub use trailing_edge::TrailingEdge;
 pub use u_tank::{UTank, UTankPump};

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     AirGap, AngleErrors, Clearance, DropOuts, Encoder, InertialUnit, LengthErrors, LinearEncoder, LoadCell, Name,
-    Positive, RateErrors, SatelliteReceiver, SignalName, SpeedErrors, yes,
+    Positive, RateErrors, SatelliteReceiver, SignalName, SpeedErrors, SwingEstimator, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -21,6 +21,8 @@ pub enum Sensor<S = f64> {
     MotionReferenceUnit(Box<MotionReferenceUnit<S>>),
     /// Attitude and motion of a point of a body, by accelerometers and gyroscopes.
     InertialUnit(Box<InertialUnit<S>>),
+    /// How a load swings, by gyroscopes on it.
+    SwingEstimator(SwingEstimator<S>),
     /// The angle of a joint.
     Encoder(Encoder<S>),
     /// The extension of a joint.

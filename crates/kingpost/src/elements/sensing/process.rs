@@ -6,6 +6,11 @@ use nalgebra::{DMatrix, DVector};
 /// Rounds of the recursion: the last is the covariance after 2^40 samples.
 const DOUBLINGS: usize = 40;
 
+/// Damping ratio of an oscillation: the width of its spectrum.
+const DAMPING_RATIO: f64 = 0.3;
+/// How fast the error of a gyroscope wanders: rad/s in the root of a second.
+pub const RATE_WANDERS: f64 = 1e-6;
+
 /// A linear process in a sample: `x <- A x + n`, with the covariance Q of the noise n.
 #[derive(Clone, Debug)]
 pub struct Process {
@@ -21,6 +26,33 @@ impl Process {
         let squares = deviations.iter().map(|x| x * x);
         let noise = DMatrix::from_diagonal(&DVector::from_iterator(deviations.len(), squares));
         Self { transition: exponential(rates * period_s), noise }
+    }
+
+    /// A chain of which the rate of state k is this factor times state k + 1.
+    pub fn chain(factors: &[f64], period_s: f64, deviations: &[f64]) -> Self {
+        let size = factors.len() + 1;
+        let rates = DMatrix::from_fn(size, size, |i, j| if j == i + 1 { factors[i] } else { 0.0 });
+        Self::new(rates, period_s, deviations)
+    }
+
+    /// The error of an angle that is the integral of a gyroscope's rate of this noise, and the error of the rate.
+    pub fn of_angle(rate_noise: f64, period_s: f64) -> Self {
+        Self::chain(&[-1.0], period_s, &[rate_noise * period_s, RATE_WANDERS * libm::sqrt(period_s)])
+    }
+
+    /// An oscillation x about zero with a middle period and a standard deviation, behind its integral: with the frequency w0
+    ///
+    /// ```text
+    /// x'' + 2 zeta w0 x' + w0^2 x = noise'
+    /// ```
+    ///
+    /// as in the filter of waves of Fossen (*Handbook of Marine Craft Hydrodynamics and Motion Control*, 2nd ed., 2021, sec.
+    /// 13.3).
+    pub fn oscillation(middle_period_s: f64, deviation: f64, period_s: f64) -> Self {
+        let frequency = core::f64::consts::TAU / middle_period_s;
+        let (spring, damper) = (frequency * frequency, 2.0 * DAMPING_RATIO * frequency);
+        let rates = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -spring, -damper]);
+        Self::new(rates, period_s, &[0.0, libm::sqrt(2.0 * damper) * deviation * libm::sqrt(period_s)])
     }
 
     /// Number of its states.
