@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -94,9 +96,9 @@ class CrossEntropy:
     A plan is added to the actions of a guide, a controller without a memory. The model is the engine itself:
     each candidate is a copy of the scenario in its present state that the guide and the plan steer; its score
     is the sum of the task's rewards. The plan of zeros is always among them. The same seed gives the same
-    actions to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike: the
-    copies take every action as the scenario does, so that their state is known, and what moves the scenario
-    is known ahead; the goal is given, not guessed.
+    actions to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike: a
+    copy takes every action as the scenario does, so that its state is known; the goal is given, not guessed.
+    What moves the scenario is known ahead; with `foreseen`, plans go on from the true state in another sea.
 
     Parameters
     ----------
@@ -110,6 +112,8 @@ class CrossEntropy:
         The controller that plans improve; default: one that does nothing.
     threads
         Threads that compute; 0 takes as many as the machine has.
+    foreseen
+        Fields or parameters of the scenario with the values that plans assume; default: its own.
 
     Examples
     --------
@@ -127,16 +131,18 @@ class CrossEntropy:
         sampling: Sampling | None = None,
         guide: Policy | None = None,
         threads: int = 0,
+        foreseen: Mapping[str, Any] | None = None,
     ) -> None:
         self.task, self.sampling = task, Sampling() if sampling is None else sampling
         self.guide = do_nothing(task) if guide is None else guide
         self.hold = self.sampling.steps("every_s", task.control_period_s)
         self.steps = self.sampling.steps("horizon_s", task.control_period_s)
-        count = self.sampling.candidates
-        self.copies = Episodes(task, count, threads)
-        self.copies.begin({copy: np.random.default_rng(0) for copy in range(count)})
-        self.copies.goals = np.tile(np.asarray(goal, np.float64), (count, 1))
-        self.copies.mark()
+        candidates = [foreseen or {}] * self.sampling.candidates
+        own = [*candidates, {}] if foreseen else candidates
+        self.copies = Episodes(task, len(own), threads, own=own)
+        self.copies.begin({copy: np.random.default_rng(0) for copy in range(len(own))})
+        self.copies.goals = np.tile(np.asarray(goal, np.float64), (len(own), 1))
+        self.copies.mark(len(own) - 1)
         self.random = np.random.default_rng(self.sampling.seed)
         self.taken = 0
         self.best = np.zeros((1, self.sampling.knots, len(task.set)))
@@ -146,13 +152,12 @@ class CrossEntropy:
         if self.taken % self.hold == 0:
             self._replan()
         self.copies.resume()
-        chosen = self._steered(
-            np.tile(self.best[0], (self.sampling.candidates, 1, 1)), self.taken % self.hold
-        )
+        plans = np.tile(self.best[0], (self.copies.count, 1, 1))
+        chosen = self._steered(plans, self.taken % self.hold)
         self.copies.step(chosen)
-        self.copies.mark()
+        self.copies.mark(self.copies.count - 1)
         self.taken += 1
-        return chosen[0]
+        return chosen[-1]
 
     def _steered(self, plans: np.ndarray, step: int) -> np.ndarray:
         """The actions of guide and plans."""
@@ -182,12 +187,14 @@ class CrossEntropy:
     def scores(self, plans: np.ndarray) -> np.ndarray:
         """The sum of rewards of each plan from here on, with those of the guide after it."""
         self.copies.resume()
-        sums, going = np.zeros(len(plans)), np.ones(len(plans), np.bool_)
+        count, every = len(plans), self.copies.count
+        plans = np.concatenate([plans, np.zeros((every - count, *plans.shape[1:]))])
+        sums, going = np.zeros(every), np.ones(every, np.bool_)
         for step in range(self.steps + round(self.sampling.guided_s / self.task.control_period_s)):
             _, rewards, terminated, _ = self.copies.step(self._steered(plans, step))
             sums += np.where(going, rewards, 0.0)
             going &= ~terminated
-        return sums
+        return sums[:count]
 
 
 def at_knot(plans: np.ndarray, place: float) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,10 @@ class Episodes:
         Number of copies.
     threads
         Threads that compute; 0 takes as many as the machine has. Their number does not change a bit.
+    episode_steps
+        Control steps of an episode; default: the task's.
+    own
+        Fields or parameters of the scenario with values of its own for each copy; default: none.
 
     Examples
     --------
@@ -40,12 +44,20 @@ class Episodes:
     ((2,), False)
     """
 
-    def __init__(self, task: Task, count: int, threads: int = 0, episode_steps: int | None = None) -> None:
+    def __init__(
+        self,
+        task: Task,
+        count: int,
+        threads: int = 0,
+        episode_steps: int | None = None,
+        own: Sequence[Mapping[str, Any]] = (),
+    ) -> None:
         if count < 1:
             raise KingpostError(f"num_envs: found {count}, allowed: 1 or more")
         if threads < 0:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
         self.task, self.count, self.threads = task, count, threads
+        self._own = [list(values.items()) for values in own] or [[]] * count
         self.episode_steps = task.episode_steps if episode_steps is None else episode_steps
         self.taken = np.zeros(count, dtype=np.int64)
         self.goals: np.ndarray | None = None
@@ -64,7 +76,7 @@ class Episodes:
 
     def begin(self, which: dict[int, np.random.Generator]) -> None:
         """Begin episodes of these copies; the first call names all of them."""
-        variants = {copy: self._drawn(random) for copy, random in which.items()}
+        variants = {copy: self._drawn(random) + self._own[copy] for copy, random in which.items()}
         if self._copies is None:
             self._copies = self._made([variants[copy] for copy in range(self.count)])
         else:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
 from .acting import Policy, in_units
@@ -15,14 +18,17 @@ from .tasks.anti_sway import target
 class _Sampled:
     """Plans for each episode by itself; the goals follow from the first observations."""
 
-    def __init__(self, task: Task, plans: Sampling) -> None:
-        self.task, self.plans = task, plans
+    def __init__(self, task: Task, plans: Sampling, foreseen: Mapping[str, Any] | None) -> None:
+        self.task, self.plans, self.foreseen = task, plans, foreseen
         self.planners: list[CrossEntropy] = []
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
         if not self.planners:
             guide = trained("Kingpost/AntiSway-v0")
-            self.planners = [CrossEntropy(self.task, goal, self.plans, guide) for goal in self._goals(seen)]
+            goals = self._goals(seen)
+            self.planners = [
+                CrossEntropy(self.task, goal, self.plans, guide, foreseen=self.foreseen) for goal in goals
+            ]
         return np.stack([planner.action() for planner in self.planners])
 
     def _goals(self, seen: np.ndarray) -> list[list[float]]:
@@ -33,7 +39,7 @@ class _Sampled:
         return [target(float(slew), float(luff)) for slew, luff in zip(slews, luffs, strict=True)]
 
 
-def sampled(task: Task, plans: Sampling | None = None) -> Policy:
+def sampled(task: Task, plans: Sampling | None = None, foreseen: Mapping[str, Any] | None = None) -> Policy:
     """Plans by the cross-entropy method that improve the trained policy: the engine's copies are the model.
 
     Parameters
@@ -42,10 +48,12 @@ def sampled(task: Task, plans: Sampling | None = None) -> Policy:
         `anti_sway`, also on a ship. Its copies move as the episode does: the base's motion is known ahead.
     plans
         How plans are sampled.
+    foreseen
+        What plans assume of the sea, if it is not known ahead: fields or parameters with their values.
 
     >>> from kingpost.learn import anti_sway
     >>> few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=4, elites=2, iterations=1)
     >>> sampled(anti_sway(), few)(np.zeros((1, 12))).shape
     (1, 2)
     """
-    return _Sampled(task, Sampling() if plans is None else plans)
+    return _Sampled(task, Sampling() if plans is None else plans, foreseen)

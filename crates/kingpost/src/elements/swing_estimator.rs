@@ -84,7 +84,7 @@ impl<S: Scalar> Element<S> for SwingEstimator<S> {
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let (rotation, rate) = self.exact(at);
         let bias = self.rate_errors.map_or(S::ZERO, |errors| errors.bias);
-        let estimate = Swing::settled(rotation.row(2), Vector3([bias; 3]));
+        let estimate = VerticalEstimate::settled(rotation.row(2), Vector3([bias; 3]));
         let kept = &mut own.numbers[self.sampler.numbers()..];
         estimate.write(kept);
         kept[EXACT..NUMBERS].copy_from_slice(rotation.0.as_flattened());
@@ -102,7 +102,7 @@ impl<S: Scalar> Element<S> for SwingEstimator<S> {
         let turn = log_of_part_turn(&(before.transpose() * rotation));
         let exact = turn * S::constant(1.0 / self.sampler.period_s);
         let measured = self.measured(exact, &self.sampler.noise, self.sampler.sample_at(at.clock.time_s));
-        let mut estimate = Swing::read(kept);
+        let mut estimate = VerticalEstimate::read(kept);
         let rate = estimate.advance(measured, &self.filter);
         estimate.write(kept);
         kept[EXACT..NUMBERS].copy_from_slice(rotation.0.as_flattened());
@@ -112,7 +112,7 @@ impl<S: Scalar> Element<S> for SwingEstimator<S> {
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         self.sampler.outputs(at, out, || {
             let (rotation, rate) = self.exact(at);
-            Swing::settled(rotation.row(2), Vector3::zero()).signals(rate)
+            VerticalEstimate::settled(rotation.row(2), Vector3::zero()).signals(rate)
         });
     }
 }
@@ -137,7 +137,7 @@ impl<S: Scalar> SwingEstimator<S> {
 
 /// What the filter knows.
 #[derive(Clone, Copy, Debug)]
-struct Swing<S> {
+struct VerticalEstimate<S> {
     /// The vertical, body axes.
     up: Vector3<S>,
     /// Errors of the gyroscopes, body axes, rad/s.
@@ -146,7 +146,7 @@ struct Swing<S> {
     states: [[S; 2]; 2],
 }
 
-impl<S: Scalar> Swing<S> {
+impl<S: Scalar> VerticalEstimate<S> {
     /// The estimate after a long time at rest, of a body that swings from this vertical.
     fn settled(up: Vector3<S>, rate_errors: Vector3<S>) -> Self {
         let mut settled = Self { up, rate_errors, states: [[S::ZERO; 2]; 2] };

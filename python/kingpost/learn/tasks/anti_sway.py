@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from ...scenario import Scenario, load
+from ...errors import KingpostError
 from ..task import Columns, Goal, Observation, Task
 
 SCENARIOS = Path(__file__).parents[1] / "scenarios"
@@ -53,33 +52,7 @@ def target(slew: float, luff: float) -> list[float]:
     return [slew, luff, radius * float(np.cos(slew)), radius * float(np.sin(slew))]
 
 
-def _swaying(field: str, amplitude: float, period_s: float, phase_deg: float) -> dict[str, Any]:
-    return {
-        "oscillation": {field: amplitude, "period_s": period_s, "phase_deg": phase_deg, "ramp_s": period_s}
-    }
-
-
-def _on_a_ship() -> Scenario:
-    """The crane on a base that heaves, pitches and rolls as a ship in a swell, whatever the crane does."""
-
-    def carrier(parent: str, joint: dict[str, Any]) -> dict[str, Any]:
-        return {"parent": parent, "mass_t": 1, "shape": {"sphere": {"radius_m": 0.5}}, "joint": joint}
-
-    heave = {"axis": [0, 0, 1], "mode": _swaying("amplitude_m", 0.5, 8.0, 0.0)}
-    pitch = {"axis": [0, 1, 0], "mode": _swaying("amplitude_deg", 1.0, 8.0, 90.0)}
-    roll = {"axis": [1, 0, 0], "mode": _swaying("amplitude_deg", 2.0, 11.0, 0.0)}
-    return load(
-        SCENARIOS / "anti_sway.yaml",
-        {
-            "bodies.heave": carrier("world", {"prismatic": heave}),
-            "bodies.pitch": carrier("heave", {"revolute": pitch}),
-            "bodies.roll": carrier("pitch", {"revolute": roll}),
-            "bodies.pedestal.parent": "roll",
-        },
-    )
-
-
-def anti_sway(randomised: bool = False, on_a_ship: bool = False) -> Task:
+def anti_sway(randomised: bool = False, on_a_ship: bool = False, at_sea: bool = False) -> Task:
     """Move a load by slewing and luffing to a target, and stop its swing there.
 
     The crane of four bodies stands on a fixed base; hook and load are a double pendulum. Each episode draws a
@@ -94,11 +67,20 @@ def anti_sway(randomised: bool = False, on_a_ship: bool = False) -> Task:
     on_a_ship
         Whether the base moves as a ship in a swell, by a given motion: 0.5 m of heave and 1 degree of pitch
         in 8 s, 2 degrees of roll in 11 s. The target stays in the world.
+    at_sea
+        Whether the crane stands on a ship that floats in a sea, the same in each episode: significant wave
+        height 1.5 m, peak period 8 s, from 30 degrees off the bow. Ship and load move each other. The target
+        stays in the world.
 
     Returns
     -------
     Task
         Two actions, slewing and luffing speed; 12 observations.
+
+    Raises
+    ------
+    KingpostError
+        If both `on_a_ship` and `at_sea` are given.
 
     >>> anti_sway().action_names
     ('slewing', 'luffing')
@@ -120,9 +102,12 @@ def anti_sway(randomised: bool = False, on_a_ship: bool = False) -> Task:
         *(Observation(f"{joint}.joint_position", 0.1) for joint in joints[2:]),
         *(Observation(f"{joint}.joint_velocity", 0.1) for joint in joints),
     ]
+    if on_a_ship and at_sea:
+        raise KingpostError("on_a_ship, at_sea: found both, allowed: at most one")
+    base = "anti_sway_on_a_ship" if on_a_ship else "anti_sway_at_sea" if at_sea else "anti_sway"
     over_ground = [f"load.{what}.{axis}" for what in ("position", "velocity") for axis in "xy"]
     return Task(
-        _on_a_ship() if on_a_ship else SCENARIOS / "anti_sway.yaml",
+        SCENARIOS / f"{base}.yaml",
         ["slewing", "luffing"],
         observations,
         _anti_sway_reward,
