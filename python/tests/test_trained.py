@@ -22,6 +22,7 @@ from kingpost.learn import (
     trained,
 )
 from kingpost.learn.__main__ import main
+from kingpost.learn.contenders import CALM
 from kingpost.learn.cross_entropy import CrossEntropy, Sampling
 from kingpost.learn.episodes import Episodes
 from kingpost.learn.sampled import sampled
@@ -149,6 +150,36 @@ def test_the_copies_of_a_plan_go_on_as_the_scenario_itself() -> None:
         seen, *_ = envs.step(plan.action()[None])
         plan.copies.resume()
         assert np.array_equal(plan.copies.observations(), np.tile(seen, (6, 1)))
+
+
+def test_plans_that_do_not_know_the_waves_go_on_from_where_the_ship_is() -> None:
+    """Source: the same bits. The last copy meets the ship's own sea, the others calm water from her state."""
+    few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=6, elites=2, iterations=1, every_s=0.25)
+    envs = ShipCraneVectorEnv(anti_sway(at_sea=True), 1, 1)
+    seen, _ = envs.reset(seed=3)
+    plan = CrossEntropy(envs.task, envs.episodes.goals[0].tolist(), few, foreseen=CALM)
+    for _ in range(200):
+        seen, *_ = envs.step(plan.action()[None])
+        plan.copies.resume()
+        assert np.array_equal(plan.copies.observations(), np.tile(seen, (7, 1)))
+    plan.copies.step(np.zeros((7, 2)))
+    after = plan.copies.observations()
+    assert np.array_equal(after[:6], np.tile(after[0], (6, 1)))
+    assert not np.array_equal(after[0], after[6])
+
+
+def test_plans_beat_the_policy_on_a_ship_whose_waves_they_do_not_know() -> None:
+    """Source: measured over 16 episodes of 40 s (docs/learning.md); here two of 20 s."""
+    task = replace(anti_sway(at_sea=True), duration_s=20.0)
+    few = Sampling(horizon_s=4, guided_s=4, candidates=12, elites=4, iterations=2, every_s=1.0)
+    with_plans = score(task, lambda task: sampled(task, few, CALM), 2)
+    alone = score(task, lambda _: trained(ENVIRONMENT), 2)
+    assert with_plans.mean() > alone.mean() + 1.0, f"{with_plans} against {alone}"
+
+
+def test_a_base_that_moves_and_a_ship_at_once_are_refused() -> None:
+    with pytest.raises(KingpostError, match="found both, allowed: at most one"):
+        anti_sway(on_a_ship=True, at_sea=True)
 
 
 def test_a_mark_is_asked_for_before_copies_resume() -> None:

@@ -30,6 +30,7 @@ const SHOTS = {
   lowering_by_winch: { time_s: 30, values: "waves=true", nearer: 1 },
   heave_compensation: { time_s: 60, nearer: 1 },
   hybrid_compensation: { time_s: 60, nearer: 1 },
+  dual_draglink_heave_compensation: { time_s: 60, nearer: 1 },
   three_axis_compensation: { time_s: 60, nearer: 1 },
   level_platform: { time_s: 60, nearer: 1 },
   load_held_by_drive_functions: { time_s: 75, nearer: 1 },

@@ -11,22 +11,35 @@ from .model_based import linear_quadratic, predictive
 from .sampled import sampled
 from .task import Task
 
+BY_SAMPLING = "predictive, by sampling around the policy"
 BY_MODEL: dict[str, dict[str, Callable[[Task], Policy]]] = {
     "Kingpost/AntiSway-v0": {
         "LQR (`kingpost.lqr`)": linear_quadratic,
         "predictive (`kingpost.mpc`)": predictive,
-        "predictive, by sampling around the policy": sampled,
+        BY_SAMPLING: sampled,
     },
 }
 
 
-def contenders(environment: str) -> dict[str, Callable[[Task], Policy]]:
-    """All controllers of an environment by name.
+CALM = {"significant_height_m": 0.001}
+"""What a plan assumes that does not know the waves ahead."""
+
+
+def _in_calm_water(task: Task) -> Policy:
+    return sampled(task, foreseen=CALM)
+
+
+def contenders(environment: str, at_sea: bool = False) -> dict[str, Callable[[Task], Policy]]:
+    """All controllers of an environment by name, with those for a ship in a sea.
 
     >>> list(contenders("Kingpost/AntiSway-v0"))[-1]
     'trained policy'
+    >>> [name for name in contenders("Kingpost/AntiSway-v0", at_sea=True) if "calm" in name]
+    ['predictive, by sampling around the policy, as if the water were calm from now on']
     """
     found = BASELINES[environment] | BY_MODEL.get(environment, {})
+    if at_sea:
+        found[f"{BY_SAMPLING}, as if the water were calm from now on"] = _in_calm_water
     if environment in FILES:
         policy = trained(environment)
         found["trained policy"] = lambda task: policy

@@ -61,21 +61,22 @@ def score(
     return sums
 
 
-def cases() -> dict[str, tuple[str, Task]]:
-    """What is scored: titles with the environment and its task."""
+def cases() -> dict[str, tuple[Task, dict[str, Callable[[Task], Policy]]]]:
+    """What is scored: titles with the task and its controllers."""
     found = {}
     for name, task in IDS.items():
-        found[name] = (name, task())
+        found[name] = (task(), contenders(name))
         if task is anti_sway:
-            found[f"{name}, on_a_ship=True"] = (name, anti_sway(on_a_ship=True))
+            found[f"{name}, on_a_ship=True"] = (anti_sway(on_a_ship=True), contenders(name))
+            found[f"{name}, at_sea=True"] = (anti_sway(at_sea=True), contenders(name, at_sea=True))
     return found
 
 
 def table(episodes: int = EPISODES) -> str:
     """The scores of all controllers as a table in Markdown, the best first."""
     lines = []
-    for name, (environment, task) in cases().items():
-        found = {label: score(task, policy, episodes) for label, policy in contenders(environment).items()}
+    for name, (task, policies) in cases().items():
+        found = {label: score(task, policy, episodes) for label, policy in policies.items()}
         ordered = sorted(found.items(), key=lambda pair: -float(pair[1].mean()))
         lines += [
             f"**{name}**",
