@@ -81,7 +81,7 @@ def test_check_prints_the_reduction_of_gm_by_a_slack_tank(capsys) -> None:
     without = kingpost.load("barge")
     shown = model_report.text(kingpost.load("barge", {"forces.ballast": tank}), [])
     across, along = (1025 * moment / (12 * 410e3) for moment in (6 * 8**3, 8 * 6**3))
-    assert f"slack tanks: GM -{across:.3f} m, -{along:.3f} m lengthwise" in shown
+    assert f"free surfaces: GM -{across:.3f} m, -{along:.3f} m lengthwise" in shown
     row = rf"^ballast +ship +49.200 t +[\d.]+ m +-{across:.3f} m +-{along:.3f} m$"
     assert re.search(row, shown, re.MULTILINE)
     (fluid,) = re.findall(r"^GM, fluid +([\d.]+) m", shown, re.MULTILINE)

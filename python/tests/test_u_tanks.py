@@ -115,6 +115,28 @@ def test_frozen_liquid_is_a_rigid_mass_of_the_ship():
     assert found == pytest.approx(np.sqrt(stiffness[0, 0] / (INERTIA + moment)) / (2 * np.pi), rel=1e-5)
 
 
+def test_a_shifted_weight_heels_a_ship_by_the_metacentric_height_less_the_two_levels():
+    """Source: tan(heel) = m y / (M GM) (Barrass & Derrett, *Ship Stability for Masters and Mates*). The rest
+    is of the order of the heel, 1e-3, times the change of form; measured 1.5e-5."""
+    weight = {
+        "parent": "hull",
+        "mass_t": 5,
+        "shape": {"point": {}},
+        "joint": {"fixed": {"position_m": [0, 2, 0]}},
+    }
+    off = {"heel_control": False, "hydrostatics": "mesh", "bodies.weight": weight}
+    ship = kingpost.load("anti_heeling_tank", off)
+    (hull,) = ship.hydrostatics["hulls"]
+    tank = ship.resolved["forces"]["tank"]["u_tank"]
+    area = tank["column_length_m"] * tank["column_breadth_m"]
+    expected = 1025.0 * area * tank["column_distance_m"] ** 2 / 2 / hull["mass_kg"]
+    (surface,) = hull["free_surfaces"]
+    assert surface["correction_m"] == pytest.approx([expected, 0.0], rel=1e-4, abs=1e-6)
+    assert [load["body"] for load in hull["hanging"]] == ["load"]
+    heel = -5e3 * 2.0 / (hull["mass_kg"] * hull["metacentric_height_m"][0])
+    assert hull["heel_rad"] == pytest.approx(heel, rel=1e-4)
+
+
 def test_the_energy_closes_with_losses_and_a_pump_at_large_angles():
     joint = sprung()
     joint["revolute"]["initial_angle_rad"] = 0.15

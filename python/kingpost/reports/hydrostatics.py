@@ -88,13 +88,13 @@ def _tanks(hull: dict[str, Any]) -> list[str]:
     if not surfaces:
         return []
     added = [[-surface["correction_m"][k] for surface in surfaces] for k in (0, 1)]
-    rows = [("slack tank", "body", "liquid", "over the keel", "GM", "GM lengthwise")]
+    rows = [("tank", "body", "liquid", "over the keel", "GM", "GM lengthwise")]
     for surface, across, along in zip(surfaces, *added, strict=True):
         liquid = f"{surface['liquid_kg'] / 1000:.3f} t"
         height = _metres(surface["keel_to_liquid_m"])
         rows.append((surface["force"], surface["body"], liquid, height, _metres(across), _metres(along)))
     of_all, along = (sum(one) for one in added)
-    return [f"slack tanks: GM {_metres(of_all)}, {_metres(along)} lengthwise", *table(rows, "<<>>>>")]
+    return [f"free surfaces: GM {_metres(of_all)}, {_metres(along)} lengthwise", *table(rows, "<<>>>>")]
 
 
 def _arms(hull: dict[str, Any]) -> list[str]:

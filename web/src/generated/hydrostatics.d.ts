@@ -103,7 +103,7 @@ export interface HullAfloat {
    */
   hanging: HangingLoad[];
   /**
-   * The free surfaces of slack tanks.
+   * The free surfaces of slack tanks and of U-tanks.
    */
   free_surfaces: FreeSurface[];
   /**
@@ -160,7 +160,7 @@ export interface HangingLoad {
   free_share: [number, number];
 }
 /**
- * The free surface of a slack tank in a hull, or in a body that its joints carry without hanging.
+ * The free surface of a slack tank or the two of a U-tank in a hull, or in a body that its joints carry without hanging.
  */
 export interface FreeSurface {
   /**
@@ -172,7 +172,7 @@ export interface FreeSurface {
    */
   body: string;
   /**
-   * Mass of the liquid, kg; it is part of the body's mass.
+   * Mass of the liquid, kg; that of a slack tank is part of the body's mass.
    */
   liquid_kg: number;
   /**
@@ -182,7 +182,8 @@ export interface FreeSurface {
   /**
    * Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
    * its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
-   * surface).
+   * surface). For a U-tank i is that of two levels, `A d^2 / 2`, each of the area A, at the distance d: its columns
+   * are narrow, and nothing keeps the liquid from its level.
    *
    * @minItems 2
    * @maxItems 2

@@ -4,8 +4,8 @@ use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads, weight};
 use super::righting::{RightingArmCurve, Side};
 use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;
-use crate::elements::SlackTank;
 use crate::elements::hull::{Hull, Hydrostatics, LARGEST_LIST_DEG};
+use crate::elements::{SlackTank, UTank};
 use crate::model::Model;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityError, WettedHull};
@@ -28,6 +28,8 @@ pub(super) struct LoadedHull<'a> {
     pub(super) world: &'a World,
     /// All slack tanks of the model.
     pub(super) slack_tanks: &'a [&'a SlackTank],
+    /// All U-tanks of the model.
+    pub(super) u_tanks: &'a [&'a UTank],
     /// The restraints that keep loads from swinging.
     pub(super) restraints: &'a Restraints,
 }
@@ -114,7 +116,9 @@ impl LoadedHull<'_> {
         let axes = tangents(self.position().vertical).map(|t| frame.rotation * t);
         // Heel moves the vertical across the ship about its longitudinal axis; for trim it is the other way round.
         let [across, along] = axes;
-        loads(self.model, self.at, self.hull.frame.body, self.restraints, [along, across])
+        let all = loads(self.model, self.at, self.hull.frame.body, self.restraints, [along, across]);
+        // The liquid of a U-tank is a pendulum to the model, but levels to a ship.
+        all.into_iter().filter(|load| self.u_tanks.iter().all(|tank| tank.name != load.body)).collect()
     }
 
     fn heights(
@@ -214,7 +218,7 @@ impl LoadedHull<'_> {
         warnings
     }
 
-    /// GZ with the centre of gravity raised by hanging loads, and with slack tanks level at each heel.
+    /// GZ with the centre of gravity raised by hanging loads and U-tanks, and with slack tanks level at each heel.
     fn righting_arm(
         &self,
         mesh: &HullMesh,
@@ -223,9 +227,11 @@ impl LoadedHull<'_> {
         tanks: &[(&SlackTank, HullTank)],
     ) -> Result<RightingArmCurve, StabilityError> {
         let mass = self.carried_weight().mass;
+        let of_u_tanks = self.surfaces_of_u_tanks(mass, tangents(position.vertical));
+        let rise = rise_of(hanging, mass)[0] + of_u_tanks.map(|surface| surface.correction_m[0]).sum::<f64>();
         let loading = Loading {
             mass,
-            centre_of_gravity: self.centre_of_gravity() + position.vertical * rise_of(hanging, mass)[0],
+            centre_of_gravity: self.centre_of_gravity() + position.vertical * rise,
             water_density: self.density(),
         };
         let tanks: Vec<HullTank> = tanks.iter().map(|(_, tank)| *tank).collect();

@@ -1,4 +1,4 @@
-//! Slack tanks: the reduction of the metacentric height by their free surfaces.
+//! Slack tanks and U-tanks: the reduction of the metacentric height by their free surfaces.
 
 use super::floating::LoadedHull;
 use super::hanging::HangingLoad;
@@ -7,7 +7,7 @@ use crate::sea::hull::HullTank;
 use crate::spatial::{Matrix3, Vector3};
 use serde::Serialize;
 
-/// The free surface of a slack tank in a hull, or in a body that its joints carry without hanging.
+/// The free surface of a slack tank or the two of a U-tank in a hull, or in a body that its joints carry without hanging.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FreeSurface {
@@ -15,13 +15,14 @@ pub struct FreeSurface {
     pub force: String,
     /// The body that the tank is in.
     pub body: String,
-    /// Mass of the liquid, kg; it is part of the body's mass.
+    /// Mass of the liquid, kg; that of a slack tank is part of the body's mass.
     pub liquid_kg: f64,
     /// Height of the liquid's centre above the keel in the present position, along the hull's z, m.
     pub keel_to_liquid_m: f64,
     /// Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
     /// its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
-    /// surface).
+    /// surface). For a U-tank i is that of two levels, `A d^2 / 2`, each of the area A, at the distance d: its columns
+    /// are narrow, and nothing keeps the liquid from its level.
     pub correction_m: [f64; 2],
 }
 
@@ -72,6 +73,23 @@ impl LoadedHull<'_> {
                 correction_m: tangents.map(|t| placed.second_moment(vertical, t, t) / mass),
             }
         };
-        tanks.iter().map(describe).collect()
+        tanks.iter().map(describe).chain(self.surfaces_of_u_tanks(mass, tangents)).collect()
+    }
+
+    /// The levels of the U-tanks that the hull carries.
+    pub(super) fn surfaces_of_u_tanks(&self, mass: f64, tangents: [Vector3; 2]) -> impl Iterator<Item = FreeSurface> {
+        let hull = self.model.carried(self.hull.frame.body);
+        let to_hull = self.frame().inverse();
+        self.u_tanks.iter().filter(move |tank| hull.contains(&tank.carrier)).filter_map(move |tank| {
+            let liquid = self.model.body(&tank.name)?;
+            let across = to_hull.rotation * self.at.world[tank.carrier].rotation.column(1);
+            Some(FreeSurface {
+                force: tank.name.clone(),
+                body: self.model.bodies[tank.carrier].name.clone(),
+                liquid_kg: tank.liquid.mass,
+                keel_to_liquid_m: to_hull.point(self.at.world[liquid].position)[2] + self.database.hull.draught_m,
+                correction_m: tangents.map(|t| tank.free_surface() * t.dot(across) * t.dot(across) / mass),
+            })
+        })
     }
 }

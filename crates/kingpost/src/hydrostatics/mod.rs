@@ -23,7 +23,7 @@ pub use hanging::HangingLoad;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
-use crate::elements::{Hull, SlackTank, of_kind};
+use crate::elements::{Hull, SlackTank, UTank, of_kind};
 use crate::model::Model;
 use crate::scenario::{Scenario, ScenarioError};
 use crate::sea::database::Database;
@@ -84,7 +84,7 @@ pub struct HullAfloat {
     pub metacentric_height_m: [f64; 2],
     /// The hanging loads.
     pub hanging: Vec<HangingLoad>,
-    /// The free surfaces of slack tanks.
+    /// The free surfaces of slack tanks and of U-tanks.
     pub free_surfaces: Vec<FreeSurface>,
     /// GZ to the side that the ship lists to; `None` without a mesh.
     pub righting_arm: Option<RightingArmCurve>,
@@ -138,12 +138,14 @@ impl Scenario {
         }
         let (model, world) = (setup.model.clone(), &setup.world);
         let slack_tanks: Vec<&SlackTank> = of_kind(&setup.elements).collect();
-        let slack_tanks = &slack_tanks;
+        let u_tanks: Vec<&UTank> = of_kind(&setup.elements).collect();
+        let (slack_tanks, u_tanks) = (&slack_tanks, &u_tanks);
         let restraints_at = |q: &[f64]| Restraints::of(&Setup { q: q.to_vec(), ..setup.clone() });
         let (now, restraints) = (kinematics(&model, &simulation.state().q), &restraints_at(&simulation.state().q));
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
-            let floating = LoadedHull { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
+            let floating =
+                LoadedHull { hull, database, model: &model, at: &now, world, slack_tanks, u_tanks, restraints };
             report.warnings.extend(floating.current_warnings());
             match floating.check_capacity() {
                 Err(error) if restraints.floats_alone(&model, hull.frame.body) => return Err(error),
@@ -169,7 +171,8 @@ impl Scenario {
         let at_rest = kinematics(&model, &simulation.state().q);
         let restraints = &restraints_at(&simulation.state().q);
         for (hull, database) in hulls.into_iter().filter(|(hull, _)| !sunk.contains(&hull.name.as_str())) {
-            let floating = LoadedHull { hull, database, model: &model, at: &at_rest, world, slack_tanks, restraints };
+            let floating =
+                LoadedHull { hull, database, model: &model, at: &at_rest, world, slack_tanks, u_tanks, restraints };
             let (afloat, mut warnings) = floating.describe();
             if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));

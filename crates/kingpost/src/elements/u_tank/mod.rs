@@ -108,6 +108,11 @@ impl<S: Scalar> Element<S> for UTank<S> {
 }
 
 impl<S: Scalar> UTank<S> {
+    /// Moment on the ship for a heel to which the levels have come, over g and the heel, `rho A d^2 / 2`, kg m^2.
+    pub fn free_surface(&self) -> S {
+        S::constant(0.5) * self.liquid.column_mass * self.geometry.distance * self.geometry.distance
+    }
+
     fn across([y, z]: [S; 2]) -> Vector3<S> {
         Vector3([S::ZERO, y, z])
     }

@@ -48,14 +48,14 @@ pub struct UTank<S = f64> {
     #[serde(default)]
     pub loss_coefficient: NonNegative<S>,
     /// Level in the port column above `level_m` at the start, m; to starboard it is as much below.
-    #[serde(default = "level::<S>")]
+    #[serde(default = "no_rise::<S>")]
     pub initial_rise_m: S,
     /// A pump in the duct: an input with the tank's name, from -1 to 1, positive towards port.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pump: Option<UTankPump<S>>,
 }
 
-fn level<S: Leaf>() -> S {
+fn no_rise<S: Leaf>() -> S {
     S::literal(0.0)
 }
 
