@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -153,7 +154,9 @@ def test_an_environment_that_fails_says_why_and_begins_anew_while_the_others_go_
 def test_an_exceeded_limit_of_the_scenario_ends_an_episode(tmp_path: Path) -> None:
     path = tmp_path / "limited.yaml"
     limit = "limits:\n  slew: {column: slew.joint_position, within: 1, unit: deg}\n"
-    path.write_text(anti_sway().based_on.text + limit, encoding="utf-8")
+    base = anti_sway().based_on
+    path.write_text(base.text + limit, encoding="utf-8")
+    shutil.copy(Path(base.file).with_name("double_pendulum_crane.yaml"), tmp_path)
     envs = reach("NextStep", path, limits=True)
     envs.reset(seed=SEED)
     given = np.zeros((6, 1), dtype=np.float32)
