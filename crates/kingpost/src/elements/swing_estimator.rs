@@ -1,7 +1,7 @@
 //! A swing estimator: gyroscopes on a load or a hook, and the filter that finds its inclination from them.
 
 use super::motion_reference_unit::inclination;
-use super::sensing::{Process, Sampler, SensorNoise, SignalErrors, difference};
+use super::sensing::{Process, Sampler, SignalErrors, difference, with_errors};
 use super::{Context, Declaration, Element, Own};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, exp, log_of_part_turn};
@@ -101,7 +101,8 @@ impl<S: Scalar> Element<S> for SwingEstimator<S> {
         let before = Matrix3::from_fn(|i, j| kept[EXACT + 3 * i + j]);
         let turn = log_of_part_turn(&(before.transpose() * rotation));
         let exact = turn * S::constant(1.0 / self.sampler.period_s);
-        let measured = self.measured(exact, &self.sampler.noise, self.sampler.sample_at(at.clock.time_s));
+        let sample = self.sampler.sample_at(at.clock.time_s);
+        let measured = with_errors(exact, self.rate_errors, &self.sampler.noise, KEPT.len(), sample);
         let mut estimate = VerticalEstimate::read(kept);
         let rate = estimate.advance(measured, &self.filter);
         estimate.write(kept);
@@ -125,13 +126,6 @@ impl<S: Scalar> SwingEstimator<S> {
     fn exact(&self, at: &Context<'_, S>) -> (Matrix3<S>, Vector3<S>) {
         let rotation = at.links.body_frame(at.model, self.body).rotation;
         (rotation, at.links.body_twist(at.model, self.body).angular)
-    }
-
-    fn measured(&self, exact: Vector3<S>, noise: &SensorNoise, sample: u64) -> Vector3<S> {
-        let one = |axis: usize| {
-            self.rate_errors.map_or(exact[axis], |errors| errors.on(exact[axis], noise, KEPT.len() + axis, sample))
-        };
-        Vector3([0, 1, 2].map(one))
     }
 }
 

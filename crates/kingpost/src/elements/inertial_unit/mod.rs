@@ -8,7 +8,7 @@ pub use navigation::{Increments, Moving, Navigation};
 
 use super::hull::{HullFrame, HullMotion};
 use super::motion_reference_unit::{KEPT, motion};
-use super::sensing::{PositionAid, ReceiverSample, Sampler, SensorNoise, SignalErrors};
+use super::sensing::{PositionAid, ReceiverSample, Sampler, SensorNoise, SignalErrors, with_errors};
 use super::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, exp, roll_pitch_yaw};
@@ -201,13 +201,9 @@ impl<S: Scalar> Instruments<S> {
 
     /// The increments with all errors of a sample.
     fn measure(&self, of: &Increments<S>, noise: &SensorNoise, sample: u64) -> Increments<S> {
-        let with = |values: Vector3<S>, errors: Option<SignalErrors<S>>, first: usize| {
-            let one = |axis: usize| errors.map_or(values[axis], |e| e.on(values[axis], noise, first + axis, sample));
-            Vector3([0, 1, 2].map(one))
-        };
         Increments {
-            specific_force: with(of.specific_force, self.acceleration, OF_INSTRUMENTS),
-            rate: with(of.rate, self.rate, OF_INSTRUMENTS + 3),
+            specific_force: with_errors(of.specific_force, self.acceleration, noise, OF_INSTRUMENTS, sample),
+            rate: with_errors(of.rate, self.rate, noise, OF_INSTRUMENTS + 3, sample),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::scalar::Scalar;
 use crate::sea::waves::Noise;
+use crate::spatial::Vector3;
 use crate::state::digest;
 
 /// The errors of one signal. Of a value x, sample k gives
@@ -79,4 +80,16 @@ impl<S: Scalar> SignalErrors<S> {
         let [steps] = S::from_values([noisy * S::constant(1.0 / self.resolution)], |[steps]| [libm::round(steps)]);
         steps * S::constant(self.resolution)
     }
+}
+
+/// Three components with the same errors each, as the signals from `first` on; without errors, themselves.
+pub fn with_errors<S: Scalar>(
+    values: Vector3<S>,
+    errors: Option<SignalErrors<S>>,
+    noise: &SensorNoise,
+    first: usize,
+    sample: u64,
+) -> Vector3<S> {
+    let Some(errors) = errors else { return values };
+    Vector3([0, 1, 2].map(|axis| errors.on(values[axis], noise, first + axis, sample)))
 }

@@ -9,7 +9,7 @@ mod sampler;
 mod satellite_receiver;
 
 pub use encoder::Encoder;
-pub use errors::{DropOuts, SensorNoise, SignalErrors};
+pub use errors::{DropOuts, SensorNoise, SignalErrors, with_errors};
 pub use load_cell::LoadCell;
 pub use position_aid::{PositionAid, ReceiverSample};
 pub use process::{Process, RATE_WANDERS, difference, first};
