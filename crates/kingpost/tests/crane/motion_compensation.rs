@@ -280,7 +280,13 @@ fn a_platform_that_begins_tilted_becomes_level() {
 
 #[test]
 fn a_mistake_is_told_with_its_place() {
-    let cases: [(&[(&str, Value)], &str); 5] = [
+    let cylinder = json!({"cylinder": {
+        "first": {"body": "pedestal", "position_m": [1, 0, 0]}, "second": {"body": "boom", "position_m": [-2, 0, 0]},
+        "shortest_m": 0.5, "longest_m": 6, "target": {"length": {"length_m": 4}}, "speed_limit_m_s": 1, "push_limit_kN": 1000,
+        "pull_limit_kN": 1000, "stiffness_kN_per_m": 1000, "damping_kN_s_per_m": 100,
+    }});
+    let cases: [(&[(&str, Value)], &str); 6] = [
+        (&[("drives.luffing", cylinder)], "keep.three_axis_compensation.joints.1.drive: found luffing, "),
         (
             &[("KEEP.joints", json!([{"drive": "slewing"}]))],
             "keep.three_axis_compensation.joints: found 1, allowed: at least 2 drives",
