@@ -1,11 +1,10 @@
 //! A swing estimator: gyroscopes on a load or a hook, and the filter that finds its inclination from them.
 
 use super::motion_reference_unit::inclination;
-use super::sensing::{Process, Sampler, SignalErrors, difference, with_errors};
+use super::sensing::{Oscillating, Process, Sampler, SignalErrors, with_errors};
 use super::{Context, Declaration, Element, Own};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, exp, log_of_part_turn};
-use nalgebra::DVector;
 
 /// Finds roll, pitch and angular velocity of a body that hangs, from its own gyroscopes. Accelerometers do not help: under
 /// a rope they measure along the rope, whatever its angle. What helps against the drift of the gyroscopes is that the body
@@ -34,13 +33,10 @@ pub struct SwingFilter {
     /// Sampling period T, s.
     pub period_s: f64,
     /// How the states of the swing about an axis change in T: its integral and itself.
-    pub swing: [[f64; 2]; 2],
+    pub swing: Oscillating,
     /// Gains about an axis: angle, error of the rate, both states of the swing.
     pub gains: [f64; 4],
 }
-
-/// Standard deviation of what the model of the swing does not explain of it, over it.
-const UNEXPLAINED: f64 = 0.1;
 
 impl SwingFilter {
     /// The filter for a sampling period, white noise of this standard deviation in a sample of a gyroscope (rad/s), and a swing of
@@ -48,13 +44,8 @@ impl SwingFilter {
     /// `dtheta' = -db + w`; the angle is an [oscillation](Process::oscillation) about zero.
     pub fn new(period_s: f64, rate_noise: f64, swing_rad: f64, swing_period_s: f64) -> Self {
         let swing = Process::oscillation(swing_period_s, swing_rad, period_s);
-        let both = Process::of_angle(rate_noise, period_s).beside(&swing);
-        let gain: DVector<f64> = both.gain(&difference(4), UNEXPLAINED * swing_rad);
-        Self {
-            period_s,
-            swing: [0, 1].map(|i| [0, 1].map(|j| swing.transition[(i, j)])),
-            gains: [0, 1, 2, 3].map(|state| gain[state]),
-        }
+        let gain = Process::of_angle(rate_noise, period_s).gain_about_zero(&swing, swing_rad);
+        Self { period_s, swing: Oscillating::of(&swing), gains: [0, 1, 2, 3].map(|state| gain[state]) }
     }
 
     /// Whether such a filter exists: its gains are numbers.
@@ -177,9 +168,7 @@ impl<S: Scalar> VerticalEstimate<S> {
     fn advance(&mut self, measured: Vector3<S>, filter: &SwingFilter) -> Vector3<S> {
         let turn = (measured - self.rate_errors) * S::constant(filter.period_s);
         self.up = exp(-turn) * self.up;
-        let [about_x, about_y] = self.states.map(|[integral, angle]| {
-            filter.swing.map(|row| S::constant(row[0]) * integral + S::constant(row[1]) * angle)
-        });
+        let [about_x, about_y] = self.states.map(|states| filter.swing.onward(states));
         let (sine, cosine) = turn[2].sin_cos();
         self.states = [
             [0, 1].map(|state| cosine * about_x[state] + sine * about_y[state]),

@@ -1,6 +1,6 @@
 //! The stationary gains of the error-state Kalman filter of an inertial unit.
 
-use super::super::sensing::{Process, RATE_WANDERS, difference, first};
+use super::super::sensing::{Oscillating, Process, RATE_WANDERS, first};
 use nalgebra::DVector;
 
 /// What the filter assumes of its unit and of the sea.
@@ -39,7 +39,7 @@ pub struct Design {
     /// Middle period of the motion in waves, s.
     pub motion_period_s: f64,
     /// How the states of the motion in waves change in T.
-    pub waves: [[f64; 2]; 2],
+    pub waves: Oscillating,
     /// Where nothing but the mean place is known, at every sample.
     pub mean: KalmanGains,
     /// At a position of the receiver.
@@ -48,8 +48,6 @@ pub struct Design {
     pub heading: [f64; 2],
 }
 
-/// Standard deviation of what the motion in waves does not explain of the distance from the mean place, over it.
-const UNEXPLAINED: f64 = 0.1;
 /// How fast the error of an accelerometer wanders: m/s^2 in the root of a second.
 const ACCELERATION_WANDERS: f64 = 1e-5;
 const GRAVITY_M_S2: f64 = 9.80665;
@@ -70,8 +68,7 @@ impl Design {
     pub fn new(of: &Assumed) -> Self {
         let (level, vertical) = (level(of), vertical(of));
         let waves = Process::oscillation(of.motion_period_s, of.motion_m, of.period_s);
-        let mean =
-            |chain: &Process| chain.beside(&waves).gain(&difference(chain.size() + 2), UNEXPLAINED * of.motion_m);
+        let mean = |chain: &Process| chain.gain_about_zero(&waves, of.motion_m);
         let fix = |chain: &Process, [period_s, deviation]: [f64; 2]| {
             let samples = libm::round(period_s / of.period_s).max(1.0);
             chain.after(samples).gain(&first(chain.size()), deviation)
@@ -79,7 +76,7 @@ impl Design {
         Self {
             period_s: of.period_s,
             motion_period_s: of.motion_period_s,
-            waves: [0, 1].map(|i| [0, 1].map(|j| waves.transition[(i, j)])),
+            waves: Oscillating::of(&waves),
             mean: KalmanGains { level: padded(&mean(&level)), vertical: padded(&mean(&vertical)) },
             fix: of.receiver.map(|receiver| KalmanGains {
                 level: padded(&fix(&level, receiver)),
@@ -141,7 +138,7 @@ mod tests {
         let transition = vertical(&ASSUMED).transition;
         for k in 0..200_000 {
             let moved = &transition * DVector::from_row_slice(&error[..3]);
-            let waves = [0, 1].map(|i| design.waves[i][0] * error[3] + design.waves[i][1] * error[4]);
+            let waves = design.waves.onward([error[3], error[4]]);
             error = [moved[0], moved[1], moved[2], waves[0], waves[1]];
             let wave = libm::sin(frequency * ASSUMED.period_s * f64::from(k));
             let innovation = -wave - error[0] + error[4];

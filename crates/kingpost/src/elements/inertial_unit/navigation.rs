@@ -123,13 +123,7 @@ impl<S: Scalar> Navigation<S> {
         self.displacement += (self.moving.velocity + acceleration * half) * period;
         self.moving.velocity += acceleration * period;
         self.moving.rotation = rotation * exp(rate * period);
-        for [integral, motion] in &mut self.waves {
-            let [of_integral, of_motion] = design.waves.map(|row| row.map(S::constant));
-            [*integral, *motion] = [
-                of_integral[0] * *integral + of_integral[1] * *motion,
-                of_motion[0] * *integral + of_motion[1] * *motion,
-            ];
-        }
+        self.waves = self.waves.map(|waves| design.waves.onward(waves));
     }
 
     /// What the mean place lacks to where the estimate without the motion in waves is, m.

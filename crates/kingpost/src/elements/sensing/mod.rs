@@ -12,6 +12,6 @@ pub use encoder::Encoder;
 pub use errors::{DropOuts, SensorNoise, SignalErrors, with_errors};
 pub use load_cell::LoadCell;
 pub use position_aid::{PositionAid, ReceiverSample};
-pub use process::{Process, RATE_WANDERS, difference, first};
+pub use process::{Oscillating, Process, RATE_WANDERS, first};
 pub use sampler::Sampler;
 pub use satellite_receiver::SatelliteReceiver;

@@ -1,11 +1,14 @@
 //! Linear processes in samples, and what a Kalman filter knows of them after a long time.
 
+use crate::scalar::Scalar;
 use crate::spatial::exponential;
 use nalgebra::{DMatrix, DVector};
 
 /// Rounds of the recursion: the last is the covariance after 2^40 samples.
 const DOUBLINGS: usize = 40;
 
+/// Standard deviation of what the model of an oscillation does not explain of it, over it.
+const UNEXPLAINED: f64 = 0.1;
 /// Damping ratio of an oscillation: the width of its spectrum.
 const DAMPING_RATIO: f64 = 0.3;
 /// How fast the error of a gyroscope wanders: rad/s in the root of a second.
@@ -53,6 +56,12 @@ impl Process {
         let (spring, damper) = (frequency * frequency, 2.0 * DAMPING_RATIO * frequency);
         let rates = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -spring, -damper]);
         Self::new(rates, period_s, &[0.0, libm::sqrt(2.0 * damper) * deviation * libm::sqrt(period_s)])
+    }
+
+    /// The gain where the first state is known to be about zero but for an [oscillation](Self::oscillation) of this standard
+    /// deviation: for the states of this process, then the two of the oscillation.
+    pub fn gain_about_zero(&self, oscillation: &Self, deviation: f64) -> DVector<f64> {
+        self.beside(oscillation).gain(&difference(self.size() + 2), UNEXPLAINED * deviation)
     }
 
     /// Number of its states.
@@ -132,10 +141,26 @@ pub fn first(size: usize) -> DVector<f64> {
 }
 
 /// The first state less the last is measured.
-pub fn difference(size: usize) -> DVector<f64> {
+fn difference(size: usize) -> DVector<f64> {
     let mut measured = first(size);
     measured[size - 1] = -1.0;
     measured
+}
+
+/// How the integral of an oscillation and itself change in a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Oscillating([[f64; 2]; 2]);
+
+impl Oscillating {
+    /// Of an [oscillation](Process::oscillation).
+    pub fn of(oscillation: &Process) -> Self {
+        Self([0, 1].map(|i| [0, 1].map(|j| oscillation.transition[(i, j)])))
+    }
+
+    /// Both a sample later.
+    pub fn onward<S: Scalar>(&self, [integral, itself]: [S; 2]) -> [S; 2] {
+        self.0.map(|row| S::constant(row[0]) * integral + S::constant(row[1]) * itself)
+    }
 }
 
 #[cfg(test)]
