@@ -67,10 +67,7 @@ impl HeldInputs {
     pub(super) fn map(&self, loops: &[&FeedbackLoop]) -> Option<(DMatrix<f64>, f64)> {
         let (n, m) = self.b.shape();
         let unit = unit(loops);
-        let samples = loops.iter().try_fold(1, |all: u64, one| {
-            let own = one.steps / unit;
-            (all / divisor(all, own)).checked_mul(own).filter(|all| *all <= MOST_SAMPLES)
-        })?;
+        let samples = samples(loops, unit)?;
         let between_s = unit as f64 * self.step_s;
         let has_sums = loops.iter().any(|one| one.integral_gains.nrows() > 0);
         let past = n + if has_sums { 2 * m } else { m };
@@ -82,11 +79,17 @@ impl HeldInputs {
         let mut between = remember(loops, unit, &parts);
         let later = between.columns(0, all).rows(0, n + m).into_owned();
         between.rows_mut(0, n + m).copy_from(&(exponential(rates) * later));
+        let mut past = parts.past;
+        let updates = loops.iter().map(|one| {
+            let update = self.sampled(one, &seen(one, unit, past, all), &parts);
+            past += one.ages(unit).sum::<usize>();
+            (one.steps / unit, update)
+        });
+        let updates: Vec<(u64, DMatrix<f64>)> = updates.collect();
         let mut map = DMatrix::identity(all, all);
         for sample in 0..samples {
-            for (which, one) in loops.iter().enumerate().filter(|(_, one)| sample % (one.steps / unit) == 0) {
-                let before: usize = loops[..which].iter().flat_map(|one| one.ages(unit)).sum();
-                map = self.sampled(one, &seen(one, unit, parts.past + before, all), &parts) * map;
+            for (_, update) in updates.iter().filter(|(every, _)| sample % every == 0) {
+                map = update * map;
             }
             map = &between * map;
         }
@@ -128,13 +131,22 @@ impl HeldInputs {
     }
 }
 
-/// The time between two instants of the map, in steps: all laws sample at whole multiples of it, and so do the sensors where that
-/// does not take too many past values.
+/// The time between two instants of the map, in steps: all laws sample at whole multiples of it, and so do the sensors that are
+/// late, where that does not take too many past values or samples.
 fn unit(loops: &[&FeedbackLoop]) -> u64 {
     let of_laws = loops.iter().fold(0, |unit, one| divisor(unit, one.steps)).max(1);
-    let sensed = || loops.iter().flat_map(|one| one.sensed.iter().flatten());
-    let unit = sensed().fold(of_laws, |unit, sensed| divisor(unit, sensed.steps));
-    if sensed().map(|sensed| sensed.age / unit).sum::<u64>() <= MOST_PAST { unit } else { of_laws }
+    let late = || loops.iter().flat_map(|one| one.sensed.iter().flatten()).filter(|sensed| sensed.age > 0);
+    let unit = late().fold(of_laws, |unit, sensed| divisor(unit, sensed.steps));
+    let is_small = late().map(|sensed| sensed.age / unit).sum::<u64>() <= MOST_PAST && samples(loops, unit).is_some();
+    if is_small { unit } else { of_laws }
+}
+
+/// Number of instants after which all laws sample at once again; `None` if there are too many.
+fn samples(loops: &[&FeedbackLoop], unit: u64) -> Option<u64> {
+    loops.iter().try_fold(1, |all: u64, one| {
+        let own = one.steps / unit;
+        (all / divisor(all, own)).checked_mul(own).filter(|all| *all <= MOST_SAMPLES)
+    })
 }
 
 /// What a loop sees: columns now, or the oldest of its past values, which begin at a place.
