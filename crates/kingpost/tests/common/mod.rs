@@ -13,6 +13,7 @@ pub mod trees;
 use kingpost::analysis::Linearizer;
 use kingpost::dynamics::Loads;
 use kingpost::model::{Mode, Model};
+use kingpost::scenario::ScenarioError;
 use kingpost::simulation::{Setup, Simulation};
 use kingpost::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, Wrench, exp};
 use rand::rngs::StdRng;
@@ -49,6 +50,13 @@ pub fn paper(overrides: &[(&str, Value)]) -> Simulation {
 pub fn simulation(text: &str) -> Simulation {
     let scenario = kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads");
     scenario.simulation().expect("the scenario builds")
+}
+
+/// A simulation of a scenario's text with parameters or fields set.
+pub fn with_changes(text: &str, changes: &[(&str, Value)]) -> Result<Simulation, ScenarioError> {
+    let changes: Vec<(String, Value)> =
+        changes.iter().map(|(path, value)| ((*path).to_owned(), value.clone())).collect();
+    kingpost::scenario::read(text, "test.yaml", &changes).and_then(|scenario| scenario.simulation())
 }
 
 /// The value of a channel now.

@@ -2,8 +2,7 @@
 
 use crate::common;
 
-use common::values;
-use kingpost::scenario::read;
+use common::{values, with_changes};
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -31,10 +30,7 @@ sensors:
 ";
 
 fn changed(changes: &[(&str, Value)]) -> Simulation {
-    let changes: Vec<(String, Value)> =
-        changes.iter().map(|(path, value)| ((*path).to_owned(), value.clone())).collect();
-    let scenario = read(TEXT, "inertial.yaml", &changes).unwrap_or_else(|error| panic!("{error}"));
-    scenario.simulation().unwrap_or_else(|error| panic!("{error}"))
+    with_changes(TEXT, changes).unwrap_or_else(|error| panic!("{error}"))
 }
 
 const UNIT: &str = "sensors.inertial.inertial_unit";
@@ -152,10 +148,7 @@ fn a_receiver_gives_it_slow_motion_and_its_drop_out_is_survived() {
 #[test]
 fn what_cannot_be_is_named_with_its_place() {
     let error = |changes: &[(&str, Value)]| {
-        let changes: Vec<(String, Value)> =
-            changes.iter().map(|(path, value)| ((*path).to_owned(), value.clone())).collect();
-        let built = read(TEXT, "inertial.yaml", &changes).and_then(|scenario| scenario.simulation().map(|_| ()));
-        built.map_or_else(|error| error.to_string(), |()| "none".to_owned())
+        with_changes(TEXT, changes).map_or_else(|error| error.to_string(), |_| "none".to_owned())
     };
     let stem = json!({"satellite_receiver": {"body": "stem", "period_s": 0.1}});
     for (changes, place, what) in [

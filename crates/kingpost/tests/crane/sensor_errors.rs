@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::values;
+use common::{values, with_changes};
 use kingpost::batch;
 use kingpost::scenario::{Files, read};
 use kingpost::simulation::Simulation;
@@ -39,10 +39,7 @@ sensors:
 ";
 
 fn changed(changes: &[(&str, Value)]) -> Simulation {
-    let changes: Vec<(String, Value)> =
-        changes.iter().map(|(path, value)| ((*path).to_owned(), value.clone())).collect();
-    let scenario = read(TEXT, "sensors.yaml", &changes).unwrap_or_else(|error| panic!("{error}"));
-    scenario.simulation().unwrap_or_else(|error| panic!("{error}"))
+    with_changes(TEXT, changes).unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]

@@ -2,9 +2,7 @@
 
 use crate::common;
 
-use common::values;
-use kingpost::scenario::read;
-use kingpost::simulation::Simulation;
+use common::{values, with_changes};
 use serde_json::{Value, json};
 
 /// A load on 20 m of rope, 9 s, under a trolley; it hangs by a universal joint and turns with the trolley's turntable.
@@ -42,15 +40,9 @@ sensors:
 
 const GYROS: &str = "sensors.gyros.swing_estimator";
 
-fn built(changes: &[(&str, Value)]) -> Result<Simulation, kingpost::scenario::ScenarioError> {
-    let changes: Vec<(String, Value)> =
-        changes.iter().map(|(path, value)| ((*path).to_owned(), value.clone())).collect();
-    read(TEXT, "swing.yaml", &changes).and_then(|scenario| scenario.simulation())
-}
-
 /// Largest distance of roll and pitch from the truth over 60 s after a time, rad, and the largest swing then.
 fn largest_error(after_s: f64, changes: &[(&str, Value)]) -> [f64; 2] {
-    let mut simulation = built(changes).unwrap_or_else(|error| panic!("{error}"));
+    let mut simulation = with_changes(TEXT, changes).unwrap_or_else(|error| panic!("{error}"));
     simulation.step((after_s / 0.02) as usize).unwrap();
     let (mut error, mut swing) = (0.0_f64, 0.0_f64);
     for _ in 0..600 {
@@ -118,8 +110,8 @@ fn what_cannot_be_is_named_with_its_place() {
         ("filter", json!({"swing_rad": 1e-200}), "gains of finite size"),
         ("delay_samples", json!(1001), "0 to 1000"),
     ] {
-        let found =
-            built(&[(&format!("{GYROS}.{field}"), value)]).map_or_else(|error| error.to_string(), |_| String::new());
+        let found = with_changes(TEXT, &[(&format!("{GYROS}.{field}"), value)])
+            .map_or_else(|error| error.to_string(), |_| String::new());
         assert!(found.contains(&format!("{GYROS}.{field}")) && found.contains(what), "{found}");
     }
 }
