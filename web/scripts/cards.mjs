@@ -49,6 +49,7 @@ const SHOTS = {
   two_ships: { time_s: 20 },
   anti_heeling_tank: { time_s: 80 },
   roll_reduction_tank: { time_s: 60 },
+  roll_reduction_flooded_tanks: { time_s: 60 },
   roll_reduction_gyros: { time_s: 60 },
   gyro_wave_energy: { time_s: 40, nearer: 1, up: 1 },
   underwater_vehicle: { time_s: 32, nearer: 0, up: 3, left: 31 },

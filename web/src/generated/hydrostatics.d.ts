@@ -103,7 +103,7 @@ export interface HullAfloat {
    */
   hanging: HangingLoad[];
   /**
-   * The free surfaces of slack tanks and of U-tanks.
+   * The free surfaces of slack tanks, U-tanks and free-flooding tanks.
    */
   free_surfaces: FreeSurface[];
   /**
@@ -160,7 +160,8 @@ export interface HangingLoad {
   free_share: [number, number];
 }
 /**
- * The free surface of a slack tank or the two of a U-tank in a hull, or in a body that its joints carry without hanging.
+ * The free surface of a slack tank or a free-flooding tank, or the two of a U-tank, in a hull, or in a body that its joints
+ * carry without hanging.
  */
 export interface FreeSurface {
   /**
@@ -183,7 +184,8 @@ export interface FreeSurface {
    * Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
    * its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
    * surface). For a U-tank i is that of two levels, `A d^2 / 2`, each of the area A, at the distance d: its columns
-   * are narrow, and nothing keeps the liquid from its level.
+   * are narrow, and nothing keeps the liquid from its level. For a tank that is open to the sea i is what her waterplane
+   * loses by it, `A (y - y') (y - y_0)`, with the centres of flotation y_0 without and y' with all openings.
    *
    * @minItems 2
    * @maxItems 2

@@ -2112,6 +2112,9 @@ export type Force =
       u_tank: UTank;
     }
   | {
+      free_flooding_tank: FreeFloodingTank;
+    }
+  | {
       submerged: Submerged;
     }
   | {
@@ -2307,6 +2310,33 @@ export type UTankPump = {
    * Flow at no pressure, m^3/s.
    */
   flow_limit_m3_s: number;
+};
+/**
+ * A pump that follows the commanded pressure of the air with a first-order lag, as far as its flow allows.
+ */
+export type AirPump = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Largest pressure above and below that of the atmosphere, Pa: below 101325.
+   */
+  pressure_limit_Pa?: number;
+  /**
+   * The same as `pressure_limit_Pa`, in the unit of this name.
+   */
+  pressure_limit_GPa?: number;
+  /**
+   * The same as `pressure_limit_Pa`, in the unit of this name.
+   */
+  pressure_limit_bar?: number;
+  /**
+   * Largest flow, either way, of air at the pressure of the atmosphere, m^3/s.
+   */
+  flow_limit_m3_s: number;
+  /**
+   * Time of the lag of the pressure behind the command, s.
+   */
+  response_time_s?: number;
 };
 /**
  * Its added mass.
@@ -4834,6 +4864,70 @@ export interface UTank {
    * A pump in the duct: an input with the tank's name, from -1 to 1, positive towards port.
    */
   pump?: UTankPump | null;
+}
+/**
+ * A tank with vertical walls and an opening to the sea in its bottom. The water in it is a body of its own, with the tank's
+ * name, whose level is a degree of freedom: the body that carries the tank must not contain its mass. The hull's data are
+ * for the closed hull.
+ */
+export interface FreeFloodingTank {
+  /**
+   * Whether the opening is open; if not, the water is frozen at `level_m`, its mass stays, and the pump has no effect.
+   */
+  enabled?: boolean;
+  /**
+   * The body that carries the tank.
+   */
+  body: string;
+  /**
+   * Middle of the opening, in the tank's bottom, in the body's drawing frame, m. The tank stands on it.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Inner length of the tank along the body's x axis, m.
+   */
+  length_m: number;
+  /**
+   * Inner breadth of the tank along the body's y axis, m.
+   */
+  breadth_m: number;
+  /**
+   * Inner height of the tank, m.
+   */
+  height_m: number;
+  /**
+   * Level of the water at rest above the opening, m: below `height_m`. Best as deep as the opening is under water.
+   */
+  level_m: number;
+  /**
+   * Area of the opening, m^2: at most that of the bottom.
+   */
+  opening_area_m2: number;
+  /**
+   * Length of the opening, m: thickness of the bottom, or length of the pipe to the sea. The water about both ends is
+   * added to it.
+   */
+  passage_length_m?: number;
+  /**
+   * Linear damping over the critical damping of the water in a ship at rest.
+   */
+  damping_ratio?: number;
+  /**
+   * Pressure lost in the opening over the dynamic pressure there, rho u^2 / 2: about 2.6 for a sharp edge.
+   */
+  loss_coefficient: number;
+  /**
+   * Level above `level_m` at the start, m.
+   */
+  initial_rise_m?: number;
+  /**
+   * A pump that sets the pressure of the air above the water: an input with the tank's name, from -1 to 1, which presses
+   * the water out if positive and sucks it in if negative. Without a pump the tank is open to the atmosphere.
+   */
+  air_pump?: AirPump | null;
 }
 /**
  * The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,

@@ -11,7 +11,7 @@ use crate::spatial::Twist;
 /// Its loads are up to six forces, each along a rate that is linear in the twists of the bodies. All amplitudes are complex,
 /// of phases `e^(-i w t)`.
 pub trait RegularWaves<S: Scalar = f64> {
-    /// The frequencies that its data are for, in rising order, rad/s.
+    /// The frequencies that its data are for, in rising order, rad/s; empty if it has none and responds at any frequency.
     fn frequencies_rad_s(&self) -> &[f64];
 
     /// The water that they are for.
@@ -24,8 +24,8 @@ pub trait RegularWaves<S: Scalar = f64> {
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6];
 
     /// Its forces per metre of wave amplitude, for waves of a frequency (rad/s) in these directions (rad) with a crest
-    /// at its position: real and imaginary part of each.
-    fn amplitudes(&self, omega: f64, directions_rad: &[f64], heading: S) -> Vec<[[S; 2]; 6]>;
+    /// at its place: real and imaginary part of each.
+    fn amplitudes(&self, omega: f64, directions_rad: &[f64], place: &WavePlace<S>) -> Vec<[[S; 2]; 6]>;
 }
 
 /// Where waves meet an element.
@@ -33,6 +33,8 @@ pub trait RegularWaves<S: Scalar = f64> {
 pub struct WavePlace<S = f64> {
     /// x and y in the world, m.
     pub position: [S; 2],
+    /// z in the world, m.
+    pub height: S,
     /// From the world's x counter-clockwise, rad.
     pub heading: S,
 }

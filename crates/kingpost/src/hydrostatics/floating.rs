@@ -1,11 +1,12 @@
 //! One hull at rest in still water.
 
+use super::free_surface::{FreeSurface, Liquids};
 use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads, weight};
 use super::righting::{RightingArmCurve, Side};
 use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;
+use crate::elements::SlackTank;
 use crate::elements::hull::{Hull, Hydrostatics, LARGEST_LIST_DEG};
-use crate::elements::{SlackTank, UTank};
 use crate::model::Model;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityError, WettedHull};
@@ -26,10 +27,8 @@ pub(super) struct LoadedHull<'a> {
     pub(super) model: &'a Model,
     pub(super) at: &'a Kinematics,
     pub(super) world: &'a World,
-    /// All slack tanks of the model.
-    pub(super) slack_tanks: &'a [&'a SlackTank],
-    /// All U-tanks of the model.
-    pub(super) u_tanks: &'a [&'a UTank],
+    /// All tanks of the model.
+    pub(super) liquids: &'a Liquids<'a>,
     /// The restraints that keep loads from swinging.
     pub(super) restraints: &'a Restraints,
 }
@@ -39,6 +38,8 @@ struct Underwater {
     volume: f64,
     centre: Vector3,
     metacentric_radius: [f64; 2],
+    waterplane_area: f64,
+    centre_of_flotation: Vector3,
 }
 
 impl LoadedHull<'_> {
@@ -70,10 +71,12 @@ impl LoadedHull<'_> {
         };
         let hanging = self.hanging();
         let tanks = self.tanks(&hanging);
-        let mut afloat = self.heights(&position, &underwater, &hanging, &tanks);
+        let plane = (underwater.waterplane_area, underwater.centre_of_flotation);
+        let levels = self.surfaces_of_levels(plane, tangents(position.vertical));
+        let mut afloat = self.heights(&position, &underwater, &hanging, (&tanks, &levels));
         let mut warnings = self.warnings(&afloat);
         if let Some(mesh) = &mesh {
-            match self.righting_arm(mesh, &position, &hanging, &tanks) {
+            match self.righting_arm(mesh, &position, &hanging, (&tanks, &levels)) {
                 Ok(curve) => afloat.righting_arm = Some(curve),
                 Err(error) => warnings.push(format!("{name}: no righting-arm curve: {error}")),
             }
@@ -103,7 +106,8 @@ impl LoadedHull<'_> {
     }
 
     pub(super) fn carried_weight(&self) -> Weight {
-        weight(self.model, self.at, &aboard(self.model, self.at, self.hull.frame.body, self.restraints))
+        let aboard = aboard(self.model, self.at, self.hull.frame.body, self.restraints);
+        self.liquids.with_flooding(weight(self.model, self.at, &aboard), self.at, &aboard)
     }
 
     /// Centre of gravity with the liquid in slack tanks as in the upright hull, hull axes, from the data's origin, m.
@@ -118,7 +122,7 @@ impl LoadedHull<'_> {
         let [across, along] = axes;
         let all = loads(self.model, self.at, self.hull.frame.body, self.restraints, [along, across]);
         // The liquid of a U-tank is a pendulum to the model, but levels to a ship.
-        all.into_iter().filter(|load| self.u_tanks.iter().all(|tank| tank.name != load.body)).collect()
+        all.into_iter().filter(|load| self.liquids.u_tanks.iter().all(|tank| tank.name != load.body)).collect()
     }
 
     fn heights(
@@ -126,13 +130,14 @@ impl LoadedHull<'_> {
         position: &FloatingPosition,
         water: &Underwater,
         hanging: &[HangingLoad],
-        tanks: &[(&SlackTank, HullTank)],
+        (tanks, levels): (&[(&SlackTank, HullTank)], &[FreeSurface]),
     ) -> HullAfloat {
         let (vertical, draught) = (position.vertical, self.database.hull.draught_m);
         let [heel_rad, trim_rad] = heel_and_trim(vertical);
         let (mass, gravity) =
             (self.carried_weight().mass, self.centre_of_gravity() + self.liquid_shift(tanks, vertical));
-        let free_surfaces = self.free_surfaces(tanks, vertical, tangents(vertical));
+        let slack = self.free_surfaces(tanks, vertical, tangents(vertical));
+        let free_surfaces: Vec<FreeSurface> = slack.into_iter().chain(levels.iter().cloned()).collect();
         let of_surfaces = [0, 1].map(|k| free_surfaces.iter().map(|surface| surface.correction_m[k]).sum::<f64>());
         let of_loads = rise_of(hanging, mass);
         let rise = [0, 1].map(|k| of_loads[k] + of_surfaces[k]);
@@ -218,17 +223,17 @@ impl LoadedHull<'_> {
         warnings
     }
 
-    /// GZ with the centre of gravity raised by hanging loads and U-tanks, and with slack tanks level at each heel.
+    /// GZ with the centre of gravity raised by hanging loads and by the levels of U-tanks and free-flooding tanks, and with
+    /// slack tanks level at each heel.
     fn righting_arm(
         &self,
         mesh: &HullMesh,
         position: &FloatingPosition,
         hanging: &[HangingLoad],
-        tanks: &[(&SlackTank, HullTank)],
+        (tanks, levels): (&[(&SlackTank, HullTank)], &[FreeSurface]),
     ) -> Result<RightingArmCurve, StabilityError> {
         let mass = self.carried_weight().mass;
-        let of_u_tanks = self.surfaces_of_u_tanks(mass, tangents(position.vertical));
-        let rise = rise_of(hanging, mass)[0] + of_u_tanks.map(|surface| surface.correction_m[0]).sum::<f64>();
+        let rise = rise_of(hanging, mass)[0] + levels.iter().map(|surface| surface.correction_m[0]).sum::<f64>();
         let loading = Loading {
             mass,
             centre_of_gravity: self.centre_of_gravity() + position.vertical * rise,
@@ -262,6 +267,8 @@ impl Underwater {
             volume,
             centre: buoyancy.centre(),
             metacentric_radius: tangents(position.vertical).map(|t| waterplane.second_moment(t, t) / volume),
+            waterplane_area: waterplane.area,
+            centre_of_flotation: waterplane.first_moments * (1.0 / waterplane.area),
         })
     }
 
@@ -277,6 +284,8 @@ impl Underwater {
             volume,
             centre: moment * (1.0 / volume),
             metacentric_radius: [(yy - y * y / area) / volume, (xx - x * x / area) / volume],
+            waterplane_area: area,
+            centre_of_flotation: Vector3::new(x / area, y / area, 0.0),
         })
     }
 }

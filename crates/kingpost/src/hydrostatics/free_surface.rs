@@ -1,13 +1,15 @@
-//! Slack tanks and U-tanks: the reduction of the metacentric height by their free surfaces.
+//! Tanks: the reduction of the metacentric height by their free surfaces.
 
 use super::floating::LoadedHull;
-use super::hanging::HangingLoad;
-use crate::elements::SlackTank;
+use super::hanging::{HangingLoad, Weight};
+use crate::dynamics::Kinematics;
+use crate::elements::{AnyElement, FreeFloodingTank, SlackTank, UTank, of_kind};
 use crate::sea::hull::HullTank;
 use crate::spatial::{Matrix3, Vector3};
 use serde::Serialize;
 
-/// The free surface of a slack tank or the two of a U-tank in a hull, or in a body that its joints carry without hanging.
+/// The free surface of a slack tank or a free-flooding tank, or the two of a U-tank, in a hull, or in a body that its joints
+/// carry without hanging.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FreeSurface {
@@ -22,7 +24,8 @@ pub struct FreeSurface {
     /// Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
     /// its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
     /// surface). For a U-tank i is that of two levels, `A d^2 / 2`, each of the area A, at the distance d: its columns
-    /// are narrow, and nothing keeps the liquid from its level.
+    /// are narrow, and nothing keeps the liquid from its level. For a tank that is open to the sea i is what her waterplane
+    /// loses by it, `A (y - y') (y - y_0)`, with the centres of flotation y_0 without and y' with all openings.
     pub correction_m: [f64; 2],
 }
 
@@ -41,7 +44,7 @@ impl LoadedHull<'_> {
             let rotation: Matrix3 = to_hull * self.at.world[tank.place.body].rotation;
             HullTank { tank: tank.tank, rotation, density: tank.density }
         };
-        self.slack_tanks.iter().filter(of_hull).map(|tank| (*tank, placed(tank))).collect()
+        self.liquids.slack_tanks.iter().filter(of_hull).map(|tank| (*tank, placed(tank))).collect()
     }
 
     /// Shift of the centre of gravity by the liquid in tanks, hull axes, m.
@@ -73,23 +76,76 @@ impl LoadedHull<'_> {
                 correction_m: tangents.map(|t| placed.second_moment(vertical, t, t) / mass),
             }
         };
-        tanks.iter().map(describe).chain(self.surfaces_of_u_tanks(mass, tangents)).collect()
+        tanks.iter().map(describe).collect()
     }
 
-    /// The levels of the U-tanks that the hull carries.
-    pub(super) fn surfaces_of_u_tanks(&self, mass: f64, tangents: [Vector3; 2]) -> impl Iterator<Item = FreeSurface> {
+    /// The levels of the U-tanks and the free-flooding tanks that the hull carries; `plane` is the area of her waterplane and
+    /// its centre, hull axes.
+    pub(super) fn surfaces_of_levels(&self, plane: (f64, Vector3), tangents: [Vector3; 2]) -> Vec<FreeSurface> {
         let hull = self.model.carried(self.hull.frame.body);
-        let to_hull = self.frame().inverse();
-        self.u_tanks.iter().filter(move |tank| hull.contains(&tank.carrier)).filter_map(move |tank| {
+        let (to_hull, mass) = (self.frame().inverse(), self.carried_weight().mass);
+        let draught = self.database.hull.draught_m;
+        let u_tanks = self.liquids.u_tanks.iter().filter(|tank| hull.contains(&tank.carrier)).filter_map(|tank| {
             let liquid = self.model.body(&tank.name)?;
             let across = to_hull.rotation * self.at.world[tank.carrier].rotation.column(1);
             Some(FreeSurface {
                 force: tank.name.clone(),
                 body: self.model.bodies[tank.carrier].name.clone(),
                 liquid_kg: tank.liquid.mass,
-                keel_to_liquid_m: to_hull.point(self.at.world[liquid].position)[2] + self.database.hull.draught_m,
+                keel_to_liquid_m: to_hull.point(self.at.world[liquid].position)[2] + draught,
                 correction_m: tangents.map(|t| tank.free_surface() * t.dot(across) * t.dot(across) / mass),
             })
+        });
+        let flooded: Vec<(&FreeFloodingTank, Vector3)> = self
+            .liquids
+            .flooded
+            .iter()
+            .filter(|tank| tank.open && hull.contains(&tank.carrier))
+            .map(|tank| (*tank, self.at.world[tank.carrier].point(tank.opening)))
+            .filter(|(_, opening)| opening[2] < 0.0)
+            .map(|(tank, opening)| (tank, to_hull.point(opening)))
+            .collect();
+        let (area, centre) = plane;
+        let lost: f64 = flooded.iter().map(|(tank, _)| tank.column.area()).sum();
+        let moment = flooded.iter().fold(centre * area, |sum, (tank, place)| sum - *place * tank.column.area());
+        let left = moment * (1.0 / (area - lost));
+        let of_flooded = flooded.iter().map(|(tank, place)| {
+            let added = tank.added(self.at);
+            let liquid_kg = tank.column.mass() + added.mass;
+            let bottom = place[2] + draught;
+            let per_metre = tank.column.mass_per_metre();
+            FreeSurface {
+                force: tank.name.clone(),
+                body: self.model.bodies[tank.carrier].name.clone(),
+                liquid_kg,
+                keel_to_liquid_m: bottom + 0.5 * liquid_kg / per_metre,
+                correction_m: tangents.map(|t| per_metre * t.dot(*place - left) * t.dot(*place - centre) / mass),
+            }
+        });
+        u_tanks.chain(of_flooded).collect()
+    }
+}
+
+/// The tanks of a model.
+pub(super) struct Liquids<'a> {
+    slack_tanks: Vec<&'a SlackTank>,
+    pub(super) u_tanks: Vec<&'a UTank>,
+    flooded: Vec<&'a FreeFloodingTank>,
+}
+
+impl<'a> Liquids<'a> {
+    pub(super) fn of(elements: &'a [AnyElement]) -> Self {
+        let (slack_tanks, u_tanks) = (of_kind(elements).collect(), of_kind(elements).collect());
+        Self { slack_tanks, u_tanks, flooded: of_kind(elements).collect() }
+    }
+
+    /// The weight of these bodies with the water that has entered them beyond that at rest.
+    pub(super) fn with_flooding(&self, weight: Weight, at: &Kinematics, bodies: &[usize]) -> Weight {
+        let on_them = self.flooded.iter().filter(|tank| bodies.contains(&tank.carrier));
+        on_them.fold(weight, |Weight { mass, centre }, tank| {
+            let added = tank.added(at);
+            let total = mass + added.mass;
+            Weight { mass: total, centre: (centre * mass + added.centre * added.mass) * (1.0 / total) }
         })
     }
 }

@@ -23,13 +23,14 @@ pub use hanging::HangingLoad;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
-use crate::elements::{Hull, SlackTank, UTank, of_kind};
+use crate::elements::{Hull, of_kind};
 use crate::model::Model;
 use crate::scenario::{Scenario, ScenarioError};
 use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
 use crate::simulation::{Setup, Simulation};
 use floating::LoadedHull;
+use free_surface::Liquids;
 use hanging::Restraints;
 use serde::Serialize;
 use thiserror::Error;
@@ -84,7 +85,7 @@ pub struct HullAfloat {
     pub metacentric_height_m: [f64; 2],
     /// The hanging loads.
     pub hanging: Vec<HangingLoad>,
-    /// The free surfaces of slack tanks and of U-tanks.
+    /// The free surfaces of slack tanks, U-tanks and free-flooding tanks.
     pub free_surfaces: Vec<FreeSurface>,
     /// GZ to the side that the ship lists to; `None` without a mesh.
     pub righting_arm: Option<RightingArmCurve>,
@@ -137,15 +138,12 @@ impl Scenario {
             return Ok(report);
         }
         let (model, world) = (setup.model.clone(), &setup.world);
-        let slack_tanks: Vec<&SlackTank> = of_kind(&setup.elements).collect();
-        let u_tanks: Vec<&UTank> = of_kind(&setup.elements).collect();
-        let (slack_tanks, u_tanks) = (&slack_tanks, &u_tanks);
+        let liquids = &Liquids::of(&setup.elements);
         let restraints_at = |q: &[f64]| Restraints::of(&Setup { q: q.to_vec(), ..setup.clone() });
         let (now, restraints) = (kinematics(&model, &simulation.state().q), &restraints_at(&simulation.state().q));
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
-            let floating =
-                LoadedHull { hull, database, model: &model, at: &now, world, slack_tanks, u_tanks, restraints };
+            let floating = LoadedHull { hull, database, model: &model, at: &now, world, liquids, restraints };
             report.warnings.extend(floating.current_warnings());
             match floating.check_capacity() {
                 Err(error) if restraints.floats_alone(&model, hull.frame.body) => return Err(error),
@@ -171,8 +169,7 @@ impl Scenario {
         let at_rest = kinematics(&model, &simulation.state().q);
         let restraints = &restraints_at(&simulation.state().q);
         for (hull, database) in hulls.into_iter().filter(|(hull, _)| !sunk.contains(&hull.name.as_str())) {
-            let floating =
-                LoadedHull { hull, database, model: &model, at: &at_rest, world, slack_tanks, u_tanks, restraints };
+            let floating = LoadedHull { hull, database, model: &model, at: &at_rest, world, liquids, restraints };
             let (afloat, mut warnings) = floating.describe();
             if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));

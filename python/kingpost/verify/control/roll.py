@@ -1,20 +1,23 @@
-"""Roll reduction in beam seas, with and without: a U-tank, and two gyros that precess against each other.
+"""Roll reduction in beam seas, with and without: a U-tank, tanks open to the sea, and two gyros.
 
-Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen or
-the wheels at rest: the mass stays.
+Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen, the
+openings closed or the wheels at rest: the mass stays.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ...reports.tables import table
 from ...scenario import load
 from .standard import settled
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 LENGTH_S = 700.0
 
@@ -39,6 +42,9 @@ class Device:
 DEVICES: dict[str, Device] = {
     "liquid frozen": Device("roll_reduction_tank", {"tank": False}, None),
     "U-tank": Device("roll_reduction_tank", {}, "liquid frozen"),
+    "openings closed": Device("roll_reduction_flooded_tanks", {"tanks": False, "control": False}, None),
+    "open tanks": Device("roll_reduction_flooded_tanks", {"control": False}, "openings closed"),
+    "open tanks, pumped": Device("roll_reduction_flooded_tanks", {}, "openings closed"),
     "wheels at rest": Device("roll_reduction_gyros", {"spin_rad_s": 0.0}, None),
     "gyros, dampers": Device("roll_reduction_gyros", {}, "wheels at rest"),
     "gyros, driven": Device("roll_reduction_gyros", {"active": True}, "wheels at rest"),
@@ -62,9 +68,9 @@ class Rolled:
     utilisation: float | None
     """Largest share of the travel: of the level's room, or of the gimbal's angle."""
     effort: float | None
-    """Largest share of the drive's torque."""
+    """Largest share of the drive's torque, or of the pumps' flow."""
     power_kw: float | None
-    """Mean power that the drives deliver while they drive, kW."""
+    """Mean power that the drives deliver while they drive, or least power of the pumps, kW."""
 
     @property
     def verdict(self) -> str:
@@ -76,11 +82,63 @@ class Rolled:
         return reached + (", meets its stops" if beyond else "")
 
 
+class Used(NamedTuple):
+    """What a device uses of its limits, and its power."""
+
+    utilisation: float | None = None
+    effort: float | None = None
+    power_kw: float | None = None
+
+
+Column = Callable[[str], "NDArray[np.float64]"]
+
+
+def _levels(column: Column, case: Device) -> Used:
+    tank = load(case.scenario).resolved["forces"]["tank"]["u_tank"]
+    level = tank["level_m"]
+    levels = np.concatenate([column("tank.level_port"), column("tank.level_starboard")]) - level
+    room = min(tank["column_height_m"] - level, level - tank["duct_height_m"] / 2)
+    return Used(float(np.abs(levels).max()) / room)
+
+
+def _flooded(column: Column, case: Device) -> Used:
+    tank = load(case.scenario).resolved["forces"]["tank_port"]["free_flooding_tank"]
+    names = ("tank_port", "tank_starboard")
+    levels = np.concatenate([column(f"{name}.water_level") for name in names])
+    room = tank["height_m"] - tank["level_m"]
+    utilisation = float(np.abs(levels - tank["level_m"]).max()) / room
+    if not case.given.get("control", True):
+        return Used(utilisation)
+    flow = max(float(np.abs(column(f"{name}.air_flow")).max()) for name in names)
+    power = sum(float(column(f"{name}.air_power").mean()) for name in names)
+    return Used(utilisation, flow / tank["air_pump"]["flow_limit_m3_s"], power / 1e3)
+
+
+def _gyros(column: Column, case: Device) -> Used:
+    given = load(case.scenario).resolved
+    angle = column("precession_port.joint_position")
+    stops = given["bodies"]["gimbal_port"]["joint"]["revolute"]["limits"]
+    utilisation = float(np.abs(angle).max()) / stops["upper_rad"]
+    if not case.given.get("active"):
+        return Used(utilisation, 0.0, 0.0)
+    lever = column("precession.push_port.commanded_lever")
+    torque = given["drives"]["push_port"]["motor"]["torque_N_m"] * lever
+    work = torque * column("precession_port.joint_velocity")
+    return Used(utilisation, float(np.abs(lever).max()), 2 * float(np.maximum(work, 0.0).mean()) / 1e3)
+
+
+USED: dict[str, Callable[[Column, Device], Used]] = {
+    "roll_reduction_tank": _levels,
+    "roll_reduction_flooded_tanks": _flooded,
+    "roll_reduction_gyros": _gyros,
+}
+
+
 def cases() -> Iterator[tuple[str, str]]:
     """Sea and device of each run.
 
     >>> len(list(cases()))
-    15
+    24
     """
     return ((sea, device) for sea in SEAS for device in DEVICES)
 
@@ -91,27 +149,9 @@ def measure(sea: str, device: str, without_deg: float | None = None, length_s: f
     column = settled(case.scenario, SEAS[sea] | case.given, length_s).column
     roll = np.degrees(column("hull.roll"))
     deviation = float(roll.std())
-    given = load(case.scenario).resolved
     left = None if without_deg is None else deviation / without_deg
-    utilisation = effort = power = None
-    if device == "U-tank":
-        tank = given["forces"]["tank"]["u_tank"]
-        level = tank["level_m"]
-        levels = np.concatenate([column("tank.level_port"), column("tank.level_starboard")]) - level
-        room = min(tank["column_height_m"] - level, level - tank["duct_height_m"] / 2)
-        utilisation = float(np.abs(levels).max()) / room
-    elif device.startswith("gyros"):
-        angle = column("precession_port.joint_position")
-        stops = given["bodies"]["gimbal_port"]["joint"]["revolute"]["limits"]
-        utilisation = float(np.abs(angle).max()) / stops["upper_rad"]
-        if case.given.get("active"):
-            lever = column("precession.push_port.commanded_lever")
-            torque = given["drives"]["push_port"]["motor"]["torque_N_m"] * lever
-            work = torque * column("precession_port.joint_velocity")
-            effort, power = float(np.abs(lever).max()), 2 * float(np.maximum(work, 0.0).mean()) / 1e3
-        else:
-            effort, power = 0.0, 0.0
-    return Rolled(sea, device, deviation, float(np.abs(roll).max()), left, utilisation, effort, power)
+    used = Used() if case.without is None else USED[case.scenario](column, case)
+    return Rolled(sea, device, deviation, float(np.abs(roll).max()), left, *used)
 
 
 def measured(update: Callable[[float], None]) -> list[Rolled]:
@@ -124,7 +164,7 @@ def measured(update: Callable[[float], None]) -> list[Rolled]:
     return list(rows.values())
 
 
-HEAD = ("sea", "device", "roll, deg", "largest, deg", "left, %", "travel", "torque", "drives, kW", "verdict")
+HEAD = ("sea", "device", "roll, deg", "largest, deg", "left, %", "travel", "effort", "power, kW", "verdict")
 
 
 def text(rows: Sequence[Rolled]) -> str:

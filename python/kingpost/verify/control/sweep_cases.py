@@ -57,6 +57,15 @@ def _tank() -> Limits:
     return {f"tank.level_{side}": room for side in ("port", "starboard")}
 
 
+def _flooded() -> Limits:
+    """The levels at the openings and at the tops, and the pumps at their flows."""
+    tank = load("roll_reduction_flooded_tanks").resolved["forces"]["tank_port"]["free_flooding_tank"]
+    flow = tank["air_pump"]["flow_limit_m3_s"]
+    sides = ("port", "starboard")
+    levels = {f"tank_{side}.water_level": (0.0, tank["height_m"]) for side in sides}
+    return levels | {f"tank_{side}.air_flow": (-flow, flow) for side in sides}
+
+
 def _gyros(driven: bool = False) -> Limits:
     """The gimbals at their stops, and the drives at their torques."""
     bodies = load("roll_reduction_gyros").resolved["bodies"]
@@ -118,6 +127,7 @@ SWEEPS: dict[str, Sweep] = {
         platform, ("compensation.platform_offset.z",), HALF_PLATFORM
     ),
     "U-tank, Tp 11.5 s": _roll("U-tank", _tank),
+    "open tanks, pumped, Tp 11.5 s": _roll("open tanks, pumped", _flooded),
     "gyros, dampers, Tp 11.5 s": _roll("gyros, dampers", _gyros),
     "gyros, driven, Tp 11.5 s": _roll("gyros, driven", lambda: _gyros(driven=True)),
 }

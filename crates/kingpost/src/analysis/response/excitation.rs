@@ -47,7 +47,10 @@ impl<'a> WaveLoads<'a> {
             let mobility = mobility.rows(0, free.len()).into_owned();
             loaded.push(Loaded { place: element.place(&at_rest), element, index, mobility });
         }
-        if loaded.is_empty() { Err(ResponseError::NoHull) } else { Ok(Self { loaded }) }
+        // A tank responds at any frequency; the data of a hull say which ones are known.
+        loaded.sort_by_key(|loaded: &Loaded<'_>| loaded.element.frequencies_rad_s().is_empty());
+        let known = loaded.first().is_some_and(|first| !first.element.frequencies_rad_s().is_empty());
+        if known { Ok(Self { loaded }) } else { Err(ResponseError::NoHull) }
     }
 
     /// The requested frequencies, or those of the first element's data with three more in each interval, because
@@ -55,8 +58,8 @@ impl<'a> WaveLoads<'a> {
     pub(super) fn frequencies(&self, asked: &[f64]) -> Result<Vec<f64>, ResponseError> {
         let all = if asked.is_empty() { refined(self.loaded[0].element.frequencies_rad_s()) } else { asked.to_vec() };
         for grid in self.loaded.iter().map(|loaded| loaded.element.frequencies_rad_s()) {
-            let (lowest, highest) = (grid[0], grid[grid.len() - 1]);
-            if let Some(&found) = all.iter().find(|omega| !(lowest..=highest).contains(*omega)) {
+            let (Some(lowest), Some(highest)) = (grid.first(), grid.last()) else { continue };
+            if let Some(&found) = all.iter().find(|omega| !(lowest..=highest).contains(omega)) {
                 let allowed = format!("{lowest:.4} to {highest:.4} rad/s, which the database covers");
                 return Err(ResponseError::Wave { quantity: "frequencies_rad_s", found, allowed });
             }
@@ -106,7 +109,7 @@ impl<'a> WaveLoads<'a> {
     fn forces_on(&self, loaded: &Loaded<'_>, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
         let k = wave_number(omega, &loaded.element.water());
         let off = [0, 1].map(|axis| loaded.place.position[axis] - self.reference_m()[axis]);
-        let amplitudes = loaded.element.amplitudes(omega, directions, loaded.place.heading);
+        let amplitudes = loaded.element.amplitudes(omega, directions, &loaded.place);
         let mut force = DMatrix::from_fn(FORCES, directions.len(), |mode, wave| {
             let [re, im] = amplitudes[wave][mode];
             Complex::new(re, im)

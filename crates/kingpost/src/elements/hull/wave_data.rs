@@ -40,8 +40,9 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
     }
 
     fn place(&self, bodies: &Kinematics<S>) -> WavePlace<S> {
-        let SlowFrame { position, heading, .. } = SlowFrame::of(&self.frame(bodies));
-        WavePlace { position, heading }
+        let frame = self.frame(bodies);
+        let SlowFrame { position, heading, .. } = SlowFrame::of(&frame);
+        WavePlace { position, height: frame.position[2], heading }
     }
 
     /// Rates along the axes of the wave loads, about the database's origin.
@@ -53,11 +54,11 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
     }
 
     /// X at the hull's heading.
-    fn amplitudes(&self, omega: f64, directions_rad: &[f64], heading: S) -> Vec<[[S; 2]; 6]> {
+    fn amplitudes(&self, omega: f64, directions_rad: &[f64], place: &WavePlace<S>) -> Vec<[[S; 2]; 6]> {
         let on_grid = self.database.excitation(omega, true);
         let part = |part: usize, _| on_grid.iter().map(|x| x[part / 2][part % 2]).collect();
         let mut table = ByHeading::new(PARTS, directions_rad, part);
-        table.turn_to(heading);
+        table.turn_to(place.heading);
         let of = |wave| core::array::from_fn(|mode| [0, 1].map(|part| table.number(2 * mode + part, wave)));
         (0..directions_rad.len()).map(of).collect()
     }

@@ -1,12 +1,10 @@
 //! The liquid of a U-tank: its weight, its losses and its pump.
 
-mod levels;
 mod liquid;
 
-pub use levels::ColumnLevels;
 pub use liquid::{UTankGeometry, UTankLiquid};
 
-use super::{AnyWatcher, Context, Declaration, Element, Input, Output};
+use super::{AnyWatcher, Context, Declaration, Element, Input, LevelEnd, Output, TankLevels};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -98,7 +96,12 @@ impl<S: Scalar> Element<S> for UTank<S> {
     }
 
     fn watchers(&self) -> Vec<AnyWatcher> {
-        vec![Box::new(ColumnLevels::new(&self.name, self.ends.map(|end| end.value())))]
+        let [top, duct] = self.ends.map(S::value);
+        let ends = [
+            LevelEnd { level: top, warning: "its liquid reached the top of a column" },
+            LevelEnd { level: duct, warning: "air reached the top of its duct" },
+        ];
+        vec![Box::new(TankLevels::new(&self.name, &["level_port", "level_starboard"], ends))]
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {

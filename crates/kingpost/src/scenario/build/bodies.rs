@@ -3,7 +3,7 @@
 use super::super::schema::{self, Inertia, Scenario};
 use super::axes::{axes, forces_in_axis};
 use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
-use super::{FieldError, known, u_tanks};
+use super::{FieldError, free_flooding_tanks, known, u_tanks};
 use crate::elements::{AnyElement, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
 use crate::model::{Axis, BodyDefinition, Joint, JointKind, Mode, Model, Shape};
@@ -103,12 +103,13 @@ impl<S: Quantity> TreeBuilder<S> {
         Ok(())
     }
 
-    /// The liquid of U-tanks: bodies that the scenario gives as forces.
+    /// The liquid of U-tanks and free-flooding tanks: bodies that the scenario gives as forces.
     fn add_liquids(&mut self, scenario: &Scenario<S>) -> Result<(), FieldError> {
         let place = |name: &str| self.descriptions.iter().position(|description| description.name == name);
-        for liquid in u_tanks::bodies(scenario, place)? {
+        let liquids = [u_tanks::bodies(scenario, place)?, free_flooding_tanks::bodies(scenario, place)?];
+        for liquid in liquids.into_iter().flatten() {
             self.rotors.push((self.v.len(), liquid.rotor_inertia));
-            self.q.push(liquid.angle);
+            self.q.push(liquid.position);
             self.v.push(S::ZERO);
             self.descriptions.push(liquid.definition);
         }

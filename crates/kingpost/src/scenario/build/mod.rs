@@ -14,10 +14,12 @@ mod drives;
 mod equilibrium;
 pub(super) mod flexible;
 mod flow;
+mod free_flooding_tanks;
 mod hinges;
 mod histories;
 mod limits;
 mod lines;
+mod liquids;
 mod load_chart;
 mod loops;
 mod operation;
@@ -247,6 +249,9 @@ fn forces<S: Quantity>(
             ForceSchema::ViscousDamping(given) => forces.extend(damping::viscous(scenario, name, given, model)?),
             ForceSchema::QuadraticDamping(given) => forces.extend(damping::quadratic(scenario, name, given, model)?),
             ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
+            ForceSchema::FreeFloodingTank(given) => {
+                forces.extend(free_flooding_tanks::build(scenario, name, given, model, world)?);
+            }
             ForceSchema::UTank(given) => forces.extend(u_tanks::build(scenario, name, given, model)?),
             ForceSchema::Submerged(given) => forces.extend(submerged::build(scenario, name, given, model, world)?),
             ForceSchema::TrailingEdge(given) => {

@@ -2,26 +2,14 @@
 
 use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::damping::{from_centre, rigid};
+use super::liquids::{self, LiquidBody};
 use super::{FieldError, still_water};
 use crate::elements::u_tank::{UTankGeometry, UTankLiquid};
-use crate::elements::{AnyElement, JointStop, StopSide, UTank};
+use crate::elements::{AnyElement, UTank};
 use crate::model::joint::Revolute;
-use crate::model::{BodyDefinition, Joint, JointKind, Mode, Model};
+use crate::model::{BodyDefinition, JointKind, Model};
 use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Matrix3, Vector3};
-
-/// Stiffness of the end of a column over that of the levels: the liquid meets it as a stop.
-const STOP: f64 = 50.0;
-/// Dissipation of that stop, s/m.
-const STOP_DISSIPATION: f64 = 0.5;
-
-/// The liquid of a tank for the tree of bodies.
-pub(super) struct LiquidBody<S> {
-    pub definition: BodyDefinition<S>,
-    /// Angle of its hinge at the start.
-    pub angle: S,
-    pub rotor_inertia: S,
-}
 
 /// The U-tanks of a scenario.
 fn of<S>(scenario: &Scenario<S>) -> impl Iterator<Item = (&schema::Name, &schema::UTank<S>)> {
@@ -40,7 +28,8 @@ pub(super) fn bodies<S: Quantity>(
     for (name, given) in of(scenario) {
         let field = format!("forces.{name}.u_tank");
         rigid(scenario, format!("{field}.body"), &given.body)?;
-        check(scenario, name, given, &field)?;
+        liquids::check_name(scenario, name)?;
+        check(given, &field)?;
         let Some(parent) = place(&given.body) else { continue };
         let liquid = geometry(scenario, given).liquid();
         let rotor_inertia = liquid.rotor_inertia();
@@ -48,9 +37,9 @@ pub(super) fn bodies<S: Quantity>(
             let allowed = "a path of flow that carries all of the liquid: longer columns or a longer duct";
             return Err(FieldError::new(format!("{field}.column_distance_m"), given.column_distance_m.get(), allowed));
         }
-        let angle = given.initial_rise_m * liquid.turn;
+        let position = given.initial_rise_m * liquid.turn;
         let definition = definition(scenario, name, given, parent, &liquid);
-        found.push(LiquidBody { definition, angle, rotor_inertia });
+        found.push(LiquidBody { definition, position, rotor_inertia });
     }
     Ok(found)
 }
@@ -67,15 +56,7 @@ fn definition<S: Quantity>(
     let placement = Frame { rotation: Matrix3::identity(), position: duct + up(liquid.centre + liquid.arm) };
     let along = Vector3([S::ONE, S::ZERO, S::ZERO]);
     let kind = JointKind::Revolute(Revolute::new(placement, along, up(-liquid.arm)));
-    let mode = if given.enabled { Mode::Free } else { Mode::Held };
-    BodyDefinition {
-        name: name.to_owned(),
-        parent: Some(parent),
-        joint: Joint { name: name.to_owned(), kind, mode },
-        mass: liquid.mass,
-        inertia: liquid.inertia,
-        points: Vec::new(),
-    }
+    liquids::definition(name, parent, kind, given.enabled, (liquid.mass, liquid.inertia))
 }
 
 /// Weight, losses, pump and stops of a tank whose liquid flows.
@@ -97,14 +78,8 @@ pub(super) fn build<S: Quantity>(
     let liquid = geometry.liquid();
     let critical = (liquid.stiffness(gravity) * liquid.flow_mass).sqrt() * S::constant(2.0);
     let [top, duct] = [given.column_height_m.get(), given.duct_height_m.get() * S::constant(0.5)];
-    let stop = |side: StopSide, sign: f64| -> AnyElement<S> {
-        let room = [top - geometry.level, geometry.level - duct];
-        let room = room[0].select_less(room[1], || room[0], || room[1]);
-        let stiffness = liquid.stiffness(gravity) * S::constant(STOP) / (liquid.turn * liquid.turn);
-        let dissipation = S::constant(STOP_DISSIPATION) / liquid.turn;
-        let limit = room * liquid.turn * S::constant(sign);
-        Box::new(JointStop { position, coordinate, side, limit, stiffness, dissipation })
-    };
+    let room = [top - geometry.level, geometry.level - duct];
+    let room = room[0].select_less(room[1], || room[0], || room[1]);
     let tank = UTank {
         name: name.to_owned(),
         carrier,
@@ -117,7 +92,8 @@ pub(super) fn build<S: Quantity>(
         pump: given.pump.as_ref().map(|pump| [pump.pressure_limit_pa.get(), pump.flow_limit_m3_s.get()]),
         ends: [top, duct],
     };
-    Ok(vec![Box::new(tank), stop(StopSide::Lower, -1.0), stop(StopSide::Upper, 1.0)])
+    let stops = liquids::stops(node, [-room, room], tank.liquid.stiffness(gravity), tank.liquid.turn);
+    Ok(core::iter::once(Box::new(tank) as AnyElement<S>).chain(stops).collect())
 }
 
 fn geometry<S: Quantity>(scenario: &Scenario<S>, given: &schema::UTank<S>) -> UTankGeometry<S> {
@@ -131,26 +107,9 @@ fn geometry<S: Quantity>(scenario: &Scenario<S>, given: &schema::UTank<S>) -> UT
     }
 }
 
-/// Checks that no body has the tank's name, and that the columns and the duct fit each other.
-fn check<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::UTank<S>,
-    field: &str,
-) -> Result<(), FieldError> {
-    let named = |(body, given): (&schema::Name, &schema::Body<S>)| {
-        **body == *name || given.joint.name().is_some_and(|joint| joint.as_str() == name)
-    };
-    if scenario.bodies.iter().any(named) {
-        let allowed = "a name that no body and no joint has: the liquid is a body with the tank's name";
-        return Err(FieldError::new(format!("forces.{name}"), name, allowed));
-    }
-    let less = |at: &str, value: S, limit: S, what: &str| {
-        if (limit - value).all(|left| left > 0.0) {
-            return Ok(());
-        }
-        Err(FieldError::new(format!("{field}.{at}"), value, format!("less than {what}, {limit}")))
-    };
+/// Checks that the columns and the duct fit each other.
+fn check<S: Quantity>(given: &schema::UTank<S>, field: &str) -> Result<(), FieldError> {
+    let less = |at: &str, value, limit, what: &str| liquids::less(&format!("{field}.{at}"), value, limit, what);
     let duct_top = given.duct_height_m.get() * S::constant(0.5);
     let (level, top) = (given.level_m.get(), given.column_height_m.get());
     less("column_breadth_m", given.column_breadth_m.get(), given.column_distance_m.get(), "column_distance_m")?;

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank,
-    SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank, WindLoad, yes,
+    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Hydrodynamics, Name, NonNegative, Rope,
+    SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank, WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -29,6 +29,8 @@ pub enum Force<S = f64> {
     SlackTank(Box<SlackTank<S>>),
     /// A U-tank: an anti-roll tank, or with a pump an anti-heeling tank.
     UTank(Box<UTank<S>>),
+    /// A tank that is open to the sea; with a pump for its air, an active anti-roll tank.
+    FreeFloodingTank(Box<FreeFloodingTank<S>>),
     /// The water on a lifted object, in the splash zone and below.
     Submerged(Box<Submerged<S>>),
     /// The trailing edge of a fin that swims.

@@ -15,6 +15,7 @@ mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
+mod free_flooding_tank;
 mod gas_spring;
 mod gusts;
 mod heave_compensation;
@@ -84,6 +85,7 @@ pub use flow::{
     Wind, WindLoad, WindProfile,
 };
 pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use free_flooding_tank::{AirPump, FreeFloodingTank};
 pub use gas_spring::GasSpring;
 pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
 pub use heave_compensation::{HeaveCompensation, HeavePrediction};
