@@ -55,7 +55,9 @@ def test_a_slow_winch_leaves_more_of_higher_seas_but_never_more_than_without():
     assert name in sweep.text([row])
 
 
-@pytest.mark.parametrize("name", ["U-tank, Tp 11.5 s", "open tanks, pumped, Tp 11.5 s", "gyros, driven, Tp 11.5 s"])
+@pytest.mark.parametrize(
+    "name", ["U-tank, Tp 11.5 s", "open tanks, pumped, Tp 11.5 s", "gyros, driven, Tp 11.5 s"]
+)
 def test_devices_against_roll_are_swept_with_limits_that_their_scenario_has(name: str):
     row = sweep.measure(name, length_s=4.0, heights_m=[1.0, 2.0])
     assert row.finished

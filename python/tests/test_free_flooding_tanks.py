@@ -211,7 +211,7 @@ def test_the_air_above_a_pump_that_gives_no_flow_is_a_spring():
     pump = {"pressure_limit_Pa": 2.0e4, "flow_limit_m3_s": 1e-9}
     simulation = kingpost.Simulation(scenario(initial_rise_m=1e-3, air_pump=pump))
     ds = simulation.run()
-    # The air has the pressure of the atmosphere at the start, at the raised level: it pushes back by 1 mm more.
+    # At the start, with the level raised, the air has the pressure of the atmosphere.
     air = 1.4 * 101325.0 * AREA / (7.0 - LEVEL)
     frequency = np.sqrt((STIFFNESS + air) / FLOW_MASS)
     rest = 1e-3 * air / (STIFFNESS + air)
