@@ -20,7 +20,7 @@ from .network import NeuralPolicy, read_policy
 from .registered import IDS, register
 from .scores import score
 from .task import Action, Observation, Task
-from .tasks import anti_sway, heave_compensation, landing, roll_reduction, three_axis
+from .tasks import anti_sway, anti_sway_at_sea, heave_compensation, landing, roll_reduction, three_axis
 from .vector import ShipCraneVectorEnv
 
 if TYPE_CHECKING:
@@ -55,6 +55,7 @@ __all__ = [
     "Task",
     "Training",
     "anti_sway",
+    "anti_sway_at_sea",
     "contenders",
     "heave_compensation",
     "landing",

@@ -6,6 +6,7 @@ import argparse
 from dataclasses import asdict, replace
 from pathlib import Path
 
+from .carried import FILES, trained
 from .evolution import Training, train
 from .registered import IDS
 from .scores import score, table
@@ -24,16 +25,19 @@ def write_scores(page: Path) -> None:
 def write_policy(given: argparse.Namespace) -> None:
     """Train a policy, score it on the episodes of the table, and write its file."""
     task = IDS[given.environment]()
-    training = Training(given.generations, given.pairs, given.episodes, (given.hidden,), seed=given.seed)
+    spread, rate = tuple(given.spread), tuple(given.rate)
+    sizes = (given.generations, given.pairs, given.episodes, (given.hidden,))
+    training = Training(*sizes, spread, rate, given.seed)
+    start = None if given.start is None else trained(given.start).begun_for(task, given.environment)
 
     def shown(generation: int, mean: float) -> None:
         if generation % 10 == 0 or generation + 1 == training.generations:
             print(f"generation {generation}: mean score {mean:.2f}", flush=True)
 
-    policy = train(task, given.environment, training, threads=given.threads, shown=shown)
+    policy = train(task, given.environment, training, start, given.threads, shown)
     scores = score(task, lambda _: policy, threads=given.threads)
     about = {
-        "training": asdict(training),
+        "training": asdict(training) | ({} if start is None else {"start": given.start}),
         "score": {"mean": float(scores.mean()), "worst": float(scores.min())},
     }
     replace(policy, about=about).save(given.file)
@@ -54,6 +58,10 @@ def main(words: list[str] | None = None) -> None:
     training.add_argument("--environment", choices=list(IDS), default=next(iter(IDS)))
     for name in ("generations", "pairs", "episodes", "seed"):
         training.add_argument(f"--{name}", type=int, default=getattr(default, name))
+    for name in ("spread", "rate"):
+        first_and_last = {"nargs": 2, "default": getattr(default, name), "metavar": ("FIRST", "LAST")}
+        training.add_argument(f"--{name}", type=float, **first_and_last)
+    training.add_argument("--start", choices=list(FILES), help="begin with the policy of this environment")
     training.add_argument("--hidden", type=int, default=default.hidden[0], help="size of the hidden layer")
     training.add_argument("--threads", type=int, default=1)
     given = parser.parse_args(words)

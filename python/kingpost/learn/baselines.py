@@ -156,14 +156,17 @@ def tip_and_height(task: Task) -> Policy:
     return policy
 
 
+ANTI_SWAY: dict[str, Callable[[Task], Policy]] = {
+    "do nothing": do_nothing,
+    "proportional": proportional,
+    "proportional, shaped": _Shaped,
+    "swing feedback": swing_feedback,
+    "PID, tuned": _Pid,
+}
+
 BASELINES: dict[str, dict[str, Callable[[Task], Policy]]] = {
-    "Kingpost/AntiSway-v0": {
-        "do nothing": do_nothing,
-        "proportional": proportional,
-        "proportional, shaped": _Shaped,
-        "swing feedback": swing_feedback,
-        "PID, tuned": _Pid,
-    },
+    "Kingpost/AntiSway-v0": ANTI_SWAY,
+    "Kingpost/AntiSwayAtSea-v0": ANTI_SWAY,
     "Kingpost/HeaveCompensation-v0": {
         "do nothing": do_nothing,
         "height feedback": feedback,

@@ -8,7 +8,10 @@ from ..errors import KingpostError
 from .network import NeuralPolicy, read_policy
 
 POLICIES = Path(__file__).parent / "policies"
-FILES = {"Kingpost/AntiSway-v0": "anti_sway.json"}
+FILES = {
+    "Kingpost/AntiSway-v0": "anti_sway.json",
+    "Kingpost/AntiSwayAtSea-v0": "anti_sway_at_sea.json",
+}
 """The file of each environment's trained policy."""
 
 

@@ -12,13 +12,15 @@ from .sampled import sampled
 from .task import Task
 
 BY_SAMPLING = "predictive, by sampling around the policy"
-BY_MODEL: dict[str, dict[str, Callable[[Task], Policy]]] = {
-    "Kingpost/AntiSway-v0": {
-        "LQR (`kingpost.lqr`)": linear_quadratic,
-        "predictive (`kingpost.mpc`)": predictive,
-        BY_SAMPLING: sampled,
-    },
+LINEAR: dict[str, Callable[[Task], Policy]] = {
+    "LQR (`kingpost.lqr`)": linear_quadratic,
+    "predictive (`kingpost.mpc`)": predictive,
 }
+BY_MODEL: dict[str, dict[str, Callable[[Task], Policy]]] = {
+    "Kingpost/AntiSway-v0": LINEAR | {BY_SAMPLING: sampled},
+    "Kingpost/AntiSwayAtSea-v0": LINEAR,
+}
+FIXED_BASE = "Kingpost/AntiSway-v0"
 
 
 CALM = {"significant_height_m": 0.001}
@@ -40,7 +42,8 @@ def contenders(environment: str, at_sea: bool = False) -> dict[str, Callable[[Ta
     found = BASELINES[environment] | BY_MODEL.get(environment, {})
     if at_sea:
         found[f"{BY_SAMPLING}, as if the water were calm from now on"] = _in_calm_water
+    if environment == "Kingpost/AntiSwayAtSea-v0":
+        found["policy trained on a fixed base"] = trained(FIXED_BASE).of
     if environment in FILES:
-        policy = trained(environment)
-        found["trained policy"] = lambda task: policy
+        found["trained policy"] = trained(environment).of
     return found

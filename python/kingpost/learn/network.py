@@ -14,6 +14,7 @@ import numpy as np
 
 from ..errors import KingpostError
 from ..output import write_text
+from .acting import Policy
 from .task import LARGEST_OBSERVATION, Task
 
 DIGITS = 6
@@ -77,6 +78,42 @@ class NeuralPolicy:
             # Not a matrix product: its sums would depend on the library's number of threads.
             signal = np.tanh(np.einsum("ei,oi->eo", signal, weights) + biases)
         return signal
+
+    def of(self, task: Task) -> Policy:
+        """The same in a task that sees more, or in another order or with other scales: it picks by name.
+
+        Raises
+        ------
+        KingpostError
+            If the task does not see what the policy needs.
+        """
+        places = self._places(task)
+        ratios = np.array([one.scale for one in task.seen])[places] / np.array(self.scales)
+        return lambda seen: self(np.asarray(seen, np.float64)[:, places] * ratios)
+
+    def begun_for(self, task: Task, environment: str) -> NeuralPolicy:
+        """A policy that sees all of a task and acts as this one: the weights of what it sees more are zero.
+
+        Raises
+        ------
+        KingpostError
+            If the task does not see what the policy needs.
+        """
+        places = self._places(task)
+        ratios = np.array([one.scale for one in task.seen])[places] / np.array(self.scales)
+        (first, biases), *others = self.layers
+        weights = np.zeros((len(biases), len(task.seen)))
+        weights[:, places] = first * ratios
+        empty = untrained(task, environment, [len(biases) for _, biases in self.layers[:-1]])
+        return replace(empty, layers=((weights, biases), *others))
+
+    def _places(self, task: Task) -> list[int]:
+        seen = list(task.observation_names)
+        missing = [name for name in self.observations if name not in seen]
+        if missing:
+            allowed = f"a task with {', '.join(missing)}"
+            raise KingpostError(f"observations: found {', '.join(seen)}, allowed: {allowed}")
+        return [seen.index(name) for name in self.observations]
 
     @cached_property
     def numbers(self) -> np.ndarray:

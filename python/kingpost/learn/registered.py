@@ -9,11 +9,12 @@ import gymnasium
 
 from .environment import ShipCraneEnv
 from .task import Task
-from .tasks import anti_sway, heave_compensation, landing, roll_reduction, three_axis
+from .tasks import anti_sway, anti_sway_at_sea, heave_compensation, landing, roll_reduction, three_axis
 from .vector import ShipCraneVectorEnv
 
 IDS: dict[str, Callable[..., Task]] = {
     "Kingpost/AntiSway-v0": anti_sway,
+    "Kingpost/AntiSwayAtSea-v0": anti_sway_at_sea,
     "Kingpost/HeaveCompensation-v0": heave_compensation,
     "Kingpost/Landing-v0": landing,
     "Kingpost/RollReduction-v0": roll_reduction,

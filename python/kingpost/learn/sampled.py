@@ -24,7 +24,7 @@ class _Sampled:
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
         if not self.planners:
-            guide = trained("Kingpost/AntiSway-v0")
+            guide = trained("Kingpost/AntiSway-v0").of(self.task)
             goals = self._goals(seen)
             self.planners = [
                 CrossEntropy(self.task, goal, self.plans, guide, foreseen=self.foreseen) for goal in goals
