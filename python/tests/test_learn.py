@@ -27,6 +27,7 @@ from kingpost.learn import (
     score,
     three_axis,
 )
+from kingpost.learn.episodes import Episodes
 
 SEED = 11
 
@@ -286,3 +287,44 @@ def test_the_examples_of_the_page_run() -> None:
     assert len(blocks) == 4
     for block in blocks:
         exec(compile(block, "docs/learning.md", "exec"), {})
+
+
+@pytest.mark.parametrize("name", ["Kingpost/AntiSway-v0", "Kingpost/HeaveCompensation-v0"])
+def test_each_episode_draws_how_late_its_observations_are(name: str) -> None:
+    """Source: the same episodes without delay, whose actions do not depend on what is seen."""
+    made = {"vectorization_mode": "vector_entry_point", "threads": 2}
+    prompt = gymnasium.make_vec(name, 6, **made)
+    late = gymnasium.make_vec(name, 6, delay_s=(0.05, 0.2), **made)
+    history = [prompt.reset(seed=SEED)[0]]
+    seen = [late.reset(seed=SEED)[0]]
+    for given in actions(12, 6)[:, :, : prompt.single_action_space.shape[0]]:
+        for envs, rows in ((prompt, history), (late, seen)):
+            rows.append(envs.step(given)[0])
+    steps = late.unwrapped.episodes._late.steps
+    assert steps.min() >= 1
+    assert steps.max() <= 4
+    assert len(set(steps)) > 1
+    for k, row in enumerate(seen):
+        expected = [history[max(0, k - late_by)][copy] for copy, late_by in enumerate(steps)]
+        assert np.array_equal(row, expected)
+
+
+def test_copies_that_resume_see_what_the_marked_one_had_seen() -> None:
+    task = replace(anti_sway(), delay_s=(0.1, 0.3))
+    episodes = Episodes(task, 3, 1)
+    episodes.begin({copy: np.random.default_rng(copy) for copy in range(3)})
+    for given in actions(9, 3):
+        episodes.step(given)
+    episodes.mark(1)
+    marked, given = episodes.observations()[1], actions(8, 3)[:, :1].repeat(3, axis=1)
+    for again in range(2):
+        episodes.resume()
+        assert np.array_equal(episodes.observations(), np.tile(marked, (3, 1))), again
+        rows = [episodes.step(row)[0] for row in given]
+        assert all(np.array_equal(row, np.tile(row[0], (3, 1))) for row in rows)
+
+
+@pytest.mark.parametrize("delay_s", [(-0.1, 0.1), (0.2, 0.1), (0.0, 100.0), (0.0, float("nan"))])
+def test_a_delay_that_cannot_be_is_refused(delay_s: tuple[float, float]) -> None:
+    with pytest.raises(KingpostError, match=r"delay_s: found .* allowed: from 0 to duration_s"):
+        replace(anti_sway(), delay_s=delay_s)

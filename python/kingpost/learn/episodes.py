@@ -10,6 +10,7 @@ import numpy as np
 
 from ..engine import engine
 from ..errors import KingpostError
+from .delays import Delays
 from .task import LARGEST_OBSERVATION, Columns, Task
 
 SEED = "simulation.seed"
@@ -66,12 +67,15 @@ class Episodes:
         self._half = 0.5 * (self._upper - self._lower)
         self._scales = np.array([one.scale for one in task.seen])
         self._read = np.empty(count * len(task.read))
+        longest = task.delay_steps[1]
+        self._late = Delays(count, longest, len(task.seen)) if longest else None
         self._kept = [task.read.index(name) for name in task.before]
         self._before = np.empty((count, len(task.before)))
         self._done = np.zeros(count, dtype=np.bool_)
         self._status = np.zeros(count, dtype=np.int64)
         self._nothing = np.empty(0)
         self._marked: tuple[np.int64, np.ndarray, np.ndarray, np.ndarray] | None = None
+        self._marked_late: tuple[int, np.ndarray] | None = None
         self._copies: engine.Copies | None = None
 
     def begin(self, which: dict[int, np.random.Generator]) -> None:
@@ -93,6 +97,10 @@ class Episodes:
             self.goals[copy] = goal
             self.taken[copy] = 0
             self._before[copy] = table[copy, self._kept]
+        if self._late is not None:
+            now, (least, longest) = self._now(), self.task.delay_steps
+            for copy, random in which.items():
+                self._late.begin(copy, int(random.integers(least, longest + 1)), now[copy])
 
     def step(self, actions: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Take a control step: observations, rewards, and which episodes are terminated or truncated."""
@@ -111,6 +119,8 @@ class Episodes:
         if self.task.done is not None:
             self._done = self.task.done(columns, self.goals)
         terminated = failed | self._done
+        if self._late is not None:
+            self._late.push(self._now())
         return self.observations(), rewards, terminated, ~terminated & (self.taken >= self.episode_steps)
 
     def mark(self, copy: int = 0) -> None:
@@ -125,6 +135,7 @@ class Episodes:
             read[copy].copy(),
             self._before[copy].copy(),
         )
+        self._marked_late = None if self._late is None else self._late.of(copy)
 
     def resume(self) -> None:
         """Put all copies where the one was that was marked last. Each keeps its own numbers: in another sea
@@ -134,6 +145,8 @@ class Episodes:
         self._copies.resume()
         self.taken[:], self.goals[:], self._read.reshape(self.count, -1)[:], self._before[:] = self._marked
         self._status[:], self._done[:] = 0, False
+        if self._late is not None and self._marked_late is not None:
+            self._late.set_all(self._marked_late)
 
     @property
     def columns(self) -> Columns:
@@ -143,6 +156,10 @@ class Episodes:
         return found | {BEFORE + name: self._before[:, k] for k, name in enumerate(self.task.before)}
 
     def observations(self) -> np.ndarray:
+        """The observations that have reached the controllers, a row for each copy."""
+        return self._now() if self._late is None else self._late.seen()
+
+    def _now(self) -> np.ndarray:
         """The observations now, a row for each copy."""
         found = np.empty((self.count, len(self._scales)))
         columns, goals = self.columns, np.empty((self.count, 0)) if self.goals is None else self.goals

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import gymnasium
@@ -23,14 +24,23 @@ IDS: dict[str, Callable[..., Task]] = {
 """The task of each name."""
 
 
+Span = tuple[float, float]
+
+
+def _late(task: Task, delay_s: Span | None) -> Task:
+    return task if delay_s is None else replace(task, delay_s=delay_s)
+
+
 class _One:
     """Makes one environment of a task."""
 
     def __init__(self, task: Callable[..., Task]) -> None:
         self.task = task
 
-    def __call__(self, max_episode_steps: int | None = None, **options: Any) -> ShipCraneEnv:
-        return ShipCraneEnv(self.task(**options), max_episode_steps)
+    def __call__(
+        self, max_episode_steps: int | None = None, delay_s: Span | None = None, **options: Any
+    ) -> ShipCraneEnv:
+        return ShipCraneEnv(_late(self.task(**options), delay_s), max_episode_steps)
 
 
 class _Many:
@@ -45,9 +55,11 @@ class _Many:
         threads: int = 0,
         autoreset_mode: Any = gymnasium.vector.AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
+        delay_s: Span | None = None,
         **options: Any,
     ) -> ShipCraneVectorEnv:
-        return ShipCraneVectorEnv(self.task(**options), num_envs, threads, autoreset_mode, max_episode_steps)
+        task = _late(self.task(**options), delay_s)
+        return ShipCraneVectorEnv(task, num_envs, threads, autoreset_mode, max_episode_steps)
 
 
 def register() -> None:

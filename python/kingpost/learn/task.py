@@ -104,6 +104,9 @@ class Task:
         Draws the numbers of an episode, given the columns at its start.
     randomised
         Parameters or paths of fields with their range: each episode draws a value from it.
+    delay_s
+        How late the observations reach the controller, s, from and to: each episode draws a whole number of
+        control steps in this range. Reward and end of the episode do not wait.
     seeded
         Whether each episode draws a seed of its sea, gusts and noise.
     limits
@@ -134,6 +137,7 @@ class Task:
     duration_s: float = 40.0
     goal: Callable[[np.random.Generator, Mapping[str, float]], Sequence[float]] = no_goal
     randomised: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    delay_s: tuple[float, float] = (0.0, 0.0)
     seeded: bool = False
     limits: bool = False
     failure_reward: float = -100.0
@@ -153,6 +157,9 @@ class Task:
                 f"duration_s: found {self.duration_s}, allowed: at least control_period_s, "
                 f"{self.control_period_s}"
             )
+        if not 0 <= self.delay_s[0] <= self.delay_s[1] <= self.duration_s:
+            allowed = f"from 0 to duration_s, {self.duration_s}"
+            raise KingpostError(f"delay_s: found {self.delay_s[0]} to {self.delay_s[1]}, allowed: {allowed}")
         for name, (low, high) in self.randomised.items():
             if not low <= high:
                 raise KingpostError(f"randomised {name}: found {low} to {high}, allowed: from low to high")
@@ -242,6 +249,11 @@ class Task:
     def steps(self) -> int:
         """Steps of the integrator in a control step."""
         return round(self.control_period_s / self._simulation.step_s)
+
+    @property
+    def delay_steps(self) -> tuple[int, int]:
+        """Least and largest delay of the observations, in control steps."""
+        return round(self.delay_s[0] / self.control_period_s), round(self.delay_s[1] / self.control_period_s)
 
     @property
     def episode_steps(self) -> int:

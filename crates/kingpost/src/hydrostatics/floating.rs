@@ -268,7 +268,7 @@ impl Underwater {
             centre: buoyancy.centre(),
             metacentric_radius: tangents(position.vertical).map(|t| waterplane.second_moment(t, t) / volume),
             waterplane_area: waterplane.area,
-            centre_of_flotation: waterplane.first_moments * (1.0 / waterplane.area),
+            centre_of_flotation: waterplane.centre(),
         })
     }
 

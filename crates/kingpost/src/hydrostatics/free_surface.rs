@@ -83,46 +83,51 @@ impl LoadedHull<'_> {
     /// its centre, hull axes.
     pub(super) fn surfaces_of_levels(&self, plane: (f64, Vector3), tangents: [Vector3; 2]) -> Vec<FreeSurface> {
         let hull = self.model.carried(self.hull.frame.body);
+        let u_tanks = self.liquids.u_tanks.iter().filter(|tank| hull.contains(&tank.carrier));
+        let u_tanks = u_tanks.filter_map(|tank| self.surface_of_u_tank(tank, tangents));
+        let flooded = self.liquids.flooded.iter().filter(|tank| tank.open && hull.contains(&tank.carrier));
+        u_tanks.chain(self.surfaces_of_flooded(flooded, plane, tangents)).collect()
+    }
+
+    fn surface_of_u_tank(&self, tank: &UTank, tangents: [Vector3; 2]) -> Option<FreeSurface> {
+        let liquid = self.model.body(&tank.name)?;
         let (to_hull, mass) = (self.frame().inverse(), self.carried_weight().mass);
-        let draught = self.database.hull.draught_m;
-        let u_tanks = self.liquids.u_tanks.iter().filter(|tank| hull.contains(&tank.carrier)).filter_map(|tank| {
-            let liquid = self.model.body(&tank.name)?;
-            let across = to_hull.rotation * self.at.world[tank.carrier].rotation.column(1);
-            Some(FreeSurface {
-                force: tank.name.clone(),
-                body: self.model.bodies[tank.carrier].name.clone(),
-                liquid_kg: tank.liquid.mass,
-                keel_to_liquid_m: to_hull.point(self.at.world[liquid].position)[2] + draught,
-                correction_m: tangents.map(|t| tank.free_surface() * t.dot(across) * t.dot(across) / mass),
-            })
-        });
-        let flooded: Vec<(&FreeFloodingTank, Vector3)> = self
-            .liquids
-            .flooded
-            .iter()
-            .filter(|tank| tank.open && hull.contains(&tank.carrier))
-            .map(|tank| (*tank, self.at.world[tank.carrier].point(tank.opening)))
-            .filter(|(_, opening)| opening[2] < 0.0)
-            .map(|(tank, opening)| (tank, to_hull.point(opening)))
-            .collect();
-        let (area, centre) = plane;
-        let lost: f64 = flooded.iter().map(|(tank, _)| tank.column.area()).sum();
-        let moment = flooded.iter().fold(centre * area, |sum, (tank, place)| sum - *place * tank.column.area());
-        let left = moment * (1.0 / (area - lost));
-        let of_flooded = flooded.iter().map(|(tank, place)| {
-            let added = tank.added(self.at);
-            let liquid_kg = tank.column.mass() + added.mass;
-            let bottom = place[2] + draught;
+        let across = to_hull.rotation * self.at.world[tank.carrier].rotation.column(1);
+        Some(FreeSurface {
+            force: tank.name.clone(),
+            body: self.model.bodies[tank.carrier].name.clone(),
+            liquid_kg: tank.liquid.mass,
+            keel_to_liquid_m: to_hull.point(self.at.world[liquid].position)[2] + self.database.hull.draught_m,
+            correction_m: tangents.map(|t| tank.free_surface() * t.dot(across) * t.dot(across) / mass),
+        })
+    }
+
+    /// Tanks whose opening is under water take their area out of the waterplane, whose centre moves.
+    fn surfaces_of_flooded<'b>(
+        &self,
+        tanks: impl Iterator<Item = &'b &'b FreeFloodingTank>,
+        (area, centre): (f64, Vector3),
+        tangents: [Vector3; 2],
+    ) -> Vec<FreeSurface> {
+        let (to_hull, mass) = (self.frame().inverse(), self.carried_weight().mass);
+        let openings = tanks.map(|tank| (*tank, self.at.world[tank.carrier].point(tank.opening)));
+        let under_water = openings.filter(|(_, opening)| opening[2] < 0.0);
+        let flooded: Vec<_> = under_water.map(|(tank, opening)| (tank, to_hull.point(opening))).collect();
+        let left_area = flooded.iter().fold(area, |left, (tank, _)| left - tank.column.area());
+        let moment = flooded.iter().fold(centre * area, |left, (tank, place)| left - *place * tank.column.area());
+        let left = if left_area > 0.0 { moment * (1.0 / left_area) } else { centre };
+        let of = |(tank, place): &(&FreeFloodingTank, Vector3)| {
             let per_metre = tank.column.mass_per_metre();
+            let liquid_kg = tank.column.mass() + tank.added(self.at).mass;
             FreeSurface {
                 force: tank.name.clone(),
                 body: self.model.bodies[tank.carrier].name.clone(),
                 liquid_kg,
-                keel_to_liquid_m: bottom + 0.5 * liquid_kg / per_metre,
+                keel_to_liquid_m: place[2] + self.database.hull.draught_m + 0.5 * liquid_kg / per_metre,
                 correction_m: tangents.map(|t| per_metre * t.dot(*place - left) * t.dot(*place - centre) / mass),
             }
-        });
-        u_tanks.chain(of_flooded).collect()
+        };
+        flooded.iter().map(of).collect()
     }
 }
 

@@ -34,9 +34,9 @@ def _part(of: Callable[..., tuple[np.ndarray, np.ndarray]], k: int) -> Callable[
 def anti_sway_at_sea() -> Task:
     """Move a load to a target over the ground and stop it there, on a ship in a sea that no one has seen.
 
-    Crane, load, targets and reward are those of `anti_sway`. The crane stands on an offshore vessel, which moves with
-    the waves and with the load. Each episode draws its sea: its waves, a significant height of 0.5 to 2 m, a peak
-    period of 8 to 12 s, and a direction up to 60 degrees off the bow to either side.
+    Crane, load, targets and reward are those of `anti_sway`. The crane stands on an offshore vessel, which
+    moves with the waves and with the load. Each episode draws its sea: its waves, a significant height of
+    0.5 to 2 m, a peak period of 8 to 12 s, and a direction up to 60 degrees off the bow to either side.
 
     Returns
     -------

@@ -63,6 +63,11 @@ impl Waterplane {
         };
     }
 
+    /// The centre of flotation, m; the origin for no area.
+    pub fn centre(&self) -> Vector3 {
+        if self.area > 0.0 { self.first_moments * (1.0 / self.area) } else { Vector3::zero() }
+    }
+
     /// `Int (u . (r - f)) (w . (r - f)) dS` with f the centre of flotation, m^4, along tangents u and w
     /// of the plane; 0 for no area.
     pub fn second_moment(&self, u: Vector3, w: Vector3) -> f64 {
