@@ -74,17 +74,16 @@ def test_what_it_sees_of_the_load_over_the_ground_is_a_turn_of_its_place_and_spe
     envs = ShipCraneVectorEnv(task, 2, 1)
     envs.reset(seed=5)
     for _ in range(60):
-        seen = envs.step(np.full((2, 2), 0.4))[0]
-    now = {one.name: seen[:, k] * one.scale for k, one in enumerate(task.seen)}
+        envs.step(np.full((2, 2), 0.4))
     columns, goals = envs.episodes.columns, envs.episodes.goals
+    now = {one.name: one.value(columns, goals) for one in task.seen[-4:]}
     off = [columns[f"load.position.{axis}"] - goals[:, 2 + k] for k, axis in enumerate("xy")]
     speed = [columns[f"load.velocity.{axis}"] for axis in "xy"]
-    # The observations are of single precision.
     for name, parts in (("off", off), ("speed", speed)):
         along, across = now[f"load_{name}_along"], now[f"load_{name}_across"]
-        assert np.allclose(along**2 + across**2, np.square(parts).sum(axis=0), rtol=1e-5)
+        assert np.allclose(along**2 + across**2, np.square(parts).sum(axis=0), rtol=1e-12)
     heading = columns["hull.yaw"] + columns["slew.joint_position"]
-    assert np.allclose(now["load_off_along"], off[0] * np.cos(heading) + off[1] * np.sin(heading), rtol=1e-5)
+    assert np.allclose(now["load_off_along"], off[0] * np.cos(heading) + off[1] * np.sin(heading), rtol=1e-12)
 
 
 def test_a_policy_in_a_task_that_sees_more_acts_as_in_its_own() -> None:

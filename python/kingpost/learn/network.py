@@ -73,7 +73,9 @@ class NeuralPolicy:
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
         """Actions from observations over their scales, a row for each environment."""
-        signal = np.clip(np.asarray(seen, np.float64), -LARGEST_OBSERVATION, LARGEST_OBSERVATION)
+        # In the order of C, on which the order of the sums below depends.
+        given = np.ascontiguousarray(seen, np.float64)
+        signal = np.clip(given, -LARGEST_OBSERVATION, LARGEST_OBSERVATION)
         for weights, biases in self.layers:
             # Not a matrix product: its sums would depend on the library's number of threads.
             signal = np.tanh(np.einsum("ei,oi->eo", signal, weights) + biases)
