@@ -1,7 +1,7 @@
 //! One hull at rest in still water.
 
-use super::free_surface::{FreeSurface, Liquids};
 use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads, weight};
+use super::liquids::{FreeSurface, Liquids};
 use super::righting::{RightingArmCurve, Side};
 use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;

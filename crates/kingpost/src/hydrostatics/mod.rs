@@ -15,11 +15,12 @@ mod floating;
 mod free_surface;
 mod hanging;
 mod in_current;
+mod liquids;
 mod righting;
 mod wave_data;
 
-pub use free_surface::FreeSurface;
 pub use hanging::HangingLoad;
+pub use liquids::FreeSurface;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
@@ -30,8 +31,8 @@ use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
 use crate::simulation::{Setup, Simulation};
 use floating::LoadedHull;
-use free_surface::Liquids;
 use hanging::Restraints;
+use liquids::Liquids;
 use serde::Serialize;
 use thiserror::Error;
 

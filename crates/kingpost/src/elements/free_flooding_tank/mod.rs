@@ -2,7 +2,7 @@
 
 mod air;
 mod column;
-mod in_regular_waves;
+mod opening_in_waves;
 
 pub use air::{ATMOSPHERE_PA, AirChamber, AirPump};
 pub use column::FloodedColumn;
@@ -14,7 +14,7 @@ use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
 use crate::sea::waves::Water;
 use crate::spatial::{Frame, Vector3, Wrench};
-use in_regular_waves::InRegularWaves;
+use opening_in_waves::OpeningInWaves;
 
 /// A tank with vertical walls on a hull, with an opening to the sea in its bottom. Its water is a body on a prismatic joint
 /// (see [`FloodedColumn`]) with the mass at rest, on which gravity acts. x is the level above that at rest. (Halse, Aesoy &
@@ -158,7 +158,7 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
     }
 
     fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {
-        self.open.then(|| Box::new(InRegularWaves(self)) as Box<dyn RegularWaves<S>>)
+        self.open.then(|| Box::new(OpeningInWaves(self)) as Box<dyn RegularWaves<S>>)
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {

@@ -9,9 +9,9 @@ use crate::spatial::{Frame, Twist};
 
 /// A tank in the waves of linear theory, at any frequency.
 #[derive(Debug)]
-pub(super) struct InRegularWaves<'a, S: Scalar>(pub &'a FreeFloodingTank<S>);
+pub(super) struct OpeningInWaves<'a, S: Scalar>(pub &'a FreeFloodingTank<S>);
 
-impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
+impl<S: Scalar> RegularWaves<S> for OpeningInWaves<'_, S> {
     fn frequencies_rad_s(&self) -> &[f64] {
         &[]
     }

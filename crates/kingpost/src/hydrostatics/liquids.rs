@@ -1,0 +1,51 @@
+//! The tanks of a model, and what a report says of each free surface.
+
+use super::hanging::Weight;
+use crate::dynamics::Kinematics;
+use crate::elements::{AnyElement, FreeFloodingTank, SlackTank, UTank, of_kind};
+use serde::Serialize;
+
+/// The free surface of a slack tank or a free-flooding tank, or the two of a U-tank, in a hull, or in a body that its joints
+/// carry without hanging.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FreeSurface {
+    /// Name of the force in the scenario.
+    pub force: String,
+    /// The body that the tank is in.
+    pub body: String,
+    /// Mass of the liquid, kg; that of a slack tank is part of the body's mass.
+    pub liquid_kg: f64,
+    /// Height of the liquid's centre above the keel in the present position, along the hull's z, m.
+    pub keel_to_liquid_m: f64,
+    /// Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
+    /// its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
+    /// surface). For a U-tank i is that of two levels, `A d^2 / 2`, each of the area A, at the distance d: its columns
+    /// are narrow, and nothing keeps the liquid from its level. For a tank that is open to the sea i is what her waterplane
+    /// loses by it, `A (y - y') (y - y_0)`, with the centres of flotation y_0 without and y' with all openings.
+    pub correction_m: [f64; 2],
+}
+
+/// The tanks of a model.
+pub(super) struct Liquids<'a> {
+    pub(super) slack_tanks: Vec<&'a SlackTank>,
+    pub(super) u_tanks: Vec<&'a UTank>,
+    pub(super) flooded: Vec<&'a FreeFloodingTank>,
+}
+
+impl<'a> Liquids<'a> {
+    pub(super) fn of(elements: &'a [AnyElement]) -> Self {
+        let (slack_tanks, u_tanks) = (of_kind(elements).collect(), of_kind(elements).collect());
+        Self { slack_tanks, u_tanks, flooded: of_kind(elements).collect() }
+    }
+
+    /// The weight of these bodies with the water that has entered them beyond that at rest.
+    pub(super) fn with_flooding(&self, weight: Weight, at: &Kinematics, bodies: &[usize]) -> Weight {
+        let on_them = self.flooded.iter().filter(|tank| bodies.contains(&tank.carrier));
+        on_them.fold(weight, |Weight { mass, centre }, tank| {
+            let added = tank.added(at);
+            let total = mass + added.mass;
+            Weight { mass: total, centre: (centre * mass + added.centre * added.mass) * (1.0 / total) }
+        })
+    }
+}
