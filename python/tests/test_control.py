@@ -48,10 +48,10 @@ def test_an_inertial_unit_alone_leaves_less_than_five_percent_of_the_tips_heave(
 DRAGLINK = "dual_draglink_heave_compensation"
 
 
-def left_by_draglink(over: dict) -> float:
+def left_by_draglink(over: dict, after_s: float = 50) -> float:
     """Share of the tip's heave that the hook keeps."""
     recorded = kingpost.run(DRAGLINK, over)
-    after = recorded.time.values > 50
+    after = recorded.time.values > after_s
     hook, tip = (recorded.kingpost[f"{point}.point_position.z"].values for point in ("lift.hook", "jib.tip"))
     return float(hook[after].std() / tip[after].std())
 
@@ -63,9 +63,9 @@ def test_a_dual_draglink_crane_leaves_less_than_five_percent_of_its_tips_heave()
 
 
 def test_a_satellite_receiver_leaves_less_of_it():
-    """Source: measured, 2.2 % over 240 s."""
+    """Source: measured, 2.2 % over 240 s, once the start is 100 s ago."""
     over = standard.with_inertial_unit("controllers.compensation.heave_compensation", satellites=True)
-    assert left_by_draglink(over | {"simulation.duration_s": 120}) < 0.03
+    assert left_by_draglink(over | {"simulation.duration_s": 180}, after_s=100) < 0.03
 
 
 def test_a_cylinder_that_is_too_soft_lets_winch_and_boom_shake_each_other():
