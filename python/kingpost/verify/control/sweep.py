@@ -87,7 +87,7 @@ def cases() -> Iterator[str]:
     """The names of the sweeps.
 
     >>> len(list(cases()))
-    8
+    9
     """
     return iter(SWEEPS)
 
