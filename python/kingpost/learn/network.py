@@ -89,8 +89,7 @@ class NeuralPolicy:
         KingpostError
             If the task does not see what the policy needs.
         """
-        places = self._places(task)
-        ratios = np.array([one.scale for one in task.seen])[places] / np.array(self.scales)
+        places, ratios = self._picked(task)
         return lambda seen: self(np.asarray(seen, np.float64)[:, places] * ratios)
 
     def begun_for(self, task: Task, environment: str) -> NeuralPolicy:
@@ -101,21 +100,22 @@ class NeuralPolicy:
         KingpostError
             If the task does not see what the policy needs.
         """
-        places = self._places(task)
-        ratios = np.array([one.scale for one in task.seen])[places] / np.array(self.scales)
+        places, ratios = self._picked(task)
         (first, biases), *others = self.layers
         weights = np.zeros((len(biases), len(task.seen)))
         weights[:, places] = first * ratios
         empty = untrained(task, environment, [len(biases) for _, biases in self.layers[:-1]])
         return replace(empty, layers=((weights, biases), *others))
 
-    def _places(self, task: Task) -> list[int]:
+    def _picked(self, task: Task) -> tuple[list[int], np.ndarray]:
+        """Where its observations are among those of a task, and the task's scales over its own."""
         seen = list(task.observation_names)
         missing = [name for name in self.observations if name not in seen]
         if missing:
             allowed = f"a task with {', '.join(missing)}"
             raise KingpostError(f"observations: found {', '.join(seen)}, allowed: {allowed}")
-        return [seen.index(name) for name in self.observations]
+        places = [seen.index(name) for name in self.observations]
+        return places, np.array([task.seen[place].scale for place in places]) / np.array(self.scales)
 
     @cached_property
     def numbers(self) -> np.ndarray:
