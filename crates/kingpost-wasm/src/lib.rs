@@ -4,7 +4,6 @@
 
 mod thrown;
 
-use js_sys::JsString;
 use kingpost::analysis;
 use kingpost::scenario::{self, Files, Scenario};
 use serde_json::{Map, Value};
@@ -43,7 +42,7 @@ impl Simulation {
 
     /// The oscillations about the equilibrium nearest to the present state: coordinate, period and damping ratio of
     /// each, the longest period first.
-    pub fn natural_modes_json(&self) -> Result<JsString, JsValue> {
+    pub fn natural_modes_json(&self) -> Result<String, JsValue> {
         json(&analysis::natural_modes(&self.inner).map_err(thrown::input)?)
     }
 
@@ -58,7 +57,7 @@ impl Simulation {
     }
 
     /// The contents of a row: a list of channels, each with its columns, their units, labels, offset and len.
-    pub fn channels_json(&self) -> Result<JsString, JsValue> {
+    pub fn channels_json(&self) -> Result<String, JsValue> {
         json(self.inner.channels())
     }
 
@@ -101,17 +100,17 @@ impl Simulation {
     }
 
     /// The warnings of the rows so far: time, name and text of each.
-    pub fn warnings_json(&self) -> Result<JsString, JsValue> {
+    pub fn warnings_json(&self) -> Result<String, JsValue> {
         json(&self.inner.warnings())
     }
 
     /// The events of the run so far in order of time, without the first `first`: time, element and what.
-    pub fn events_json(&self, first: usize) -> Result<JsString, JsValue> {
+    pub fn events_json(&self, first: usize) -> Result<String, JsValue> {
         json(self.inner.events().get(first..).unwrap_or_default())
     }
 
     /// The lines to draw in addition to the bodies: name, style, radius and number of points of each.
-    pub fn lines_json(&self) -> Result<JsString, JsValue> {
+    pub fn lines_json(&self) -> Result<String, JsValue> {
         json(&self.inner.lines())
     }
 
@@ -131,7 +130,7 @@ impl Simulation {
     }
 
     /// The inputs: name, unit, limits and value of each.
-    pub fn inputs_json(&self) -> Result<JsString, JsValue> {
+    pub fn inputs_json(&self) -> Result<String, JsValue> {
         json(&self.inner.inputs())
     }
 
@@ -141,18 +140,18 @@ impl Simulation {
     }
 
     /// The user's moves so far: time, input and value of each.
-    pub fn lever_moves_json(&self) -> Result<JsString, JsValue> {
+    pub fn lever_moves_json(&self) -> Result<String, JsValue> {
         json(&self.inner.lever_moves())
     }
 
     /// Parameters set since the start of the run: time and name of each. A replay does not contain them.
-    pub fn parameters_set_json(&self) -> Result<JsString, JsValue> {
+    pub fn parameters_set_json(&self) -> Result<String, JsValue> {
         json(&self.inner.parameters_set())
     }
 
     /// The scenario with the user's moves: resolved, with the moves as its operation.
-    pub fn replay_json(&self) -> Result<JsString, JsValue> {
-        Ok(self.scenario.replay(&self.inner).map_err(thrown::input)?.to_json().into())
+    pub fn replay_json(&self) -> Result<String, JsValue> {
+        Ok(self.scenario.replay(&self.inner).map_err(thrown::input)?.to_json())
     }
 
     /// Sets a live parameter, by a value in JSON, from the next step on.
@@ -162,30 +161,30 @@ impl Simulation {
     }
 
     /// The description of the model: title, bodies with their shapes, joints, parameters, settings.
-    pub fn model_json(&self) -> Result<JsString, JsValue> {
+    pub fn model_json(&self) -> Result<String, JsValue> {
         json(&self.scenario.describe().map_err(thrown::scenario)?)
     }
 
     /// How the hulls float at rest with the crane as it stands: draught, heel, trim, GM, righting arms.
-    pub fn hydrostatics_json(&self) -> Result<JsString, JsValue> {
+    pub fn hydrostatics_json(&self) -> Result<String, JsValue> {
         json(&self.scenario.hydrostatic_report_at(&self.inner).map_err(thrown::hydrostatics)?)
     }
 
     /// The matrices of the moving frame method now, with labels, units and formulas.
-    pub fn equations_json(&mut self) -> Result<JsString, JsValue> {
+    pub fn equations_json(&mut self) -> Result<String, JsValue> {
         json(&self.inner.equations())
     }
 
     /// The scenario with defaults, parameters and overrides in place; it reads back to the same.
-    pub fn resolved_json(&self) -> JsString {
-        self.scenario.to_json().into()
+    pub fn resolved_json(&self) -> String {
+        self.scenario.to_json()
     }
 }
 
 /// Names of the files that a scenario needs, as a list, as far as those in `files_json` show; repeat the call until no
 /// new name appears.
 #[wasm_bindgen]
-pub fn file_names(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<JsString, JsValue> {
+pub fn file_names(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<String, JsValue> {
     let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
     let names = scenario::file_names(text, file, &overrides(overrides_json)?, &Files::new(files));
     json(&names.map_err(thrown::scenario)?)
@@ -194,10 +193,10 @@ pub fn file_names(text: &str, file: &str, overrides_json: &str, files_json: &str
 /// Reads a scenario without building it: resolved, as [`Simulation::resolved_json`], with its title and its
 /// description.
 #[wasm_bindgen]
-pub fn resolved(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<JsString, JsValue> {
+pub fn resolved(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<String, JsValue> {
     let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
     let read = scenario::read_with(text, file, &overrides(overrides_json)?, &Files::new(files));
-    Ok(read.map_err(thrown::scenario)?.to_json().into())
+    Ok(read.map_err(thrown::scenario)?.to_json())
 }
 
 fn overrides(json: &str) -> Result<Vec<(String, Value)>, JsValue> {
@@ -205,6 +204,6 @@ fn overrides(json: &str) -> Result<Vec<(String, Value)>, JsValue> {
     Ok(overrides.into_iter().collect())
 }
 
-fn json<T: serde::Serialize + ?Sized>(value: &T) -> Result<JsString, JsValue> {
-    serde_json::to_string(value).map(JsString::from).map_err(thrown::input)
+fn json<T: serde::Serialize + ?Sized>(value: &T) -> Result<String, JsValue> {
+    serde_json::to_string(value).map_err(thrown::input)
 }

@@ -4,7 +4,7 @@ use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::ScenarioError;
 use kingpost::simulation::RunError;
 use serde_json::{Value, json};
-use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::*;
 
 /// A scenario that cannot be read, with the place of the error.
 pub fn scenario(error: ScenarioError) -> JsValue {
@@ -59,5 +59,11 @@ pub fn input(error: impl ToString) -> JsValue {
 }
 
 fn object(value: &Value) -> JsValue {
-    js_sys::JSON::parse(&value.to_string()).unwrap_or_else(|thrown| thrown)
+    parse(&value.to_string())
+}
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_namespace = JSON)]
+    fn parse(text: &str) -> JsValue;
 }

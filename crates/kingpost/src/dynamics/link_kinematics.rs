@@ -37,7 +37,10 @@ impl<S: Scalar> LinkKinematics<S> {
     /// Computes everything from q and v.
     pub fn update(&mut self, model: &Model<S>, q: &[S], v: &[S]) {
         self.full.clear();
-        self.body_frames.fill_with(OnceLock::new);
+        // A stage asks for few frames: most locks are empty and stay so.
+        for stored in self.body_frames.iter_mut().filter(|frame| frame.get().is_some()) {
+            *stored = OnceLock::new();
+        }
         for (i, plan) in model.plan.iter().enumerate() {
             let (before, rest) = self.links.split_at_mut(i);
             let link = &mut rest[0];

@@ -129,8 +129,10 @@ impl<S: Scalar> Stages<S> {
     /// The point that a few weighted stages lead to.
     #[inline]
     fn sum<const K: usize>(&mut self, h: f64, terms: [(f64, usize); K]) {
-        let weights = terms.map(|(weight, _)| S::constant(h * weight));
-        let rates = terms.map(|(_, stage)| self.rates[stage].blocks.as_flattened());
+        let (mut weights, mut rates): ([S; K], [&[S]; K]) = ([S::ZERO; K], [&[]; K]);
+        for (k, (weight, stage)) in terms.into_iter().enumerate() {
+            (weights[k], rates[k]) = (S::constant(h * weight), self.rates[stage].blocks.as_flattened());
+        }
         weigh(self.place.blocks.as_flattened_mut(), self.base.blocks.as_flattened(), weights, rates);
     }
 
@@ -154,11 +156,18 @@ impl<S: Scalar> Stages<S> {
 
 /// `out = base + k1 r1 + k2 r2 + ...`, entry by entry, from left to right.
 #[inline(never)]
-fn weigh<S: Scalar, const K: usize>(out: &mut [S], base: &[S], weights: [S; K], rates: [&[S]; K]) {
+fn weigh<S: Scalar, const K: usize>(out: &mut [S], base: &[S], weights: [S; K], mut rates: [&[S]; K]) {
     let n = out.len();
-    let (base, rates) = (&base[..n], rates.map(|rates| &rates[..n]));
+    let base = &base[..n];
+    for rates in &mut rates {
+        *rates = &rates[..n];
+    }
     for i in 0..n {
-        out[i] = (0..K).fold(base[i], |sum, k| sum + weights[k] * rates[k][i]);
+        let mut sum = base[i];
+        for k in 0..K {
+            sum += weights[k] * rates[k][i];
+        }
+        out[i] = sum;
     }
 }
 

@@ -43,14 +43,21 @@ impl<const N: usize, S: Scalar> Dual<N, S> {
     /// A function's value, with its slope.
     #[inline]
     fn chain(self, value: S, slope: S) -> Self {
-        Self { value, derivative: self.derivative.map(|d| slope * d) }
+        let mut derivative = self.derivative;
+        for d in &mut derivative {
+            *d = slope * *d;
+        }
+        Self { value, derivative }
     }
 
     /// A function's value, with its slopes in both arguments.
     #[inline]
     fn combine(self, other: Self, value: S, slopes: [S; 2]) -> Self {
-        let along = |k: usize| slopes[0] * self.derivative[k] + slopes[1] * other.derivative[k];
-        Self { value, derivative: core::array::from_fn(along) }
+        let mut derivative = self.derivative;
+        for (d, other) in derivative.iter_mut().zip(other.derivative) {
+            *d = slopes[0] * *d + slopes[1] * other;
+        }
+        Self { value, derivative }
     }
 }
 
@@ -160,8 +167,11 @@ impl<const N: usize, S: Scalar> Scalar for Dual<N, S> {
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        let slope = |d: S| if d == S::ZERO { S::ZERO } else { d / (root + root) };
-        Self { value: root, derivative: self.derivative.map(slope) }
+        let mut derivative = self.derivative;
+        for d in derivative.iter_mut().filter(|d| **d != S::ZERO) {
+            *d = *d / (root + root);
+        }
+        Self { value: root, derivative }
     }
 
     fn exp(self) -> Self {
@@ -200,7 +210,10 @@ impl<const N: usize, S: Scalar> Scalar for Dual<N, S> {
         }
         let (below, above) = (below(), above());
         let select = |below: S, above: S| self.value.select_less(limit.value, || below, || above);
-        let derivative = core::array::from_fn(|k| select(below.derivative[k], above.derivative[k]));
+        let mut derivative = below.derivative;
+        for (d, above) in derivative.iter_mut().zip(above.derivative) {
+            *d = select(*d, above);
+        }
         Self { value: select(below.value, above.value), derivative }
     }
 

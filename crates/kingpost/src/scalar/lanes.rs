@@ -31,6 +31,26 @@ impl Lanes {
     pub fn to_array(self) -> [f64; LANES] {
         self.0.to_array()
     }
+
+    /// A function of each lane's number.
+    #[inline(always)]
+    fn by_lane(self, function: impl Fn(f64) -> f64) -> Self {
+        let mut numbers = self.to_array();
+        for x in &mut numbers {
+            *x = function(*x);
+        }
+        Self::new(numbers)
+    }
+
+    /// Two functions of each lane's number.
+    #[inline(always)]
+    fn by_lane_both(self, functions: impl Fn(f64) -> (f64, f64)) -> (Self, Self) {
+        let (mut first, mut second) = (self.to_array(), self.to_array());
+        for k in 0..LANES {
+            (first[k], second[k]) = functions(first[k]);
+        }
+        (Self::new(first), Self::new(second))
+    }
 }
 
 impl Default for Lanes {
@@ -112,29 +132,29 @@ impl Scalar for Lanes {
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         if !self.0.abs().simd_lt(f64x4::splat(radians::LARGEST)).all() {
-            let both = self.to_array().map(Scalar::sin_cos);
-            return (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)));
+            return self.by_lane_both(Scalar::sin_cos);
         }
         let (quarters, left) = radians::reduced(self);
-        let (sin, cos, quarters) = (sine(left).to_array(), cosine(left).to_array(), quarters.to_array());
-        let both: [(f64, f64); LANES] = core::array::from_fn(|k| radians::turned(sin[k], cos[k], quarters[k]));
-        (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
+        let (mut sin, mut cos, quarters) = (sine(left).to_array(), cosine(left).to_array(), quarters.to_array());
+        for k in 0..LANES {
+            (sin[k], cos[k]) = radians::turned(sin[k], cos[k], quarters[k]);
+        }
+        (Self::new(sin), Self::new(cos))
     }
 
     #[inline]
     fn sin_cos_of_turns(self) -> (Self, Self) {
-        let both = self.to_array().map(f64::sin_cos_of_turns);
-        (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
+        self.by_lane_both(f64::sin_cos_of_turns)
     }
 
     #[inline]
     fn cos_of_turns(self) -> Self {
-        Self::new(self.to_array().map(f64::cos_of_turns))
+        self.by_lane(f64::cos_of_turns)
     }
 
     #[inline]
     fn power_of_two(self) -> Self {
-        Self::new(self.to_array().map(f64::power_of_two))
+        self.by_lane(f64::power_of_two)
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -148,19 +168,19 @@ impl Scalar for Lanes {
     }
 
     fn exp(self) -> Self {
-        Self::new(self.to_array().map(libm::exp))
+        self.by_lane(libm::exp)
     }
 
     fn ln_1p(self) -> Self {
-        Self::new(self.to_array().map(libm::log1p))
+        self.by_lane(libm::log1p)
     }
 
     fn exp_m1(self) -> Self {
-        Self::new(self.to_array().map(libm::expm1))
+        self.by_lane(libm::expm1)
     }
 
     fn ln(self) -> Self {
-        Self::new(self.to_array().map(libm::log))
+        self.by_lane(libm::log)
     }
 
     fn pow(self, exponent: Self) -> Self {

@@ -28,7 +28,7 @@ pub(super) fn sin_cos(angle: f64) -> (f64, f64) {
 /// The whole number of quarter turns, in the last bits, and the remainder, rad.
 #[inline(always)]
 pub(super) fn reduced<S: Scalar>(angle: S) -> (S, S) {
-    let [first, second, third] = QUARTER.map(S::constant);
+    let [first, second, third] = [S::constant(QUARTER[0]), S::constant(QUARTER[1]), S::constant(QUARTER[2])];
     let rounding = S::constant(ROUNDING);
     let quarters = angle * S::constant(FRAC_2_PI) + rounding;
     let n = quarters - rounding;

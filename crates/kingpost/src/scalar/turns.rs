@@ -96,8 +96,8 @@ pub(super) fn cosine<S: Scalar>(x: S) -> S {
 /// `c0 + z (c1 + z (c2 + ...))`.
 #[inline(always)]
 fn polynomial<S: Scalar>(coefficients: [f64; 6], z: S) -> S {
-    let [c0, c1, c2, c3, c4, c5] = coefficients.map(S::constant);
-    c0 + z * (c1 + z * (c2 + z * (c3 + z * (c4 + z * c5))))
+    let c = |k: usize| S::constant(coefficients[k]);
+    c(0) + z * (c(1) + z * (c(2) + z * (c(3) + z * (c(4) + z * c(5)))))
 }
 
 #[cfg(test)]

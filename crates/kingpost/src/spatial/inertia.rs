@@ -83,19 +83,23 @@ impl<S: Scalar> SpatialInertia<S> {
     #[inline]
     pub fn solve(&self, p: &Wrench<S>) -> Twist<S> {
         let (pivots, c, f) = (Pivots::new(&self.linear), &self.coupling.0, &p.force.0);
-        let right: [[S; 4]; 3] = core::array::from_fn(|k| [c[0][k], c[1][k], c[2][k], f[k]]);
+        let column = |k: usize| [c[0][k], c[1][k], c[2][k], f[k]];
+        let right = [column(0), column(1), column(2)];
         let reduced = pivots.forward(right);
         let scaled = pivots.scale(reduced);
         let j = self.angular.to_matrix().0;
-        let schur: [[S; 4]; 3] = core::array::from_fn(|i| {
+        let row = |i: usize| {
             let row = [j[i][0], j[i][1], j[i][2], p.moment[i]];
-            (0..3).fold(row, |row, k| minus(row, reduced[k][i], scaled[k]))
-        });
-        let angular_pivots = Pivots::new(&Symmetric3::from_upper(&Matrix3(schur.map(|[x, y, z, _]| [x, y, z]))));
-        let moment = angular_pivots.forward(schur.map(|[_, _, _, m]| [m]));
-        let angular = angular_pivots.back(angular_pivots.scale(moment).map(|[m]| m));
-        let left = scaled.map(|[x, y, z, f]| f - (x * angular[0] + y * angular[1] + z * angular[2]));
-        Twist { angular: Vector3(angular), linear: Vector3(pivots.back(left)) }
+            let row = minus(minus(row, reduced[0][i], scaled[0]), reduced[1][i], scaled[1]);
+            minus(row, reduced[2][i], scaled[2])
+        };
+        let [[xx, xy, xz, mx], [_, yy, yz, my], [_, _, zz, mz]] = [row(0), row(1), row(2)];
+        let angular_pivots = Pivots::new(&Symmetric3 { xx, xy, xz, yy, yz, zz });
+        let [[mx], [my], [mz]] = angular_pivots.scale(angular_pivots.forward([[mx], [my], [mz]]));
+        let angular = Vector3(angular_pivots.back([mx, my, mz]));
+        let left = |[x, y, z, f]: [S; 4]| f - Vector3([x, y, z]).dot(angular);
+        let linear = pivots.back([left(scaled[0]), left(scaled[1]), left(scaled[2])]);
+        Twist { angular, linear: Vector3(linear) }
     }
 
     /// Whether this is a rigid body about its centre of mass: the paper's block-diagonal M.
@@ -140,7 +144,7 @@ impl<S: Scalar> Pivots<S> {
     #[inline]
     fn scale<const K: usize>(&self, [x, y, z]: [[S; K]; 3]) -> [[S; K]; 3] {
         let [a, b, c] = self.reciprocal;
-        [x.map(|x| x * a), y.map(|y| y * b), z.map(|z| z * c)]
+        [times(x, a), times(y, b), times(z, c)]
     }
 
     /// `N^-T v`.
@@ -154,8 +158,20 @@ impl<S: Scalar> Pivots<S> {
 
 /// `a - k b`, entry by entry.
 #[inline]
-fn minus<S: Scalar, const K: usize>(a: [S; K], k: S, b: [S; K]) -> [S; K] {
-    core::array::from_fn(|i| a[i] - k * b[i])
+fn minus<S: Scalar, const K: usize>(mut a: [S; K], k: S, b: [S; K]) -> [S; K] {
+    for i in 0..K {
+        a[i] -= k * b[i];
+    }
+    a
+}
+
+/// `k a`.
+#[inline]
+fn times<S: Scalar, const K: usize>(mut a: [S; K], k: S) -> [S; K] {
+    for entry in &mut a {
+        *entry = *entry * k;
+    }
+    a
 }
 
 impl<S: Scalar> Add for SpatialInertia<S> {

@@ -67,13 +67,14 @@ impl<S: Scalar> Matrix3<S> {
     /// The matrix times a scalar.
     #[inline]
     pub fn scaled(&self, k: S) -> Self {
-        Self(self.0.map(|row| row.map(|x| x * k)))
+        Self([(self.row(0) * k).0, (self.row(1) * k).0, (self.row(2) * k).0])
     }
 
     /// Outer product `a b^T`.
     #[inline]
     pub fn outer(a: Vector3<S>, b: Vector3<S>) -> Self {
-        Self(a.0.map(|x| b.0.map(|y| x * y)))
+        let ([a0, a1, a2], [b0, b1, b2]) = (a.0, b.0);
+        Self([[a0 * b0, a0 * b1, a0 * b2], [a1 * b0, a1 * b1, a1 * b2], [a2 * b0, a2 * b1, a2 * b2]])
     }
 
     /// A rotation matrix whose last column is the unit vector `z`; exactly a permutation if `z` is along an axis.
@@ -94,7 +95,8 @@ impl<S: Scalar> Matrix3<S> {
     /// `self Rz(angle)`: the frame whose axes are the columns, turned about its own z.
     #[inline]
     pub fn turned_about_z(&self, (sin, cos): (S, S)) -> Self {
-        Self(self.0.map(|[x, y, z]| [x * cos + y * sin, y * cos - x * sin, z]))
+        let turned = |[x, y, z]: [S; 3]| [x * cos + y * sin, y * cos - x * sin, z];
+        Self([turned(self.0[0]), turned(self.0[1]), turned(self.0[2])])
     }
 
     /// Determinant.
@@ -116,7 +118,7 @@ impl<S: Scalar> Mul for Matrix3<S> {
     type Output = Self;
     #[inline]
     fn mul(self, b: Self) -> Self {
-        Self(self.0.map(|row| b.transpose_times(Vector3(row)).0))
+        Self([b.transpose_times(self.row(0)).0, b.transpose_times(self.row(1)).0, b.transpose_times(self.row(2)).0])
     }
 }
 
@@ -124,7 +126,7 @@ impl<S: Scalar> Add for Matrix3<S> {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        Self::from_fn(|i, j| self.0[i][j] + b.0[i][j])
+        Self([(self.row(0) + b.row(0)).0, (self.row(1) + b.row(1)).0, (self.row(2) + b.row(2)).0])
     }
 }
 
@@ -132,7 +134,7 @@ impl<S: Scalar> Sub for Matrix3<S> {
     type Output = Self;
     #[inline]
     fn sub(self, b: Self) -> Self {
-        Self::from_fn(|i, j| self.0[i][j] - b.0[i][j])
+        Self([(self.row(0) - b.row(0)).0, (self.row(1) - b.row(1)).0, (self.row(2) - b.row(2)).0])
     }
 }
 
@@ -140,7 +142,7 @@ impl<S: Scalar> Neg for Matrix3<S> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self(self.0.map(|row| row.map(|x| -x)))
+        Self([(-self.row(0)).0, (-self.row(1)).0, (-self.row(2)).0])
     }
 }
 
@@ -199,7 +201,9 @@ impl<S: Scalar> Symmetric3<S> {
     /// `R D R^T` with the diagonal matrix D of principal moments.
     #[inline]
     pub fn of_principal(moments: [S; 3], r: &Matrix3<S>) -> Self {
-        let rd = r.0.map(|[x, y, z]| Vector3([x * moments[0], y * moments[1], z * moments[2]]));
+        let [a, b, c] = moments;
+        let row = |i: usize| Vector3([r.0[i][0] * a, r.0[i][1] * b, r.0[i][2] * c]);
+        let rd = [row(0), row(1), row(2)];
         let entry = |i: usize, j: usize| rd[i].dot(r.row(j));
         Self { xx: entry(0, 0), xy: entry(0, 1), xz: entry(0, 2), yy: entry(1, 1), yz: entry(1, 2), zz: entry(2, 2) }
     }

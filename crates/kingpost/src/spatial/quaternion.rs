@@ -79,7 +79,8 @@ impl<S: Scalar> Quaternion<S> {
     pub fn normalized(self) -> Self {
         let [w, x, y, z] = self.0;
         let k = S::ONE / (w * w + x * x + y * y + z * z).sqrt();
-        Self(self.0.map(|c| c * k))
+        let [w, x, y, z] = self.0;
+        Self([w * k, x * k, y * k, z * k])
     }
 
     /// The rotation matrix of a unit quaternion.

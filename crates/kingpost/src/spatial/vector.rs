@@ -23,7 +23,7 @@ impl<S: Scalar> Vector3<S> {
     /// The column of plain constants.
     #[inline]
     pub fn constant(v: [f64; 3]) -> Self {
-        Self(v.map(S::constant))
+        Self([S::constant(v[0]), S::constant(v[1]), S::constant(v[2])])
     }
 
     /// Reads the first three entries of a slice.
@@ -113,7 +113,7 @@ impl<S: Scalar> Mul<S> for Vector3<S> {
     type Output = Self;
     #[inline]
     fn mul(self, k: S) -> Self {
-        Self(self.0.map(|x| x * k))
+        Self([self.0[0] * k, self.0[1] * k, self.0[2] * k])
     }
 }
 
@@ -121,7 +121,7 @@ impl<S: Scalar> Neg for Vector3<S> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self(self.0.map(|x| -x))
+        Self([-self.0[0], -self.0[1], -self.0[2]])
     }
 }
 

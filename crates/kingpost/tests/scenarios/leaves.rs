@@ -155,8 +155,8 @@ struct Moved {
     runs: Vec<Run>,
 }
 
-/// The leaves whose moved values are all allowed, each run in a batch that is the runs alone; the others are refused in words
-/// about a field.
+/// The leaves whose moved values are all allowed; the others are refused in words about a field. One run of each batch is also
+/// made alone, in each lane in turn.
 fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) -> Vec<Moved> {
     let whole: Value = serde_json::from_str(&case.text).expect("the resolved scenario is JSON");
     let mut found = Vec::new();
@@ -164,7 +164,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
         leaves(&whole[name], name, &mut found);
     }
     let mut all = Vec::new();
-    for (path, value, is_whole) in found.into_iter().skip(start).step_by(every) {
+    for (number, (path, value, is_whole)) in found.into_iter().skip(start).step_by(every).enumerate() {
         let step = step_of(value, is_whole);
         let moves = if is_whole { [1.0, 2.0, 3.0, 4.0] } else { [-2.0, -1.0, 1.0, 2.0] };
         let variants = moves.map(|k| case.with(&path, value + k * step, is_whole));
@@ -176,11 +176,10 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
                 continue;
             }
         };
-        for (k, together) in runs.iter().enumerate().skip(1) {
-            let alone = members.simulation(k).run(|_| true);
-            if bits(together) != bits(&alone) || together.status != alone.status {
-                failures.push(format!("{}: {path}: another run in a batch", case.name));
-            }
+        let lane = number % runs.len();
+        let (together, alone) = (&runs[lane], members.simulation(lane).run(|_| true));
+        if bits(together) != bits(&alone) || together.status != alone.status {
+            failures.push(format!("{}: {path}: another run in a batch", case.name));
         }
         all.push(Moved { path, step, runs });
     }
@@ -356,20 +355,29 @@ fn so_it_is_in_contact() {
 
 #[test]
 fn so_it_is_with_closed_loops() {
-    check(&["closed_loop.yaml", "dual_draglink_crane.yaml", "knuckle_boom_crane.yaml"], 3.0);
+    check(&["closed_loop.yaml"], 3.0);
 }
 
 #[test]
+#[ignore = "thorough"]
+fn so_it_is_with_the_gallerys_closed_loops() {
+    check(&["dual_draglink_crane.yaml", "knuckle_boom_crane.yaml"], 3.0);
+}
+
+#[test]
+#[ignore = "thorough"]
 fn so_it_is_on_dry_land() {
     check(&["paper.yaml", "paper_true_draught.yaml", "tennis_racket.yaml", "chain.yaml", "flexible_boom.yaml"], 3.0);
 }
 
 #[test]
+#[ignore = "thorough"]
 fn so_it_is_at_sea() {
     check(&["barge.yaml", "floating_hemisphere.yaml", "sphere_decay.yaml"], 2.0);
 }
 
 #[test]
+#[ignore = "thorough"]
 fn so_it_is_on_an_offshore_vessel() {
     check(&["offshore_vessel.yaml", "offshore_vessel_moored.yaml", "offshore_vessel_on_dp.yaml"], 2.0);
 }
