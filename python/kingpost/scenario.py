@@ -59,7 +59,7 @@ class Scenario:
 
     @cached_property
     def _built(self) -> engine.Scenario:
-        """The engine's scenario, read and built once: simulations, descriptions and analyses use its setup."""
+        """The engine's scenario, built once: simulations, descriptions and analyses use its setup."""
         return engine.Scenario(self.text, self.file, self._overrides_json, self.files)
 
     def __copy__(self) -> Scenario:

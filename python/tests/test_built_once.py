@@ -121,7 +121,8 @@ def test_another_seed_builds_a_new_sea(counted: list[str]) -> None:
 def test_a_pickled_scenario_is_built_again_where_it_is_used(used: bool, counted: list[str]) -> None:
     scenario = load("knuckle_boom_crane", {"simulation.duration_s": 0.1})
     if used:
-        assert scenario.model and scenario.json
+        assert scenario.model
+        assert scenario.json
     again: Scenario = pickle.loads(pickle.dumps(scenario))
     assert again == scenario
     assert again.files == scenario.files
