@@ -6,7 +6,8 @@ import difflib
 import hashlib
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -48,7 +49,7 @@ class Scenario:
     def __post_init__(self) -> None:
         # Validates: a scenario that exists is one that can run.
         try:
-            vars(self)["json"] = engine.read(self.text, self.file, self._overrides_json, self.files)
+            _ = self._built
         except ScenarioError as error:
             raise _with_place(error, self.file) from None
 
@@ -57,9 +58,23 @@ class Scenario:
         return json.dumps(self.overrides)
 
     @cached_property
+    def _built(self) -> engine.Scenario:
+        """The engine's scenario, built once: simulations, descriptions and analyses use its setup."""
+        return engine.Scenario(self.text, self.file, self._overrides_json, self.files)
+
+    def __copy__(self) -> Scenario:
+        copied = object.__new__(type(self))
+        vars(copied).update(vars(self))
+        return copied
+
+    def __getstate__(self) -> dict[str, Any]:
+        # The engine's scenario stays in its process; another one builds its own.
+        return {name: value for name, value in vars(self).items() if name != "_built"}
+
+    @cached_property
     def json(self) -> str:
         """The resolved scenario as JSON text: parameters applied, units SI."""
-        return engine.read(self.text, self.file, self._overrides_json, self.files)
+        return self._built.json()
 
     @cached_property
     def files(self) -> dict[str, str]:
@@ -103,7 +118,7 @@ class Scenario:
         >>> [body["name"] for body in load("paper").model["bodies"]]
         ['ship', 'tower', 'arm']
         """
-        return json.loads(self._engine().model_json())
+        return json.loads(self._built.model_json())
 
     @cached_property
     def hydrostatics(self) -> dict[str, Any]:
@@ -127,7 +142,7 @@ class Scenario:
         >>> round(barge["draught_m"], 3), round(barge["metacentric_height_m"][0], 2)
         (2.0, 2.67)
         """
-        return json.loads(self._engine().hydrostatics_json())
+        return json.loads(self._built.hydrostatics_json())
 
     @property
     def parameters(self) -> dict[str, Any]:
@@ -222,17 +237,8 @@ class Scenario:
         ...     "revolute"]["position_m"][0]
         0.0
         """
-        return Scenario(self.text, self.file, self.overrides + _pairs(overrides, parameters))
-
-    def _engine(self, extra: tuple[tuple[str, Any], ...] = ()) -> engine.Simulation:
-        overrides = json.dumps(self.overrides + extra)
-        return engine.Simulation(self.text, self.file, overrides, self.files)
-
-    def _gradient(self, names: list[str], progress: Callable[[float], None] | None) -> tuple[Any, ...]:
-        """Rows, their derivatives by name, the table of channels, the error that ended the run."""
-        found = engine.gradient(self.text, self.file, self._overrides_json, self.files, names, progress)
-        rows, derivatives, channels_json, error = found
-        return rows, derivatives, json.loads(channels_json), error
+        added = _pairs(overrides, parameters)
+        return Scenario(self.text, self.file, self.overrides + added) if added else copy(self)
 
 
 def load(path_or_name: str | Path, overrides: Overrides | None = None, **parameters: Any) -> Scenario:

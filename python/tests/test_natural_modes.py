@@ -23,7 +23,7 @@ MEMORY_SHARE = 0.3
 
 def of_the_browser(name: str) -> list[dict]:
     scenario = kingpost.load(name)
-    simulation = engine.Simulation(scenario.text, scenario.file, "[]", scenario.files)
+    simulation = engine.Simulation(engine.Scenario(scenario.text, scenario.file, "[]", scenario.files))
     return json.loads(simulation.natural_modes_json())
 
 

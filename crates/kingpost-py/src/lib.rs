@@ -7,10 +7,10 @@ mod batch;
 mod boundary;
 mod copies;
 mod errors;
-mod gradient;
+mod scenario;
 mod simulation;
 
-use kingpost::scenario::{self, Scenario};
+use kingpost::scenario as engine;
 use pyo3::prelude::*;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -23,24 +23,21 @@ fn overrides(json: &str) -> PyResult<Vec<(String, Value)>> {
 /// Texts of the files that a scenario names, by name.
 type Files = HashMap<String, String>;
 
-/// A scenario with the files that it names.
-fn read_with(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Scenario> {
-    let pairs = overrides(overrides_json)?;
-    scenario::read_with(text, file, &pairs, &scenario::Files::new(files)).map_err(errors::scenario)
-}
-
 /// The resolved scenario as JSON.
 #[pyfunction]
 fn read(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<String> {
-    boundary::guarded(|| Ok(read_with(text, file, overrides_json, files)?.to_json()))
+    boundary::guarded(|| {
+        let read = engine::read_with(text, file, &overrides(overrides_json)?, &engine::Files::new(files));
+        Ok(read.map_err(errors::scenario)?.to_json())
+    })
 }
 
 /// Names of the files that a scenario needs, as far as the given files show.
 #[pyfunction]
 fn file_names(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Vec<String>> {
     boundary::guarded(|| {
-        let files = scenario::Files::new(files);
-        scenario::file_names(text, file, &overrides(overrides_json)?, &files).map_err(errors::scenario)
+        let files = engine::Files::new(files);
+        engine::file_names(text, file, &overrides(overrides_json)?, &files).map_err(errors::scenario)
     })
 }
 
@@ -48,7 +45,7 @@ fn file_names(text: &str, file: &str, overrides_json: &str, files: Files) -> PyR
 #[pyfunction]
 fn parse_assignment(text: &str) -> PyResult<(String, String)> {
     boundary::guarded(|| {
-        scenario::parse_assignment(text).map(|(name, value)| (name, value.to_string())).map_err(errors::scenario)
+        engine::parse_assignment(text).map(|(name, value)| (name, value.to_string())).map_err(errors::scenario)
     })
 }
 
@@ -56,7 +53,7 @@ fn parse_assignment(text: &str) -> PyResult<(String, String)> {
 #[pyfunction]
 fn read_study(text: &str, file: &str) -> PyResult<(String, String)> {
     boundary::guarded(|| {
-        let (study, places) = scenario::study::read(text, file).map_err(errors::scenario)?;
+        let (study, places) = engine::study::read(text, file).map_err(errors::scenario)?;
         let json = |value: serde_json::Result<String>| value.map_err(errors::input);
         Ok((json(serde_json::to_string(&study))?, json(serde_json::to_string(&places))?))
     })
@@ -74,7 +71,7 @@ mod _engine {
     use super::copies::Copies;
 
     #[pymodule_export]
-    use super::gradient::gradient;
+    use super::scenario::Scenario;
 
     #[pymodule_export]
     use super::simulation::Simulation;

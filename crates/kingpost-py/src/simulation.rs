@@ -1,16 +1,16 @@
 //! The class `Simulation` of the module.
 
 use crate::boundary::{self, Look};
-use crate::{Files, errors, read_with};
+use crate::errors;
+use crate::scenario::{Scenario, hydrostatics};
 use kingpost::analysis::{self, Linearizer};
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
-use kingpost::hydrostatics::HydrostaticsError;
-use kingpost::scenario::Scenario;
+use kingpost::scenario::BuiltScenario;
 use kingpost::scenario::build::SeaWaves;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use std::sync::{Mutex, TryLockError};
+use std::sync::{Arc, Mutex, TryLockError};
 
 pub type Vector<'py> = Bound<'py, PyArray1<f64>>;
 pub type Matrix<'py> = Bound<'py, PyArray2<f64>>;
@@ -35,7 +35,8 @@ pub struct Simulation {
 
 struct Held {
     inner: kingpost::Simulation,
-    scenario: Scenario,
+    /// Shared by all simulations of it, until a parameter is set in one.
+    built: Arc<BuiltScenario>,
 }
 
 impl Simulation {
@@ -58,11 +59,11 @@ impl Simulation {
 #[pymethods]
 impl Simulation {
     #[new]
-    fn new(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Self> {
+    fn new(py: Python<'_>, scenario: &Scenario) -> PyResult<Self> {
         boundary::guarded(|| {
-            let scenario = read_with(text, file, overrides_json, files)?;
-            let inner = scenario.simulation().map_err(errors::scenario)?;
-            Ok(Self { held: Mutex::new(Held { inner, scenario }) })
+            let built = Arc::clone(&scenario.0);
+            let inner = py.detach(|| built.simulation()).map_err(errors::scenario)?;
+            Ok(Self { held: Mutex::new(Held { inner, built }) })
         })
     }
 
@@ -155,7 +156,9 @@ impl Simulation {
     fn set_parameter(&self, name: &str, value_json: &str) -> PyResult<()> {
         self.with(|held| {
             let value = serde_json::from_str(value_json).map_err(errors::input)?;
-            held.scenario.set_parameter(&mut held.inner, name, &value).map_err(errors::input)
+            let changed = held.built.set_parameter(&mut held.inner, name, &value).map_err(errors::input)?;
+            held.built = Arc::new(changed);
+            Ok(())
         })
     }
 
@@ -208,7 +211,7 @@ impl Simulation {
     /// The user's moves so far as an operation, as JSON.
     fn operation_json(&self) -> PyResult<String> {
         self.with(|held| {
-            let operation = held.scenario.operation_by_hand(&held.inner).map_err(errors::input)?;
+            let operation = held.built.scenario().operation_by_hand(&held.inner).map_err(errors::input)?;
             serde_json::to_string(&operation).map_err(errors::input)
         })
     }
@@ -264,7 +267,7 @@ impl Simulation {
     /// A and B by rows, the rates, and as JSON the names and units of states and inputs.
     fn linearize<'py>(&self, py: Python<'py>) -> PyResult<Linear<'py>> {
         self.with(|held| {
-            let linear = Linearizer::new(&held.scenario).map_err(errors::scenario)?.at(&held.inner);
+            let linear = Linearizer::of_built(&held.built).map_err(errors::scenario)?.at(&held.inner);
             let (n, m) = (linear.states.len(), linear.inputs.len());
             let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
             let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
@@ -301,7 +304,7 @@ impl Simulation {
     fn wave_response_json(&self, py: Python<'_>, waves_json: &str) -> PyResult<String> {
         self.with(|held| {
             let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
-            let found = py.detach(|| held.scenario.wave_response(&held.inner, &waves)).map_err(errors::input)?;
+            let found = py.detach(|| held.built.wave_response(&held.inner, &waves)).map_err(errors::input)?;
             serde_json::to_string(&found).map_err(errors::input)
         })
     }
@@ -310,7 +313,7 @@ impl Simulation {
     fn column_response<'py>(&self, py: Python<'py>, asked_json: &str) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
             let (waves, names, near): (_, Vec<_>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
-            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &names, near));
+            let found = py.detach(|| held.built.column_response(&held.inner, &waves, &names, near));
             let found = found.map_err(errors::input)?;
             let about = serde_json::to_string(&found).map_err(errors::input)?;
             Ok((matrix(py, found.amplitudes.as_flattened().to_vec(), found.amplitudes.len(), 2)?, about))
@@ -322,7 +325,7 @@ impl Simulation {
         self.with(|held| {
             let (seas, frequencies, directions): (Vec<SeaWaves>, Vec<f64>, usize) =
                 serde_json::from_str(asked_json).map_err(errors::input)?;
-            let each = seas.iter().map(|waves| held.scenario.sea_spectra(waves, &frequencies, directions));
+            let each = seas.iter().map(|waves| held.built.scenario().sea_spectra(waves, &frequencies, directions));
             let found = each.collect::<Result<Vec<_>, _>>().map_err(errors::scenario)?;
             serde_json::to_string(&found).map_err(errors::input)
         })
@@ -330,19 +333,6 @@ impl Simulation {
 
     /// How the hulls float at rest with the crane as it stands, as JSON.
     fn hydrostatics_json(&self, py: Python<'_>) -> PyResult<String> {
-        self.with(|held| {
-            let report = py.detach(|| held.scenario.hydrostatic_report_at(&held.inner));
-            let report = report.map_err(|error| match error {
-                HydrostaticsError::Scenario(error) => errors::scenario(error),
-                HydrostaticsError::Hull { .. } => errors::input(error),
-            })?;
-            serde_json::to_string(&report).map_err(errors::input)
-        })
-    }
-
-    fn model_json(&self) -> PyResult<String> {
-        self.with(|held| {
-            serde_json::to_string(&held.scenario.describe().map_err(errors::scenario)?).map_err(errors::input)
-        })
+        self.with(|held| hydrostatics(py.detach(|| held.built.hydrostatic_report_at(&held.inner))))
     }
 }

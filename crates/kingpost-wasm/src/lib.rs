@@ -5,7 +5,7 @@
 mod thrown;
 
 use kingpost::analysis;
-use kingpost::scenario::{self, Files, Scenario};
+use kingpost::scenario::{self, BuiltScenario, Files};
 use serde_json::{Map, Value};
 use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
@@ -13,7 +13,7 @@ use wasm_bindgen::prelude::*;
 /// A simulation of one scenario, at time 0 when it is made.
 #[wasm_bindgen]
 pub struct Simulation {
-    scenario: Scenario,
+    built: BuiltScenario,
     inner: kingpost::Simulation,
 }
 
@@ -25,9 +25,9 @@ impl Simulation {
     pub fn new(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<Simulation, JsValue> {
         let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
         let (overrides, files) = (overrides(overrides_json)?, Files::new(files));
-        let scenario = scenario::read_with(text, file, &overrides, &files).map_err(thrown::scenario)?;
-        let inner = scenario.simulation().map_err(thrown::scenario)?;
-        Ok(Self { scenario, inner })
+        let built = BuiltScenario::read(text, file, &overrides, &files).map_err(thrown::scenario)?;
+        let inner = built.simulation().map_err(thrown::scenario)?;
+        Ok(Self { built, inner })
     }
 
     /// Takes `n` steps. If one diverges, the error is thrown and the state is that before the step.
@@ -151,23 +151,24 @@ impl Simulation {
 
     /// The scenario with the user's moves: resolved, with the moves as its operation.
     pub fn replay_json(&self) -> Result<String, JsValue> {
-        Ok(self.scenario.replay(&self.inner).map_err(thrown::input)?.to_json())
+        Ok(self.built.scenario().replay(&self.inner).map_err(thrown::input)?.to_json())
     }
 
     /// Sets a live parameter, by a value in JSON, from the next step on.
     pub fn set_parameter(&mut self, name: &str, value_json: &str) -> Result<(), JsValue> {
         let value = serde_json::from_str(value_json).map_err(thrown::input)?;
-        self.scenario.set_parameter(&mut self.inner, name, &value).map_err(thrown::input)
+        self.built = self.built.set_parameter(&mut self.inner, name, &value).map_err(thrown::input)?;
+        Ok(())
     }
 
     /// The description of the model: title, bodies with their shapes, joints, parameters, settings.
     pub fn model_json(&self) -> Result<String, JsValue> {
-        json(&self.scenario.describe().map_err(thrown::scenario)?)
+        json(self.built.describe())
     }
 
     /// How the hulls float at rest with the crane as it stands: draught, heel, trim, GM, righting arms.
     pub fn hydrostatics_json(&self) -> Result<String, JsValue> {
-        json(&self.scenario.hydrostatic_report_at(&self.inner).map_err(thrown::hydrostatics)?)
+        json(&self.built.hydrostatic_report_at(&self.inner).map_err(thrown::hydrostatics)?)
     }
 
     /// The matrices of the moving frame method now, with labels, units and formulas.
@@ -177,7 +178,7 @@ impl Simulation {
 
     /// The scenario with defaults, parameters and overrides in place; it reads back to the same.
     pub fn resolved_json(&self) -> String {
-        self.scenario.to_json()
+        self.built.scenario().to_json()
     }
 }
 

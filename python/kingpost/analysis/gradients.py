@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -67,7 +68,8 @@ def gradient(
     """
     scenario = as_scenario(scenario_or_path, overrides, parameters)
     names = [names] if isinstance(names, str) else [str(name) for name in names]
-    rows, derivatives, channels, error = scenario._gradient(names, progress)
+    rows, derivatives, channels_json, error = scenario._built.gradient(names, progress)
+    channels = json.loads(channels_json)
     status = "finished" if error is None else str(error) or "interrupted"
     names = names[: len(derivatives)]
     run = results.dataset(scenario, channels, rows, status)

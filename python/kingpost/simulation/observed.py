@@ -86,7 +86,7 @@ class Observed:
         >>> Simulation(load("paper").with_overrides(limits)).limit_bounds[0].at_most
         3.141592653589793
         """
-        limits = json.loads(self._engine.model_json())["limits"]
+        limits = self.scenario.model["limits"]
         return [
             LimitBounds(
                 one["name"],

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import markup
+from ..engine import engine
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario, load
 from .equations import Equations, vector
@@ -48,7 +49,7 @@ class Simulation(Observed, Equations):
         # A copy: later edits of the scenario do not change this simulation.
         self.scenario = copy(scenario) if isinstance(scenario, Scenario) else load(scenario)
         self.results: xarray.Dataset | None = None
-        self._engine = self.scenario._engine()
+        self._engine = engine.Simulation(self.scenario._built)
 
     def reset(self, seed: int | None = None) -> None:
         """Go back to the start of the scenario, with another seed if one is given.
@@ -73,7 +74,7 @@ class Simulation(Observed, Equations):
             self._engine.reset()
             return
         self.scenario = self.scenario.with_overrides({"simulation.seed": seed})
-        self._engine = self.scenario._engine()
+        self._engine = engine.Simulation(self.scenario._built)
 
     def step(self, n: int = 1) -> None:
         """Advance `n` steps of the scenario's step size.

@@ -3,8 +3,8 @@
 use crate::dynamics::moving_frame::Variation;
 use crate::plant::{DIRECTIONS, Form};
 use crate::results::Channel;
-use crate::scenario::{FieldError, Scenario, ScenarioError};
-use crate::simulation::{RunError, Simulation};
+use crate::scenario::{BuiltScenario, FieldError, Scenario, ScenarioError};
+use crate::simulation::{RunError, Setup, Simulation};
 
 /// A run and its derivatives.
 #[derive(Clone, Debug)]
@@ -39,9 +39,28 @@ impl Gradient {
 pub fn gradient(
     scenario: &Scenario,
     names: &[&str],
+    progress: impl FnMut(f64) -> bool,
+) -> Result<Gradient, ScenarioError> {
+    gradient_of(scenario, &scenario.setup()?, names, progress)
+}
+
+impl BuiltScenario {
+    /// A run with its derivatives, as [`gradient`].
+    ///
+    /// # Errors
+    /// As [`gradient`].
+    pub fn gradient(&self, names: &[&str], progress: impl FnMut(f64) -> bool) -> Result<Gradient, ScenarioError> {
+        gradient_of(self.scenario(), self.setup(), names, progress)
+    }
+}
+
+/// The same; `plain` is the scenario's own setup.
+fn gradient_of(
+    scenario: &Scenario,
+    plain: &Setup,
+    names: &[&str],
     mut progress: impl FnMut(f64) -> bool,
 ) -> Result<Gradient, ScenarioError> {
-    let plain = scenario.setup()?;
     if plain.settings.form == Form::MovingFrame(Variation::Naive) {
         let allowed = "recursive or moving_frame, for a gradient";
         return Err(FieldError::new("simulation.form", "moving_frame_without_d", allowed).into());
@@ -49,7 +68,7 @@ pub fn gradient(
     let mut gradient: Option<Gradient> = None;
     let mut stopped = false;
     for chunk in names.chunks(DIRECTIONS) {
-        let mut simulation = Simulation::recursive(scenario.setup_along_with(&plain, chunk)?);
+        let mut simulation = Simulation::recursive(scenario.setup_along_with(plain, chunk)?);
         let run = simulation.run(|time_s| {
             stopped = !progress(time_s);
             !stopped

@@ -5,8 +5,8 @@ use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
 use crate::plant::{Along, DIRECTIONS, Number, Plant, Tangent};
-use crate::scenario::{Scenario, ScenarioError};
-use crate::simulation::Simulation;
+use crate::scenario::{BuiltScenario, Scenario, ScenarioError};
+use crate::simulation::{Setup, Simulation};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
@@ -118,8 +118,19 @@ impl Linearizer {
     /// # Errors
     /// A scenario that does not build.
     pub fn new(scenario: &Scenario) -> Result<Self, ScenarioError> {
-        let setup = scenario.setup_over::<Number>()?;
-        Ok(Self::of_plant(Plant::new(setup.model, setup.world, setup.elements)))
+        Ok(Self::of_setup(scenario.setup_over::<Number>()?))
+    }
+
+    /// For simulations of a scenario that is built.
+    ///
+    /// # Errors
+    /// As [`Scenario::setup_over`].
+    pub fn of_built(built: &BuiltScenario) -> Result<Self, ScenarioError> {
+        Ok(Self::of_setup(built.dual_setup()?.clone()))
+    }
+
+    fn of_setup(setup: Setup<Number>) -> Self {
+        Self::of_plant(Plant::new(setup.model, setup.world, setup.elements))
     }
 
     /// For simulations of this plant.

@@ -26,7 +26,7 @@ pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 use crate::dynamics::Kinematics;
 use crate::elements::{Hull, of_kind};
 use crate::model::Model;
-use crate::scenario::{Scenario, ScenarioError};
+use crate::scenario::{BuiltScenario, Scenario, ScenarioError};
 use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
 use crate::simulation::{Setup, Simulation};
@@ -120,7 +120,7 @@ impl Scenario {
     /// # Errors
     /// As [`Self::hydrostatic_report_at`].
     pub fn hydrostatic_report(&self) -> Result<HydrostaticReport, HydrostaticsError> {
-        self.hydrostatic_report_at(&Simulation::new(self.setup()?))
+        self.clone().build()?.hydrostatic_report()
     }
 
     /// How its hulls float at the equilibrium of a simulation in still water, with held and prescribed coordinates at
@@ -130,7 +130,15 @@ impl Scenario {
     /// # Errors
     /// A hull whose weight is more than the whole hull displaces.
     pub fn hydrostatic_report_at(&self, simulation: &Simulation) -> Result<HydrostaticReport, HydrostaticsError> {
-        let setup = self.setup()?;
+        self.hydrostatic_report_of(&self.setup()?, simulation)
+    }
+
+    /// The same; `setup` is its own.
+    fn hydrostatic_report_of(
+        &self,
+        setup: &Setup,
+        simulation: &Simulation,
+    ) -> Result<HydrostaticReport, HydrostaticsError> {
         let mut report = HydrostaticReport::default();
         let hulls: Vec<Hull> = of_kind(&setup.elements).cloned().collect();
         let hulls = hulls.iter().filter_map(|hull| Some((hull, self.database_of(&hull.name)?)));
@@ -185,6 +193,24 @@ impl Scenario {
     /// Whether the mean drift of its database acts on a hull.
     fn drifts(&self, force: &str) -> bool {
         self.hydrodynamics(force).is_some_and(|given| given.wave_drift)
+    }
+}
+
+impl BuiltScenario {
+    /// How its hulls float, as [`Scenario::hydrostatic_report`].
+    ///
+    /// # Errors
+    /// As [`Scenario::hydrostatic_report`].
+    pub fn hydrostatic_report(&self) -> Result<HydrostaticReport, HydrostaticsError> {
+        self.hydrostatic_report_at(&Simulation::new(self.setup().clone()))
+    }
+
+    /// The same with the crane as in a simulation of it, as [`Scenario::hydrostatic_report_at`].
+    ///
+    /// # Errors
+    /// As [`Scenario::hydrostatic_report_at`].
+    pub fn hydrostatic_report_at(&self, simulation: &Simulation) -> Result<HydrostaticReport, HydrostaticsError> {
+        self.scenario().hydrostatic_report_of(self.setup(), simulation)
     }
 }
 

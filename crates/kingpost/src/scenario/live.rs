@@ -3,6 +3,7 @@
 use serde_json::Value;
 use thiserror::Error;
 
+use super::built::BuiltScenario;
 use super::error::ScenarioError;
 use super::schema::Scenario;
 use super::{read, wording};
@@ -65,19 +66,30 @@ impl Scenario {
         name: &str,
         value: &Value,
     ) -> Result<(), ParameterError> {
+        *self = self.go_on_with(simulation, name, value)?.into();
+        Ok(())
+    }
+
+    /// The same; returns the changed scenario with its setup.
+    pub(super) fn go_on_with(
+        &self,
+        simulation: &mut Simulation,
+        name: &str,
+        value: &Value,
+    ) -> Result<BuiltScenario, ParameterError> {
         self.check_live(name)?;
         let next = read::changed(self, name, value).map_err(Box::new)?;
         let restart = |why| ParameterError::Restart { name: name.to_owned(), found: wording::found(value), why };
         if !LIVE_SETTINGS.contains(&name) && next.structure() != self.structure() {
             return Err(restart("which changes the structure of the run"));
         }
+        let next = next.build().map_err(Box::new)?;
         let changed = next.simulation().map_err(Box::new)?;
         if carried(simulation, simulation.time_s()) != carried(&changed, simulation.time_s()) {
             return Err(restart("which moves a body to another place in the waves"));
         }
         simulation.go_on_as(changed, name).map_err(restart)?;
-        *self = next;
-        Ok(())
+        Ok(next)
     }
 
     fn check_live(&self, name: &str) -> Result<(), ParameterError> {

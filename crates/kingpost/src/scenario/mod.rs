@@ -1,10 +1,11 @@
 //! Scenario: from text to the description of a run, with the place of every error.
 //!
 //! [`read`] parses YAML (JSON is its subset), renames unit aliases, applies parameters and overrides, types the tree and
-//! builds the model once to validate it.
+//! builds the model once to validate it; [`BuiltScenario`] keeps what was built.
 
 mod assignment;
 pub mod build;
+mod built;
 mod conversion;
 pub mod describe;
 mod error;
@@ -33,6 +34,7 @@ mod units;
 pub mod wording;
 
 pub use assignment::parse_assignment;
+pub use built::BuiltScenario;
 pub use error::{FieldError, ScenarioError};
 pub use files::{Files, Host};
 pub use live::{LIVE_SETTINGS, ParameterError};

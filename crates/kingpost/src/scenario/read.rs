@@ -9,7 +9,7 @@ use super::schema::{Parameter, Scenario};
 use super::tree::{ScenarioNode, segments};
 use super::typed::{check_version, typed};
 #[cfg(not(target_family = "wasm"))]
-use crate::plant::{Form, Number};
+use crate::plant::Number;
 use crate::simulation::{Setup, Simulation};
 
 use super::{conversion, parse, parts, wording};
@@ -231,11 +231,8 @@ impl Scenario {
         Ok(simulation)
     }
 
-    /// In the browser implicit schemes use finite differences: the engine over dual numbers would double the download.
-    /// Newton's iteration ends within its tolerance either way.
     #[cfg(not(target_family = "wasm"))]
     fn exact_derivatives(&self, setup: &Setup) -> Result<Option<Setup<Number>>, ScenarioError> {
-        let wanted = setup.settings.scheme.is_implicit() && setup.settings.form == Form::Recursive;
-        wanted.then(|| self.setup_over_with(setup)).transpose()
+        setup.settings.wants_derivatives().then(|| self.setup_over_with(setup)).transpose()
     }
 }

@@ -55,6 +55,13 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// Whether its steps take exact derivatives, from a setup over dual numbers. In the browser they are finite differences:
+    /// the engine over dual numbers would double the download. Newton's iteration ends within its tolerance either way.
+    #[cfg(not(target_family = "wasm"))]
+    pub(crate) fn wants_derivatives(&self) -> bool {
+        self.scheme.is_implicit() && self.form == Form::Recursive
+    }
+
     /// Number of rows that a run records, without those at the start and the end.
     pub fn rows(&self) -> f64 {
         self.duration_s / self.record_every_s.max(self.step_s)

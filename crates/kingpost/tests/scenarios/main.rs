@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod built;
 mod damaged_files;
 mod derivatives;
 mod gallery;

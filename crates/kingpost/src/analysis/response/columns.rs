@@ -6,7 +6,7 @@ use super::resonances::{Resonance, resolved, resonances};
 use super::rows::Rows;
 use super::{AtRest, ResponseError, WaveGrid, check_directions, smoothness};
 use crate::elements::{AnyElement, ShownWaves};
-use crate::scenario::Scenario;
+use crate::scenario::{BuiltScenario, Scenario};
 use crate::simulation::Simulation;
 use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
@@ -46,6 +46,22 @@ const PROBED_M: f64 = 1e-3;
 const PROBED: [[f64; 2]; 6] = [[0.7, 0.1], [0.7, 0.3], [0.7, 0.6], [2.3, 0.1], [2.3, 0.3], [2.3, 0.6]];
 
 impl Scenario {
+    /// How columns of the results of a simulation of it answer regular waves, as [`BuiltScenario::column_response`].
+    ///
+    /// # Errors
+    /// A scenario that does not build; as [`BuiltScenario::column_response`].
+    pub fn column_response(
+        &self,
+        simulation: &Simulation,
+        waves: &WaveGrid,
+        columns: &[String],
+        about_resonances: bool,
+    ) -> Result<ColumnResponse, ResponseError> {
+        self.clone().build()?.column_response(simulation, waves, columns, about_resonances)
+    }
+}
+
+impl BuiltScenario {
     /// How columns of the results of a simulation answer regular waves, as [`wave_response`](Self::wave_response) has its
     /// motions; all columns where none are named. `about_resonances` adds frequencies about each that is narrower than the
     /// steps between those asked for.
@@ -66,14 +82,14 @@ impl Scenario {
     ) -> Result<ColumnResponse, ResponseError> {
         let elements = self.elements_in_waves()?;
         let mut at = AtRest::new(self, simulation)?;
-        let loads = WaveLoads::new(&elements, &mut at.rest, &at.free)?;
+        let loads = WaveLoads::new(elements, &mut at.rest, &at.free)?;
         let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
         check_directions(&waves.directions_rad)?;
         let resonances = resonances(&at.linear.a);
         let frequencies_rad_s =
             if about_resonances { resolved(&frequencies_rad_s, &resonances) } else { frequencies_rad_s };
         let mut rows = Rows::new(self, &at, &loads)?;
-        let shown = Shown::new(&elements, &at, &loads, &mut rows);
+        let shown = Shown::new(elements, &at, &loads, &mut rows);
         smoothness::mark(&mut rows, &probes(&at, &loads, &frequencies_rad_s)?);
         let chosen = chosen(&rows, columns)?;
 
@@ -105,7 +121,7 @@ impl Scenario {
             not_linear: chosen.iter().map(|column| column.not_linear).collect(),
             amplitudes,
             resonances,
-            warnings: warnings(&at, &elements, &rows),
+            warnings: warnings(&at, elements, &rows),
         })
     }
 }

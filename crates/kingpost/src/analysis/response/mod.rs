@@ -16,7 +16,7 @@ pub use resonances::Resonance;
 use super::{Linearization, Linearizer};
 use crate::elements::AnyElement;
 use crate::plant::Along;
-use crate::scenario::{Scenario, ScenarioError};
+use crate::scenario::{BuiltScenario, Scenario, ScenarioError};
 use crate::simulation::{Instability, NoEquilibrium, Simulation};
 use excitation::WaveLoads;
 use nalgebra::{Complex, ComplexField, DMatrix, Dyn, LU};
@@ -105,6 +105,16 @@ pub enum ResponseError {
 }
 
 impl Scenario {
+    /// The response of a simulation of it to regular waves, as [`BuiltScenario::wave_response`].
+    ///
+    /// # Errors
+    /// A scenario that does not build; as [`BuiltScenario::wave_response`].
+    pub fn wave_response(&self, simulation: &Simulation, waves: &WaveGrid) -> Result<WaveResponse, ResponseError> {
+        self.clone().build()?.wave_response(simulation, waves)
+    }
+}
+
+impl BuiltScenario {
     /// The response of a simulation of it to regular waves, about its equilibrium in still water.
     ///
     /// With A of the linearised system, whose states hold the memory of radiation, and the wave loads' accelerations b
@@ -118,7 +128,7 @@ impl Scenario {
     pub fn wave_response(&self, simulation: &Simulation, waves: &WaveGrid) -> Result<WaveResponse, ResponseError> {
         let elements = self.elements_in_waves()?;
         let mut at_rest = AtRest::new(self, simulation)?;
-        let loads = WaveLoads::new(&elements, &mut at_rest.rest, &at_rest.free)?;
+        let loads = WaveLoads::new(elements, &mut at_rest.rest, &at_rest.free)?;
         let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
         check_directions(&waves.directions_rad)?;
         let AtRest { rest, free, linear, .. } = &at_rest;
@@ -161,8 +171,8 @@ impl Scenario {
     }
 
     /// Its elements, among which are some that waves act on.
-    fn elements_in_waves(&self) -> Result<Vec<AnyElement>, ResponseError> {
-        let elements = self.setup()?.elements;
+    fn elements_in_waves(&self) -> Result<&[AnyElement], ResponseError> {
+        let elements = &self.setup().elements;
         let in_waves = elements.iter().any(|element| element.regular_waves().is_some());
         if in_waves { Ok(elements) } else { Err(ResponseError::NoHull) }
     }
@@ -181,10 +191,10 @@ struct AtRest {
 }
 
 impl AtRest {
-    fn new(scenario: &Scenario, simulation: &Simulation) -> Result<Self, ResponseError> {
+    fn new(scenario: &BuiltScenario, simulation: &Simulation) -> Result<Self, ResponseError> {
         let mut rest = simulation.clone();
         let instability = rest.settle()?.instability;
-        let mut linearizer = Linearizer::new(scenario)?.at_rest();
+        let mut linearizer = Linearizer::of_built(scenario)?.at_rest();
         let free: Vec<usize> = linearizer.positions().collect();
         let linear = linearizer.at(&rest);
         Ok(Self { rest, linear, free, along: linearizer.along().to_vec(), instability })

@@ -9,7 +9,7 @@ use crate::integrate::Stage;
 use crate::ledger;
 use crate::plant::{Along, DIRECTIONS, Number, Plant, Tangent};
 use crate::results::{Channels, Sample};
-use crate::scenario::{Scenario, ScenarioError};
+use crate::scenario::{BuiltScenario, ScenarioError};
 use crate::world::World;
 use nalgebra::DMatrix;
 
@@ -36,8 +36,8 @@ pub(super) struct Rows {
 
 impl Rows {
     /// Of a scenario at rest.
-    pub(super) fn new(scenario: &Scenario, at: &AtRest, loads: &WaveLoads<'_>) -> Result<Self, ScenarioError> {
-        let setup = scenario.setup_over::<Number>()?;
+    pub(super) fn new(scenario: &BuiltScenario, at: &AtRest, loads: &WaveLoads<'_>) -> Result<Self, ScenarioError> {
+        let setup = scenario.dual_setup()?.clone();
         let mut elements = setup.elements;
         let forces = loads.as_inputs(&at.rest);
         let count = FORCES * forces.len();

@@ -183,9 +183,13 @@ pub struct ParameterDescription {
 impl Scenario {
     /// Describes a scenario that builds; bodies that are not enabled are left out.
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
-        let setup = self.setup()?;
-        let (sea, hulls) = (afloat::sea(self, &setup), afloat::hulls(self, &setup));
-        let growing = warnings::of_feedback(&setup);
+        Ok(self.description_of(&self.setup()?))
+    }
+
+    /// The same; `setup` is its own.
+    pub(super) fn description_of(&self, setup: &Setup) -> Description {
+        let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
+        let growing = warnings::of_feedback(setup);
         let Setup { model, world, elements, limits, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
@@ -199,9 +203,9 @@ impl Scenario {
                 name: body.name.clone(),
                 parent: parent.to_owned(),
                 floats: segment == 0 && given.is_some_and(|given| afloat::floats(&given.joint)),
-                is_submerged: of_kind(&elements).any(|element: &Submerged| element.place.body == index),
+                is_submerged: of_kind(elements).any(|element: &Submerged| element.place.body == index),
                 mass_kg: body.mass,
-                inertia_kg_m2: dry_inertia(&model, index, node),
+                inertia_kg_m2: dry_inertia(model, index, node),
                 shape: given.and_then(|given| shape(given, segment)),
                 colour: given.and_then(|given| given.colour.clone()),
             }
@@ -219,7 +223,7 @@ impl Scenario {
             },
             free_coordinates: joint.coordinate_names().into_iter().filter(|name| free.contains(name)).collect(),
         };
-        Ok(Description {
+        Description {
             title: self.title.clone(),
             description: self.description.clone(),
             duration_s: self.simulation.duration_s.get(),
@@ -229,16 +233,16 @@ impl Scenario {
             parts: self.parts.iter().map(|(name, mounting)| describe_part(name, mounting)).collect(),
             bodies: model.bodies.iter().zip(&model.tree.nodes).enumerate().map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
-            loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
+            loops: model.loops.iter().map(|closed| describe_loop(model, closed)).collect(),
             elements: facts::elements(self),
             gravity_m_s2: world.gravity,
             sea,
             hulls,
-            limits: limits.into_iter().map(describe_limit).collect(),
+            limits: limits.iter().cloned().map(describe_limit).collect(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
-            warnings: warnings::of(self, &model, &world, &elements).into_iter().chain(growing).collect(),
-        })
+            warnings: warnings::of(self, model, world, elements).into_iter().chain(growing).collect(),
+        }
     }
 }
 
