@@ -126,11 +126,20 @@ def test_a_summary_tells_the_tensions_at_the_two_ends_of_a_rope_apart():
 
 
 @pytest.mark.parametrize("name", kingpost.gallery.names())
-def test_what_forces_and_drives_show_has_descriptions_that_differ(name):
+def test_what_forces_and_drives_show_has_descriptions_that_differ(name, shown):
     """Source: a summary falls back on them where two quantities have one short name."""
-    shown = [channel for channel in kingpost.Simulation(name).channels if channel["of_elements"]]
-    descriptions = [channel["description"] for channel in shown]
+    descriptions = [channel["description"] for channel in shown[name]["channels"] if channel["of_elements"]]
     assert len(set(descriptions)) == len(descriptions)
+
+
+@pytest.mark.parametrize("name", kingpost.gallery.names())
+def test_a_summary_of_any_scenario_names_its_coordinates(name, shown):
+    """Source: the labels of the engine's channel of joint positions."""
+    (names,) = next(
+        channel["labels"] for channel in shown[name]["channels"] if channel["variable"] == "joint_position"
+    )
+    words = [line.split()[0] for line in shown[name]["summary"].splitlines() if line.split()]
+    assert set(names) <= set(words)
 
 
 def word(text: str, label: str, number: int) -> float:
