@@ -27,8 +27,10 @@ LONGER = {
     "seeds": {"count": 2},
 }
 """256 runs in 64 units."""
-KILLS, MOMENTS = (20, 6) if THOROUGH else (3, 3)
-"""How often a study is killed, and at how many different numbers of units done."""
+SHORTER = {**LONGER, "axes": {"crane_x_m": {"range": {"from": -10, "to": 10, "count": 32}}}}
+"""64 runs in 16 units."""
+KILLED, KILLS, MOMENTS = (LONGER, 20, 6) if THOROUGH else (SHORTER, 3, 2)
+"""A study that is killed, how often, and at how many different numbers of units done."""
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +44,7 @@ def whole(tmp_path_factory) -> tuple[kingpost.Study, Path]:
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the test forks")
 def test_a_study_that_is_killed_again_and_again_equals_an_uninterrupted_one(tmp_path) -> None:
     """Source: the contract: kill -9 at any moment loses the units in flight at most; bits are the same."""
-    path = written(LONGER, tmp_path / "study.yaml")
+    path = written(KILLED, tmp_path / "study.yaml")
     script = Path(__file__).with_name("study_killed.py")
     command = [sys.executable, str(script), str(tmp_path / "killed"), str(path)]
     command += [str(KILLS), str(MOMENTS)]
