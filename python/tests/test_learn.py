@@ -28,6 +28,7 @@ from kingpost.learn import (
     three_axis,
 )
 from kingpost.learn.episodes import Episodes
+from lanes import sampled
 
 SEED = 11
 
@@ -53,7 +54,7 @@ def same(one: list, other: list, rows: slice = slice(None)) -> bool:
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("name", sampled(IDS, keep=["Kingpost/AntiSway-v0"]))
 def test_gymnasium_s_checker_finds_nothing(name: str) -> None:
     check_env(gymnasium.make(name).unwrapped, skip_render_check=True)
 

@@ -27,8 +27,8 @@ LONGER = {
     "seeds": {"count": 2},
 }
 """256 runs in 64 units."""
-SHORTER = {**LONGER, "axes": {"crane_x_m": {"range": {"from": -10, "to": 10, "count": 32}}}}
-"""64 runs in 16 units."""
+SHORTER = {**LONGER, "axes": {"crane_x_m": {"range": {"from": -10, "to": 10, "count": 16}}}}
+"""32 runs in 8 units."""
 KILLED, KILLS, MOMENTS = (LONGER, 20, 6) if THOROUGH else (SHORTER, 3, 2)
 """A study that is killed, how often, and at how many different numbers of units done."""
 
