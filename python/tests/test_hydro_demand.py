@@ -45,14 +45,17 @@ def start(folder: Path, *options: str) -> subprocess.Popen:
     "options",
     [
         ("sphere:radius_m=5", "--panels", "60", "--frequencies-rad-s", "0.5:2:8", "--directions", "4"),
-        (PRISM, "--panels", "800", "--frequencies-rad-s", "1:8:8", "--directions", "4", "--trim-deg", "1",
-         "--heel-deg", "2", "--no-lid"),
+        pytest.param(
+            (PRISM, "--panels", "800", "--frequencies-rad-s", "1:8:8", "--directions", "4", "--trim-deg", "1",
+             "--heel-deg", "2", "--no-lid"),
+            marks=pytest.mark.thorough,
+        ),
     ],
     ids=["few panels", "no plane of symmetry"],
 )  # fmt: skip
 def test_the_process_takes_no_more_than_was_said_before_it_began(tmp_path, options) -> None:
     run = start(tmp_path, *options)
-    output, _ = run.communicate(timeout=6000)
+    output, _ = run.communicate(timeout=600)
     assert run.returncode == 0, output
     said = 1e9 * float(re.search(r"^memory +([\d.]+) GB at most", output, re.M)[1])
     taken = float(re.search(r"^taken ([\d.]+)", output, re.M)[1])
@@ -83,6 +86,7 @@ def solved(file: Path) -> int:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a process is killed by a signal")
+@pytest.mark.thorough
 def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> None:
     options = (PRISM, "--water-depth-m", "1", "--panels", "150", "--frequencies-rad-s", "2:5.5:9",
                "--directions", "12")  # fmt: skip
@@ -103,7 +107,7 @@ def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> Non
     (stopped / ".x.hydro.json.partial.npz.1.npz").write_bytes(b"cut short")
     for folder in (stopped, whole):
         run = start(folder, *options)
-        output, _ = run.communicate(timeout=6000)
+        output, _ = run.communicate(timeout=600)
         assert run.returncode == 0, output
         assert (f"{done} of 10 frequencies are solved" in output) == (folder == stopped)
     assert (stopped / "x.hydro.json").read_bytes() == (whole / "x.hydro.json").read_bytes()

@@ -48,7 +48,7 @@ def test_a_study_that_is_killed_again_and_again_equals_an_uninterrupted_one(tmp_
     script = Path(__file__).with_name("study_killed.py")
     command = [sys.executable, str(script), str(tmp_path / "killed"), str(path)]
     command += [str(KILLS), str(MOMENTS)]
-    found = subprocess.run(command, capture_output=True, text=True, timeout=6000, check=False)
+    found = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
     assert found.returncode == 0, found.stderr
     # Kills came at the beginning, between units and while they were written.
     done = json.loads(found.stdout)
