@@ -225,6 +225,7 @@ def test_another_seed_is_another_sea_and_the_same_seed_the_same() -> None:
     assert not np.array_equal(one[0], one[1])
 
 
+@pytest.mark.thorough
 def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None:
     by_name = {
         label: score(anti_sway(), policy, 8).mean()
@@ -240,7 +241,10 @@ def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None
     ]
 
 
-@pytest.mark.parametrize("name", ["Kingpost/RollReduction-v0", "Kingpost/ThreeAxis-v0"])
+@pytest.mark.parametrize(
+    "name",
+    sampled(["Kingpost/RollReduction-v0", "Kingpost/ThreeAxis-v0"], keep=["Kingpost/RollReduction-v0"]),
+)
 def test_feedback_halves_the_cost_of_doing_nothing(name: str) -> None:
     nothing, acting = (score(IDS[name](), policy, 4).mean() for policy in BASELINES[name].values())
     assert 0.5 * nothing < acting < 0

@@ -99,6 +99,7 @@ def test_a_seed_is_an_episode_and_without_one_the_next_is_another() -> None:
     assert np.array_equal(second, last(None))
 
 
+@pytest.mark.thorough
 def test_three_agents_that_know_their_own_axis_only_do_as_well_as_one_controller_of_all() -> None:
     """The parts of the baseline, each from its own observations, give the baseline's sum of rewards."""
     task = three_axis()
