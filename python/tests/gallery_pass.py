@@ -11,7 +11,6 @@ import kingpost
 import numpy as np
 from filelock import FileLock
 from kingpost import results
-from kingpost.reports import run as run_report
 
 
 @dataclass
@@ -35,10 +34,10 @@ class Gallery:
 def seen(name: str) -> dict[str, Any]:
     """What there is to see of a scenario, and of its run over two steps."""
     scenario = kingpost.load(name)
-    simulation = kingpost.Simulation(scenario)
     step_s = scenario.model["step_s"]
     short = {"simulation.duration_s": 2 * step_s, "simulation.record_every_s": step_s}
-    found = kingpost.run(scenario.with_overrides(short))
+    simulation = kingpost.Simulation(scenario.with_overrides(short))
+    found = simulation.run()
     units = [("time", results.unit_of(found["time"]))]
     units += [(column, results.unit_of(series)) for column, series in results.columns(found)]
     table = results.frame(found)
@@ -46,11 +45,10 @@ def seen(name: str) -> dict[str, Any]:
         "resolved": scenario.resolved,
         "model": scenario.model,
         "files": list(scenario.files),
-        "model_warnings": simulation.model_warnings,
+        "model_warnings": json.loads(found.attrs["model_warnings"]),
         "channels": simulation.channels,
         "units": units,
         "columns": list(table.columns),
         "rows": len(table),
         "not_finite": [str(column) for column in table if not np.isfinite(table[column]).all()],
-        "summary": run_report.summary(found, scenario),
     }

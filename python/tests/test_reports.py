@@ -132,16 +132,6 @@ def test_what_forces_and_drives_show_has_descriptions_that_differ(name, shown):
     assert len(set(descriptions)) == len(descriptions)
 
 
-@pytest.mark.parametrize("name", kingpost.gallery.names())
-def test_a_summary_of_any_scenario_names_its_coordinates(name, shown):
-    """Source: the labels of the engine's channel of joint positions."""
-    (names,) = next(
-        channel["labels"] for channel in shown[name]["channels"] if channel["variable"] == "joint_position"
-    )
-    words = [line.split()[0] for line in shown[name]["summary"].splitlines() if line.split()]
-    assert set(names) <= set(words)
-
-
 def word(text: str, label: str, number: int) -> float:
     """The n-th word behind a line's label, as a number."""
     (line,) = (line for line in text.splitlines() if line.startswith(f"{label} "))
