@@ -13,7 +13,9 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import kingpost
 import pytest
+from gallery_pass import Gallery
 from kingpost.server import serve
+from lanes import THOROUGH
 from samples import CALIBRATION, SMALL
 from served import ENGINE
 
@@ -31,7 +33,11 @@ LONG = (
 """Files that take longest begin first: begun last, one would run on when the other processes have ended."""
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not THOROUGH:
+        left_out = [item for item in items if item.get_closest_marker("thorough")]
+        items[:] = [item for item in items if not item.get_closest_marker("thorough")]
+        config.hook.pytest_deselected(items=left_out)
     items.sort(key=lambda item: LONG.index(item.path.name) if item.path.name in LONG else len(LONG))
 
 
@@ -52,6 +58,15 @@ def small(tmp_path: Path) -> Path:
 def calibration():
     """Results of the run that three independent codes agree on."""
     return kingpost.run("paper", CALIBRATION)
+
+
+@pytest.fixture(scope="session")
+def shown(tmp_path_factory: pytest.TempPathFactory) -> Gallery:
+    """What one pass over the gallery found, by scenario; pytest-xdist's processes share it."""
+    folder = tmp_path_factory.getbasetemp()
+    folder = (folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder) / "gallery"
+    folder.mkdir(exist_ok=True)
+    return Gallery(folder)
 
 
 @pytest.fixture

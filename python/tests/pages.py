@@ -1,28 +1,39 @@
 """The commands and examples that stand on a page of Markdown, run as a reader runs them.
 
-A block that is fenced with `bash` or `python` runs; one whose title begins with "takes" runs where
-KINGPOST_SLOW is 1. A block that is fenced with `text` holds lines of what the block before it prints, in
-their order, with `...` for lines left out. KINGPOST_WRITE_PAGES=1 writes those lines anew.
+A block that is fenced with `bash` or `python` runs; one whose title begins with "takes" runs in the thorough
+lane. A block that is fenced with `text` holds lines of what the block before it prints, in their order, with
+`...` for lines left out.
+
+The thorough lane runs every page. The default lane runs the shortest of a kind, and those that have changed
+since they last ran well: `pages.json` keeps a digest of what runs on each page. KINGPOST_WRITE_PAGES=1 runs
+every page, and writes the printed lines and the digests anew.
 """
 
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import io
+import json
 import os
 import re
 import subprocess
 import sys
+import tempfile
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import kingpost
+from filelock import FileLock
+from lanes import THOROUGH, sampled
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 BLOCK = re.compile(r'^```(bash|python|text|yaml)(?: title="([^"\n]*)")?\n(.*?)^```', re.MULTILINE | re.DOTALL)
-SLOW, WRITE = os.environ.get("KINGPOST_SLOW") == "1", os.environ.get("KINGPOST_WRITE_PAGES") == "1"
+WRITE = os.environ.get("KINGPOST_WRITE_PAGES") == "1"
+DIGESTS = Path(__file__).with_name("pages.json")
 
 
 @dataclass(frozen=True)
@@ -45,6 +56,41 @@ def blocks(page: str) -> list[Block]:
         Block(found[1], found[2] or "", found[3], found.start(3), page.count("\n", 0, found.start()) + 1)
         for found in BLOCK.finditer(page)
     ]
+
+
+def digest(texts: Iterable[str | bytes]) -> str:
+    """A digest of what runs on a page, of files beside it too."""
+    found = hashlib.sha256()
+    for text in texts:
+        content = text if isinstance(text, bytes) else text.encode()
+        found.update(len(content).to_bytes(8, "big") + content)
+    return found.hexdigest()[:16]
+
+
+def kept_digests() -> dict[str, str]:
+    """The digests of the pages when they last ran well."""
+    return json.loads(DIGESTS.read_text(encoding="utf-8"))
+
+
+def to_run(digests: dict[str, str], always: str) -> list[Any]:
+    """Pages as cases of a test: by default those that have changed, and one of them always."""
+    kept = kept_digests()
+    changed = {name for name, now in digests.items() if kept.get(name) != now}
+    return sampled(digests, keep=lambda name: WRITE or name == always or name in changed)
+
+
+def ran_well(name: str, now: str) -> None:
+    """Keeps the digest of a page, where pages are written anew."""
+    if WRITE:
+        with FileLock(Path(tempfile.gettempdir()) / "kingpost_pages.lock"):
+            text = json.dumps(kept_digests() | {name: now}, indent=1, sort_keys=True)
+            DIGESTS.write_text(text + "\n", encoding="utf-8")
+
+
+def not_kept(digests: dict[str, str]) -> list[str]:
+    """Pages that have changed since they last ran well."""
+    kept = kept_digests()
+    return [name for name, now in digests.items() if kept.get(name) != now and not WRITE]
 
 
 def commands_folder(folder: Path) -> Path:
@@ -116,7 +162,7 @@ def run_page(path: Path, folder: Path) -> list[str]:
     printed: str | None = None
     for block in blocks(page):
         where = f"{path.name}:{block.line}"
-        if block.slow and not SLOW:
+        if block.slow and not THOROUGH:
             printed = None
         elif block.language == "bash":
             printed = run_bash(block.text, folder, commands)

@@ -1,4 +1,5 @@
-"""A run that writes over a good file and is killed: run as a script with the words of the command line.
+"""A run that writes over a good file and is killed: run as a script with how many tries at least, how many of
+them killed, and the words of the command line.
 
 Each try is a separate process, forked when all is loaded, so that its whole life is the run and its
 writing. The system ends it after a share of the processor time that the run takes, wherever it is, with
@@ -21,11 +22,10 @@ import pandas
 import xarray
 from kingpost import cli
 
-TRIES = 16
 LONGEST_SHARE = 0.9
 """Of the processor time of a whole run, which a few tries take less of and end by themselves."""
-FEWEST, MOST = 8, 80
-"""Killed tries that are wanted, and tries at most."""
+MOST = 80
+"""Tries, if too few of them were killed before."""
 
 
 def digest(path: Path) -> str:
@@ -51,21 +51,21 @@ def run(words: list[str], moment_s: float | None) -> tuple[bool, float]:
     return ended != 0, used.ru_utime + used.ru_stime
 
 
-def main(words: list[str]) -> list[tuple[bool, str]]:
+def main(tries: int, kills: int, words: list[str]) -> list[tuple[bool, str]]:
     """Run to the end, here so that all is loaded before the forks, then kill again and again."""
     target, found = Path(words[-1]), []
     assert cli.main(words) == 0
     digest(target)
     _, took_s = run(words, None)
     for k in range(MOST):
-        killed, _ = run(words, LONGEST_SHARE * took_s * (k % TRIES + 1) / TRIES)
+        killed, _ = run(words, LONGEST_SHARE * took_s * (k % tries + 1) / tries)
         found.append((killed, digest(target)))
-        if k + 1 >= TRIES and sum(killed for killed, _ in found) >= FEWEST:
+        if k + 1 >= tries and sum(killed for killed, _ in found) >= kills:
             break
     return found
 
 
 if __name__ == "__main__":
     with Path(os.devnull).open("w") as nowhere, contextlib.redirect_stdout(nowhere):
-        tries = main(sys.argv[1:])
-    print(json.dumps(tries))
+        told = main(int(sys.argv[1]), int(sys.argv[2]), sys.argv[3:])
+    print(json.dumps(told))

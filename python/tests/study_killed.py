@@ -1,4 +1,5 @@
-"""A study that is killed again and again: run as a script with a folder, the study and how often at least.
+"""A study that is killed again and again: run as a script with a folder, the study, how often at least, and
+at how many different numbers of units done.
 
 Each try is a process of its own, forked before anything runs, so that it starts at once. The system ends it
 after a random share of the processor time of a whole study, wherever it is, with nothing that it could do
@@ -23,8 +24,6 @@ import zarr  # noqa: F401, loaded before the forks
 
 SHARES = (0.005, 0.3)
 """Shortest and longest try, as a share of the processor time of a whole study."""
-MOMENTS = 6
-"""Different numbers of units done at which a kill has to come."""
 MOST = 100
 """Kills, if those moments were not all met before."""
 
@@ -43,12 +42,12 @@ def attempt(folder: Path, study: kingpost.Study, moment_s: float | None) -> tupl
     return ended != 0, used.ru_utime + used.ru_stime
 
 
-def main(folder: Path, study: kingpost.Study, kills: int) -> None:
+def main(folder: Path, study: kingpost.Study, kills: int, moments: int) -> None:
     """Kill so often, then finish. A study begins anew once it has ended, or twice had every unit done."""
     draw, done, units = random.Random(kills), [], study.plan.units
     _, whole_s = attempt(folder, study, None)
     shutil.rmtree(folder)
-    while len(done) < kills or (len(set(done)) < MOMENTS and len(done) < MOST):
+    while len(done) < kills or (len(set(done)) < moments and len(done) < MOST):
         killed, _ = attempt(folder, study, draw.uniform(*SHARES) * whole_s)
         if killed:
             done.append(len(list((folder / "units").glob("[0-9]*.json"))))
@@ -59,4 +58,4 @@ def main(folder: Path, study: kingpost.Study, kills: int) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), kingpost.Study(sys.argv[2]), int(sys.argv[3]))
+    main(Path(sys.argv[1]), kingpost.Study(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4]))

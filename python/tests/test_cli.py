@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import threading
+from collections.abc import Callable
 
 import kingpost
 import pytest
@@ -127,18 +128,20 @@ def test_the_installed_command_returns_its_exit_codes_and_no_bar_in_a_pipe(tmp_p
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "kingpost", *arguments], capture_output=True, text=True, timeout=60
+        [sys.executable, "-m", "kingpost", *arguments], capture_output=True, text=True, timeout=600
     )
 
 
 @pytest.mark.parametrize("end", ["SIGINT", "SIGTERM", "SIGHUP"])
-def test_a_long_run_that_is_stopped_says_so_in_one_line_and_keeps_its_results(capsys, tmp_path, end):
+def test_a_long_run_that_is_stopped_says_so_in_one_line_and_keeps_its_results(
+    capsys, tmp_path, monkeypatch, end
+):
     """Source: the shell's convention, 128 + SIGINT; a run that ends early keeps its results: at Ctrl-C,
     where the system shuts down, and where the terminal closes."""
     output = tmp_path / "run.csv"
-    # After the set-up, on a busy machine too. A job in the background starts with SIGINT ignored.
+    monkeypatch.setattr(kingpost.Simulation, "run", stopped_on_its_way(getattr(signal, end)))
+    # A job in the background starts with SIGINT ignored.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    threading.Timer(2.0, signal.raise_signal, [getattr(signal, end)]).start()
     settings = [
         "--set",
         "motor_1=off",
@@ -154,6 +157,23 @@ def test_a_long_run_that_is_stopped_says_so_in_one_line_and_keeps_its_results(ca
     assert ended, shown.err
     assert f"written         {output}" in shown.out
     assert output.read_text().splitlines()[-1].startswith(f"{ended[1]}.0,")
+
+
+def stopped_on_its_way(end: signal.Signals) -> Callable:
+    """`Simulation.run` with a signal that comes soon after it has recorded something."""
+    run, begun = kingpost.Simulation.run, []
+
+    def run_and_stop(simulation, progress=None):
+        def told(time_s):
+            if not begun:
+                begun.append(time_s)
+                threading.Timer(0.1, signal.raise_signal, [end]).start()
+            if progress is not None:
+                progress(time_s)
+
+        return run(simulation, told)
+
+    return run_and_stop
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="terminals are POSIX's")

@@ -118,7 +118,7 @@ def test_a_file_is_written_when_the_reader_of_a_pipe_leaves(tmp_path) -> None:
     command = [sys.executable, "-m", "kingpost", "run", "paper", *SHORT, "-o", str(output)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as started:
         started.stdout.close()
-        assert started.wait(60) == 0
+        assert started.wait(600) == 0
         assert started.stderr.read() == b""
     assert len(read_csv(output)) == 51
 

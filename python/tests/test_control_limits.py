@@ -9,6 +9,7 @@ import pytest
 from kingpost.verify import control, rows
 from kingpost.verify.control import frequency, sweep
 from kingpost.verify.control.sweep_cases import SWEEPS
+from lanes import sampled
 
 
 def test_a_pure_delay_leaves_twice_the_sine_of_half_its_phase():
@@ -32,7 +33,9 @@ def test_a_gain_takes_out_slow_motion_and_no_fast_motion():
     assert fast == pytest.approx(1.0, abs=0.01)
 
 
-@pytest.mark.parametrize("name", frequency.IN_CLOSED_FORM)
+@pytest.mark.parametrize(
+    "name", sampled(frequency.IN_CLOSED_FORM, keep=[next(iter(frequency.IN_CLOSED_FORM))])
+)
 def test_what_is_left_without_prediction_is_the_closed_form_at_every_period_of_the_waves(name: str):
     row = frequency.measure(name)
     assert row.verdict == rows.PASSED, row.distance
@@ -56,7 +59,11 @@ def test_a_slow_winch_leaves_more_of_higher_seas_but_never_more_than_without():
 
 
 @pytest.mark.parametrize(
-    "name", ["U-tank, Tp 11.5 s", "open tanks, pumped, Tp 11.5 s", "gyros, driven, Tp 11.5 s"]
+    "name",
+    sampled(
+        ["U-tank, Tp 11.5 s", "open tanks, pumped, Tp 11.5 s", "gyros, driven, Tp 11.5 s"],
+        keep=["U-tank, Tp 11.5 s"],
+    ),
 )
 def test_devices_against_roll_are_swept_with_limits_that_their_scenario_has(name: str):
     row = sweep.measure(name, length_s=4.0, heights_m=[1.0, 2.0])

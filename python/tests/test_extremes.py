@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from kingpost import KingpostError
 from kingpost.analysis import extremes, statistics
+from lanes import sampled
 from scipy import stats
 
 # A spectrum as broad as that of a sea, m0 = 1, about 0.8 rad/s; records of ten minutes.
@@ -45,7 +46,7 @@ def pareto(rows: np.ndarray, duration_s: float) -> extremes.TailExtreme:
     return extremes.over_threshold(found, RECORD_S, duration_s)
 
 
-@pytest.mark.parametrize("fit", [gumbel, weibull, pareto])
+@pytest.mark.parametrize("fit", sampled([gumbel, weibull, pareto], keep=[gumbel]))
 @pytest.mark.parametrize("lasts", [1, 3], ids=["one record", "three records"])
 def test_intervals_of_ten_seeds_cover_the_true_quantile_of_a_gaussian_process(
     fit: Callable[[np.ndarray, float], extremes.Extreme | extremes.TailExtreme], lasts: int

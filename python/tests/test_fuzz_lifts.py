@@ -18,11 +18,12 @@ import kingpost
 import pytest
 from fuzz.apart import Apart
 from fuzz.contract import Case
+from lanes import THOROUGH
 from lift_mutations import Document, Lift, at, case, is_number, places, put, shown, written
 
 YARD = (Path(__file__).parent / "lift_yard.yaml").read_text(encoding="utf-8")
 SEED = int(os.environ.get("KINGPOST_FUZZ_SEED", "2"))
-CASES = int(os.environ.get("KINGPOST_FUZZ_CASES", "120"))
+CASES = int(os.environ.get("KINGPOST_FUZZ_CASES", "120" if THOROUGH else "24"))
 # Beside the gallery, so that its databases are found.
 FILE = str(kingpost.gallery.folder() / "case.yaml")
 GALLERY = [

@@ -141,6 +141,7 @@ def coefficients(hull: HullMeshes, omega: tuple[float, ...], directions: int) ->
     return solve.solve(hull, Water(), np.array(omega), directions, with_lid=False)
 
 
+@pytest.mark.thorough
 def test_a_sphere_that_lists_has_the_coefficients_of_one_that_does_not():
     """Source: symmetry. Panels that are turned and cut at the water are others: with 200, added mass differs
     by 0.9 %, damping by 2.6 %, excitation by 1.3 %, with 400 by half of that; limits are twice that."""
@@ -157,6 +158,7 @@ def listed_barges() -> tuple[solve.Coefficients, solve.Coefficients]:
     return tuple(coefficients(standing(BARGE, 200, heel), (0.3, 1.2), 8) for heel in (5, -5))
 
 
+@pytest.mark.thorough
 def test_lists_to_port_and_to_starboard_are_mirror_images(listed_barges):
     starboard, port = listed_barges
     signs = SIGNS[1]
@@ -175,6 +177,7 @@ def test_lists_to_port_and_to_starboard_are_mirror_images(listed_barges):
     np.testing.assert_allclose(other[:, back] * signs / largest, one / largest, atol=2e-3)
 
 
+@pytest.mark.thorough
 def test_symmetry_fore_and_aft_is_left_to_a_box_that_lists(listed_barges):
     """Head seas give no Froude-Krylov sway, whatever the hull's section: Int dp/dy dV = 0. In long waves the
     water that rises and falls by -w^2 a gives that of the coupling of heave and sway (G. I. Taylor)."""
@@ -240,6 +243,7 @@ def test_a_wrong_attitude_in_a_file_is_named(attitude, message):
         database_file.from_tree(tree)
 
 
+@pytest.mark.thorough
 def test_frequencies_solved_for_one_attitude_are_not_reused_for_another(tmp_path):
     pytest.importorskip("capytaine")
     path, omega = tmp_path / "x.partial.npz", np.array([0.8])
@@ -255,6 +259,7 @@ def test_frequencies_solved_for_one_attitude_are_not_reused_for_another(tmp_path
     assert opened == [0, 2, 0, 0, 0]
 
 
+@pytest.mark.thorough
 def test_a_listed_sphere_that_is_loaded_alike_drifts_as_the_upright_one():
     """Source: symmetry. The centre of gravity is 2 m under the water, under the middle, in both."""
     heel, radii = 20.0, (3.0, 3.0, 3.0)

@@ -45,8 +45,11 @@ def start(folder: Path, *options: str) -> subprocess.Popen:
     "options",
     [
         ("sphere:radius_m=5", "--panels", "60", "--frequencies-rad-s", "0.5:2:8", "--directions", "4"),
-        (PRISM, "--panels", "800", "--frequencies-rad-s", "1:8:8", "--directions", "4", "--trim-deg", "1",
-         "--heel-deg", "2", "--no-lid"),
+        pytest.param(
+            (PRISM, "--panels", "800", "--frequencies-rad-s", "1:8:8", "--directions", "4", "--trim-deg", "1",
+             "--heel-deg", "2", "--no-lid"),
+            marks=pytest.mark.thorough,
+        ),
     ],
     ids=["few panels", "no plane of symmetry"],
 )  # fmt: skip
@@ -83,6 +86,7 @@ def solved(file: Path) -> int:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a process is killed by a signal")
+@pytest.mark.thorough
 def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> None:
     options = (PRISM, "--water-depth-m", "1", "--panels", "150", "--frequencies-rad-s", "2:5.5:9",
                "--directions", "12")  # fmt: skip
@@ -94,7 +98,7 @@ def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> Non
     while solved(partial) < 3 and run.poll() is None and time.monotonic() < until:
         time.sleep(0.01)
     run.send_signal(signal.SIGKILL)
-    run.communicate(timeout=60)
+    run.communicate(timeout=600)
     assert run.returncode == -signal.SIGKILL
     done = solved(partial)
     assert 3 <= done < 10

@@ -14,13 +14,14 @@ from kingpost.hydro.importers.convert import about_origin
 from kingpost.hydro.meshes import HullMeshes, parametric
 from kingpost.hydro.panels import lid
 from kingpost.hydro.solve import Coefficients
+from lanes import THOROUGH
 
 pytest.importorskip("capytaine")
 
 BARGE = "box:length_m=20,beam_m=10,draught_m=2,depth_m=5"
 LOADING = Loading(2.5, 3.2, 5.9, 6.4, roll_damping_ratio=0.0)
 WATER = Water(depth_m=9.0)
-FREQUENCIES = np.array([0.5, 0.8, 1.1, 1.4, 1.8])
+FREQUENCIES = np.array([0.5, 0.8, 1.1, 1.4, 1.8] if THOROUGH else [0.8, 1.4])
 DIRECTIONS = 12
 
 
@@ -68,6 +69,7 @@ def test_a_hull_that_is_held_scatters_the_energy_that_it_takes(found):
             assert scattered_energy(amplitude) == pytest.approx(extinction(amplitude, at, k), rel=0.02)
 
 
+@pytest.mark.thorough
 def test_a_hull_that_floats_free_without_viscosity_takes_no_energy(found, database):
     field = found.far_field
     moved = drift.motions(database, LOADING)[:, field.directions]
@@ -81,6 +83,7 @@ def test_a_hull_that_floats_free_without_viscosity_takes_no_energy(found, databa
             assert scattered_energy(amplitudes[n, d]) == pytest.approx(taken, rel=0.03, abs=0.01)
 
 
+@pytest.mark.thorough
 def test_long_waves_move_the_barge_as_they_move_the_water(database):
     k = wave_number(0.5, WATER)
     long = np.abs(drift.motions(database, LOADING)[0, 6])
@@ -118,6 +121,7 @@ def test_the_yaw_moment_about_another_point_is_that_of_the_forces():
     np.testing.assert_allclose(found, [surge, sway, yaw + shift[0] * sway - shift[1] * surge], rtol=1e-9)
 
 
+@pytest.mark.thorough
 def test_a_hull_away_from_the_origin_moves_like_one_at_the_origin(database):
     r, plane = np.array([7.0, 4.0, 0.0]), database.hull.waterplane
     (x, y, _), area, (sxx, sxy, syy) = r, plane.area_m2, plane.second_moments_m4
@@ -152,6 +156,7 @@ def test_a_hull_away_from_the_origin_moves_like_one_at_the_origin(database):
     np.testing.assert_allclose(found, wanted, atol=1e-9 * np.abs(wanted).max())
 
 
+@pytest.mark.thorough
 def test_drift_has_the_symmetry_of_the_hull(database):
     assert database.mean_drift.shape == (len(FREQUENCIES), DIRECTIONS, 3)
     for axis, signs in ((1, [1, -1, -1]), (0, [-1, 1, -1])):
@@ -184,6 +189,7 @@ def test_the_stiffness_of_the_barge_is_that_of_a_block(barge):
     assert stiffness[4, 4] == pytest.approx(weight * (kb + bm_length - LOADING.kg_m), rel=1e-9)
 
 
+@pytest.mark.thorough
 def test_a_held_hull_drifts_as_capytaines_own_far_field_says():
     import capytaine
     import xarray

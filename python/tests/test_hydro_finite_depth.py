@@ -69,6 +69,7 @@ def test_a_wave_far_longer_than_the_depth_is_refused_with_its_number() -> None:
         finite_depth.decomposition(0.004)
 
 
+@pytest.mark.thorough
 def test_a_long_prism_over_a_far_bottom_has_the_damping_of_deep_water() -> None:
     # Short waves, k h = 19.6. The bottom is felt by the flow near the hull, not by the waves: by the
     # square of half the beam over the depth, 0.4 %.

@@ -15,6 +15,7 @@ from kingpost.hydro import importers, read
 from kingpost.hydro.importers import Options, wamit
 from kingpost.hydro.importers.convert import about_origin
 from kingpost.hydro.memory import added_mass_infinite
+from lanes import sampled
 
 SIZE = {"draught_m": 5.0, "length_m": 12.0, "beam_m": 10.0}
 HULL = {**SIZE, "volume_m3": 262.0, "centre_of_buoyancy_m": (0.4, 0.0, -1.9)}
@@ -63,7 +64,7 @@ def test_a_bemio_file_gives_the_database_back(tmp_path, scaled, apart) -> None:
     same(importers.load(path, Options(**BEMIO)), base, apart=apart)
 
 
-@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("version", sampled([2, 3], keep=[3]))
 def test_a_capytaine_file_gives_the_database_back(tmp_path, version) -> None:
     base, path = writers.database(), tmp_path / "hull.nc"
     writers.capytaine_dataset(base, version).to_netcdf(path, engine="h5netcdf")
@@ -79,7 +80,7 @@ def test_a_capytaine_file_of_the_classic_format_gives_the_database_back(tmp_path
 def test_a_capytaine_file_by_period_is_read_by_frequency(tmp_path) -> None:
     base, path = writers.database(), tmp_path / "hull.nc"
     found = writers.capytaine_dataset(base, 3).assign_coords(period=lambda d: 2 * np.pi / d.omega)
-    found.swap_dims(omega="period").sortby("period").to_netcdf(path, engine="h5netcdf")
+    found.swap_dims(omega="period").sortby("period").to_netcdf(path, engine="scipy")
     same(importers.load(path, Options(**CAPYTAINE_3)), base)
 
 
@@ -160,7 +161,7 @@ def test_a_sphere_with_its_weight_in_roll_becomes_buoyancy_alone(tmp_path) -> No
         rotation_center=("space_coordinate", gravity_centre),
         center_of_mass=("space_coordinate", gravity_centre),
     )
-    found.to_netcdf(tmp_path / "sphere.nc", engine="h5netcdf")
+    found.to_netcdf(tmp_path / "sphere.nc", engine="scipy")
     hull = importers.load(tmp_path / "sphere.nc", Options(length_m=10.0, beam_m=10.0)).hull
     np.testing.assert_allclose(hull.waterplane.second_moments_m4[[0, 2]], np.pi * 5**4 / 4)
     roll = hull.waterplane.second_moments_m4[2] + hull.volume_m3 * hull.centre_of_buoyancy_m[2]

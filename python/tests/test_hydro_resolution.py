@@ -93,6 +93,7 @@ def test_a_file_of_another_program_with_few_directions_is_warned_of(tmp_path, ca
     assert float(shown[1]) == pytest.approx(first, rel=1e-3)
 
 
+@pytest.mark.thorough
 def test_a_box_of_too_few_panels_is_told_how_many_to_try_and_passes_with_them():
     """Source: the advice, taken."""
     pytest.importorskip("capytaine")

@@ -6,7 +6,7 @@ from dataclasses import replace
 import hydro_samples as samples
 import numpy as np
 import pytest
-from kingpost import cli
+from kingpost import cli, gallery
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import build, checks, database_file, radiation_fit, symmetry
 from kingpost.hydro.airy import wave_number
@@ -15,6 +15,7 @@ from kingpost.hydro.database import Database, Water
 from kingpost.hydro.meshes import HullMeshes, parametric, whole
 from kingpost.hydro.panels import of_triangles
 from kingpost.hydro.solve import froude_krylov, solve
+from lanes import THOROUGH
 
 pytest.importorskip("capytaine")
 
@@ -28,6 +29,9 @@ def hull(description: str, panels: int) -> HullMeshes:
 
 @pytest.fixture(scope="module")
 def barge() -> Database:
+    """Solved here, or by default as the gallery has it stored."""
+    if not THOROUGH:
+        return database_file.read(gallery.folder() / "hydro" / "barge.hydro.json")
     frequencies = np.array([0.3, 0.6, 0.9, 1.2, 1.6, 2.0, 2.5, 3.0])
     return build.build(hull(BARGE, 400), Water(), "barge", frequencies, directions=24)
 
@@ -65,7 +69,7 @@ def test_froude_krylov_heave_in_head_seas_is_the_closed_form_of_a_box(water):
 
 def test_the_longest_waves_lift_the_barge_by_its_waterplane(barge):
     stiffness = 1025 * 9.80665 * 200
-    assert abs(barge.excitation[0, 12, 2]) == pytest.approx(stiffness, rel=0.1)
+    assert abs(barge.excitation[0, barge.excitation.shape[1] // 2, 2]) == pytest.approx(stiffness, rel=0.1)
 
 
 def test_the_coefficients_of_the_barge_pass_every_check_and_its_file_keeps_them(barge, tmp_path):
@@ -73,6 +77,7 @@ def test_the_coefficients_of_the_barge_pass_every_check_and_its_file_keeps_them(
     assert barge.provenance.lid_panels > 0
 
 
+@pytest.mark.thorough
 def test_half_of_a_hull_mirrored_gives_what_the_whole_hull_gives():
     water, frequencies = Water(), np.array([0.5, 1.0])
     half = hull(VESSEL, 220)
@@ -101,6 +106,7 @@ def test_mirror_images_of_wave_directions_have_the_signs_of_the_symmetry():
     assert symmetry.independent_directions(5, (0, 1)) == [0, 1, 2]
 
 
+@pytest.mark.thorough
 def test_the_lid_removes_the_spikes_at_irregular_frequencies():
     # The inner water of a box of 20 x 10 x 2 m sloshes at wave numbers pi sqrt((m/20)^2 + (n/10)^2);
     # heave is symmetric: m = n = 0 excluded, the first is m = 2, n = 0 with w^2 = g k coth(k T).

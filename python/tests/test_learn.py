@@ -28,6 +28,7 @@ from kingpost.learn import (
     three_axis,
 )
 from kingpost.learn.episodes import Episodes
+from lanes import sampled
 
 SEED = 11
 
@@ -53,7 +54,7 @@ def same(one: list, other: list, rows: slice = slice(None)) -> bool:
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize("name", IDS)
+@pytest.mark.parametrize("name", sampled(IDS, keep=["Kingpost/AntiSway-v0"]))
 def test_gymnasium_s_checker_finds_nothing(name: str) -> None:
     check_env(gymnasium.make(name).unwrapped, skip_render_check=True)
 
@@ -224,6 +225,7 @@ def test_another_seed_is_another_sea_and_the_same_seed_the_same() -> None:
     assert not np.array_equal(one[0], one[1])
 
 
+@pytest.mark.thorough
 def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None:
     by_name = {
         label: score(anti_sway(), policy, 8).mean()
@@ -239,7 +241,10 @@ def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None
     ]
 
 
-@pytest.mark.parametrize("name", ["Kingpost/RollReduction-v0", "Kingpost/ThreeAxis-v0"])
+@pytest.mark.parametrize(
+    "name",
+    sampled(["Kingpost/RollReduction-v0", "Kingpost/ThreeAxis-v0"], keep=["Kingpost/RollReduction-v0"]),
+)
 def test_feedback_halves_the_cost_of_doing_nothing(name: str) -> None:
     nothing, acting = (score(IDS[name](), policy, 4).mean() for policy in BASELINES[name].values())
     assert 0.5 * nothing < acting < 0

@@ -114,6 +114,7 @@ def test_the_load_that_leaves_the_deck_again_costs(landed) -> None:
     assert rewards[-1] < -0.1
 
 
+@pytest.mark.thorough
 def test_a_quiet_moment_beats_constant_lowering_and_a_winch_that_follows_the_deck_beats_both() -> None:
     policies = BASELINES[NAME]
     labels = ["do nothing", "constant lowering", "wait for a quiet moment", "follow the deck"]

@@ -79,6 +79,7 @@ def rest_s(controller: str) -> float:
     return float(run.time.values[away > 0.5].max())
 
 
+@pytest.mark.thorough
 def test_one_switch_chooses_the_controller_and_the_policy_arrives_first() -> None:
     found = {name: rest_s(name) for name in ("none", "shaper", "lqr", "policy")}
     assert min(found, key=found.__getitem__) == "policy"

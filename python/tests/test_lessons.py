@@ -12,8 +12,10 @@ from typing import Any
 import pytest
 from kingpost.paper.equations import Equation
 from kingpost.simulation.matrices import Formula
+from pages import digest, not_kept, ran_well, to_run
 
-LESSONS = sorted((Path(__file__).parents[2] / "lessons").glob("*.ipynb"))
+FOLDER = Path(__file__).parents[2] / "lessons"
+LESSONS = sorted(FOLDER.glob("*.ipynb"))
 
 
 def cells(path: Path, kind: str) -> list[str]:
@@ -50,9 +52,13 @@ def pyplot(monkeypatch):
     pyplot.close("all")
 
 
-@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
-def test_a_lesson_runs_and_what_it_asserts_holds(path, pyplot):
+NOW = {path.stem: digest(cells(path, "code")) for path in LESSONS}
+
+
+@pytest.mark.parametrize("name", to_run(NOW, always=LESSONS[0].stem))
+def test_a_lesson_runs_and_what_it_asserts_holds(name, pyplot):
     """Source: the lessons' own asserts; any warning is an error."""
+    path = FOLDER / f"{name}.ipynb"
     code, namespace = cells(path, "code"), {"__name__": "__main__"}
     assert sum(text.count("assert ") for text in code) >= 5
     with warnings.catch_warnings():
@@ -63,6 +69,11 @@ def test_a_lesson_runs_and_what_it_asserts_holds(path, pyplot):
             if isinstance(shown, Formula | Equation):
                 assert shown._repr_latex_().startswith("$")
     assert not pyplot.get_fignums(), "a figure was not shown"
+    ran_well(name, NOW[name])
+
+
+def test_the_lessons_are_as_they_last_ran():
+    assert not_kept(NOW) == [], "KINGPOST_WRITE_PAGES=1 pytest python/tests/test_lessons.py keeps them"
 
 
 def test_lessons_are_numbered_from_one_and_say_so():

@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+# It compiles C++ and Rust.
+pytestmark = pytest.mark.thorough
+
 REPOSITORY = Path(__file__).resolve().parents[2]
 SCRIPT = REPOSITORY / "benches" / "run.py"
 

@@ -126,10 +126,9 @@ def test_a_summary_tells_the_tensions_at_the_two_ends_of_a_rope_apart():
 
 
 @pytest.mark.parametrize("name", kingpost.gallery.names())
-def test_what_forces_and_drives_show_has_descriptions_that_differ(name):
+def test_what_forces_and_drives_show_has_descriptions_that_differ(name, shown):
     """Source: a summary falls back on them where two quantities have one short name."""
-    shown = [channel for channel in kingpost.Simulation(name).channels if channel["of_elements"]]
-    descriptions = [channel["description"] for channel in shown]
+    descriptions = [channel["description"] for channel in shown[name]["channels"] if channel["of_elements"]]
     assert len(set(descriptions)) == len(descriptions)
 
 

@@ -9,6 +9,7 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost.verify.control import roll
+from lanes import sampled
 
 SPIN, ROLL_RATE = 100.0, 0.05
 AXIAL = 2.0e4
@@ -67,7 +68,9 @@ def test_a_pair_that_spins_and_precesses_in_opposite_directions_leaves_no_moment
         assert np.abs(ds[f"ship.joint_reaction.moment_{axis}"].values).max() < 1e-6 * one
 
 
-@pytest.mark.parametrize("device", ["U-tank", "open tanks, pumped", "gyros, driven"])
+@pytest.mark.parametrize(
+    "device", sampled(["U-tank", "open tanks, pumped", "gyros, driven"], keep=["U-tank"])
+)
 def test_a_device_is_measured_and_printed_with_the_share_of_roll_that_it_leaves(device: str):
     row = roll.measure("Hs 2.0 m, Tp 11.5 s", device, without_deg=1.0, length_s=2.0)
     assert row.left is not None

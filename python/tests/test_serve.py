@@ -16,7 +16,7 @@ import kingpost
 import pytest
 from kingpost.cli import main
 from kingpost.server import listening, serve
-from served import fetch
+from served import PATIENCE_S, fetch
 
 
 def test_the_check_fetches_page_engine_and_scenario(app, small, capsys):
@@ -100,7 +100,7 @@ def test_ctrl_c_ends_the_server_cleanly(app):
     assert started.stdout is not None
     assert started.stdout.readline().startswith("Kingpost is at http://127.0.0.1:")
     started.send_signal(signal.SIGINT)
-    _, errors = started.communicate(timeout=20)
+    _, errors = started.communicate(timeout=PATIENCE_S)
     assert (started.returncode, errors) == (0, "")
 
 

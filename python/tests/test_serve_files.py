@@ -92,11 +92,11 @@ def test_a_given_scenario_brings_the_database_beside_it(app, tmp_path):
     assert "own.hydro.json" not in titles
 
 
-def test_every_file_that_the_gallery_names_is_served():
+def test_every_file_that_the_gallery_names_is_served(shown):
     """Source: the files that each scenario is read with."""
     served = serve.databases(None)
     for name in kingpost.gallery.names():
-        named = {file.removeprefix(kingpost.gallery.GALLERY) for file in kingpost.load(name).files}
+        named = {file.removeprefix(kingpost.gallery.GALLERY) for file in shown[name]["files"]}
         assert named <= served.keys(), name
 
 

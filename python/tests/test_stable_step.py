@@ -49,8 +49,8 @@ def test_a_damped_motion_has_the_limit_of_its_scheme() -> None:
     assert kutta / euler == pytest.approx(2.785293563405282 / 2, rel=1e-3)
 
 
-def test_every_scenario_of_the_gallery_has_a_stable_step() -> None:
-    assert [name for name in gallery.names() if kingpost.Simulation(name).model_warnings] == []
+def test_every_scenario_of_the_gallery_has_a_stable_step(shown) -> None:
+    assert [name for name in gallery.names() if shown[name]["model_warnings"]] == []
 
 
 def test_check_and_run_warn_of_a_step_that_is_too_long(capsys, tmp_path, monkeypatch) -> None:

@@ -15,6 +15,7 @@ from pathlib import Path
 import kingpost
 import pytest
 from kingpost.cli import main
+from lanes import THOROUGH
 from pages import DOCS, commands_folder
 from study_samples import RUNS, SLEWING, numbers, written
 
@@ -35,6 +36,7 @@ def test_any_executor_gives_the_same_bits(whole, tmp_path) -> None:
     assert numbers(tmp_path) == numbers(folder)
 
 
+@pytest.mark.thorough
 def test_a_dask_cluster_that_loses_a_worker_gives_the_same_bits(whole, tmp_path, capsys) -> None:
     """Source: the contract, on a cluster of three worker processes of which one is killed on the way."""
     distributed = pytest.importorskip("distributed")
@@ -49,7 +51,7 @@ def test_a_dask_cluster_that_loses_a_worker_gives_the_same_bits(whole, tmp_path,
         units = tmp_path / "dask" / "units"
 
         def kill_one() -> None:
-            limit = time.monotonic() + 60
+            limit = time.monotonic() + 600
             while not list(units.glob("0*.json")) and time.monotonic() < limit:
                 time.sleep(0.005)
             os.kill(pids[0], signal.SIGKILL)
@@ -71,7 +73,7 @@ def test_the_array_script_of_the_page_runs_the_study_in_parts(whole, tmp_path) -
     found = re.search(r'^```sh title="array.sh"\n(.*?)^```', page, re.MULTILINE | re.DOTALL)
     assert found
     (tmp_path / "array.sh").write_text(found[1])
-    tasks = int(re.search(r"--array=1-(\d+)", found[1])[1])
+    tasks = int(re.search(r"--array=1-(\d+)", found[1])[1]) if THOROUGH else 2
     written(SLEWING, tmp_path / "lift.yaml")
     commands = commands_folder(tmp_path / "commands")
     package = str(Path(kingpost.__file__).parents[1])
@@ -89,11 +91,11 @@ def test_the_array_script_of_the_page_runs_the_study_in_parts(whole, tmp_path) -
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)  # fmt: skip
 
     for process in [task(number) for number in range(1, tasks + 1)]:
-        out, told = process.communicate(timeout=120)
+        out, told = process.communicate(timeout=600)
         assert process.returncode == 0, told
     assert numbers(tmp_path / "results") == numbers(folder)
     again = task(1)
-    out, told = again.communicate(timeout=120)
+    out, told = again.communicate(timeout=600)
     assert (again.returncode, "finished        24 of 24 runs" in out) == (0, True), told
 
 

@@ -182,7 +182,7 @@ def test_verification_that_was_measured_is_in_the_report(made: tuple[Study, Path
     assert cells(again, "Checks that failed") == [["c", "b", "off by 1"]]
 
 
-@pytest.mark.parametrize("size", [("1280", "900"), ("390", "844")])
+@pytest.mark.parametrize("size", [("1280", "900"), pytest.param(("390", "844"), marks=pytest.mark.thorough)])
 def test_a_browser_without_a_network_shows_it_for_everyone(
     made: tuple[Study, Path, str], size: tuple[str, str]
 ) -> None:
@@ -194,6 +194,7 @@ def test_a_browser_without_a_network_shows_it_for_everyone(
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.thorough
 def test_it_prints_to_pdf(made: tuple[Study, Path, str]) -> None:
     if pdf.find_browser() is None:
         pytest.skip("no browser on this machine")

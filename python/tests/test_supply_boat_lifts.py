@@ -9,13 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kingpost.analysis import lift_rules
+from lanes import sampled
 from studies import supply_boat_lifts as study
 
 STORED = json.loads(Path(study.__file__).with_suffix(".json").read_text(encoding="utf-8"))
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "validation.md"
 
 
-@pytest.mark.parametrize(("hook", "seed"), [("0.45", 1), ("0.27", 2)])
+@pytest.mark.parametrize(("hook", "seed"), sampled([("0.45", 1), ("0.27", 2)], keep=[("0.45", 1)]))
 def test_a_stored_lift_agrees_with_the_engine(hook, seed) -> None:
     """Source: the same run again; six digits are kept."""
     stored = STORED["lifts"][hook]

@@ -50,6 +50,7 @@ def test_the_stored_weights_give_the_stored_score(policy) -> None:
     assert found.min() == pytest.approx(policy.about["score"]["worst"], abs=1e-6)
 
 
+@pytest.mark.thorough
 def test_the_policy_beats_every_classical_controller_on_seeds_that_nobody_used(policy) -> None:
     """Source: 16 episodes that are in no training, tuning or table."""
     given = {"episodes": 16, "seed": 70_000}
@@ -60,6 +61,7 @@ def test_the_policy_beats_every_classical_controller_on_seeds_that_nobody_used(p
     assert learned > max(classical.values())
 
 
+@pytest.mark.thorough
 def test_the_policy_is_within_ten_percent_of_predictive_control(policy) -> None:
     """Source: the target of this project; four episodes, because each plan is a quadratic program."""
     given = {"episodes": 4, "seed": 70_000}
@@ -111,6 +113,7 @@ def test_a_wrong_file_is_reported(change, expected, policy, tmp_path) -> None:
         read_policy(tmp_path / "policy.json")
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("environment", [ENVIRONMENT, "Kingpost/AntiSwayAtSea-v0"])
 def test_the_page_has_every_controller_and_the_scores_that_are_measured_now(environment: str) -> None:
     """Source: the same seeds. Those that plan are slow: their rows are only looked for."""
@@ -170,6 +173,7 @@ def test_plans_that_do_not_know_the_waves_go_on_from_where_the_ship_is() -> None
     assert not np.array_equal(after[0], after[6])
 
 
+@pytest.mark.thorough
 def test_plans_beat_the_policy_on_a_ship_whose_waves_they_do_not_know() -> None:
     """Source: measured over 16 episodes of 40 s (docs/learning.md); here two of 20 s."""
     task = replace(anti_sway(at_sea=True), duration_s=20.0)

@@ -38,6 +38,7 @@ def test_the_stored_weights_give_the_stored_score(policy) -> None:
     assert found.min() == pytest.approx(policy.about["score"]["worst"], abs=1e-6)
 
 
+@pytest.mark.thorough
 def test_on_seas_that_nobody_used_it_beats_what_does_not_learn_and_the_policy_of_the_fixed_base(
     learned,
 ) -> None:
@@ -47,6 +48,7 @@ def test_on_seas_that_nobody_used_it_beats_what_does_not_learn_and_the_policy_of
     assert learned > best + 2.0
 
 
+@pytest.mark.thorough
 def test_on_seas_that_nobody_used_it_is_better_than_linear_predictive_control(policy) -> None:
     """Four episodes, because each plan is a quadratic program."""
     few = {"episodes": 4, "seed": 70_000}

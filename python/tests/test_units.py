@@ -44,32 +44,30 @@ def joints(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("name", gallery.names())
-def test_every_column_of_the_gallery_has_one_unit_that_pint_parses(name) -> None:
+def test_every_column_of_the_gallery_has_one_unit_that_pint_parses(name, shown) -> None:
     """Source: pint, a program of its own that knows units."""
-    simulation = kingpost.Simulation(name)
-    found = results.dataset(simulation.scenario, simulation.channels, simulation.row()[None, :], "")
-    names = [channel_name for channel in simulation.channels for channel_name in channel["columns"]]
-    units = {column: results.unit_of(series) for column, series in results.columns(found)}
-    assert ["time", *units] == names
-    assert list(results.frame(found).columns) == names
-    said = [unit for channel in simulation.channels for unit in channel["units"]]
-    assert [results.unit_of(found["time"]), *units.values()] == said
+    one = shown[name]
+    names = [column for channel in one["channels"] for column in channel["columns"]]
+    units = dict(one["units"])
+    assert list(units) == names == one["columns"]
+    assert list(units.values()) == [unit for channel in one["channels"] for unit in channel["units"]]
     for column, unit in units.items():
         dimension = UNITS.parse_units(unit).dimensionality
         if ".moment_" in column:
             assert dimension == UNITS.parse_units("N m").dimensionality, column
         elif ".force_" in column:
             assert dimension == UNITS.parse_units("N").dimensionality, column
+    assert one["rows"] == 3
+    assert one["not_finite"] == []
 
 
 @pytest.mark.parametrize("name", gallery.names())
-def test_what_is_given_of_elements_has_units_that_pint_parses(name) -> None:
+def test_what_is_given_of_elements_has_units_that_pint_parses(name, shown) -> None:
     """Source: pint; the fields of the resolved scenario, whose names end in their units."""
-    scenario = kingpost.load(name)
-    described = scenario.model["elements"]
+    described = shown[name]["model"]["elements"]
     given = {}
     for section in ("forces", "drives", "sensors", "controllers"):
-        given |= scenario.resolved.get(section, {})
+        given |= shown[name]["resolved"].get(section, {})
     assert {element["name"] for element in described} == set(given)
     for element in described:
         ((kind, fields),) = given[element["name"]].items()

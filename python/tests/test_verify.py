@@ -16,6 +16,7 @@ from kingpost.verify import spheres as measured_spheres
 from roll_samples import ikeda_cylinders, kvlcc2_sections
 
 FEWEST = 60
+QUICK = ("multibody", "paper", "loops")
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGE, CONTROL = ((DOCS / name).read_text(encoding="utf-8") for name in ("validation.md", "control.md"))
 
@@ -26,18 +27,31 @@ def measured() -> list[verify.Row]:
     return verify.run()
 
 
+@pytest.fixture(scope="module")
+def quick() -> list[verify.Row]:
+    """The rows of the areas that take no panel method."""
+    return [row for area in QUICK for row in verify.run(area)]
+
+
+def test_the_rows_that_take_no_panel_method_hold(quick) -> None:
+    assert {row.area for row in quick} == set(QUICK)
+    assert [(row.id, row.error, row.message) for row in quick if row.verdict == verify.FAILED] == []
+
+
 def swap(monkeypatch, one: verify.Check, measure) -> None:
     """Let a row be measured by another function."""
     changed = [replace(check, measure=measure) if check is one else check for check in rows.CHECKS]
     monkeypatch.setattr(running, "CHECKS", changed)
 
 
+@pytest.mark.thorough
 def test_there_are_rows_enough_and_every_one_holds(measured) -> None:
     counted = [row for row in measured if row.verdict != verify.ABSENT]
     assert len(counted) >= FEWEST
     assert [(row.id, row.error, row.message) for row in counted if row.verdict != verify.PASSED] == []
 
 
+@pytest.mark.thorough
 def test_every_area_has_a_row_with_a_source_and_a_reason_for_its_tolerance(measured) -> None:
     assert {row.area for row in measured} == set(verify.AREAS)
     assert len({row.id for row in measured}) == len(measured)
@@ -88,7 +102,9 @@ def test_not_a_number_is_no_pass() -> None:
     assert found.verdict == verify.FAILED
 
 
-def test_markdown_json_html_and_text_hold_every_row(measured) -> None:
+@pytest.mark.parametrize("chosen", ["quick", pytest.param("measured", marks=pytest.mark.thorough)])
+def test_markdown_json_html_and_text_hold_every_row(chosen, request) -> None:
+    measured = request.getfixturevalue(chosen)
     names = [row.id for row in measured]
     kept = json.loads(report.as_json(measured))
     assert [row["id"] for row in kept["rows"]] == names
@@ -102,6 +118,7 @@ def test_markdown_json_html_and_text_hold_every_row(measured) -> None:
     assert "<link" not in page
 
 
+@pytest.mark.thorough
 def test_the_pictures_are_those_of_the_pages(measured, tmp_path, capsys) -> None:
     """Those measured before are not measured again."""
     assert main(["verify", "--plots", str(tmp_path)]) == 0
@@ -110,6 +127,7 @@ def test_the_pictures_are_those_of_the_pages(measured, tmp_path, capsys) -> None
     assert all((tmp_path / name).read_bytes().startswith(b"\x89PNG") for name in drawn)
 
 
+@pytest.mark.thorough
 def test_the_page_agrees_with_the_present_measurements(measured) -> None:
     """Source: the rows; the page has three decimals."""
     found = {row.id: row for row in measured}
@@ -133,6 +151,7 @@ def numbers_of(heading: str, label: str) -> list[float]:
     return [float(cell) for cell in re.findall(r"(?<=\| )-?[\d.]+(?= \|)|(?<=\| )-?[\d.]+(?= %)", line)]
 
 
+@pytest.mark.thorough
 def test_the_page_agrees_with_the_present_results_of_the_held_section(measured) -> None:
     for omega in (4.143, 5.194, 6.065, 8.578):
         period = f"{2 * np.pi / omega:.3f}"
@@ -142,6 +161,7 @@ def test_the_page_agrees_with_the_present_results_of_the_held_section(measured) 
         np.testing.assert_allclose(printed[1::2], ours, atol=6e-4)
 
 
+@pytest.mark.thorough
 def test_the_page_agrees_with_the_present_results_of_the_cylinders(measured) -> None:
     names = (
         "sway added mass",
@@ -163,6 +183,7 @@ def test_the_page_agrees_with_the_present_results_of_the_cylinders(measured) -> 
             assert printed[4 * i + 3] == pytest.approx(100 * largest, abs=0.6)
 
 
+@pytest.mark.thorough
 def test_the_page_names_every_point_of_the_cylinders_that_is_no_row_with_its_miss(measured) -> None:
     under = PAGE.split("### Vugts' cylinders")[1].split("\n### ")[0]
     printed = re.findall(r"^\| (\w+), ([\w ]+) \| ([\d.]+) \| (-?[\d.]+) % \|$", under, re.MULTILINE)
@@ -194,6 +215,7 @@ def test_the_page_names_every_rolling_cylinder_that_the_formulas_miss() -> None:
     assert all(value > 100 * spread["B"] for value in missed.values())
 
 
+@pytest.mark.thorough
 def test_the_page_says_how_the_tanker_and_the_cylinders_roll_now(measured) -> None:
     heading = "A tanker's roll decay, its damping from its sections"
     for label, swing in (("amplitude after 10 swings, degrees", 10), ("after 20", 20), ("after 29", 29)):
@@ -209,6 +231,7 @@ def test_the_page_says_how_the_tanker_and_the_cylinders_roll_now(measured) -> No
     np.testing.assert_allclose(ratios, found, atol=6e-3)
 
 
+@pytest.mark.thorough
 def test_the_page_says_how_spheres_decay_and_drift_now(measured) -> None:
     printed = numbers_of("A sphere of 5 m let go from 1 m", "Kingpost")
     np.testing.assert_allclose(printed, measured_spheres.decay()[1][1:5], atol=6e-5)

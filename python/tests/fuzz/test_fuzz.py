@@ -12,6 +12,7 @@ import os
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from lanes import THOROUGH
 
 from .apart import Apart
 from .corpus import FOLDER, load
@@ -30,6 +31,8 @@ CASES = {
 }
 TIMES = int(os.environ.get("KINGPOST_FUZZ_TIMES", "1"))
 """So many times the cases, and then others each time."""
+SHARE = 1 if THOROUGH else 6
+"""Of the cases, one in so many is drawn by default."""
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +49,7 @@ def test_what_has_something_wrong_is_taken_or_refused_in_words(kind, apart):
     drawn = importlib.import_module(f"fuzz.kinds.{kind}").drawn
 
     @settings(
-        max_examples=CASES[kind] * TIMES,
+        max_examples=CASES[kind] * TIMES // SHARE,
         derandomize=TIMES == 1,
         database=None,
         deadline=None,

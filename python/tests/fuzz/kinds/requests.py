@@ -43,7 +43,7 @@ LINES = ["Host: localhost", "Host:", "Host: a b", "Content-Length: -1",
          "Connection: keep-alive", "Expect: 200"]  # fmt: skip
 STATUS = re.compile(rb"HTTP/1\.[01] (\d\d\d) ")
 SECRET = b"this stands beside the folder that is served"
-PATIENCE_S = 5.0
+PATIENCE_S = 60.0
 
 
 @cache
