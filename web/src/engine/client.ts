@@ -91,6 +91,11 @@ export class EngineClient {
     return this.ask({ kind: "restore", snapshot, moves });
   }
 
+  /** Whether an answer is expected. */
+  get isAsked(): boolean {
+    return this.waiting.size > 0;
+  }
+
   private ask<K extends Request["kind"]>(request: Request & { kind: K }): Promise<Replies[K]> {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
