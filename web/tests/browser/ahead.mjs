@@ -1,6 +1,7 @@
 // Looking ahead: futures in the plots and in the picture, with what they are and how far they are to be trusted.
 import assert from "node:assert/strict";
-import { openApp, PHONE, stepTo } from "./app.mjs";
+import { openApp, PHONE, rested, stepTo } from "./app.mjs";
+import { cases } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const box = (page) => page.getByTestId("ahead");
@@ -18,12 +19,27 @@ function paintedAfter(page, share) {
   }, share);
 }
 
+const accessible = cases(["day", "dusk", "night", "bright"], (palette) => palette === "night").map((palette) => [
+  `passes axe while it looks ahead, open and closed, ${palette}`,
+  async (host) => {
+    const { page, close } = await openApp(host, { viewport: PHONE, query: "?scenario=offshore_vessel&waves=true" });
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
+    await page.getByTestId("look-ahead").click();
+    await said(page, /^64 futures/);
+    await assertAccessible(page, "before the line is touched");
+    await box(page).locator("summary").click();
+    await assertAccessible(page, "after");
+    await close();
+  },
+]);
+
 export default {
   async "looks ahead at a pause: 64 futures come one after another, as a fan on the plots and a cloud in the picture"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
     await stepTo(page, 62);
     assert.equal(await box(page).isVisible(), false);
-    await page.waitForTimeout(500);
+    await rested(page);
     const before = await paintedAfter(page, 0.6);
     await page.evaluate(() => {
       window.heads = [];
@@ -37,14 +53,14 @@ export default {
     assert.ok(heads.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, heads.join(" | "));
     // The first minute is whole: futures of it are held against what came.
     await said(page, /Their 90 % band held \d+ % of the past minute\./);
-    await page.waitForTimeout(200);
+    await rested(page);
     // The same for one who does not see it.
     await page.waitForFunction(() => /at 12[0-9.]+.s, forecast, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
     assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
     // Going on from there drops them; switched off they are gone.
     await page.getByTestId("look-ahead").click();
     assert.equal(await box(page).isVisible(), false);
-    await page.waitForTimeout(200);
+    await rested(page);
     assert.equal(await paintedAfter(page, 0.6), before);
     await close();
   },
@@ -62,19 +78,7 @@ export default {
     await close();
   },
 
-  async "passes axe while it looks ahead, open and closed, in all four palettes"(host) {
-    const { page, close } = await openApp(host, { viewport: PHONE, query: "?scenario=offshore_vessel&waves=true" });
-    await page.emulateMedia({ reducedMotion: "reduce" });
-    await page.getByTestId("look-ahead").click();
-    await said(page, /^64 futures/);
-    for (const palette of ["day", "dusk", "night", "bright"]) {
-      await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
-      await assertAccessible(page, `${palette}, before the line is touched`);
-      await box(page).locator("summary").click();
-      await assertAccessible(page, `${palette}, after`);
-    }
-    await close();
-  },
+  ...Object.fromEntries(accessible),
 
   async "says that there is one future where there are no waves"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });

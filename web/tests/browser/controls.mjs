@@ -1,6 +1,6 @@
 // Controls, the picture and the plots.
 import assert from "node:assert/strict";
-import { item, look, openApp, sample, setChecked, setNumber, settle, stepTo } from "./app.mjs";
+import { item, look, openApp, rested, sample, setChecked, setNumber, settle, stepTo } from "./app.mjs";
 
 const TOWER = 7;
 
@@ -16,7 +16,7 @@ export default {
     assert.equal(await item(page, "crane_x_m").inputValue(), "8");
     const ends = page.locator(".slider", { has: page.getByTestId("slider-crane_x_m") }).locator(".slider-end");
     assert.deepEqual(await ends.allTextContents(), ["−10", "10"]);
-    await page.waitForTimeout(500);
+    await rested(page);
     const after = await look(page);
     assert.notDeepEqual(after, before);
     await close();
@@ -39,7 +39,7 @@ export default {
   },
 
   async "leaves a Step of very many steps off when it is paused or reset"(host) {
-    const { page, close } = await openApp(host, { query: "?scenario=paper&simulation.step_s=1e-8" });
+    const { page, close } = await openApp(host, { query: "?scenario=paper&simulation.step_s=1e-9" });
     await page.getByTestId("step").click();
     await page.waitForFunction(() => window.kingpost.sample().status === "stepping");
     assert.equal(await page.locator("#start-label").textContent(), "Pause");
@@ -100,7 +100,7 @@ export default {
     await page.getByTestId("canvas").focus();
     for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowLeft");
     await page.getByTestId("canvas").blur();
-    await page.waitForTimeout(600);
+    await rested(page);
     const turned = await look(page);
     assert.notDeepEqual(turned, fitted);
     await page.getByTestId("canvas").focus();
@@ -109,11 +109,11 @@ export default {
     await page.mouse.down();
     await page.mouse.move(box.x + 420, box.y + 240, { steps: 4 });
     await page.mouse.up();
-    await page.waitForTimeout(1500);
+    await rested(page);
     assert.notDeepEqual(await look(page), turned);
     await page.keyboard.press("Home");
     await page.getByTestId("canvas").blur();
-    await page.waitForTimeout(1000);
+    await rested(page);
     assert.deepEqual(await look(page), fitted);
     await close();
   },
@@ -122,7 +122,7 @@ export default {
     const { page, close } = await openApp(host);
     const before = await look(page);
     await page.getByTestId("frames").evaluate((box) => box.click());
-    await page.waitForTimeout(800);
+    await rested(page);
     assert.equal(await page.getByTestId("frames").isChecked(), true);
     assert.notDeepEqual(await look(page), before);
     await close();
@@ -131,12 +131,11 @@ export default {
   async "shows the values at the crosshair"(host) {
     const { page, close } = await openApp(host);
     await stepTo(page, 0.3);
-    await page.waitForTimeout(500);
+    await rested(page);
     const area = await page.locator("[data-testid=plot-1] .u-over").boundingBox();
     await page.mouse.move(area.x + 0.05 * area.width, area.y + 0.5 * area.height);
-    await page.waitForTimeout(500);
-    assert.match(await page.locator("[data-testid=plot-1] .plot-at").textContent(), /^at 0\.\d\d s$/);
-    assert.match(await page.locator("[data-testid=plot-2] .plot-at").textContent(), /^at 0\.\d\d s$/, "both plots follow");
+    // Both plots follow.
+    await page.waitForFunction(() => [1, 2].every((place) => /^at 0\.\d\d s$/.test(document.querySelector(`[data-testid=plot-${place}] .plot-at`).textContent)));
     await close();
   },
 
