@@ -6,6 +6,7 @@ import type { Values } from "../src/engine/engine";
 import { resolved, Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { Runner } from "../src/engine/runner";
 import { bits, filesOf, gallery, initEngine, read } from "./gallery";
+import { opened as sharedly } from "./opened";
 
 await initEngine();
 
@@ -36,8 +37,7 @@ function expectSameBits(again: Record<string, number>, first: Record<string, num
 }
 
 it.each(gallery)("is the scenario that was loaded, wherever it lies: %s", async (name) => {
-  const text = read(`scenarios/${name}.yaml`);
-  const json = (await simulationOf(text, name)).resolved_json();
+  const json = (await sharedly(name)).simulation.resolved_json();
   const saved = yamlOf(json);
   expect(resolved(saved, "saved.yaml", "{}", await filesOf(saved))).toBe(json);
 });
