@@ -56,10 +56,11 @@ async function leave(browser, kind, one) {
 }
 
 /**
- * Opens an address of the app. The app is kept on the device only where that is tested: it takes time. `prepare` is given a context of
- * the test's own before the address opens.
+ * Opens an address of the app. The app is kept on the device only where that is tested, and pixels are drawn only where they are looked
+ * at: without a graphics card that is most of what a test would do. `prepare` is given a context of the test's own before the address
+ * opens.
  */
-export async function openPage({ browser, address, draws = true }, { query = "", colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1, prepare } = {}) {
+export async function openPage({ browser, address }, { query = "", draws = false, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1, prepare } = {}) {
   const isPhone = viewport.width < 600;
   const kept = { deviceScaleFactor: scale, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale, draws };
   const kind = JSON.stringify(kept);

@@ -6,7 +6,7 @@ const TOWER = 7;
 
 export default {
   async "moves the crane: at the start the picture follows the slider at once"(host) {
-    const { page, close } = await openApp(host);
+    const { page, close } = await openApp(host, { draws: true });
     const before = await look(page);
     await page.getByTestId("slider-crane_x_m").fill("8");
     await settle(page);
@@ -84,7 +84,7 @@ export default {
   },
 
   async "draws the gray tower and the green arm, and the load when it is on"(host) {
-    const { page, close } = await openApp(host, { scale: 1 });
+    const { page, close } = await openApp(host, { draws: true, scale: 1 });
     const seen = await look(page);
     assert.ok(seen.green > 1500, `green pixels: ${seen.green}`);
     assert.ok(seen.grey > 1500, `gray pixels: ${seen.grey}`);
@@ -95,7 +95,7 @@ export default {
   },
 
   async "turns the view by keys, by dragging and back to the fit"(host) {
-    const { page, close } = await openApp(host);
+    const { page, close } = await openApp(host, { draws: true });
     const fitted = await look(page);
     await page.getByTestId("canvas").focus();
     for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowLeft");
@@ -119,7 +119,7 @@ export default {
   },
 
   async "draws the body frames on demand"(host) {
-    const { page, close } = await openApp(host);
+    const { page, close } = await openApp(host, { draws: true });
     const before = await look(page);
     await page.getByTestId("frames").evaluate((box) => box.click());
     await rested(page);

@@ -33,7 +33,7 @@ async function drop(page, name, text) {
 
 export default {
   async "zooms by pinching, and does not scroll the page"(host) {
-    const { page, close } = await openApp(host, { viewport: PHONE });
+    const { page, close } = await openApp(host, { draws: true, viewport: PHONE });
     const before = await look(page);
     await spread(page);
     const after = await look(page);
@@ -53,7 +53,7 @@ export default {
   },
 
   async "draws the picture again when lost graphics come back, paused as well"(host) {
-    const { page, close } = await openApp(host);
+    const { page, close } = await openApp(host, { draws: true });
     await stepTo(page, 0.1);
     await rested(page);
     const before = await look(page);
@@ -81,7 +81,7 @@ export default {
   },
 
   async "follows the browser's theme while it is open"(host) {
-    const { page, close } = await openApp(host);
+    const { page, close } = await openApp(host, { draws: true });
     const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     const [light, seenLight] = [await ground(), await look(page)];
     await page.emulateMedia({ colorScheme: "dark" });

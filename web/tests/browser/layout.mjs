@@ -62,7 +62,7 @@ async function assertInSight(page) {
 const layouts = cases(Object.entries({ ...SCREENS, ...SMALL }), ([name]) => ["phone", "desktop", "window at 400 %"].includes(name)).map(([name, viewport]) => [
   `crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
   async (host) => {
-    const { page, close } = await openApp(host, { viewport });
+    const { page, close } = await openApp(host, { draws: true, viewport });
     await assertUncropped(page, viewport);
     if (await page.getByTestId("show-plots").isVisible()) {
       await page.getByTestId("show-plots").click();
@@ -140,7 +140,7 @@ export default {
   },
 
   async "refits the ship when the window changes"(host) {
-    const { page, close } = await openApp(host, { scale: 1 });
+    const { page, close } = await openApp(host, { draws: true, scale: 1 });
     await page.setViewportSize(PHONE);
     await settle(page);
     await rested(page);

@@ -25,7 +25,7 @@ async function runPast(page, time_s) {
 
 export default {
   async "shows any recorded moment again: numbers, plots and picture, by keys too"(host) {
-    const { page, close } = await openApp(host, { scale: 1 });
+    const { page, close } = await openApp(host, { draws: true, scale: 1 });
     await stepTo(page, 0.4);
     const early = await sample(page);
     await rested(page);

@@ -46,9 +46,7 @@ if (!existsSync(DIST)) {
 
 const wanted = process.argv[2] ?? "";
 const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, offline, ahead];
-// These look at the picture. The others read numbers and texts: without a graphics card, drawing is most of what they would do.
-const LOOK = new Set([controls, gestures, layout, losses, picture, recording, scenarios, sea, start]);
-const tests = SUITES.flatMap((suite) => Object.entries(suite).map(([name, test]) => [name, test, LOOK.has(suite)])).filter(([name]) => name.includes(wanted));
+const tests = SUITES.flatMap((suite) => Object.entries(suite)).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];
@@ -58,11 +56,11 @@ let failed = 0;
 async function drive() {
   const browser = await launch(executable);
   for (let next = waiting.shift(); next; next = waiting.shift()) {
-    const [name, test, draws] = next;
+    const [name, test] = next;
     const start = performance.now();
     const limit = new Promise((_, reject) => setTimeout(() => reject(new Error(`took longer than ${LIMIT_MS / 1000} s`)), LIMIT_MS).unref());
     try {
-      await Promise.race([test({ browser, address, draws }), limit]);
+      await Promise.race([test({ browser, address }), limit]);
       console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
     } catch (error) {
       failed += 1;

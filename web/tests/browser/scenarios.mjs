@@ -12,7 +12,7 @@ const KINDS = ["paper", "offshore_vessel", "vessel_knuckle_boom", "lift_off_from
 async function runs(host, file) {
   const gallery = await (await fetch(`${host.address}scenarios/index.json`)).json();
   const { name, title } = gallery.find((entry) => entry.file === file);
-  const { page, close } = await openApp(host, { query: `?scenario=${name}` });
+  const { page, close } = await openApp(host, { draws: true, query: `?scenario=${name}` });
   assert.equal(await page.title(), `Kingpost – ${title}`);
   await page.locator("#about summary").click();
   assert.equal(await page.getByTestId("about-title").textContent(), title);

@@ -50,7 +50,7 @@ async function blue(page) {
 const looks = cases(["light", "dark"], (colorScheme) => colorScheme === "light").map((colorScheme) => [
   `draws the sea around the ship, ${colorScheme}`,
   async (host) => {
-    const { page, close } = await openBarge(host, { colorScheme, viewport: colorScheme === "light" ? undefined : PHONE });
+    const { page, close } = await openBarge(host, { draws: true, colorScheme, viewport: colorScheme === "light" ? undefined : PHONE });
     await stepTo(page, 3);
     await rested(page);
     const withSea = await blue(page);
