@@ -14,7 +14,7 @@ export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=puls
 
 /** Everything of a picture but its pixels. */
 function drawNothing() {
-  for (const draw of ["drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"]) WebGL2RenderingContext.prototype[draw] = () => {};
+  for (const draw of ["clear", "drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"]) WebGL2RenderingContext.prototype[draw] = () => {};
 }
 
 /**
@@ -57,10 +57,10 @@ async function leave(browser, kind, one) {
 
 /**
  * Opens an address of the app. The app is kept on the device only where that is tested, and pixels are drawn only where they are looked
- * at: without a graphics card that is most of what a test would do. `prepare` is given a context of the test's own before the address
- * opens.
+ * at: without a graphics card that is most of what a test would do. For the same reason the view comes to rest at once there.
+ * `prepare` is given a context of the test's own before the address opens.
  */
-export async function openPage({ browser, address }, { query = "", draws = false, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1, prepare } = {}) {
+export async function openPage({ browser, address }, { query = "", draws = false, reducedMotion = draws ? "reduce" : "no-preference", colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1, prepare } = {}) {
   const isPhone = viewport.width < 600;
   const kept = { deviceScaleFactor: scale, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale, draws };
   const kind = JSON.stringify(kept);
@@ -71,7 +71,7 @@ export async function openPage({ browser, address }, { query = "", draws = false
   await prepare?.(one.page.context());
   const { page, problems } = one;
   await page.setViewportSize(viewport);
-  await page.emulateMedia({ colorScheme, reducedMotion: null, media: null });
+  await page.emulateMedia({ colorScheme, reducedMotion });
   await page.goto(address + query);
   return {
     page,

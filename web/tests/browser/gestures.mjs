@@ -33,7 +33,7 @@ async function drop(page, name, text) {
 
 export default {
   async "zooms by pinching, and does not scroll the page"(host) {
-    const { page, close } = await openApp(host, { draws: true, viewport: PHONE });
+    const { page, close } = await openApp(host, { draws: true, reducedMotion: "no-preference", viewport: PHONE });
     const before = await look(page);
     await spread(page);
     const after = await look(page);

@@ -83,6 +83,7 @@ export default {
 
   async "runs on past the scenario's duration until it is paused"(host) {
     const { page, close: done } = await openApp(host);
+    await page.getByTestId("speed").selectOption("20");
     await page.getByTestId("start").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 3.2);
     assert.equal((await sample(page)).status, "running");

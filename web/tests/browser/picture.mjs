@@ -5,7 +5,7 @@ import { look, openApp, PHONE, rested, stepTo } from "./app.mjs";
 
 /** Opens a scenario of the gallery and waits until its picture stands. */
 async function openScenario(host, name) {
-  const app = await openApp(host, { query: `?scenario=${name}`, draws: true, scale: 1 });
+  const app = await openApp(host, { query: `?scenario=${name}`, draws: true });
   await rested(app.page);
   return app;
 }

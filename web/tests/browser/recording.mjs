@@ -37,7 +37,9 @@ export default {
     await page.keyboard.press("Home");
     assert.equal((await sample(page)).time_s, 0);
     assert.equal(await page.getByTestId("cursor-time").textContent(), "0.00 / 1.20 s");
-    for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowRight");
+    for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");
+    assert.equal((await sample(page)).time_s, 0.05);
+    await scrub(page, 0.4);
     const again = await sample(page);
     assert.deepEqual([again.row, again.poses, again.newest_s], [early.row, early.poses, 1.2]);
     assert.equal(await page.getByTestId("time").textContent(), "0.40 s");
