@@ -17,9 +17,6 @@ export const gallery = readdirSync(here("../../scenarios"))
   .filter((name) => name.endsWith(".yaml"))
   .map((name) => name.replace(".yaml", ""));
 
-/** A ship of the paper, a crane on a vessel at sea, a crane of many bodies, two hulls, no ship at all, a device that is no crane. */
-export const KINDS = ["paper", "offshore_vessel", "vessel_knuckle_boom", "lift_off_from_barge", "chain", "gyro_wave_energy"];
-
 /** As JSON, the gallery's files that a scenario stands on, and no others. */
 export async function filesOf(text: string): Promise<string> {
   const files = await gathered(

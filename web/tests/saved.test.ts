@@ -5,8 +5,8 @@ import { Columns } from "../src/engine/columns";
 import type { Values } from "../src/engine/engine";
 import { resolved, Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { Runner } from "../src/engine/runner";
-import { bits, filesOf, gallery, initEngine, KINDS, read } from "./gallery";
-import { cases } from "./lane.mjs";
+import { bits, filesOf, gallery, initEngine, read } from "./gallery";
+import { cases, KINDS } from "./lane.mjs";
 import { opened as sharedly } from "./opened";
 
 await initEngine();

@@ -59,7 +59,7 @@ async function assertInSight(page) {
   assert.deepEqual(covers.filter(meets), [], `the ship is at ${JSON.stringify(ship)}`);
 }
 
-const layouts = cases(Object.entries({ ...SCREENS, ...SMALL }), ([name]) => ["phone", "desktop", "window at 400 %"].includes(name)).map(([name, viewport]) => [
+const layouts = cases(Object.entries({ ...SCREENS, ...SMALL }), ([name]) => ["desktop", "window at 400 %"].includes(name)).map(([name, viewport]) => [
   `crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { draws: true, viewport });

@@ -1,6 +1,6 @@
 // The lessons on the physics: losing the load, and finding the resonance.
 import assert from "node:assert/strict";
-import { cases } from "../lane.mjs";
+import { cases, thorough } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
 import { close as near, DESKTOP, openApp, openFile, PHONE, rested, sample, stepTo } from "./app.mjs";
 
@@ -93,7 +93,7 @@ const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && pal
   },
 ]);
 
-const resonances = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map((viewport) => [
+const resonances = [DESKTOP, PHONE].map((viewport) => [
   `finds the length at which the load swings with the sea, sets it and runs, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openLesson(host, "?scenario=offshore_vessel&waves=true", "resonance", viewport);
@@ -118,18 +118,21 @@ const resonances = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).m
 ]);
 
 export default {
-  ...Object.fromEntries(resonances),
+  // Five and twenty times the modes of a vessel.
+  ...thorough(Object.fromEntries(resonances)),
   ...Object.fromEntries(losing),
   ...Object.fromEntries(palettes),
 
-  async "follows the timeline of a scenario that lets the load go by itself"(host) {
-    const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", DESKTOP);
-    await page.getByTestId("loss-reach").waitFor();
-    await stepTo(page, 22);
-    await page.waitForFunction(() => document.querySelector("[data-testid=cut]").disabled);
-    assert.ok((await cell(page, "furthest")) > 0.5);
-    await close();
-  },
+  ...thorough({
+    async "follows the timeline of a scenario that lets the load go by itself"(host) {
+      const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", DESKTOP);
+      await page.getByTestId("loss-reach").waitFor();
+      await stepTo(page, 22);
+      await page.waitForFunction(() => document.querySelector("[data-testid=cut]").disabled);
+      assert.ok((await cell(page, "furthest")) > 0.5);
+      await close();
+    },
+  }),
 
   async "says where nothing can be let go, and leads to the scenario that is made for it"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "loss", DESKTOP);
