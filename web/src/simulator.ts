@@ -2,11 +2,13 @@ import "uplot/dist/uPlot.min.css";
 import { AheadLine } from "./ahead/line";
 import { openAhead } from "./ahead/open";
 import { Aside } from "./app/aside";
+import { isCalm } from "./app/calm";
 import { runClock } from "./app/clock";
 import { galleryFolder } from "./app/gallery";
 import type { Gallery } from "./app/gallery";
 import { exposeHandle } from "./app/handle";
 import { faultOfGallery } from "./app/faults";
+import { Rest } from "./app/rest";
 import { Session } from "./app/session";
 import { EngineClient } from "./engine/client";
 import type { Fault } from "./engine/engine";
@@ -55,8 +57,9 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
   const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module", name: language });
   const startClient = () => new EngineClient(startWorker, galleryFolder(document.baseURI));
   const session = new Session(startClient());
-  buildPage(session, startClient);
-  exposeHandle(session);
+  const rest = new Rest();
+  buildPage(session, startClient, rest);
+  exposeHandle(session, rest);
   // A scenario that opens behind the start page sets the title when it becomes visible.
   const entitle = () => {
     if (!byId("app").hidden) document.title = session.run ? texts.page.title(session.run.model.title) : texts.page.name;
@@ -83,7 +86,7 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
   };
 }
 
-function buildPage(session: Session, startClient: () => EngineClient): void {
+function buildPage(session: Session, startClient: () => EngineClient, rest: Rest): void {
   showFaults(session);
   showWarnings(session);
   showAbout(session);
@@ -113,8 +116,8 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
     scene.foresee(ahead.outlook);
   });
   runClock(session, () => {
-    scene.draw();
-    plots.draw();
+    const isNew = [scene.draw(), plots.draw()].includes(true);
     physics.draw();
+    rest.frame(!isNew && !session.isGoing && !session.isWaiting && isCalm());
   });
 }

@@ -11,8 +11,9 @@ import type { ModelInfo, Values } from "../src/engine/engine";
 import type { Frame } from "../src/engine/messages";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { filesOf, initEngine, read } from "./gallery";
+import { isThorough } from "./lane.mjs";
 
-// docs/afloat.md has the figure of 200 windows: AHEAD_WINDOWS=200 AHEAD_FUTURES=64 npx vitest run tests/ahead_coverage.test.ts
+// docs/afloat.md has the figure of 200 windows: KINGPOST_LANE=thorough AHEAD_WINDOWS=200 AHEAD_FUTURES=64 npx vitest run tests/ahead_coverage.test.ts
 const WINDOWS = Number(process.env.AHEAD_WINDOWS ?? 8);
 const FUTURES = Number(process.env.AHEAD_FUTURES ?? 32);
 /** The run is past the ramp of its waves, and past the turn of its crane. */
@@ -82,7 +83,8 @@ function held(truth: Truth, futures: Futures): number[] {
 
 const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
-it("holds in its 90 % band what then comes to pass to a ship in waves, and no more than it says", { timeout: 7_200_000 }, () => {
+// A share is known to some per cent only after many windows.
+it.runIf(isThorough)("holds in its 90 % band what then comes to pass to a ship in waves, and no more than it says", { timeout: 7_200_000 }, () => {
   const windows: number[][] = [];
   for (let seed = 1; windows.length < WINDOWS; seed++) {
     const truth = new Truth(vessel(seed));

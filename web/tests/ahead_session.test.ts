@@ -1,13 +1,15 @@
-import { beforeEach, describe, expect, it, vi } from "vitest";
+import { beforeEach, describe, expect, it } from "vitest";
 import { Ahead, FUTURES } from "../src/ahead/ahead";
 import type { Future, ScenarioOf, Start } from "../src/ahead/messages";
 import { Aside } from "../src/app/aside";
+import { isCalm } from "../src/app/calm";
 import { Session } from "../src/app/session";
 import type { EngineClient } from "../src/engine/client";
 import type { Value, Values } from "../src/engine/engine";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { Runner } from "../src/engine/runner";
 import { filesOf, initEngine, read } from "./gallery";
+import { until } from "./until";
 
 await initEngine();
 const text = read("scenarios/offshore_vessel_on_dp.yaml");
@@ -56,15 +58,13 @@ class Still {
   }
 }
 
-const calm = () => new Promise((resolve) => setTimeout(resolve, 400));
+/** Waits until nothing that was asked for is left to do. */
+const calm = () => until(() => expect(isCalm()).toBe(true));
 
 describe("looking ahead", { timeout: 60_000 }, () => {
   let session: Session;
   let foreseers: Still;
   let ahead: Ahead;
-
-  /** Waits until what is looked for has come. */
-  const until = (found: () => void) => vi.waitFor(found, { timeout: 20_000, interval: 20 });
 
   async function stepTo(time_s: number): Promise<void> {
     while (session.shown.time_s < time_s - 1e-9) await session.step();
@@ -99,7 +99,7 @@ describe("looking ahead", { timeout: 60_000 }, () => {
     await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(1, 9));
     const value = Number(live.value) === live.range![0] ? live.range![1] : live.range![0];
     session.set(live.name, value);
-    await calm();
+    await until(() => expect(session.pending()).toEqual([]));
     await stepTo(1.5);
     await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));
     expect(ahead.fault).toBeNull();
@@ -120,7 +120,7 @@ describe("looking ahead", { timeout: 60_000 }, () => {
     expect(ahead.outlook).toBeNull();
     const live = session.run!.model.parameters.find((parameter) => parameter.live && parameter.kind === "number")!;
     session.set(live.name, live.range![0]);
-    await calm();
+    await until(() => expect(session.pending()).toEqual([]));
     await stepTo(120.5);
     ahead.switch(true);
     await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));

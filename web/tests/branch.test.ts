@@ -1,8 +1,9 @@
-import { describe, expect, it, vi } from "vitest";
+import { describe, expect, it } from "vitest";
 import type { Session } from "../src/app/session";
 import type { Values } from "../src/engine/engine";
 import { openedDirectly } from "./direct";
 import { bits, initEngine } from "./gallery";
+import { until } from "./until";
 
 await initEngine();
 
@@ -15,7 +16,7 @@ async function opened(scenario: string, overrides: Values = {}): Promise<Session
 /** Runs for a while. */
 async function run(session: Session, seconds: number): Promise<void> {
   session.start();
-  await vi.waitFor(() => expect(session.status).toBe("running"));
+  await until(() => expect(session.status).toBe("running"));
   for (let i = 0; i < Math.round(seconds / 0.13); i++) await session.advance(0.13);
   session.pause();
 }
@@ -76,7 +77,7 @@ describe("a run that branches from an earlier moment", () => {
     for (let i = 0; i < 20; i++) {
       await session.step();
       // The first of them branches before it.
-      await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBeCloseTo(2.1 + 0.1 * i, 9));
+      await until(() => expect(session.shown.recording!.now.time_s).toBeCloseTo(2.1 + 0.1 * i, 9));
     }
     expect(differences(before, recorded(session))).toEqual([]);
     expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBe(-66);
@@ -124,7 +125,7 @@ describe("a run that branches from an earlier moment", () => {
     const { name, value } = session.run!.model.parameters.find(({ live }) => live)!;
     await run(session, 3);
     session.set(name, (value as number) * 0.5);
-    await vi.waitFor(() => expect(session.pending()).toEqual([]));
+    await until(() => expect(session.pending()).toEqual([]));
     await run(session, 3);
     const before = recorded(session);
     session.scrub(2);
@@ -135,15 +136,15 @@ describe("a run that branches from an earlier moment", () => {
     expect(Math.min(...found)).toBeGreaterThan(2.9);
     session.scrub(1);
     session.set(name, (value as number) * 0.5);
-    await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBe(1));
-    await vi.waitFor(() => expect(session.pending()).toEqual([]));
+    await until(() => expect(session.shown.recording!.now.time_s).toBe(1));
+    await until(() => expect(session.pending()).toEqual([]));
     expect(session.value(name)).toBe((value as number) * 0.5);
     await run(session, 2);
     // What is set where a later value was in force is the new value.
     session.scrub(0.5);
     session.set(name, (value as number) * 0.7);
-    await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBe(0.5));
-    await vi.waitFor(() => expect(session.pending()).toEqual([]));
+    await until(() => expect(session.shown.recording!.now.time_s).toBe(0.5));
+    await until(() => expect(session.pending()).toEqual([]));
     expect(session.value(name)).toBe((value as number) * 0.7);
     expect(session.fault).toBeNull();
   });

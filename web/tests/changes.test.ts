@@ -6,10 +6,11 @@ import { Session } from "../src/app/session";
 import type { ParameterInfo, Value } from "../src/engine/engine";
 import { DirectEngine } from "./direct";
 import { bits, initEngine, read } from "./gallery";
+import { isThorough } from "./lane.mjs";
 import { Random } from "./random";
 
 const SEED = Number(process.env.KINGPOST_CHANGES_SEED ?? 1);
-const CHANGES = Number(process.env.KINGPOST_CHANGES ?? 3_000);
+const CHANGES = Number(process.env.KINGPOST_CHANGES ?? (isThorough ? 3_000 : 300));
 /** With levers, with live parameters, with steps that decide themselves how long they are, and one that runs away. */
 const SCENARIOS = ["lowering_by_winch", "quayside_lift", "offshore_vessel_on_dp", "paper", "tennis_racket", "chain"];
 /** How often each change is made. */

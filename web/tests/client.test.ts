@@ -58,6 +58,18 @@ describe("the engine's client", () => {
     expect(await answer).toBe("a frame");
   });
 
+  it("tells the next request of a worker that broke down while nobody waited, but for one that opens", async () => {
+    last().onerror!({ message: "out of memory" });
+    const opened = kindOf(client.open("", "", {}, null));
+    last().say({ id: last().lastId, value: null });
+    expect(await opened).toBe("answered");
+    last().onerror!({ message: "out of memory" });
+    expect(await kindOf(client.step())).toBe("engine");
+    const answer = kindOf(client.step());
+    last().say({ id: last().lastId, value: null });
+    expect(await answer).toBe("answered");
+  });
+
   it("waits for a worker that is busy with a long answer and gives signs of life", async () => {
     const answer = kindOf(client.step());
     for (let s = 0; s < 120; s++) {

@@ -1,33 +1,21 @@
 import { Box3, Color } from "three";
 import type { BufferGeometry } from "three";
 import { describe, expect, it } from "vitest";
-import { readModel } from "../src/engine/engine";
 import type { DrawnLine } from "../src/engine/engine";
-import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { anchorsOf, distanceFrom } from "../src/view/craft/anchors";
 import { distance, Place } from "../src/view/craft/place";
 import { rolesOf } from "../src/view/craft/roles";
 import { craftOf, sceneOf } from "../src/view/craft/craft";
 import type { Palette } from "../src/view/palette";
 import { boxOf, shapedHullOf } from "../src/view/solids";
-import { filesOf, gallery, initEngine, read } from "./gallery";
-
-await initEngine();
+import { gallery } from "./gallery";
+import { opened } from "./opened";
 
 const COLOURS = ["hull", "bottom", "stripe", "deck", "marking", "load", "plain", "barrel", "rod", "pin", "line", "house", "window", "fitting"];
 const PALETTE = { ...Object.fromEntries(COLOURS.map((name) => [name, new Color(0.5, 0.5, 0.5)])), isDark: false } as unknown as Palette;
 
 /** What is lower than this is far under every ship's keel, m. */
 const SEABED_M = -50;
-
-/** A scenario of the gallery at its start, and after so many steps. */
-async function opened(name: string) {
-  const text = read(`scenarios/${name}.yaml`);
-  const simulation = new Simulation(text, name, "{}", await filesOf(text));
-  const pose = () => ({ poses: simulation.poses(), line_points: simulation.line_points() });
-  const run = { model: readModel(simulation.model_json()), lines: JSON.parse(simulation.lines_json()) as DrawnLine[] };
-  return { simulation, run, start: pose(), pose };
-}
 
 /** How often each directed edge of the triangles is passed more than its reverse: 0 everywhere where they are closed. */
 function openEdges(geometry: BufferGeometry): number {
@@ -76,7 +64,7 @@ describe.each(gallery)("what is drawn of %s", async (name) => {
 });
 
 describe.each(gallery)("the ends of lines, tubes and links of %s", async (name) => {
-  const { simulation, run, start, pose } = await opened(name);
+  const { simulation, run, start, moment } = await opened(name);
   const anchors = anchorsOf(sceneOf(run, start));
 
   it("are all on a body, or on the seabed", () => {
@@ -92,7 +80,7 @@ describe.each(gallery)("the ends of lines, tubes and links of %s", async (name) 
   it("stay on it while it moves: on its solid, or at the bracket that holds them", () => {
     const steps = Math.ceil(1 / simulation.step_s());
     simulation.step(steps);
-    const later = sceneOf(run, pose());
+    const later = sceneOf(run, moment());
     const now = anchorsOf(later);
     expect(now.length).toBe(anchors.length);
     anchors.forEach(({ body, point, kind }, i) => {

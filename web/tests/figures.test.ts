@@ -13,6 +13,7 @@ import type { Channel, LimitInfo } from "../src/engine/engine";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { channelOf, CHANNELS, FakeEngine } from "./fake";
 import { filesOf, gallery, initEngine, read } from "./gallery";
+import { opened } from "./opened";
 
 await initEngine();
 const fixedShip = readModel(new FakeEngine().model_json());
@@ -33,10 +34,8 @@ describe("what can be drawn", () => {
   });
 
   it.each(gallery)("has a name of its own in a legend, in which no word stands twice: %s", async (name) => {
-    const text = read(`scenarios/${name}.yaml`);
-    const simulation = new Simulation(text, name, "{}", await filesOf(text));
-    const labels = linesOf(readModel(simulation.model_json()), JSON.parse(simulation.channels_json()) as Channel[]).map(labelOf);
-    simulation.free();
+    const { run } = await opened(name);
+    const labels = linesOf(run.model, run.channels).map(labelOf);
     expect(labels.length).toBeGreaterThan(10);
     expect(new Set(labels).size).toBe(labels.length);
     expect(labels.filter((label) => /\b(\w+) \1\b/.test(label))).toEqual([]);

@@ -1,27 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { Columns } from "../src/engine/columns";
-import { readModel } from "../src/engine/engine";
-import type { Channel, DrawnLine } from "../src/engine/engine";
-import type { Run } from "../src/app/session";
-import type { Moment } from "../src/app/recording/recording";
-import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { Place } from "../src/view/craft/place";
 import { floatingSignsOf } from "../src/view/overlays/floating_signs";
 import { loadsAt } from "../src/view/overlays/forces";
 import { jointAxesOf } from "../src/view/overlays/joint_axes";
 import { ArrowScale, barOf, written } from "../src/view/overlays/scale";
-import { filesOf, gallery, initEngine, read } from "./gallery";
-
-await initEngine();
-
-async function opened(name: string, overrides = "{}") {
-  const text = read(`scenarios/${name}.yaml`);
-  const simulation = new Simulation(text, name, overrides, await filesOf(text));
-  const channels = JSON.parse(simulation.channels_json()) as Channel[];
-  const run = { model: readModel(simulation.model_json()), lines: JSON.parse(simulation.lines_json()) as DrawnLine[], channels, columns: new Columns(channels) } as unknown as Run;
-  const moment = (): Moment => ({ time_s: simulation.time_s(), row: simulation.row(), poses: simulation.poses(), line_points: simulation.line_points(), surface: null });
-  return { simulation, run, moment };
-}
+import { gallery } from "./gallery";
+import { opened } from "./opened";
 
 describe("forces at their places", () => {
   it.each(gallery)("are numbers at every moment: %s", async (name) => {

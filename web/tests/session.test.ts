@@ -7,6 +7,7 @@ import type { Fault, Value, Values } from "../src/engine/engine";
 import type { LeverMove } from "../src/engine/messages";
 import { Runner } from "../src/engine/runner";
 import { FakeEngine } from "./fake";
+import { turns, until } from "./until";
 
 const engines: FakeEngine[] = [];
 
@@ -44,7 +45,6 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
 }
 
 const good = { text: "good", file: "good.yaml" };
-const settled = () => new Promise((resolve) => setTimeout(resolve, 20));
 
 describe("the session", () => {
   let openings: Values[];
@@ -65,7 +65,7 @@ describe("the session", () => {
     await session.step();
     for (const wind of [9, 10, 11, 12]) session.set("wind", wind);
     expect(session.pending()).toEqual(["wind"]);
-    await settled();
+    await turns();
     expect(session.pending()).toEqual([]);
     expect(session.value("wind")).toBe(12);
     expect(openings.length).toBe(1);
@@ -77,7 +77,7 @@ describe("the session", () => {
     await session.step();
     expect(await session.save()).toMatchObject({ name: "good-saved.yaml", differs: null });
     session.set("wind", 9);
-    await settled();
+    await turns();
     expect((await session.save())!.differs).toContain("wind at 0.01 s");
     expect(session.fault).toBeNull();
   });
@@ -94,7 +94,7 @@ describe("the session", () => {
 
   it("follows a value at once at the start, in as few openings as keep up", async () => {
     for (const load of [true, false, true]) session.set("load", load);
-    await settled();
+    await turns();
     expect(openings.at(-1)).toEqual({ load: true });
     expect(openings.length).toBeLessThanOrEqual(3);
     expect(session.pending()).toEqual([]);
@@ -104,7 +104,7 @@ describe("the session", () => {
     session.set("load", true);
     session.start();
     expect(session.isGoing).toBe(true);
-    await settled();
+    await turns();
     expect(session.status).toBe("running");
     expect(openings.at(-1)).toEqual({ load: true });
     await session.advance(0.1);
@@ -115,7 +115,7 @@ describe("the session", () => {
     session.set("load", true);
     session.start();
     session.set("load", false);
-    await settled();
+    await turns();
     expect(session.status).toBe("running");
     expect(openings.at(-1)).toEqual({ load: false });
     await session.reset();
@@ -123,14 +123,14 @@ describe("the session", () => {
     session.start();
     session.pause();
     expect(session.isGoing).toBe(false);
-    await settled();
+    await turns();
     expect(session.status).toBe("idle");
   });
 
   it("steps where Step is pressed right after a change", async () => {
     session.set("load", true);
     await session.step();
-    await vi.waitFor(() => expect(time()).toBeCloseTo(0.01, 9));
+    await until(() => expect(time()).toBeCloseTo(0.01, 9));
     expect(session.status).toBe("paused");
     expect(openings.at(-1)).toEqual({ load: true });
   });
@@ -138,7 +138,7 @@ describe("the session", () => {
   it("starts nothing where the value changed before it is refused", async () => {
     session.set("load", "no");
     session.start();
-    await settled();
+    await turns();
     expect(session.status).toBe("idle");
     expect(session.isGoing).toBe(false);
   });
@@ -150,7 +150,7 @@ describe("the session", () => {
     session = new Session(client);
     await session.open(good, {});
     const stepped = session.step();
-    await vi.waitFor(() => expect(session.status).toBe("stepping"));
+    await until(() => expect(session.status).toBe("stepping"));
     expect(session.isGoing).toBe(true);
     await session[stop]();
     await stepped;
@@ -182,7 +182,7 @@ describe("the session", () => {
   it("keeps a value for the reset while a run is under way", async () => {
     await session.step();
     session.set("load", true);
-    await settled();
+    await turns();
     expect(openings.length).toBe(1);
     expect(session.pending()).toEqual(["load"]);
     session.set("load", false);
@@ -205,9 +205,9 @@ describe("the session", () => {
 
   it("goes back to the value in hand when the engine refuses one", async () => {
     session.set("load", true);
-    await settled();
+    await turns();
     session.set("load", "no");
-    await settled();
+    await turns();
     expect(session.value("load")).toBe(true);
     expect(session.fault?.kind).toBe("scenario");
   });
@@ -244,7 +244,7 @@ describe("the session", () => {
     session.scrub(0);
     expect(session.status).toBe("stopped");
     session.start();
-    await vi.waitFor(() => expect(session.status).toBe("running"));
+    await until(() => expect(session.status).toBe("running"));
     expect([session.fault, time(), session.shown.recording!.now.time_s]).toEqual([null, 0, 0]);
     await session.advance(0.1);
     expect(session.status).toBe("stopped");
@@ -270,7 +270,7 @@ describe("the session", () => {
     await session.step();
     session.scrub(0);
     session.start();
-    await settled();
+    await turns();
     expect([session.status, session.isGoing, session.fault?.message]).toEqual(["paused", false, "the snapshot is of another setup"]);
     expect(session.shown.isBack).toBe(true);
   });
@@ -298,7 +298,7 @@ describe("the session", () => {
     await session.advance(0.1);
     client.advance = () => Promise.reject({ kind: "engine", message: "The engine gave no answer for 20 s." });
     await session.advance(0.1);
-    await settled();
+    await turns();
     expect(session.status).toBe("idle");
     expect(openings.at(-1)).toEqual({ load: true });
     expect(time()).toBe(0);

@@ -1,4 +1,4 @@
-import { describe, expect, it, vi } from "vitest";
+import { describe, expect, it } from "vitest";
 import type { Source } from "../src/app/run";
 import { Session } from "../src/app/session";
 import type { Value, Values } from "../src/engine/engine";
@@ -9,6 +9,7 @@ import { isSame, sharedRun } from "../src/share/making";
 import type { SharedRun } from "../src/share/shared_run";
 import { DirectEngine } from "./direct";
 import { bits, filesOf, initEngine, read } from "./gallery";
+import { until } from "./until";
 
 await initEngine();
 
@@ -33,7 +34,7 @@ async function openedBy(hash: string): Promise<{ session: Session; link: SharedR
 async function run(session: Session, seconds: number): Promise<void> {
   session.start();
   const until_s = session.shown.recording!.now.time_s + seconds;
-  await vi.waitFor(() => expect(session.status).toBe("running"));
+  await until(() => expect(session.status).toBe("running"));
   for (let i = 0; session.shown.recording!.now.time_s < until_s; i++) await session.advance([0.13, 0.017, 0.09][i % 3]);
   session.pause();
 }
@@ -46,7 +47,7 @@ async function runTo(session: Session, time_s: number): Promise<void> {
 
 const set = async (session: Session, name: string, value: Value) => {
   session.set(name, value);
-  await vi.waitFor(() => expect(session.pending()).toEqual([]));
+  await until(() => expect(session.pending()).toEqual([]));
 };
 
 /** The bits of rows and poses, by their times. */

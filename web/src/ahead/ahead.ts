@@ -1,4 +1,5 @@
 import type { Aside } from "../app/aside";
+import { Calm } from "../app/calm";
 import type { Recording } from "../app/recording/recording";
 import type { Run, Session } from "../app/session";
 import type { Fault, Values } from "../engine/engine";
@@ -27,7 +28,7 @@ export class Ahead {
   fault: Fault | null = null;
   private looked_ms = -Infinity;
   private isLooking = false;
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  private readonly soon = new Calm(CALM_MS, () => this.look());
   private readonly heard: (() => void)[] = [];
 
   constructor(
@@ -42,7 +43,7 @@ export class Ahead {
       steered: () => this.begin(),
       followed: () => this.begin(),
       moved: () => this.follow(),
-      statusChanged: (status) => status === "paused" && this.soon(),
+      statusChanged: (status) => status === "paused" && this.lookSoon(),
     });
   }
 
@@ -62,17 +63,17 @@ export class Ahead {
     [this.outlook, this.fault] = [null, null];
     this.record.dropAfter(kept_s);
     this.tell();
-    this.soon();
+    this.lookSoon();
   }
 
   private follow(): void {
-    if (this.session.status !== "running") this.soon();
+    if (this.session.status !== "running") this.lookSoon();
     else if (!this.isLooking && performance.now() - this.looked_ms > AGAIN_MS) void this.look();
   }
 
-  private soon(): void {
-    clearTimeout(this.timer);
-    if (this.isOn) this.timer = setTimeout(() => void this.look(), CALM_MS);
+  private lookSoon(): void {
+    this.soon.cancel();
+    if (this.isOn) this.soon.ask();
   }
 
   private async look(): Promise<void> {

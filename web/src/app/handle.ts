@@ -1,9 +1,12 @@
 import type { Surface } from "../engine/surface";
+import type { Rest } from "./rest";
 import type { Session } from "./session";
 
 /** Read-only access to the run, for tests and the browser's console. */
 export interface Sample {
   status: string;
+  /** Whether the engine still owes an answer: an opening, a reset, a frame. */
+  isWaiting: boolean;
   time_s: number;
   /** Names of values that wait for a reset. */
   pending: string[];
@@ -19,18 +22,24 @@ export interface Sample {
 
 declare global {
   interface Window {
-    kingpost?: { sample(): Sample | null };
+    kingpost?: {
+      sample(): Sample | null;
+      /** Resolves when a run that does not go shows all that was asked of it. */
+      rested(): Promise<void>;
+    };
   }
 }
 
-export function exposeHandle(session: Session): void {
+export function exposeHandle(session: Session, rest: Rest): void {
   window.kingpost = Object.freeze({
+    rested: () => rest.reached(),
     sample() {
       const { run, status, shown } = session;
       const { moment } = shown;
       if (!run || !moment) return null;
       return {
         status,
+        isWaiting: session.isWaiting,
         pending: session.pending(),
         time_s: run.columns.read(moment.row, "time"),
         newest_s: shown.recording!.now.time_s,

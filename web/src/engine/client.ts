@@ -22,6 +22,8 @@ export class EngineClient {
   private worker: Worker | null = null;
   private lastId = 0;
   private silentLooks = 0;
+  /** Why a worker ended while nobody waited: the next request is told. */
+  private lost: Fault | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
 
   /** `folder` is the address of the folder with the files that scenarios name. */
@@ -91,8 +93,17 @@ export class EngineClient {
     return this.ask({ kind: "restore", snapshot, moves });
   }
 
+  /** Whether an answer is expected. */
+  get isAsked(): boolean {
+    return this.waiting.size > 0;
+  }
+
   private ask<K extends Request["kind"]>(request: Request & { kind: K }): Promise<Replies[K]> {
     const id = ++this.lastId;
+    const { lost } = this;
+    this.lost = null;
+    // The next worker has nothing open.
+    if (lost && request.kind !== "open") return Promise.reject(lost);
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
       this.watch();
@@ -142,8 +153,9 @@ export class EngineClient {
     this.worker?.terminate();
     this.worker = null;
     this.stopWatching();
-    const lost = [...this.waiting.values()];
+    const waiting = [...this.waiting.values()];
     this.waiting.clear();
-    for (const { reject } of lost) reject(fault);
+    if (waiting.length === 0 && fault !== UNLOADED) this.lost = fault;
+    for (const { reject } of waiting) reject(fault);
   }
 }

@@ -176,17 +176,20 @@ export class Plot {
     this.stale = true;
   }
 
-  draw(): void {
+  /** Whether the lines were drawn again. */
+  draw(): boolean {
     if (this.stale) this.isTabled = false;
     const content = this.content();
     this.drawTable(content);
     const { clientWidth: width, clientHeight: height } = this.area;
-    if (this.stale && width >= LEAST_PX && height >= LEAST_PX) {
+    const isDue = this.stale && width >= LEAST_PX && height >= LEAST_PX;
+    if (isDue) {
       this.stale = false;
       this.fill(content);
       this.chart.draw(content);
     }
     this.drawWords(content);
+    return isDue;
   }
 
   private content(): Content {

@@ -1,5 +1,6 @@
 import type { Outlook } from "../ahead/outlook";
 import type { Aside } from "../app/aside";
+import { Calm } from "../app/calm";
 import { onPalette } from "../app/palette";
 import type { Run, Session } from "../app/session";
 import { texts } from "../texts";
@@ -33,7 +34,7 @@ export class Plots {
   private arms: Arms | null = null;
   private outlook: Outlook | null = null;
   private armsAsked_ms = 0;
-  private timer = 0;
+  private readonly soon = new Calm(CALM_MS, () => this.askArms());
 
   constructor(
     private readonly session: Session,
@@ -61,9 +62,10 @@ export class Plots {
     onPalette(() => this.plots.forEach((plot) => plot.restyle()));
   }
 
-  draw(): void {
+  /** Whether anything was drawn. */
+  draw(): boolean {
     if (this.session.status === "running" && performance.now() - this.armsAsked_ms > ARMS_EVERY_MS) void this.askArms();
-    for (const plot of this.plots) plot.draw();
+    return this.plots.filter((plot) => plot.draw()).length > 0;
   }
 
   foresee(outlook: Outlook | null): void {
@@ -193,16 +195,19 @@ export class Plots {
     this.build(run);
   }
 
-  private askArmsSoon(): void {
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.askArms(), CALM_MS);
+  /** Only if a plot shows them: they cost more than many frames. */
+  private get needsArms(): boolean {
+    return this.session.run !== null && this.session.run.model.hulls.length > 0 && this.view !== null && this.view.plots.some(({ kind }) => kind === "arms");
   }
 
-  /** Only if a plot shows them: they cost more than many frames. */
+  private askArmsSoon(): void {
+    if (this.needsArms) this.soon.ask();
+  }
+
   private async askArms(): Promise<void> {
     const { run, shown } = this.session;
     this.armsAsked_ms = performance.now();
-    if (!run || run.model.hulls.length === 0 || !this.view?.plots.some(({ kind }) => kind === "arms")) return;
+    if (!this.needsArms) return;
     const time_s = shown.recording!.now.time_s;
     const found = await this.aside.hydrostatics(this.session, "plots").catch(() => null);
     if (this.session.run !== run || !found) return;

@@ -21,5 +21,5 @@ export function addressOf(name: string): string {
 /** A user's own file has none. */
 function pictureOf({ name, group }: GalleryEntry): HTMLElement {
   if (!group) return make("span", { class: "card-picture" });
-  return make("img", { class: "card-picture", src: `./cards/${name}.webp`, alt: "", loading: "lazy", ...PICTURE });
+  return make("img", { class: "card-picture", loading: "lazy", src: `./cards/${name}.webp`, alt: "", ...PICTURE });
 }

@@ -35,7 +35,7 @@ export class StartPage {
       make("p", {}, start.intro),
       make("div", { class: "hero-actions" }, paper, file),
     );
-    const picture = make("img", { class: "hero-picture", src: "./cards/hero.webp", alt: "", width: 1600, height: 700, loading: "lazy" });
+    const picture = make("img", { class: "hero-picture", loading: "lazy", src: "./cards/hero.webp", alt: "", width: 1600, height: 700 });
     return make("header", { class: "hero" }, picture, words, languageChoice("language"));
   }
 

@@ -1,5 +1,6 @@
 import { afloat } from "../app/afloat";
 import type { Aside } from "../app/aside";
+import { Calm } from "../app/calm";
 import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
 import type { Hydrostatics } from "../engine/engine";
@@ -14,7 +15,7 @@ const CALM_MS = 250;
 export class Floating {
   private readonly box = byId("floating");
   private readonly warnings = byId("floating-warnings");
-  private timer = 0;
+  private readonly soon = new Calm(CALM_MS, () => this.ask());
 
   constructor(
     private readonly session: Session,
@@ -43,13 +44,14 @@ export class Floating {
   }
 
   private askSoon(): void {
-    clearTimeout(this.timer);
+    if (this.session.run?.model.hulls.length) this.soon.ask();
+    else this.soon.cancel();
+  }
+
+  private async ask(): Promise<void> {
     const { run } = this.session;
-    if (!run || run.model.hulls.length === 0) return;
-    this.timer = window.setTimeout(async () => {
-      const found = await this.aside.hydrostatics(this.session).catch(() => null);
-      if (this.session.run === run && found) this.showAtRest(found);
-    }, CALM_MS);
+    const found = await this.aside.hydrostatics(this.session).catch(() => null);
+    if (this.session.run === run && found) this.showAtRest(found);
   }
 
   /** Values of the first hull, like the rest of the box. */

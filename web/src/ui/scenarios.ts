@@ -1,5 +1,6 @@
 import { askedBy, holdsRun, queryOf } from "../app/address";
 import type { Asked } from "../app/address";
+import { Calm } from "../app/calm";
 import { faultOfAddress, faultOfDatabase } from "../app/faults";
 import { Gallery } from "../app/gallery";
 import { OPENING } from "../app/opening";
@@ -42,7 +43,7 @@ export class Scenarios {
   private shown = "";
   /** The values with which the shown scenario was opened. */
   private values: Values = {};
-  private timer = 0;
+  private readonly soon = new Calm(CALM_MS, () => this.writeValues());
 
   constructor(
     private readonly session: Session,
@@ -52,7 +53,7 @@ export class Scenarios {
   ) {
     this.gallery = Gallery.empty(base);
     this.select.addEventListener("change", () => void this.choose(this.select.value));
-    session.listen({ valuesChanged: () => this.writeSoon() });
+    session.listen({ valuesChanged: () => this.soon.ask() });
   }
 
   /** The list of choices. */
@@ -161,7 +162,7 @@ export class Scenarios {
 
   /** Back or forward, or another link in the address; a scenario that is already open stays. */
   async goTo(state: Choice | null): Promise<void> {
-    clearTimeout(this.timer);
+    this.soon.cancel();
     const own = state && this.own.get(state.choice);
     const asked = location.search + (holdsRun(location.hash) ? location.hash : "");
     if (own ? this.shown === state.choice : this.shown !== "" && asked !== "" && asked === this.address()) return;
@@ -202,11 +203,8 @@ export class Scenarios {
     return own ? own.hash : queryOf({ scenario: this.shown, values: this.session.values.wanted });
   }
 
-  private writeSoon(): void {
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => {
-      if (this.session.values.wanted !== this.values && this.shown !== "") this.write();
-    }, CALM_MS);
+  private writeValues(): void {
+    if (this.session.values.wanted !== this.values && this.shown !== "") this.write();
   }
 
   private write(): void {

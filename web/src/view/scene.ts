@@ -14,7 +14,8 @@ import { Tools } from "./tools";
 import { View } from "./view";
 
 export interface Scene {
-  draw(): void;
+  /** Whether the picture was drawn again. */
+  draw(): boolean;
   /** Highlights bodies and their motion; null for nothing. */
   highlight(what: Highlight | null): void;
   /** Possible future places of the loads. */
@@ -32,7 +33,7 @@ export function createScene(session: Session, aside: Aside): Scene {
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = texts.picture.no_graphics;
-    return { draw() {}, highlight() {}, foresee() {}, picture: () => null };
+    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null };
   }
   showLosses(byId("canvas"), view);
   const watched = new Watched(session, aside, view);
@@ -63,8 +64,9 @@ export function createScene(session: Session, aside: Aside): Scene {
       }
       due?.();
       due = null;
-      view.draw();
+      const isNew = view.draw();
       watched.showScale();
+      return isNew;
     },
     highlight: (what) => view.highlight(what),
     foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),

@@ -219,14 +219,19 @@ export class View {
     return gridSpacing(this.eye.size());
   }
 
-  draw(): void {
+  /** Whether there was anything new to draw. */
+  draw(): boolean {
     this.eye.update(performance.now());
     this.eye.stayAbove(this.mayDive || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y));
-    if (!this.stale) return this.drawing.rest();
+    if (!this.stale) {
+      this.drawing.rest();
+      return false;
+    }
     this.stale = false;
     this.lookFrom(this.eye.camera.position);
     this.renderer.render(this.scene, this.eye.camera);
     if (this.drawing.drew(performance.now())) this.detail();
+    return true;
   }
 
   /** Draws now, so that the picture can be copied before the browser clears it. */

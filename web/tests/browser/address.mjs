@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { item, openApp, openFile, sample, setNumber, settle } from "./app.mjs";
+import { item, openApp, openFile, rested, sample, setNumber, settle } from "./app.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
 const OWN = "A ship of mine";
@@ -15,7 +15,7 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     assert.equal(await item(page, "load").isChecked(), false);
     assert.equal(await item(page, "torque_history").inputValue(), "constant");
-    await page.waitForTimeout(600);
+    await rested(page);
     assert.equal(queryOf(page), "?scenario=paper");
     await close();
   },

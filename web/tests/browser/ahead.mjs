@@ -1,6 +1,7 @@
 // Looking ahead: futures in the plots and in the picture, with what they are and how far they are to be trusted.
 import assert from "node:assert/strict";
-import { openApp, PHONE, stepTo } from "./app.mjs";
+import { openApp, PHONE, rested, stepTo } from "./app.mjs";
+import { thorough } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const box = (page) => page.getByTestId("ahead");
@@ -18,69 +19,77 @@ function paintedAfter(page, share) {
   }, share);
 }
 
-export default {
-  async "looks ahead at a pause: 64 futures come one after another, as a fan on the plots and a cloud in the picture"(host) {
-    const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
-    await stepTo(page, 62);
-    assert.equal(await box(page).isVisible(), false);
-    await page.waitForTimeout(500);
-    const before = await paintedAfter(page, 0.6);
-    await page.evaluate(() => {
-      window.heads = [];
-      const head = document.querySelector("[data-testid=ahead] summary");
-      new MutationObserver(() => window.heads.push(head.textContent)).observe(head, { childList: true, characterData: true, subtree: true });
-    });
-    await page.getByTestId("look-ahead").click();
-    await said(page, /^64 futures of 60 s/);
-    await said(page, /From 62\.0 s, with the levers as they are\. Each agrees with the wave that was measured at the ship over the last 62 s\./);
-    const heads = await page.evaluate(() => window.heads);
-    assert.ok(heads.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, heads.join(" | "));
-    // The first minute is whole: futures of it are held against what came.
-    await said(page, /Their 90 % band held \d+ % of the past minute\./);
-    await page.waitForTimeout(200);
-    // The same for one who does not see it.
-    await page.waitForFunction(() => /at 12[0-9.]+.s, forecast, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
-    assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
-    // Going on from there drops them; switched off they are gone.
-    await page.getByTestId("look-ahead").click();
-    assert.equal(await box(page).isVisible(), false);
-    await page.waitForTimeout(200);
-    assert.equal(await paintedAfter(page, 0.6), before);
-    await close();
-  },
-
-  async "looks ahead again from an earlier moment, and while a run goes on"(host) {
-    const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
-    await stepTo(page, 4);
-    await page.getByTestId("look-ahead").click();
-    await said(page, /^64 futures[^]*From 4\.0 s/);
-    await page.getByTestId("cursor").focus();
-    await page.keyboard.press("ArrowLeft");
-    await said(page, /^64 futures[^]*From 3\.8 s/);
-    await page.getByTestId("start").click();
-    await said(page, /From (4\.[5-9]|[5-9]\.|\d\d)/);
-    await close();
-  },
-
-  async "passes axe while it looks ahead, open and closed, in all four palettes"(host) {
+const accessible = ["day", "dusk", "night", "bright"].map((palette) => [
+  `passes axe while it looks ahead, open and closed, ${palette}`,
+  async (host) => {
     const { page, close } = await openApp(host, { viewport: PHONE, query: "?scenario=offshore_vessel&waves=true" });
     await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
     await page.getByTestId("look-ahead").click();
     await said(page, /^64 futures/);
-    for (const palette of ["day", "dusk", "night", "bright"]) {
-      await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
-      await assertAccessible(page, `${palette}, before the line is touched`);
-      await box(page).locator("summary").click();
-      await assertAccessible(page, `${palette}, after`);
-    }
+    await assertAccessible(page, "before the line is touched");
+    await box(page).locator("summary").click();
+    await assertAccessible(page, "after");
     await close();
   },
+]);
 
-  async "says that there is one future where there are no waves"(host) {
+export default {
+  // A minute of a vessel in waves a hundred times over.
+  ...thorough({
+    async "looks ahead at a pause: 64 futures come one after another, as a fan on the plots and a cloud in the picture"(host) {
+      const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
+      await stepTo(page, 62);
+      assert.equal(await box(page).isVisible(), false);
+      await rested(page);
+      const before = await paintedAfter(page, 0.6);
+      await page.evaluate(() => {
+        window.heads = [];
+        const head = document.querySelector("[data-testid=ahead] summary");
+        new MutationObserver(() => window.heads.push(head.textContent)).observe(head, { childList: true, characterData: true, subtree: true });
+      });
+      await page.getByTestId("look-ahead").click();
+      await said(page, /^64 futures of 60 s/);
+      await said(page, /From 62\.0 s, with the levers as they are\. Each agrees with the wave that was measured at the ship over the last 62 s\./);
+      const heads = await page.evaluate(() => window.heads);
+      assert.ok(heads.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, heads.join(" | "));
+      // The first minute is whole: futures of it are held against what came.
+      await said(page, /Their 90 % band held \d+ % of the past minute\./);
+      await rested(page);
+      // The same for one who does not see it.
+      await page.waitForFunction(() => /at 12[0-9.]+.s, forecast, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
+      assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
+      // Going on from there drops them; switched off they are gone.
+      await page.getByTestId("look-ahead").click();
+      assert.equal(await box(page).isVisible(), false);
+      await rested(page);
+      assert.equal(await paintedAfter(page, 0.6), before);
+      await close();
+    },
+
+    async "looks ahead again from an earlier moment, and while a run goes on"(host) {
+      const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
+      await stepTo(page, 4);
+      await page.getByTestId("look-ahead").click();
+      await said(page, /^64 futures[^]*From 4\.0 s/);
+      await page.getByTestId("cursor").focus();
+      await page.keyboard.press("ArrowLeft");
+      await said(page, /^64 futures[^]*From 3\.8 s/);
+      await page.getByTestId("start").click();
+      await said(page, /From (4\.[5-9]|[5-9]\.|\d\d)/);
+      await close();
+    },
+  }),
+
+  ...thorough(Object.fromEntries(accessible)),
+
+  async "says that there is one future where there are no waves, until it is switched off"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });
     await stepTo(page, 1);
     await page.getByTestId("look-ahead").click();
     await said(page, /^One future of 60 s[^]*From 1\.0 s, with the levers as they are\. Without waves/);
+    await page.getByTestId("look-ahead").click();
+    assert.equal(await box(page).isVisible(), false);
     await close();
   },
 };

@@ -7,35 +7,88 @@ export const DESKTOP = { width: 1440, height: 900 };
 export const WINDOW = { width: 1000, height: 640 };
 
 /** Against waiting for what never comes: where four processes share two processors and none draws by a graphics card, a run takes a minute. */
-export const WAIT_MS = 150_000;
+export const WAIT_MS = 300_000;
 
 /** The paper's ship as its card opens it: with the load on, and a motor that stops by itself. */
 export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=pulse";
 
 /** Everything of a picture but its pixels. */
 function drawNothing() {
-  for (const draw of ["drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"]) WebGL2RenderingContext.prototype[draw] = () => {};
+  for (const draw of ["clear", "drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"]) WebGL2RenderingContext.prototype[draw] = () => {};
 }
 
-/** Opens a scenario in the app and waits until it is there. The app is kept on the device only where that is tested: it takes time. */
-export async function openApp({ browser, address, draws }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1 } = {}) {
-  const isPhone = viewport.width < 600;
-  const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale });
+/**
+ * Pages that tests have left, for the next test that needs one of the kind: a new one compiles the app and the engine once more.
+ * What a test has kept, routed or asked to be emulated is undone when it leaves.
+ */
+const left = new WeakMap();
+
+const leftIn = (browser) => left.get(browser) ?? left.set(browser, new Map()).get(browser);
+
+/** After a failure nobody knows what a page is like. */
+export async function forgetPages(browser) {
+  left.delete(browser);
+  await Promise.all(browser.contexts().map((context) => context.close()));
+}
+
+async function newPage(browser, { draws, ...options }) {
+  const context = await browser.newContext(options);
   const page = await context.newPage();
   page.setDefaultTimeout(WAIT_MS);
   if (!draws) await page.addInitScript(drawNothing);
-  const problems = [];
-  page.on("pageerror", (error) => problems.push(error.message));
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  const one = { page, problems: [] };
+  page.on("pageerror", (error) => one.problems.push(error.message));
+  page.on("console", (message) => message.type() === "error" && one.problems.push(message.text()));
+  return one;
+}
+
+async function leave(browser, kind, one) {
+  const { page } = one;
+  const context = page.context();
+  await page.evaluate(() => {
+    localStorage.clear();
+    sessionStorage.clear();
+  });
+  await page.goto("about:blank");
+  await context.unrouteAll();
+  await context.clearPermissions();
+  leftIn(browser).get(kind).push(one);
+}
+
+/**
+ * Opens an address of the app. The app is kept on the device only where that is tested, and pixels are drawn only where they are looked
+ * at: without a graphics card that is most of what a test would do. For the same reason the view comes to rest at once there.
+ * `prepare` is given a context of the test's own before the address opens.
+ */
+export async function openPage({ browser, address }, { query = "", draws = false, reducedMotion = draws ? "reduce" : "no-preference", colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1, prepare } = {}) {
+  const isPhone = viewport.width < 600;
+  const kept = { deviceScaleFactor: scale, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale, draws };
+  const kind = JSON.stringify(kept);
+  const same = leftIn(browser).get(kind) ?? leftIn(browser).set(kind, []).get(kind);
+  const isShared = serviceWorkers === "block" && !prepare;
+  const one = (isShared && same.pop()) || (await newPage(browser, kept));
+  one.problems.length = 0;
+  await prepare?.(one.page.context());
+  const { page, problems } = one;
+  await page.setViewportSize(viewport);
+  await page.emulateMedia({ colorScheme, reducedMotion });
   await page.goto(address + query);
-  await page.waitForFunction(() => window.kingpost?.sample());
   return {
     page,
+    problems,
     async close() {
-      await context.close();
+      if (isShared) await leave(browser, kind, one);
+      else await page.context().close();
       assert.deepEqual(problems, [], "the browser's console is clean");
     },
   };
+}
+
+/** Opens a scenario in the app and waits until it is there. */
+export async function openApp(host, { query = PAPER, ...options } = {}) {
+  const opened = await openPage(host, { query, ...options });
+  await opened.page.waitForFunction(() => window.kingpost?.sample());
+  return opened;
 }
 
 export const sample = (page) => page.evaluate(() => window.kingpost.sample());
@@ -43,12 +96,14 @@ export const item = (page, name) => page.getByTestId(`parameter-${name}`);
 
 /** Waits until a reset has brought what a control says into the run. */
 export async function settle(page) {
-  await page.waitForTimeout(50);
   await page.waitForFunction(() => {
-    const { status, pending } = window.kingpost.sample();
-    return status === "idle" && pending.length === 0;
+    const { status, pending, isWaiting } = window.kingpost.sample();
+    return status === "idle" && pending.length === 0 && !isWaiting;
   });
 }
+
+/** Waits until the page shows all that was asked of it: nothing moves on, and picture and plots are drawn. */
+export const rested = (page) => page.evaluate(() => window.kingpost.rested());
 
 export async function setNumber(page, name, value) {
   await item(page, name).fill(String(value));
@@ -131,6 +186,16 @@ export async function numberIn(page, testId) {
   const text = await page.getByTestId(testId).textContent();
   return Number.parseFloat(text.replace("−", "-"));
 }
+
+/** Waits until a text of the page is a number near to another: plots are drawn when the machine gets round to it. */
+export const showsNumber = (page, testId, expected, tolerance) =>
+  page.waitForFunction(
+    ([id, number, allowed]) => Math.abs(Number.parseFloat(document.querySelector(`[data-testid="${id}"]`)?.textContent.replace("−", "-")) - number) <= allowed,
+    [testId, expected, tolerance],
+  );
+
+/** Waits until a text of the page is this. */
+export const showsText = (page, testId, text) => page.waitForFunction(([id, wanted]) => document.querySelector(`[data-testid="${id}"]`)?.textContent === wanted, [testId, text]);
 
 export function close(actual, expected, tolerance, what) {
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected} within ${tolerance}`);

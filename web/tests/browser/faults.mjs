@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { thorough } from "../lane.mjs";
 import { item, openApp, openFile, sample, setNumber, settle, setFigures, stepTo } from "./app.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
@@ -37,14 +38,16 @@ export default {
     await close();
   },
 
-  async "opens a good file of the person's own"(host) {
-    const { page, close } = await openApp(host);
-    await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
-    await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");
-    assert.equal(await item(page, "load").isChecked(), false, "a file opens with its own defaults");
-    await stepTo(page, 0.01);
-    await close();
-  },
+  ...thorough({
+    async "opens a good file of the person's own"(host) {
+      const { page, close } = await openApp(host);
+      await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
+      await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");
+      assert.equal(await item(page, "load").isChecked(), false, "a file opens with its own defaults");
+      await stepTo(page, 0.01);
+      await close();
+    },
+  }),
 
   async "says so when no scenario has the name asked for, and opens the paper"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=nonesuch" });

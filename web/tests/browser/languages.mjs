@@ -1,6 +1,7 @@
 // The app in Norwegian: all that it says itself, with room for its longer words; and the way to another language and back.
 import assert from "node:assert/strict";
-import { DESKTOP, item, openApp, PHONE, sample, stepTo, WAIT_MS } from "./app.mjs";
+import { cases, thorough } from "../lane.mjs";
+import { DESKTOP, item, openApp, openPage, PHONE, sample, stepTo } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 import { assertUncropped } from "./layout.mjs";
 
@@ -8,15 +9,10 @@ const NARROW = { width: 340, height: 640 };
 /** English words that would stand on the page if a text had been left behind. */
 const ENGLISH = /\b(Start with|Controls|Plots|Instruments|Equations|Reset|Resume|Speed|Levers|Advanced|Draught|Look ahead|Camera|Show|Language|Export|Save|Share)\b/;
 
-async function openStart({ browser, address }, { viewport = DESKTOP, locale = "nb-NO", prepare } = {}) {
-  const isPhone = viewport.width < 600;
-  const context = await browser.newContext({ viewport, locale, hasTouch: isPhone, isMobile: isPhone, serviceWorkers: "block" });
-  await prepare?.(context);
-  const page = await context.newPage();
-  page.setDefaultTimeout(WAIT_MS);
-  await page.goto(address);
-  await page.getByTestId("card-paper").waitFor();
-  return { page, context };
+async function openStart(host, { viewport = DESKTOP, locale = "nb-NO", prepare } = {}) {
+  const opened = await openPage(host, { viewport, locale, prepare });
+  await opened.page.getByTestId("card-paper").waitFor();
+  return opened;
 }
 
 const languageOf = (page) => page.evaluate(() => document.documentElement.lang);
@@ -52,10 +48,10 @@ async function assertPanels(page, viewport) {
   }
 }
 
-const inNorwegian = [DESKTOP, PHONE].map((viewport) => [
+const inNorwegian = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((viewport) => [
   `speaks Norwegian to a Norwegian browser, ${viewport.width}x${viewport.height}`,
   async (host) => {
-    const { page, context } = await openStart(host, { viewport });
+    const { page, close } = await openStart(host, { viewport });
     assert.equal(await languageOf(page), "nb");
     assert.equal(await page.title(), "Kingpost – simulator for skip og kran");
     await assertNorwegian(page, "Skip og kraner til sjøs", "Start med artikkelens kranskip", "Språk");
@@ -73,28 +69,31 @@ const inNorwegian = [DESKTOP, PHONE].map((viewport) => [
     await page.locator("#about summary").click();
     await assertNorwegian(page, "Steglengde", "Hva er dette?", "krengning");
     await assertAccessible(page, "a run in Norwegian with its folds open");
-    await context.close();
+    await close();
+  },
+]);
+
+const narrow = [PHONE, NARROW].map((viewport) => [
+  `leaves room for Norwegian words at an earlier moment too, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openApp(host, { viewport, locale: "nb-NO", query: "?scenario=offshore_vessel" });
+    await stepTo(page, 0.5);
+    await assertUncropped(page, viewport);
+    await page.getByTestId("cursor").focus();
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForFunction(() => document.getElementById("start-label").textContent === "Herfra");
+    await assertUncropped(page, viewport);
+    await close();
   },
 ]);
 
 export default {
   ...Object.fromEntries(inNorwegian),
 
-  async "leaves room for Norwegian words on a narrow phone, at an earlier moment too"(host) {
-    for (const viewport of [PHONE, NARROW]) {
-      const { page, close } = await openApp(host, { viewport, locale: "nb-NO", query: "?scenario=offshore_vessel" });
-      await stepTo(page, 0.5);
-      await assertUncropped(page, viewport);
-      await page.getByTestId("cursor").focus();
-      await page.keyboard.press("ArrowLeft");
-      await page.waitForFunction(() => document.getElementById("start-label").textContent === "Herfra");
-      await assertUncropped(page, viewport);
-      await close();
-    }
-  },
+  ...thorough(Object.fromEntries(narrow)),
 
   async "goes to English and back where a person chooses it, at the same address"(host) {
-    const { page, context } = await openStart(host);
+    const { page, close } = await openStart(host);
     await page.getByTestId("language").selectOption("en");
     await page.waitForFunction(() => document.documentElement.lang === "en");
     await page.getByText("Start with the paper's crane ship").waitFor();
@@ -108,7 +107,7 @@ export default {
     await page.waitForFunction(() => document.documentElement.lang === "nb" && window.kingpost?.sample()?.status === "idle");
     assert.equal(page.url(), address);
     await assertNorwegian(page, "Nullstill");
-    await context.close();
+    await close();
   },
 
   async "says in Norwegian what a hand did, though the engine's thread tells it"(host) {
@@ -137,18 +136,20 @@ export default {
 
   async "speaks the browser's language where nothing can be kept"(host) {
     const denied = (context) => context.addInitScript(() => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("denied", "SecurityError"); } }));
-    const { page, context } = await openStart(host, { prepare: denied });
+    const { page, close } = await openStart(host, { prepare: denied });
     assert.equal(await languageOf(page), "nb");
     await page.getByTestId("language").selectOption("en");
     await page.waitForFunction(() => document.querySelector("[data-testid=language]")?.value === "nb");
     await page.getByTestId("card-paper").waitFor();
-    await context.close();
+    await close();
   },
 
-  async "speaks English to a browser of another language"(host) {
-    const { page, context } = await openStart(host, { locale: "ko-KR" });
-    assert.equal(await languageOf(page), "en");
-    await page.getByText("Start with the paper's crane ship").waitFor();
-    await context.close();
-  },
+  ...thorough({
+    async "speaks English to a browser of another language"(host) {
+      const { page, close } = await openStart(host, { locale: "ko-KR" });
+      assert.equal(await languageOf(page), "en");
+      await page.getByText("Start with the paper's crane ship").waitFor();
+      await close();
+    },
+  }),
 };

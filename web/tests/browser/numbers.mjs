@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { close, numberIn, openApp, sample, setAngle, setChecked, setFigures, settle, stepTo } from "./app.mjs";
+import { close, openApp, rested, sample, setAngle, setChecked, setFigures, settle, showsNumber, stepTo } from "./app.mjs";
 
 const GOLDEN = fileURLToPath(new URL("../../../crates/kingpost/tests/golden/paper.json", import.meta.url));
 const goldens = JSON.parse(readFileSync(GOLDEN, "utf8"));
@@ -26,15 +26,6 @@ function assertBits(actual, expected) {
   const values = Object.values(actual);
   assert.equal(values.length, expected.length);
   Object.keys(actual).forEach((name, i) => assert.ok(Object.is(values[i], expected[i]), `${name}: ${values[i]}, native ${expected[i]}`));
-}
-
-// Plots are drawn when the machine gets round to it.
-async function shows(page, plot, expected, allowed) {
-  for (const begin = Date.now(); Date.now() - begin < 20_000; ) {
-    if (Math.abs((await numberIn(page, plot)) - expected) <= allowed) return;
-    await page.waitForTimeout(100);
-  }
-  close(await numberIn(page, plot), expected, allowed, `${plot} shown`);
 }
 
 export default {
@@ -64,9 +55,9 @@ export default {
     for (const [name, value] of Object.entries(TRUTH)) close(row[name], value, tolerance(name), name);
     assertBits(row, golden("truth").row);
     await setAngle(page, "rad");
-    await shows(page, "value-1-ship.angular_velocity.y", 0.19709, 1e-5);
-    await shows(page, "value-1-ship.angular_velocity.z", -0.12348, 1e-5);
-    await shows(page, "value-1-ship.angular_velocity.x", -0.07719, 1e-5);
+    await showsNumber(page, "value-1-ship.angular_velocity.y", 0.19709, 1e-5);
+    await showsNumber(page, "value-1-ship.angular_velocity.z", -0.12348, 1e-5);
+    await showsNumber(page, "value-1-ship.angular_velocity.x", -0.07719, 1e-5);
     assert.equal(await page.getByTestId("time").textContent(), "0.50 s");
     assert.equal(await page.getByTestId("step-size").textContent(), "1 ms");
     assert.equal(await page.getByTestId("integrator").textContent(), "RK4");
@@ -77,29 +68,29 @@ export default {
 
   async "gives the same bits after running, pausing and stepping"(host) {
     const { page, close: done } = await openApp(host);
-    await setFigures(page);
     await page.getByTestId("speed").selectOption("0.125");
     await page.getByTestId("start").click();
-    await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1);
-    await page.getByTestId("start").click();
-    await page.waitForFunction(() => window.kingpost.sample().status === "paused");
-    await page.waitForTimeout(500);
-    const paused = (await sample(page)).time_s;
-    assert.ok(paused < 0.45, `paused at ${paused} s`);
-    await stepTo(page, 0.5);
-    assertBits((await sample(page)).row, golden("truth").row);
+    // The page itself presses it: between two looks from outside a slow machine may pass the golden run's end.
+    await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1 && (document.querySelector("[data-testid=start]").click(), true));
+    await rested(page);
+    const { status, time_s } = await sample(page);
+    assert.equal(status, "paused");
+    assert.ok(time_s > 0.1 && time_s < 2, `paused at ${time_s} s`);
+    await stepTo(page, 2);
+    assertBits((await sample(page)).row, golden("page").row);
     await done();
   },
 
   async "runs on past the scenario's duration until it is paused"(host) {
     const { page, close: done } = await openApp(host);
+    await page.getByTestId("speed").selectOption("20");
     await page.getByTestId("start").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 3.2);
     assert.equal((await sample(page)).status, "running");
     await page.getByTestId("start").click();
-    await page.waitForTimeout(500);
+    await rested(page);
     const { time_s } = await sample(page);
-    await page.waitForTimeout(500);
+    await rested(page);
     assert.equal((await sample(page)).time_s, time_s);
     await page.getByTestId("reset").click();
     await settle(page);

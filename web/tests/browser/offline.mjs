@@ -129,7 +129,7 @@ export default {
     assert.deepEqual(await page.evaluate(() => caches.keys()), []);
     await page.reload();
     await titled(page, "Served now");
-    await page.waitForTimeout(500);
+    await page.waitForFunction(async () => (await navigator.serviceWorker.getRegistration()) === undefined);
     assert.equal(await page.evaluate(() => navigator.serviceWorker.controller), null);
     await close();
     await stop();

@@ -1,12 +1,12 @@
 // The menus on the picture: from where it is seen, and what is drawn besides.
 import assert from "node:assert/strict";
 import { assertAccessible } from "./axe.mjs";
-import { look, openApp, PHONE, stepTo } from "./app.mjs";
+import { look, openApp, PHONE, rested, stepTo } from "./app.mjs";
 
 /** Opens a scenario of the gallery and waits until its picture stands. */
 async function openScenario(host, name) {
-  const app = await openApp(host, { query: `?scenario=${name}`, scale: 1 });
-  await app.page.waitForTimeout(800);
+  const app = await openApp(host, { query: `?scenario=${name}`, draws: true });
+  await rested(app.page);
   return app;
 }
 
@@ -19,7 +19,7 @@ export default {
     const seen = new Set([JSON.stringify(await look(page))]);
     for (const camera of ["load", "cab", "bridge", "top", "section"]) {
       await page.getByTestId(`camera-${camera}`).evaluate((input) => input.click());
-      await page.waitForTimeout(900);
+      await rested(page);
       seen.add(JSON.stringify(await look(page)));
       assert.equal(await page.getByTestId(`camera-${camera}`).isChecked(), true);
     }
@@ -67,7 +67,7 @@ export default {
       await page.getByTestId("canvas").focus();
       for (let i = 0; i < 30; i++) await page.keyboard.press("ArrowDown");
       await page.getByTestId("canvas").blur();
-      await page.waitForTimeout(900);
+      await rested(page);
       return look(page);
     };
     const mayDive = (may) => page.getByTestId("camera-dive").evaluate((input, wanted) => input.checked === wanted || input.click(), may);
@@ -78,7 +78,7 @@ export default {
     const under = await sink();
     assert.notDeepEqual(under, above, "it dives where it may");
     await mayDive(false);
-    await page.waitForTimeout(900);
+    await rested(page);
     assert.notDeepEqual(await look(page), under, "it comes up again");
     await close();
   },
@@ -90,7 +90,7 @@ export default {
     for (const overlay of ["forces", "masses", "plain"]) {
       const before = await look(page);
       await page.getByTestId(`show-${overlay}`).evaluate((input) => input.click());
-      await page.waitForTimeout(900);
+      await rested(page);
       assert.notDeepEqual(await look(page), before, overlay);
     }
     assert.match(await page.getByTestId("arrow-scale").textContent(), /^Force[125]0{0,2} [kM]N.*Moment[125]0{0,2} [kM]N m/);
@@ -106,7 +106,7 @@ export default {
     for (const overlay of ["axes", "buoyancy"]) {
       const before = await look(page);
       await page.getByTestId(`show-${overlay}`).evaluate((input) => input.click());
-      await page.waitForTimeout(4000);
+      await rested(page);
       assert.notDeepEqual(await look(page), before, overlay);
     }
     await close();

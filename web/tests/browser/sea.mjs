@@ -1,7 +1,8 @@
 // Ships afloat: the sea is drawn as the engine has it, and the page says how the ship floats.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { close as near, numberIn, openApp, openFile, PHONE, sample, setPlot, stepTo } from "./app.mjs";
+import { cases } from "../lane.mjs";
+import { close as near, numberIn, openApp, openFile, PHONE, rested, sample, setPlot, showsNumber, stepTo } from "./app.mjs";
 
 /** A barge in a regular wave, with its database beside it. */
 const BARGE = `version: 1
@@ -46,12 +47,12 @@ async function blue(page) {
   }, picture);
 }
 
-const looks = ["light", "dark"].map((colorScheme) => [
+const looks = cases(["light", "dark"], (colorScheme) => colorScheme === "light").map((colorScheme) => [
   `draws the sea around the ship, ${colorScheme}`,
   async (host) => {
-    const { page, close } = await openBarge(host, { colorScheme, viewport: colorScheme === "light" ? undefined : PHONE });
+    const { page, close } = await openBarge(host, { draws: true, colorScheme, viewport: colorScheme === "light" ? undefined : PHONE });
     await stepTo(page, 3);
-    await page.waitForTimeout(300);
+    await rested(page);
     const withSea = await blue(page);
     assert.ok(withSea > 0.2, `water is on ${(100 * withSea).toFixed(0)} % of the picture`);
     assert.match(await page.locator("#scene-note").textContent(), /Incident waves, 1 in all/);
@@ -83,8 +84,7 @@ export default {
     });
     assert.ok(x_m[0] < poses[0] - 10 && x_m.at(-1) > poses[0] + 10 && y_m[0] < poses[1] - 5 && y_m.at(-1) > poses[1] + 5);
     await setPlot(page, 2, { figure: "Heave of hull" });
-    await page.waitForTimeout(500);
-    near(await numberIn(page, "value-2-hull.heave"), row["hull.position.z"], 1e-4, "heave plotted");
+    await showsNumber(page, "value-2-hull.heave", row["hull.position.z"], 1e-4);
     await close();
   },
 

@@ -2,35 +2,28 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { DESKTOP, PAPER, PHONE, WAIT_MS, openFile } from "./app.mjs";
+import { thorough } from "../lane.mjs";
+import { DESKTOP, PAPER, PHONE, openFile, openPage } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
 /** What all that comes before a scenario is chosen may weigh, compressed, bytes. */
 const FIRST_LOAD = 1_000_000;
+/** A window of 1280 pixels at 400 %. */
+const SMALL = { width: 320, height: 256 };
 
-async function openStart({ browser, address }, { viewport = DESKTOP, prepare } = {}) {
-  const isPhone = viewport.width < 600;
-  const context = await browser.newContext({ viewport, hasTouch: isPhone, isMobile: isPhone, serviceWorkers: "block" });
-  await prepare?.(context);
-  const page = await context.newPage();
-  page.setDefaultTimeout(WAIT_MS);
-  const problems = [];
-  page.on("pageerror", (error) => problems.push(error.message));
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  const sizes = [];
-  page.on("response", async (response) => sizes.push({ url: response.url(), bytes: (await response.body().catch(() => Buffer.alloc(0))).length }));
-  await page.goto(address);
-  await page.getByTestId("card-paper").waitFor();
-  return { page, context, problems, sizes };
+async function openStart(host, { viewport = DESKTOP, prepare } = {}) {
+  const opened = await openPage(host, { viewport, prepare });
+  await opened.page.getByTestId("card-paper").waitFor();
+  return opened;
 }
 
 const isIdle = (page) => page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
 
-async function isAccessible(page, viewport) {
+async function isAccessible(page, viewport, palettes) {
   // Colours change at once, not over a moment in which their contrast is another.
   await page.emulateMedia({ reducedMotion: "reduce" });
-  for (const palette of ["day", "dusk", "night", "bright"]) {
+  for (const palette of palettes) {
     await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
     await assertAccessible(page, `the start page at ${viewport.width} px, ${palette}`);
   }
@@ -40,7 +33,9 @@ async function isAccessible(page, viewport) {
 
 export default {
   async "shows the gallery's cards with nothing of the engine loaded, in one megabyte"(host) {
-    const { page, context, problems, sizes } = await openStart(host);
+    const sizes = [];
+    const measure = async (response) => sizes.push({ url: response.url(), bytes: (await response.body().catch(() => Buffer.alloc(0))).length });
+    const { page, close } = await openStart(host, { prepare: (context) => context.on("response", measure) });
     await page.waitForLoadState("networkidle");
     const cards = await page.locator(".card").count();
     const gallery = await (await fetch(`${host.address}scenarios/index.json`)).json();
@@ -49,12 +44,11 @@ export default {
     const total = sizes.reduce((sum, { bytes }) => sum + bytes, 0);
     assert.ok(total > 50_000 && total < FIRST_LOAD, `the first load is ${total} bytes`);
     assert.equal(await page.title(), "Kingpost – ship and crane simulator");
-    assert.deepEqual(problems, []);
-    await context.close();
+    await close();
   },
 
   async "opens a card, goes Back to the start page and forward to the run as it was"(host) {
-    const { page, context, problems } = await openStart(host, { viewport: PHONE });
+    const { page, close } = await openStart(host, { viewport: PHONE });
     await page.getByTestId("card-chain").tap();
     await isIdle(page);
     assert.match(page.url(), /\?scenario=chain$/);
@@ -71,12 +65,11 @@ export default {
     await page.getByTestId("card-paper").tap();
     await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent.startsWith("Crane ship"));
     assert.ok(page.url().endsWith(PAPER));
-    assert.deepEqual(problems, []);
-    await context.close();
+    await close();
   },
 
   async "opens a person's own file from the start page, and keeps it through Back and forward"(host) {
-    const { page, context, problems } = await openStart(host);
+    const { page, close } = await openStart(host);
     await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
     await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");
     await page.goBack();
@@ -84,12 +77,11 @@ export default {
     await page.goForward();
     await page.getByTestId("canvas").waitFor();
     assert.equal(await page.title(), "Kingpost – A ship of mine");
-    assert.deepEqual(problems, []);
-    await context.close();
+    await close();
   },
 
   async "refuses a file that is too large without reading it, on either page"(host) {
-    const { page, context, problems } = await openStart(host);
+    const { page, close } = await openStart(host);
     const drop = () =>
       page.evaluate(() => {
         const files = new DataTransfer();
@@ -103,16 +95,12 @@ export default {
     await drop();
     assert.match(await page.getByTestId("alert-message").textContent(), /film\.yaml holds 101 MB/);
     assert.equal(await page.evaluate(() => window.kingpost.sample().status), "idle");
-    assert.deepEqual(problems, []);
-    await context.close();
+    await close();
   },
 
   async "says so where the list or the simulator does not come, and has a way on"(host) {
-    const { browser, address } = host;
-    const context = await browser.newContext({ serviceWorkers: "block" });
-    await context.route("**/index.json", (route) => route.abort());
-    const page = await context.newPage();
-    await page.goto(address);
+    const { page } = await openPage(host, { prepare: (context) => context.route("**/index.json", (route) => route.abort()) });
+    const context = page.context();
     await page.waitForFunction(() => /could not be loaded/.test(document.querySelector("[data-testid=start-alert]")?.textContent ?? ""));
     await context.unroute("**/index.json");
     await page.reload();
@@ -123,18 +111,22 @@ export default {
     await context.close();
   },
 
-  async "is usable by everyone, on a desktop and on a phone, in each palette"(host) {
-    for (const viewport of [DESKTOP, PHONE]) {
-      const { page, context } = await openStart(host, { viewport });
-      await isAccessible(page, viewport);
-      await context.close();
-    }
-    const { page, context } = await openStart(host, { viewport: { width: 320, height: 256 } });
-    await isAccessible(page, { width: 320 });
+  ...thorough(Object.fromEntries([DESKTOP, PHONE, SMALL].map((viewport) => [
+    `is usable by everyone in each palette, ${viewport.width}x${viewport.height}`,
+    async (host) => {
+      const { page, close } = await openStart(host, { viewport });
+      await isAccessible(page, viewport, ["day", "dusk", "night", "bright"]);
+      await close();
+    },
+  ]))),
+
+  async "is usable by everyone in a window at 400 %, by the keyboard alone"(host) {
+    const { page, close } = await openStart(host, { viewport: SMALL });
+    await isAccessible(page, SMALL, ["day"]);
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement.dataset.testid), "open-paper");
     await page.keyboard.press("Enter");
     await isIdle(page);
-    await context.close();
+    await close();
   },
 };

@@ -26,6 +26,11 @@ export abstract class Opening extends Told {
     super();
   }
 
+  /** Whether something that was asked of the engine, or waits for its turn, is not done. */
+  get isWaiting(): boolean {
+    return this.turns.isBusy || this.client.isAsked;
+  }
+
   /** Whether it runs, or will run when the present reset is done. */
   abstract get isGoing(): boolean;
   abstract start(): void;

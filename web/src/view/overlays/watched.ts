@@ -1,4 +1,5 @@
 import type { Aside } from "../../app/aside";
+import { Calm } from "../../app/calm";
 import type { Moment } from "../../app/recording/recording";
 import type { Session } from "../../app/session";
 import { texts } from "../../texts";
@@ -18,7 +19,7 @@ const BAR_PX = 90;
 /** Feeds the overlays with the run: its moments, its recording, and results of the second engine. */
 export class Watched {
   private readonly box = byId("arrow-scale");
-  private timer = 0;
+  private readonly soon = new Calm(CALM_MS, () => this.ask());
   private moment: Moment | null = null;
   private scaleShown = "";
 
@@ -41,7 +42,7 @@ export class Watched {
     const { on } = this.view.overlays;
     if (isOn) on.add(overlay);
     else on.delete(overlay);
-    if (overlay === "axes" || overlay === "buoyancy") this.askSoon();
+    this.askSoon();
     this.refresh();
   }
 
@@ -67,8 +68,8 @@ export class Watched {
   }
 
   private askSoon(): void {
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.ask(), CALM_MS);
+    const { on } = this.view.overlays;
+    if (on.has("axes") || on.has("buoyancy")) this.soon.ask();
   }
 
   private async ask(): Promise<void> {
