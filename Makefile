@@ -23,7 +23,9 @@ ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpo
 # Two lanes of tests. The default one compiles the engine once, by the profile `proof`, for its own tests and for Python. The
 # thorough one runs Python's tests on the wheel's engine, and the engine's own with checks of overflow and debug assertions.
 LANE := $(or $(KINGPOST_LANE),default)
-TESTED := --package kingpost --all-features $(if $(filter thorough,$(LANE)),,--profile proof)
+# kingpost-py, which has no tests in Rust, is chosen beside it: with other crates the features of their libraries differ, and
+# cargo compiles the engine once more.
+TESTED := --package kingpost --package kingpost-py --all-features $(if $(filter thorough,$(LANE)),,--profile proof)
 TESTS_OF_LANE := $(if $(filter thorough,$(LANE)),--include-ignored)
 DEVELOP := $(DONE)/$(if $(filter thorough,$(LANE)),wheel-develop,develop)
 

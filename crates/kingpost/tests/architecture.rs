@@ -342,8 +342,8 @@ fn files_and_bindings_stay_small() {
         let lines = read(path).lines().count();
         assert!(lines <= 450, "{} has {lines} lines", path.display());
     }
-    // The one for Python has two classes: one simulation, and many that a controller steps.
-    for (binding, most) in [("kingpost-py", 760), ("kingpost-wasm", 500)] {
+    // The one for Python has three classes: a scenario that is built, one simulation, and many that a controller steps.
+    for (binding, most) in [("kingpost-py", 780), ("kingpost-wasm", 500)] {
         let sources = files_below(&crates.join(binding).join("src"), ".rs");
         let lines: usize = sources.iter().map(|path| read(path).lines().count()).sum();
         assert!(lines <= most, "{binding} has {lines} lines: only conversions and the boundary belong there");

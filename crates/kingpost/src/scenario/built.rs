@@ -7,7 +7,6 @@ use serde_json::Value;
 use super::describe::Description;
 use super::error::ScenarioError;
 use super::files::Files;
-use super::live::ParameterError;
 use super::read::Parsed;
 use super::schema::Scenario;
 use crate::plant::Number;
@@ -89,19 +88,6 @@ impl BuiltScenario {
     /// The description, as [`Scenario::describe`].
     pub fn describe(&self) -> &Description {
         self.description.get_or_init(|| self.scenario.description_of(&self.setup))
-    }
-
-    /// Sets a parameter in a simulation of it, as [`Scenario::set_parameter`], and returns the changed scenario.
-    ///
-    /// # Errors
-    /// As [`Scenario::set_parameter`].
-    pub fn set_parameter(
-        &self,
-        simulation: &mut Simulation,
-        name: &str,
-        value: &Value,
-    ) -> Result<Self, ParameterError> {
-        self.scenario.go_on_with(simulation, name, value)
     }
 }
 

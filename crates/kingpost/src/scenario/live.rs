@@ -71,7 +71,7 @@ impl Scenario {
     }
 
     /// The same; returns the changed scenario with its setup.
-    pub(super) fn go_on_with(
+    fn go_on_with(
         &self,
         simulation: &mut Simulation,
         name: &str,
@@ -103,6 +103,21 @@ impl Scenario {
             Some(_) => Err(ParameterError::AtReset { name: name.to_owned(), allowed: allowed() }),
             None => Err(ParameterError::Unknown { found: name.to_owned(), allowed: allowed() }),
         }
+    }
+}
+
+impl BuiltScenario {
+    /// Sets a parameter in a simulation of it, as [`Scenario::set_parameter`], and returns the changed scenario.
+    ///
+    /// # Errors
+    /// As [`Scenario::set_parameter`].
+    pub fn set_parameter(
+        &self,
+        simulation: &mut Simulation,
+        name: &str,
+        value: &Value,
+    ) -> Result<Self, ParameterError> {
+        self.scenario().go_on_with(simulation, name, value)
     }
 }
 

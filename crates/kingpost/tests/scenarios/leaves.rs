@@ -1,77 +1,18 @@
 //! Every number of a scenario goes from the file to the last formula: in a batch each run has its own, and a gradient is the
 //! derivative. What cannot is refused by name.
 
+use crate::leaf_cases::{Case, gallery};
+
 use kingpost::analysis::gradient;
 use kingpost::batch::{self, Built, Members, run_built};
 use kingpost::elements::{DynamicPositioning, FlowLoad, of_kind};
 use kingpost::plant::Number;
 use kingpost::results::Channel;
-use kingpost::scenario::{Files, Host, Scenario, read_with};
+use kingpost::scenario::{Scenario, read_with};
 use kingpost::simulation::{Run, Simulation};
 use serde_json::{Value, json};
-use std::borrow::Cow;
-use std::fs;
 use std::path::{Path, PathBuf};
-
-/// A scenario and the files that it names.
-struct Case {
-    name: &'static str,
-    text: String,
-    files: Files,
-}
-
-fn gallery(name: &'static str) -> (String, Files) {
-    let text = fs::read_to_string(folder().join(name)).expect("a file of the gallery");
-    (text, Files::of(Tables))
-}
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios")
-}
-
-/// The gallery's files, a record of waves and a table of RAOs.
-#[derive(Debug)]
-struct Tables;
-
-impl Host for Tables {
-    fn text(&self, name: &str) -> Option<Cow<'_, str>> {
-        match name {
-            "record.csv" => Some(Cow::Owned(record())),
-            "raos.csv" => Some(Cow::Owned(raos())),
-            _ => {
-                let path = folder().join(name.strip_prefix("gallery:").unwrap_or(name));
-                fs::read_to_string(path).ok().map(Cow::Owned)
-            }
-        }
-    }
-}
-
-/// Eight seconds of two waves.
-fn record() -> String {
-    let row = |i: i32| {
-        let t = 0.5 * f64::from(i);
-        format!("{t},{}\n", 0.3 * libm::cos(0.8 * t) + 0.2 * libm::sin(1.6 * t))
-    };
-    format!("time_s,elevation_m\n{}", (0..16).map(row).collect::<String>())
-}
-
-/// RAOs that change with direction and frequency.
-fn raos() -> String {
-    let modes = ["surge_forward", "sway_port", "heave_up", "roll_port_up", "pitch_bow_down", "yaw_bow_port"];
-    let units = ["m_per_m", "m_per_m", "m_per_m", "deg_per_m", "deg_per_m", "deg_per_m"];
-    let name =
-        |(mode, unit): (&&str, &&str)| format!("{mode}_{unit},{}_lag_deg", mode.split('_').next().unwrap_or_default());
-    let names: Vec<String> = modes.iter().zip(&units).map(name).collect();
-    let row = |(direction, frequency): (i32, i32)| {
-        let of = |mode: i32| {
-            format!("{},{}", 0.2 + 0.1 * f64::from(mode) + 0.001 * f64::from(direction), 10 * mode + frequency)
-        };
-        let numbers: Vec<String> = (0..6).map(of).collect();
-        format!("{direction},{},{}\n", 0.1 + 0.5 * f64::from(frequency), numbers.join(","))
-    };
-    let grid = (0..=6).flat_map(|k| (0..6).map(move |frequency| (30 * k, frequency)));
-    format!("direction_to_deg,frequency_rad_s,{}\n{}", names.join(","), grid.map(row).collect::<String>())
-}
+use std::{env, fs};
 
 fn case(name: &'static str, steps: f64) -> Case {
     let made_up = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/leaves").join(name);
@@ -106,6 +47,11 @@ fn leaves(value: &Value, path: &str, into: &mut Vec<(String, f64, bool)>) {
         Value::Object(fields) => fields.iter().for_each(|(name, field)| leaves(field, &below(name), into)),
         _ => {}
     }
+}
+
+/// Every eighth number stands for its kind by default; each takes the building of five models.
+fn stride() -> usize {
+    if env::var("KINGPOST_LANE").as_deref() == Ok("thorough") { 1 } else { 8 }
 }
 
 /// How far a number is moved: derivatives are compared at this step and at twice it.
@@ -315,7 +261,7 @@ fn check(names: &[&'static str], steps: f64) {
     for (number, name) in names.iter().enumerate() {
         let case = case(name, steps);
         // Three of the gallery are one ship: each takes a third of its numbers.
-        let share = if name.starts_with("offshore_vessel") { [number, names.len()] } else { [0, 1] };
+        let share = if name.starts_with("offshore_vessel") { [number, names.len()] } else { [0, stride()] };
         let leaves = moved(&case, share, &mut failures);
         assert!(!leaves.is_empty(), "{name}: no number may be moved");
         check_gradients(&case, &leaves, &mut failures);

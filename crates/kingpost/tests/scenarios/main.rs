@@ -8,6 +8,7 @@ mod damaged_files;
 mod derivatives;
 mod gallery;
 mod golden;
+mod leaf_cases;
 mod leaves;
 mod parts;
 mod parts_mistakes;
