@@ -116,6 +116,19 @@ def _collected(engine: Engine, operation: str, count: int) -> int | None:
     return int(match[1]) if match and done.returncode == 0 else None
 
 
+def counts(engines: Sequence[Engine]) -> dict[str, dict[str, int]]:
+    """Instructions of every operation that can be counted, by model and operation: no clock, so any machine
+    will do."""
+    rows = [(engine, operation) for engine in engines for operation in engine.operations]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        counted = list(pool.map(lambda row: instructions(*row, FULL), rows))
+    found: dict[str, dict[str, int]] = {}
+    for (engine, operation), count in zip(rows, counted, strict=True):
+        if count is not None:
+            found.setdefault(engine.case.name, {})[operation] = round(count)
+    return found
+
+
 def figures(engines: Sequence[Engine], effort: Effort) -> list[Figure]:
     """Everything that is printed of all engines; counting needs no quiet machine, so it runs on all cores."""
     measured = times(engines, effort)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import datetime
 import importlib.metadata
+import json
 import platform
 import shutil
 import subprocess
@@ -23,6 +24,9 @@ import models
 import report
 from measure import Figure
 
+COUNTS = Path(__file__).with_name("instructions.json")
+"""Instructions of our operations, by model: what a test holds the engine to."""
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line and returns its exit code."""
@@ -35,6 +39,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if not found:
             print("no engine can be measured here", file=sys.stderr)
             return 1
+        if options.counts:
+            COUNTS.write_text(json.dumps(measure.counts(found), indent=2) + "\n")
+            return 0
         for pair, operation, difference in measure.agreement(found):
             lines.add(f"# agreement: {pair}, {operation}: {difference:.1e} of the largest entry")
         figures = measure.figures(found, measure.QUICK if options.quick else measure.FULL)
@@ -58,6 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("-o", "--output", type=Path, help="also write the lines to this file")
     parser.add_argument("--quick", action="store_true", help="a few seconds: does it run, not how fast")
     parser.add_argument("--readme", action="store_true", help="write what was measured into README.md")
+    parser.add_argument("--counts", action="store_true", help=f"only write our instructions to {COUNTS.name}")
     names = ",".join(programs.BUILDERS)
     parser.add_argument("--engines", default=names, help="comma-separated (default: %(default)s)")
     parser.add_argument("--models", help=f"comma-separated (default: {','.join(models.CASES)})")
@@ -82,7 +90,7 @@ class _Lines:
 
 def _engines(options: argparse.Namespace, folder: Path, lines: _Lines) -> list[programs.Engine]:
     """The engines that can be measured here, on each model; a line says why another is left out."""
-    names = _known("engine", options.engines, programs.BUILDERS)
+    names = ["kingpost"] if options.counts else _known("engine", options.engines, programs.BUILDERS)
     left_out = [models.chain_name(links) for links in models.CHAIN_LINKS[1::2]] if options.quick else []
     usual = ",".join(name for name in models.CASES if name not in left_out)
     cases = _known("model", options.models or usual, models.CASES)

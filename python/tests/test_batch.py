@@ -30,7 +30,7 @@ def test_each_run_of_a_batch_is_the_run_alone_to_the_bit() -> None:
 
 @pytest.fixture(scope="module")
 def plain() -> ModuleType:
-    """The engine for any processor, hardly optimised and with its assertions, that the Makefile builds."""
+    """The engine for any processor, hardly optimised and with assertions: `make test-thorough` builds it."""
     root = Path(__file__).resolve().parents[2]
     name = {"win32": "_engine.dll", "darwin": "lib_engine.dylib"}.get(sys.platform, "lib_engine.so")
     built = Path(os.environ.get("CARGO_TARGET_DIR", root / "target")) / "debug" / name
@@ -40,6 +40,7 @@ def plain() -> ModuleType:
     return module
 
 
+@pytest.mark.thorough
 def test_a_batch_by_the_build_for_this_processor_has_the_bits_of_the_plain_one(
     plain: ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -49,6 +50,7 @@ def test_a_batch_by_the_build_for_this_processor_has_the_bits_of_the_plain_one(
     xarray.testing.assert_identical(wide, batch.run())
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["paper", "offshore_vessel", "lift_off_from_barge"])
 def test_a_run_by_the_build_for_this_processor_has_the_bits_of_the_plain_one(
     name: str, plain: ModuleType, monkeypatch: pytest.MonkeyPatch

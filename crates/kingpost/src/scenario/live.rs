@@ -5,15 +5,11 @@ use thiserror::Error;
 
 use super::built::BuiltScenario;
 use super::error::ScenarioError;
-use super::schema::Scenario;
+use super::schema::{LIVE_SETTINGS, Scenario};
 use super::{read, wording};
 use crate::elements::drives::WaveMotion;
 use crate::elements::of_kind;
 use crate::simulation::Simulation;
-
-/// Settings that can be changed during a run like a `live` parameter: another integrator can continue with the same
-/// model.
-pub const LIVE_SETTINGS: [&str; 1] = ["simulation.integrator"];
 
 /// A parameter that cannot be set during a run.
 #[derive(Clone, Debug, Error, PartialEq)]

@@ -37,11 +37,11 @@ pub use assignment::parse_assignment;
 pub use built::BuiltScenario;
 pub use error::{FieldError, ScenarioError};
 pub use files::{Files, Host};
-pub use live::{LIVE_SETTINGS, ParameterError};
+pub use live::ParameterError;
 pub use named_files::NamedFiles;
 pub use parts::{FILES as PART_FILES, REFERENCES as PART_REFERENCES};
 pub use read::{file_names, read, read_with};
-pub use schema::Scenario;
+pub use schema::{LIVE_SETTINGS, Scenario};
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use together::side_by_side;
 pub use units::{UNIT_ALIASES, UnitAlias};

@@ -22,8 +22,7 @@ fn every_scenario_says_what_it_is() {
 }
 
 /// One of each kind of machine: held and free, at sea, in contact, over closed loops.
-const BY_DEFAULT: [&str; 5] =
-    ["paper.yaml", "barge.yaml", "lift_off_from_barge.yaml", "knuckle_boom_crane.yaml", "gyro_wave_energy.yaml"];
+const BY_DEFAULT: [&str; 5] = ["paper", "barge", "lift_off_from_barge", "knuckle_boom_crane", "gyro_wave_energy"];
 
 #[test]
 fn scenarios_of_each_kind_run_to_their_end_and_their_ledgers_close() {

@@ -8,8 +8,7 @@ pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 pub use facts::{ElementDescription, Fact};
 
 use super::build::flexible::{owner, shape};
-use super::live::LIVE_SETTINGS;
-use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
+use super::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::elements::{Submerged, of_kind};
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::simulation::{Limit, Setup};

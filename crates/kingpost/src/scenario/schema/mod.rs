@@ -191,6 +191,10 @@ pub struct Scenario<S = f64> {
     pub files: NamedFiles,
 }
 
+/// Settings that can be changed during a run like a `live` parameter: another integrator can continue with the same
+/// model.
+pub const LIVE_SETTINGS: [&str; 1] = ["simulation.integrator"];
+
 /// Time stepping and recording.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
