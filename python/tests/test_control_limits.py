@@ -49,6 +49,7 @@ def test_prediction_leaves_less_within_its_band_and_the_real_sensor_more_beyond_
     assert with_it[0] > 1.0, "waves of 20 s, beyond the band: docs/control.md says so"
 
 
+@pytest.mark.thorough
 def test_a_slow_winch_leaves_more_of_higher_seas_but_never_more_than_without():
     name = next(iter(SWEEPS))
     row = sweep.measure(name, length_s=80.0, heights_m=[1.0, 4.0, 6.0])

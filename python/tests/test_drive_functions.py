@@ -74,6 +74,7 @@ def test_the_functions_of_the_gallery_hold_the_load(held_by: str, ropes: bool, a
     assert all(held[axis] < 0.01 * free[axis] for axis in axes), (free, held)
 
 
+@pytest.mark.thorough
 def test_a_search_from_zero_finds_the_winch_of_the_gallery():
     path = "controllers.winch_hoists.drive_function.command"
     found = kingpost.drive_functions(

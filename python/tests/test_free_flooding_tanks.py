@@ -267,6 +267,7 @@ def test_a_tank_that_cannot_be_is_refused_with_its_field(field: str, value: Any,
     assert f"forces.tank.free_flooding_tank.{field}" in str(caught.value)
 
 
+@pytest.mark.thorough
 def test_the_pumped_tanks_of_the_gallery_take_more_than_half_of_the_roll_at_resonance():
     def roll(**given: Any) -> float:
         ds = kingpost.run(kingpost.load("roll_reduction_flooded_tanks", given))

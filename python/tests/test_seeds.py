@@ -121,6 +121,7 @@ def test_files_sort_by_seed() -> None:
     assert names == sorted(names)
 
 
+@pytest.mark.thorough
 def test_runs_that_are_too_long_to_stand_in_memory_together_go_alone(tmp_path, monkeypatch) -> None:
     scenario = kingpost.load("barge", {"waves": True, "simulation.duration_s": 2})
     wanted = list(seeds.run(scenario, seeds.files(tmp_path / "together_*.nc", 3)))

@@ -81,6 +81,7 @@ def test_a_spread_sea_is_the_mean_over_its_directions() -> None:
     assert found == pytest.approx(np.sqrt((weights * m0).sum() / weights.sum()), rel=0.01)
 
 
+@pytest.mark.thorough
 def test_runs_over_seeds_in_a_small_sea_have_the_deviations() -> None:
     """Source: the engine in time. Of a Gaussian process the variance in a record of T has the variance
     2 pi / T Int S^2 dw (Bendat & Piersol, *Random Data*, 2010, sec. 8.2.2), over all runs an n-th of it:

@@ -92,6 +92,7 @@ def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
     assert "ship.roll" not in shown
 
 
+@pytest.mark.thorough
 def test_only_runs_that_differ_in_their_seeds_are_pooled(tmp_path, capsys) -> None:
     """Source: another sea state, records of another length, the same seed twice."""
     first = recorded(tmp_path, 0, significant_height_m=1)

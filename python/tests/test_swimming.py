@@ -69,6 +69,7 @@ def test_a_tail_set_aside_steers_to_that_side(sign: int) -> None:
     assert other.kingpost["robot.yaw"].values[-1] == pytest.approx(-yaw, abs=1e-9)
 
 
+@pytest.mark.thorough
 def test_without_its_wake_and_drag_a_robot_swims_by_its_shape_alone_whatever_the_pace() -> None:
     """Source: Kanso et al. 2005: the way of a stroke is a geometric phase, whatever its pace."""
 

@@ -136,6 +136,7 @@ def test_plans_by_sampling_have_the_same_bits_for_any_number_of_threads() -> Non
     assert not np.array_equal(taken[0], np.array([CrossEntropy(anti_sway(), goal, few).action()] * 8))
 
 
+@pytest.mark.thorough
 def test_plans_by_sampling_beat_the_policy_that_they_begin_with_where_the_base_moves() -> None:
     """Source: the plan of zeros, the policy itself, is among the candidates, and the model is the engine."""
     task = replace(anti_sway(on_a_ship=True), duration_s=16.0)

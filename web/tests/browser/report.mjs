@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 import { findBrowser, launch } from "../../scripts/browser.mjs";
+import { WAIT_MS } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const [file, ...size] = process.argv.slice(2);
@@ -10,6 +11,7 @@ const [width, height] = size.length ? size.map(Number) : [1280, 900];
 const browser = await launch(findBrowser());
 const context = await browser.newContext({ offline: true, viewport: { width, height } });
 const page = await context.newPage();
+page.setDefaultTimeout(WAIT_MS);
 const asked = [];
 const errors = [];
 page.on("request", (request) => asked.push(request.url()));
