@@ -168,8 +168,8 @@ impl<const N: usize, S: Scalar> Scalar for Dual<N, S> {
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         let mut derivative = self.derivative;
-        for d in derivative.iter_mut().filter(|d| **d != S::ZERO) {
-            *d = *d / (root + root);
+        for d in &mut derivative {
+            *d = if *d == S::ZERO { S::ZERO } else { *d / (root + root) };
         }
         Self { value: root, derivative }
     }
