@@ -9,6 +9,8 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory --jobs=2
 export PYTHON ?= $(shell sh tools/need.sh which-python)
 export UV_PYTHON ?= $(PYTHON)
 export UV_PYTHON_DOWNLOADS ?= never
+# Python keeps what it compiles, whatever the machine says: hundreds of starts use it.
+export PYTHONDONTWRITEBYTECODE :=
 BIN := .venv/bin
 DONE := target/make
 

@@ -1,4 +1,4 @@
-"""Runs every part's tests and sums them: the last line reads `N passed, N failed`.
+"""Runs the tests of every part, in the lane of KINGPOST_LANE: the last line reads `N passed, N failed`.
 
 Two parts run at a time: one that waits, for pages and servers, beside one that computes. What a part
 prints comes whole when it has ended. A part whose tests fail, or which breaks before it has any,
