@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { EngineClient } from "../src/engine/client";
 import type { FromWorker, ToWorker } from "../src/engine/messages";
 
-const SILENT_MS = 30_000;
+const SILENT_MS = 70_000;
 
 /** A worker that notes what it hears and says what it is told to. */
 class FakeWorker {

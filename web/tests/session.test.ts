@@ -296,7 +296,7 @@ describe("the session", () => {
     await session.open(good, { load: true });
     session.start();
     await session.advance(0.1);
-    client.advance = () => Promise.reject({ kind: "engine", message: "The engine gave no answer for 20 s." });
+    client.advance = () => Promise.reject({ kind: "engine", message: "The engine gave no answer for 60 s." });
     await session.advance(0.1);
     await turns();
     expect(session.status).toBe("idle");

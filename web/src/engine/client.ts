@@ -5,8 +5,11 @@ import type { FromWorker, LeverMove, Replies, Reply, Request } from "./messages"
 
 /** Interval of the checks whether the worker is alive, while an answer is expected, ms. */
 const LOOK_EVERY_MS = 1000;
-/** Checks without a sign of life after which the worker counts as dead; the engine gives none during one step or one opening. */
-const MOST_SILENT_LOOKS = 20;
+/**
+ * Checks without a sign of life after which the worker counts as dead. The engine gives none during one step or one opening, which on a
+ * phone, or beside other work, may take half a minute.
+ */
+const MOST_SILENT_LOOKS = 60;
 
 interface Waiting {
   resolve(value: never): void;
