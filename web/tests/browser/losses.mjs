@@ -68,7 +68,7 @@ export default {
     await close();
   },
 
-  // The page knows after twenty looks, one a second.
+  // The page knows after sixty looks, one a second.
   ...thorough({
     async "starts another engine where it falls silent under way, with the same values"(host) {
       const { page, close } = await openApp(host);
