@@ -59,10 +59,11 @@ def same(values: models.tree.Array) -> models.tree.Array:
 def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
     """The engine crate, called from a small Rust program; a quick run takes the library of the tests."""
     # The same features as theirs: with others cargo would build the engine once more.
-    tested = ("--package", "kingpost", "--package", "kingpost-bench", "--all-features", "--profile", "proof")
+    packages = ("kingpost", "kingpost-bench", "kingpost-py")
+    tested = (*(word for name in packages for word in ("--package", name)), "--all-features")
     chosen = (*tested, "--bin", "kingpost-bench") if quick else ("--package", "kingpost-bench", "--release")
     _run([_tool("cargo"), "build", "--quiet", "--locked", *chosen])
-    program = _target() / ("proof" if quick else "release") / "kingpost-bench"
+    program = _target() / ("debug" if quick else "release") / "kingpost-bench"
     path = models.write_kingpost(case, folder)
     steps = ("euler_step", "rk4_step", "rk4_step_ledger", "lanes_euler", "lanes_rk4", *BATCHES)
     operations = ("forward",) if case.links else ("forward", *steps)

@@ -24,9 +24,6 @@ import models
 import report
 from measure import Figure
 
-COUNTS = Path(__file__).with_name("instructions.json")
-"""Instructions of our operations, by model: what a test holds the engine to."""
-
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line and returns its exit code."""
@@ -40,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print("no engine can be measured here", file=sys.stderr)
             return 1
         if options.counts:
-            COUNTS.write_text(json.dumps(measure.counts(found), indent=2) + "\n")
+            options.counts.write_text(json.dumps(measure.counts(found), indent=2) + "\n")
             return 0
         for pair, operation, difference in measure.agreement(found):
             lines.add(f"# agreement: {pair}, {operation}: {difference:.1e} of the largest entry")
@@ -65,7 +62,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("-o", "--output", type=Path, help="also write the lines to this file")
     parser.add_argument("--quick", action="store_true", help="a few seconds: does it run, not how fast")
     parser.add_argument("--readme", action="store_true", help="write what was measured into README.md")
-    parser.add_argument("--counts", action="store_true", help=f"only write our instructions to {COUNTS.name}")
+    parser.add_argument(
+        "--counts", type=Path, metavar="FILE", help="only write our instructions to this file"
+    )
     names = ",".join(programs.BUILDERS)
     parser.add_argument("--engines", default=names, help="comma-separated (default: %(default)s)")
     parser.add_argument("--models", help=f"comma-separated (default: {','.join(models.CASES)})")

@@ -72,10 +72,15 @@ def kept_digests() -> dict[str, str]:
     return json.loads(DIGESTS.read_text(encoding="utf-8"))
 
 
+def changed_pages(digests: dict[str, str]) -> list[str]:
+    """Pages that have changed since they last ran well."""
+    kept = kept_digests()
+    return [name for name, now in digests.items() if kept.get(name) != now]
+
+
 def to_run(digests: dict[str, str], always: str) -> list[Any]:
     """Pages as cases of a test: by default those that have changed, and one of them always."""
-    kept = kept_digests()
-    changed = {name for name, now in digests.items() if kept.get(name) != now}
+    changed = changed_pages(digests)
     return sampled(digests, keep=lambda name: WRITE or name == always or name in changed)
 
 
@@ -88,9 +93,8 @@ def ran_well(name: str, now: str) -> None:
 
 
 def not_kept(digests: dict[str, str]) -> list[str]:
-    """Pages that have changed since they last ran well."""
-    kept = kept_digests()
-    return [name for name, now in digests.items() if kept.get(name) != now and not WRITE]
+    """Pages whose digests are outdated; none while they are written anew."""
+    return [] if WRITE else changed_pages(digests)
 
 
 def commands_folder(folder: Path) -> Path:

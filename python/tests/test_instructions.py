@@ -24,17 +24,15 @@ MOST_MORE = 1.02
 @pytest.mark.skipif(
     importlib.util.find_spec("mujoco") is None, reason="the models are written by peers' translators"
 )
-def test_no_operation_takes_more_instructions_than_stored() -> None:
-    """Source: `python benches/run.py --counts`, which wrote the stored table."""
-    path = BENCHES / "instructions.json"
-    text = path.read_text(encoding="utf-8")
-    try:
-        command = [sys.executable, str(BENCHES / "run.py"), "--counts"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-        found, stored = json.loads(path.read_text(encoding="utf-8")), json.loads(text)
-    finally:
-        path.write_text(text, encoding="utf-8")
+def test_no_operation_takes_more_instructions_than_stored(tmp_path: Path) -> None:
+    """Source: `python benches/run.py --counts benches/instructions.json`, which wrote the table."""
+    counted = tmp_path / "instructions.json"
+    command = [sys.executable, str(BENCHES / "run.py"), "--counts", str(counted)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    found, stored = (
+        json.loads(path.read_text(encoding="utf-8")) for path in (counted, BENCHES / "instructions.json")
+    )
     assert {model: set(counts) for model, counts in found.items()} == {
         model: set(counts) for model, counts in stored.items()
     }
