@@ -48,13 +48,13 @@ impl BuiltScenario {
     /// A run with its derivatives, as [`gradient`].
     ///
     /// # Errors
-    /// As [`gradient`].
+    /// Fails for the same names as [`gradient`].
     pub fn gradient(&self, names: &[&str], progress: impl FnMut(f64) -> bool) -> Result<Gradient, ScenarioError> {
         gradient_of(self.scenario(), self.setup(), names, progress)
     }
 }
 
-/// The same; `plain` is the scenario's own setup.
+/// Computes [`gradient`] with the setup of the scenario that is already built, `plain`.
 fn gradient_of(
     scenario: &Scenario,
     plain: &Setup,

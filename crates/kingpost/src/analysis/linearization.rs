@@ -124,7 +124,7 @@ impl Linearizer {
     /// For simulations of a scenario that is built.
     ///
     /// # Errors
-    /// As [`Scenario::setup_over`].
+    /// Fails where [`Scenario::setup_over`] does.
     pub fn of_built(built: &BuiltScenario) -> Result<Self, ScenarioError> {
         Ok(Self::of_setup(built.dual_setup()?.clone()))
     }

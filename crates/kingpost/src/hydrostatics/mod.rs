@@ -133,7 +133,7 @@ impl Scenario {
         self.hydrostatic_report_of(&self.setup()?, simulation)
     }
 
-    /// The same; `setup` is its own.
+    /// Reports how the hulls float, by the setup of the scenario.
     fn hydrostatic_report_of(
         &self,
         setup: &Setup,
@@ -200,15 +200,15 @@ impl BuiltScenario {
     /// How its hulls float, as [`Scenario::hydrostatic_report`].
     ///
     /// # Errors
-    /// As [`Scenario::hydrostatic_report`].
+    /// Fails where [`Scenario::hydrostatic_report`] does.
     pub fn hydrostatic_report(&self) -> Result<HydrostaticReport, HydrostaticsError> {
         self.hydrostatic_report_at(&Simulation::new(self.setup().clone()))
     }
 
-    /// The same with the crane as in a simulation of it, as [`Scenario::hydrostatic_report_at`].
+    /// Reports how the hulls float with the crane as it stands in a simulation, as [`Scenario::hydrostatic_report_at`].
     ///
     /// # Errors
-    /// As [`Scenario::hydrostatic_report_at`].
+    /// Fails where [`Scenario::hydrostatic_report_at`] does.
     pub fn hydrostatic_report_at(&self, simulation: &Simulation) -> Result<HydrostaticReport, HydrostaticsError> {
         self.scenario().hydrostatic_report_of(self.setup(), simulation)
     }

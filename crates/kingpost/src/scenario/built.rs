@@ -39,7 +39,7 @@ impl BuiltScenario {
     /// Reads a scenario as [`read_with`](super::read_with), and keeps the setup that validates it.
     ///
     /// # Errors
-    /// As [`read_with`](super::read_with).
+    /// Fails where [`read_with`](super::read_with) does.
     pub fn read(text: &str, file: &str, overrides: &[(String, Value)], files: &Files) -> Result<Self, ScenarioError> {
         let (scenario, setup) = Parsed::new(text, file)?.read_and_build(overrides, files)?;
         Ok(Self::of(scenario, setup))
@@ -62,7 +62,7 @@ impl BuiltScenario {
     /// Its setup over dual numbers, all of them constant.
     ///
     /// # Errors
-    /// As [`Scenario::setup_over`].
+    /// Fails where [`Scenario::setup_over`] does.
     pub fn dual_setup(&self) -> Result<&Setup<Number>, ScenarioError> {
         if let Some(made) = self.dual.get() {
             return Ok(made);
@@ -74,7 +74,7 @@ impl BuiltScenario {
     /// A simulation at time 0, as [`Scenario::simulation`].
     ///
     /// # Errors
-    /// As [`Scenario::simulation`].
+    /// Fails where [`Scenario::simulation`] does.
     pub fn simulation(&self) -> Result<Simulation, ScenarioError> {
         #[cfg_attr(target_family = "wasm", expect(unused_mut))]
         let mut simulation = Simulation::new(self.setup.clone());
@@ -95,7 +95,7 @@ impl Scenario {
     /// The scenario with its setup.
     ///
     /// # Errors
-    /// As [`setup`](Self::setup).
+    /// Fails where [`setup`](Self::setup) does.
     pub fn build(self) -> Result<BuiltScenario, ScenarioError> {
         let setup = self.setup()?;
         Ok(BuiltScenario::of(self, setup))

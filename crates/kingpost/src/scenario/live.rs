@@ -66,7 +66,7 @@ impl Scenario {
         Ok(())
     }
 
-    /// The same; returns the changed scenario with its setup.
+    /// Sets a live parameter in a simulation, and returns the changed scenario with its setup.
     fn go_on_with(
         &self,
         simulation: &mut Simulation,
@@ -106,7 +106,7 @@ impl BuiltScenario {
     /// Sets a parameter in a simulation of it, as [`Scenario::set_parameter`], and returns the changed scenario.
     ///
     /// # Errors
-    /// As [`Scenario::set_parameter`].
+    /// Fails where [`Scenario::set_parameter`] does.
     pub fn set_parameter(
         &self,
         simulation: &mut Simulation,

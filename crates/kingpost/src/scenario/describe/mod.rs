@@ -185,7 +185,7 @@ impl Scenario {
         Ok(self.description_of(&self.setup()?))
     }
 
-    /// The same; `setup` is its own.
+    /// Describes the scenario by its setup.
     pub(super) fn description_of(&self, setup: &Setup) -> Description {
         let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
         let growing = warnings::of_feedback(setup);
