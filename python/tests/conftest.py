@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,7 +16,7 @@ from gallery_pass import Gallery
 from kingpost.server import serve
 from lanes import THOROUGH
 from samples import CALIBRATION, SMALL
-from served import ENGINE
+from served import made_app, running
 
 LONG = (
     "test_docs_run.py",
@@ -88,25 +87,22 @@ def hang(tmp_path):
 @pytest.fixture
 def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with the kinds of file that a built app has, in the place of one."""
-    folder = tmp_path / "app"
-    (folder / "assets").mkdir(parents=True)
-    (folder / "index.html").write_text("<!doctype html><title>Kingpost</title>" + "<p>A ship." * 9)
-    (folder / "assets" / "engine.wasm").write_bytes(ENGINE)
-    (folder / "assets" / "main.js").write_text("export {};")
+    folder = made_app(tmp_path)
     monkeypatch.setattr(serve, "app_folder", lambda: folder)
     return folder
 
 
+@pytest.fixture(scope="session")
+def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A server of an app with the gallery and one more scenario, which all tests of a process ask."""
+    folder = tmp_path_factory.mktemp("served")
+    given = folder / "small.yaml"
+    given.write_text(SMALL, encoding="utf-8")
+    files, _ = serve.scenarios(str(given))
+    yield from running(serve.open_server(made_app(folder), files, serve.LOOPBACK, 0, serve.databases(str(given))))
+
+
 @pytest.fixture
-def address(app: Path, small: Path) -> Iterator[str]:
-    """A server of the app with the gallery and one more scenario."""
-    files, _ = serve.scenarios(str(small))
-    databases = serve.databases(str(small))
-    server = serve.open_server(app, files, serve.LOOPBACK, 0, databases)
-    # It looks for the end as often as this, s.
-    thread = threading.Thread(target=server.serve_forever, args=(0.01,))
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_port}/"
-    server.shutdown()
-    thread.join()
-    server.close()
+def own_address(app: Path) -> Iterator[str]:
+    """A server without scenarios, of an app that the test may change."""
+    yield from running(serve.open_server(app, {}, serve.LOOPBACK, 0))

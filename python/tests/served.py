@@ -3,14 +3,40 @@
 from __future__ import annotations
 
 import socket
+import threading
+from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
 from http.client import HTTPConnection, HTTPMessage
+from pathlib import Path
 from urllib.parse import urlsplit
+
+from kingpost.server.listening import Server
 
 PATIENCE_S = 300
 """How long a test waits for a server on a machine that is busy with other things."""
 ENGINE = b"\0asm\1\0\0\0" + bytes(1000)
+
+
+def made_app(within: Path) -> Path:
+    """A folder with the kinds of file that a built app has."""
+    folder = within / "app"
+    (folder / "assets").mkdir(parents=True)
+    (folder / "index.html").write_text("<!doctype html><title>Kingpost</title>" + "<p>A ship." * 9)
+    (folder / "assets" / "engine.wasm").write_bytes(ENGINE)
+    (folder / "assets" / "main.js").write_text("export {};")
+    return folder
+
+
+def running(server: Server) -> Iterator[str]:
+    """The address of a server that answers until the iterator is resumed."""
+    # It looks for the end as often as this, s.
+    thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}/"
+    server.shutdown()
+    thread.join()
+    server.close()
 
 
 @dataclass(frozen=True)

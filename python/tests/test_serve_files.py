@@ -9,6 +9,7 @@ from urllib.request import Request, urlopen
 import kingpost
 import pytest
 from kingpost.server import serve
+from samples import SMALL
 from served import ENGINE, fetch
 
 AFLOAT = """version: 1
@@ -45,7 +46,7 @@ def test_files_come_with_the_type_that_browsers_need(address, path, kind):
         assert head.read() == b""
 
 
-def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
+def test_the_index_lists_the_gallery_and_the_given_scenario(address):
     """Source: the app's own reader; the gallery comes in the order of its groups, what is not in it last."""
     entries = json.load(urlopen(address + "scenarios/index.json"))
     paper = kingpost.load("paper")
@@ -63,7 +64,7 @@ def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
         "file": "small.yaml",
         "description": "",
     }
-    assert urlopen(address + "scenarios/small.yaml").read() == small.read_bytes()
+    assert urlopen(address + "scenarios/small.yaml").read() == SMALL.encode()
 
 
 def test_every_scenario_of_the_gallery_is_in_one_group():
@@ -159,27 +160,27 @@ def test_a_browser_that_does_not_take_gzip_gets_plain_bytes(address, header):
     assert answer.body == kingpost.gallery.read_text(kingpost.gallery.folder() / "paper.yaml").encode()
 
 
-def test_pictures_and_what_would_grow_go_as_they_are(address, app):
+def test_pictures_and_what_would_grow_go_as_they_are(own_address, app):
     """Source: a picture is compressed already; gzip's own head and tail take 18 bytes."""
     (app / "icon.png").write_bytes(b"\x89PNG" + bytes(1000))
-    assert fetch(address, "icon.png", accept="gzip").headers["Content-Encoding"] is None
-    assert fetch(address, "assets/main.js", accept="gzip").headers["Content-Encoding"] is None
-    assert fetch(address, "assets/main.js").headers["Vary"] == "Accept-Encoding"
+    assert fetch(own_address, "icon.png", accept="gzip").headers["Content-Encoding"] is None
+    assert fetch(own_address, "assets/main.js", accept="gzip").headers["Content-Encoding"] is None
+    assert fetch(own_address, "assets/main.js").headers["Vary"] == "Accept-Encoding"
 
 
-def test_what_a_browser_has_is_not_sent_again_until_it_changes(address, app):
+def test_what_a_browser_has_is_not_sent_again_until_it_changes(own_address, app):
     """Source: RFC 9110, section 13.1.2; each coding has a tag of its own."""
     path = "assets/engine.wasm"
-    plain, small = fetch(address, path), fetch(address, path, accept="gzip")
+    plain, small = fetch(own_address, path), fetch(own_address, path, accept="gzip")
     assert plain.headers["ETag"] != small.headers["ETag"]
-    again = fetch(address, path, accept="gzip", known=small.headers["ETag"])
+    again = fetch(own_address, path, accept="gzip", known=small.headers["ETag"])
     assert (again.status, again.body, again.headers["Vary"]) == (304, b"", "Accept-Encoding")
     (app / path).write_bytes(ENGINE + b"\1")
-    changed = fetch(address, path, accept="gzip", known=small.headers["ETag"])
+    changed = fetch(own_address, path, accept="gzip", known=small.headers["ETag"])
     assert (changed.status, gzip.decompress(changed.body)) == (200, ENGINE + b"\1")
 
 
-def test_the_same_bytes_are_compressed_once(address, monkeypatch):
+def test_the_same_bytes_are_compressed_once(own_address, monkeypatch):
     """Source: the engine takes a tenth of a second, which no second visitor should wait for."""
     sizes = []
     compress = gzip.compress
@@ -187,5 +188,5 @@ def test_the_same_bytes_are_compressed_once(address, monkeypatch):
         gzip, "compress", lambda content, **given: sizes.append(len(content)) or compress(content, **given)
     )
     for _ in range(3):
-        fetch(address, "assets/engine.wasm", accept="gzip")
+        fetch(own_address, "assets/engine.wasm", accept="gzip")
     assert sizes == [len(ENGINE)]

@@ -58,7 +58,8 @@ def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
 
     The given one is validated first; when it is no gallery file it joins the gallery.
     """
-    files = {entry.path.name: gallery.read_text(entry.path) for entry in gallery.entries()}
+    paths = [gallery.find(name) for name in gallery.names()]
+    files = {path.name: gallery.read_text(path) for path in paths}
     if given is None:
         return files, None
     scenario = load(given)
