@@ -16,10 +16,9 @@ fn commanded(label: &str, unit: &str) -> Output {
     Output::number(variable, description, "controller", label, unit)
 }
 
-/// A controller that sets one input and takes its command by its own name. Its first number is the action that its output shows.
+/// A controller that sets one input and takes its command by its own name.
 pub fn one_command(name: &str, to: &Input) -> Declaration {
     Declaration {
-        numbers: vec!["action".to_owned()],
         inputs: vec![command_of(to, name)],
         outputs: vec![commanded(name, to.unit)],
         steers: vec![to.name.clone()],
@@ -33,15 +32,14 @@ fn command_of(to: &Input, name: &str) -> Input {
 }
 
 /// A controller that passes the command of each input that it sets, by the command's name, changed by a number that it
-/// `holds` between its samples. Its numbers are those, then the actions that its outputs show.
+/// `holds` between its samples.
 pub fn changed_commands<'a>(
     holds: &str,
     steers: impl Iterator<Item = (&'a Input, &'a str)> + Clone,
     reads: Vec<String>,
 ) -> Declaration {
-    let of_each = |what: &str| steers.clone().map(|(to, _)| format!("{what}_{}", to.name)).collect::<Vec<_>>();
     Declaration {
-        numbers: [of_each(holds), of_each("action")].concat(),
+        numbers: steers.clone().map(|(to, _)| format!("{holds}_{}", to.name)).collect(),
         inputs: steers.clone().map(|(to, command)| command_of(to, command)).collect(),
         outputs: steers.clone().map(|(to, command)| commanded(command, to.unit)).collect(),
         reads,

@@ -48,6 +48,8 @@ pub struct Context<'a, S = f64> {
     pub states: &'a [S],
     /// Its inputs, constant over a step.
     pub inputs: &'a [S],
+    /// The values that they reach at the end of the step.
+    pub inputs_at_end: &'a [S],
     /// Its discrete numbers, which its samples and events set.
     pub numbers: &'a [S],
     /// Its modes, which its samples and events set.
@@ -63,7 +65,8 @@ impl<'a, S> Context<'a, S> {
         (q, v): (&'a [S], &'a [S]),
     ) -> Self {
         let clock = Clock { time_s: 0.0, middle_s: 0.0 };
-        let (states, inputs, numbers, modes) = Default::default();
-        Self { clock, situation: Situation::AtRest, world, model, links, q, v, states, inputs, numbers, modes }
+        let (states, inputs, inputs_at_end, numbers, modes) = Default::default();
+        let situation = Situation::AtRest;
+        Self { clock, situation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes }
     }
 }

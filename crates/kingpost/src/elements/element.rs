@@ -86,6 +86,11 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         Ok(Vec::new())
     }
 
+    /// Writes the values at the end of the step of the inputs that it [steers](Declaration::steers), in the order of its
+    /// declaration, where they vary within the step; called after [`steer`](Element::steer), which has set the values that
+    /// the step holds. `inputs` begins with those.
+    fn at_end(&self, _at: &Context<'_, S>, _inputs: &mut [S]) {}
+
     /// Writes the witness function of each event, in the order of the declaration: a change of sign is the event.
     fn witnesses(&mut self, _at: &Context<'_, S>, values: &mut [S]) {
         values.fill(S::ONE);

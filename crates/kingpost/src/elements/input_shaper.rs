@@ -60,7 +60,7 @@ pub struct Swing<S> {
     pub tolerance: S,
 }
 
-/// The number that its output shows; commands follow.
+/// What its output shows: the action at the end of the step. The commands of earlier steps follow, then those at their ends.
 const ACTION: usize = 0;
 const RING: usize = 1;
 /// The only mode: where the next command goes.
@@ -72,11 +72,10 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let kept = (0..self.steps_kept()).map(|step| format!("command_{step}"));
-        let mut declared = one_command(&self.name, &self.to);
-        declared.numbers.extend(kept);
-        declared.modes = vec!["next".to_owned()];
-        declared
+        let of_each = |what: &'static str| (0..self.steps_kept()).map(move |step| format!("{what}_{step}"));
+        let kept = of_each("command").chain(of_each("command_at_end"));
+        let numbers = core::iter::once("action".to_owned()).chain(kept).collect();
+        Declaration { numbers, modes: vec!["next".to_owned()], ..one_command(&self.name, &self.to) }
     }
 
     /// The command was the same before the run.
@@ -91,20 +90,25 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
         own: &mut Own<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let (command, kept) = (at.inputs[0], self.steps_kept());
+        let kept = self.steps_kept();
         let head = if kept == 0 { 0 } else { own.modes[HEAD].rem_euclid(kept as i64) as usize };
-        let ago = |steps: usize| match steps {
-            0 => command,
-            steps => own.numbers[RING + (head + kept - steps) % kept],
-        };
-        let shaped = self.taps.iter().fold(S::ZERO, |sum, &(steps, weight)| sum + weight * ago(steps));
-        own.numbers[ACTION] = shaped;
+        let [shaped, at_end] = [(at.inputs[0], RING), (at.inputs_at_end[0], RING + kept)].map(|(command, ring)| {
+            let shaped = self.shaped(command, &own.numbers[ring..][..kept], head);
+            if kept > 0 {
+                own.numbers[ring + head] = command;
+            }
+            shaped
+        });
         if kept > 0 {
-            own.numbers[RING + head] = command;
             own.modes[HEAD] = ((head + 1) % kept) as i64;
         }
+        own.numbers[ACTION] = at_end;
         inputs.fill(shaped);
         Ok(Vec::new())
+    }
+
+    fn at_end(&self, at: &Context<'_, S>, inputs: &mut [S]) {
+        inputs.fill(at.numbers[ACTION]);
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
@@ -115,6 +119,15 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
 impl<S: Scalar> InputShaper<S> {
     fn steps_kept(&self) -> usize {
         self.taps.iter().map(|(steps, _)| *steps).max().unwrap_or_default()
+    }
+
+    /// The sum of the weighted commands: this one, and those of earlier steps, the oldest at `head`.
+    fn shaped(&self, command: S, earlier: &[S], head: usize) -> S {
+        let ago = |steps: usize| match steps {
+            0 => command,
+            steps => earlier[(head + earlier.len() - steps) % earlier.len()],
+        };
+        self.taps.iter().fold(S::ZERO, |sum, &(steps, weight)| sum + weight * ago(steps))
     }
 }
 

@@ -242,9 +242,20 @@ impl Layout {
         self.ledger + self.states.len()
     }
 
-    /// Length of d.
+    /// Length of d: the inputs, the numbers, the inputs at the end of the step.
     pub fn discrete(&self) -> usize {
-        self.inputs.len() + self.numbers.len()
+        2 * self.inputs.len() + self.numbers.len()
+    }
+
+    /// The places in d of the values that some inputs reach at the end of the step.
+    pub fn ends_of(&self, inputs: Range<usize>) -> Range<usize> {
+        let first = self.inputs.len() + self.numbers.len();
+        first + inputs.start..first + inputs.end
+    }
+
+    /// The place in d of the value that an input reaches at the end of the step.
+    pub fn end_of(&self, input: usize) -> usize {
+        self.inputs.len() + self.numbers.len() + input
     }
 
     /// The place of an element's states in s.

@@ -75,10 +75,6 @@ impl<S: Scalar> Element<S> for Policy<S> {
         changed_commands("addition", self.steers.iter().map(|steer| (&steer.to, &*steer.command)), reads)
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
-        own.numbers[self.steers.len()..].copy_from_slice(at.inputs);
-    }
-
     fn steer(
         &mut self,
         at: &Context<'_, S>,
@@ -86,23 +82,25 @@ impl<S: Scalar> Element<S> for Policy<S> {
         own: &mut Own<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let (additions, actions) = own.numbers.split_at_mut(self.steers.len());
         if self.acts && is_tick(at.clock.time_s, self.period_s) {
             let acted = self.acted(self.seen(read));
-            for ((steer, acted), addition) in self.steers.iter().zip(acted).zip(&mut *additions) {
+            for ((steer, acted), addition) in self.steers.iter().zip(acted).zip(&mut *own.numbers) {
                 let [lower, upper] = steer.bounds;
                 *addition = lower + (acted + S::ONE) * (S::constant(0.5) * (upper - lower));
             }
         }
-        for (k, PolicySteer { to, .. }) in self.steers.iter().enumerate() {
-            actions[k] = (at.inputs[k] + additions[k]).clipped(S::constant(to.lower), S::constant(to.upper));
-            inputs[k] = actions[k];
-        }
+        self.act(at.inputs, own.numbers, inputs);
         Ok(Vec::new())
     }
 
+    fn at_end(&self, at: &Context<'_, S>, inputs: &mut [S]) {
+        self.act(at.inputs_at_end, at.numbers, inputs);
+    }
+
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        out.extend_from_slice(&at.numbers[self.steers.len()..]);
+        let first = out.len();
+        out.extend_from_slice(at.inputs);
+        self.act(at.inputs, at.numbers, &mut out[first..]);
     }
 
     /// The Jacobian where all that it sees is 0: at rest at the target.
@@ -116,6 +114,14 @@ impl<S: Scalar> Element<S> for Policy<S> {
 }
 
 impl<S: Scalar> Policy<S> {
+    /// Writes the actions: the commands with the additions, within the limits of the inputs.
+    fn act(&self, commands: &[S], additions: &[S], actions: &mut [S]) {
+        let each = actions.iter_mut().zip(&self.steers).zip(commands.iter().zip(additions));
+        for ((action, PolicySteer { to, .. }), (command, addition)) in each {
+            *action = (*command + *addition).clipped(S::constant(to.lower), S::constant(to.upper));
+        }
+    }
+
     /// o.
     fn seen(&self, read: &[S]) -> Vec<S> {
         let mut values = read.iter();

@@ -41,13 +41,24 @@ impl<S: Scalar> Element<S> for Selector {
         _own: &mut Own<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let first = self.selected * self.to.len();
-        inputs.copy_from_slice(&at.inputs[first..first + self.to.len()]);
+        inputs.copy_from_slice(self.chosen(at.inputs));
         Ok(Vec::new())
+    }
+
+    fn at_end(&self, at: &Context<'_, S>, inputs: &mut [S]) {
+        inputs.copy_from_slice(self.chosen(at.inputs_at_end));
     }
 
     fn passes_to(&self, command: usize) -> Option<usize> {
         let (branch, input) = (command / self.to.len(), command % self.to.len());
         (branch == self.selected).then_some(input)
+    }
+}
+
+impl Selector {
+    /// The commands of the branch that acts.
+    fn chosen<'a, S>(&self, commands: &'a [S]) -> &'a [S] {
+        let first = self.selected * self.to.len();
+        &commands[first..first + self.to.len()]
     }
 }

@@ -69,10 +69,6 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
         declared
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
-        own.numbers[self.actions()].copy_from_slice(at.inputs);
-    }
-
     fn steer(
         &mut self,
         at: &Context<'_, S>,
@@ -80,8 +76,7 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
         own: &mut Own<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let (corrections, rest) = own.numbers.split_at_mut(self.steers.len());
-        let (actions, integrals) = rest.split_at_mut(self.steers.len());
+        let (corrections, integrals) = own.numbers.split_at_mut(self.steers.len());
         if self.acts && is_tick(at.clock.time_s, self.period_s) {
             for (k, steer) in self.steers.iter().enumerate() {
                 let proportional = self.correction(&steer.gains, read, at.inputs);
@@ -90,15 +85,18 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
                 corrections[k] = proportional + integrals[k];
             }
         }
-        for (k, FeedbackSteer { limits: [lower, upper], .. }) in self.steers.iter().enumerate() {
-            actions[k] = (at.inputs[k] - corrections[k]).clipped(*lower, *upper);
-            inputs[k] = actions[k];
-        }
+        self.act(at.inputs, corrections, inputs);
         Ok(Vec::new())
     }
 
+    fn at_end(&self, at: &Context<'_, S>, inputs: &mut [S]) {
+        self.act(at.inputs_at_end, at.numbers, inputs);
+    }
+
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        out.extend_from_slice(&at.numbers[self.actions()]);
+        let first = out.len();
+        out.extend_from_slice(at.inputs);
+        self.act(at.inputs, at.numbers, &mut out[first..]);
     }
 
     fn linear_law(&self) -> Option<LinearLaw> {
@@ -121,9 +119,12 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
 }
 
 impl<S: Scalar> StateFeedback<S> {
-    /// The places of its actions among its numbers: corrections, actions, integrals.
-    fn actions(&self) -> core::ops::Range<usize> {
-        self.steers.len()..2 * self.steers.len()
+    /// Writes the actions: the commands less the corrections, within the limits.
+    fn act(&self, commands: &[S], corrections: &[S], actions: &mut [S]) {
+        let each = actions.iter_mut().zip(&self.steers).zip(commands.iter().zip(corrections));
+        for ((action, FeedbackSteer { limits: [lower, upper], .. }), (command, correction)) in each {
+            *action = (*command - *correction).clipped(*lower, *upper);
+        }
     }
 
     /// A row of gains times the deviations.

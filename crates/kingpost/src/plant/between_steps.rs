@@ -18,7 +18,8 @@ impl<S: Scalar> Plant<S> {
     pub fn begin(&mut self, time_s: f64, inputs: &[S], state: &mut State<S>) {
         state.s = vec![S::ZERO; self.layout.extras()];
         state.d = inputs.to_vec();
-        state.d.resize(self.layout.discrete(), S::ZERO);
+        state.d.resize(self.layout.discrete() - inputs.len(), S::ZERO);
+        state.d.extend_from_slice(inputs);
         state.m = vec![0; self.layout.modes.len()];
         for i in 0..self.elements.len() {
             self.change(i, time_s, state, |element, at, own, _| element.begin(at, own));
@@ -36,8 +37,9 @@ impl<S: Scalar> Plant<S> {
         self.take_hold(time_s, state);
     }
 
-    /// Sets an input; its element may change its modes.
+    /// Sets an input, from now on and at the end of the step; its element may change its modes.
     pub fn set_input(&mut self, input: usize, value: S, time_s: f64, state: &mut State<S>) {
+        state.d[self.layout.end_of(input)] = value;
         if state.d[input] == value {
             return;
         }
@@ -114,8 +116,20 @@ impl<S: Scalar> Plant<S> {
         for (k, value) in values.iter().enumerate() {
             self.set_input(self.layout.steers[steer].inputs[k], *value, time_s, state);
         }
+        let Self { model, world, links, layout, situation, elements, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *situation, instant(time_s, state));
+        elements[element].at_end(scene.of(element), values);
+        for (&input, value) in layout.steers[steer].inputs.iter().zip(values) {
+            state.d[layout.end_of(input)] = *value;
+        }
         self.pass_on(element, time_s, state);
         steered
+    }
+
+    /// Replaces the inputs in `d` by the values that they reach at the end of the step: those of a row.
+    pub fn show_ends(&self, d: &mut [S]) {
+        let (inputs, ends) = d.split_at_mut(self.layout.end_of(0));
+        inputs[..ends.len()].copy_from_slice(ends);
     }
 
     /// Writes the outputs of an element to the inputs that are wired to them.
@@ -130,6 +144,7 @@ impl<S: Scalar> Plant<S> {
         elements[element].outputs(Scene::new(layout, world, model, links, *situation, at).of(element), outputs);
         for wire in layout.wires.iter().filter(|wire| wire.element == element) {
             state.d[wire.input] = outputs[wire.output];
+            state.d[layout.end_of(wire.input)] = outputs[wire.output];
         }
     }
 

@@ -32,9 +32,9 @@ impl<'a, S: Copy> Scene<'a, S> {
         at: Stage<'a, S>,
     ) -> Self {
         let clock = Clock { time_s: at.time_s, middle_s: at.interval.middle_s() };
-        let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
-        let (q, v) = (at.q, at.v);
-        let shared = Context { clock, situation, world, model, links, q, v, states, inputs, numbers, modes };
+        let (q, v, own) = (at.q, at.v, <&[S]>::default());
+        let (states, inputs, inputs_at_end, numbers, modes) = (own, own, own, own, <&[i64]>::default());
+        let shared = Context { clock, situation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes };
         let states = at.s.get(layout.ledger..).unwrap_or_default();
         Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }
@@ -49,6 +49,7 @@ impl<'a, S: Copy> Scene<'a, S> {
         let own = self.own.get_or_insert(self.shared);
         own.states = self.states.get(states.clone()).unwrap_or_default();
         own.inputs = self.discrete.get(inputs.clone()).unwrap_or_default();
+        own.inputs_at_end = self.discrete.get(self.layout.ends_of(inputs.clone())).unwrap_or_default();
         own.numbers = self.discrete.get(numbers.clone()).unwrap_or_default();
         own.modes = self.modes.get(modes.clone()).unwrap_or_default();
         own

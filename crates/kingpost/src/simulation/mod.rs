@@ -377,7 +377,7 @@ impl<S: Scalar> Simulation<S> {
 
     /// Writes the present values of the readings, in their order.
     pub fn read(&mut self, readings: &mut Readings<S>, out: &mut Vec<S>) {
-        let at = stage(self.interval(), &self.state);
+        let at = self.steering.shown(&self.plant, stage(self.interval(), &self.state));
         let observed = self.plant.observe(at, readings.extent(), &mut self.v_dot);
         let Stage { time_s, q, v, s, .. } = at;
         readings.read(&Sample { time_s, q, v, s, observed }, &self.channels, out);
@@ -385,7 +385,7 @@ impl<S: Scalar> Simulation<S> {
 
     /// Appends the present values of all channels.
     pub fn write_row(&mut self, out: &mut Vec<S>) {
-        let at = stage(self.interval(), &self.state);
+        let at = self.steering.shown(&self.plant, stage(self.interval(), &self.state));
         let observed = self.plant.observe(at, &ObservedPart::Everything, &mut self.v_dot);
         let Stage { time_s, q, v, s, .. } = at;
         let first = out.len();

@@ -13,6 +13,7 @@ impl<S: Scalar> Simulation<S> {
             self.note_brought_about(time_s, self.state.steps);
         } else {
             self.state.d[input] = value;
+            self.state.d[self.plant.layout().end_of(input)] = value;
         }
     }
 

@@ -2,6 +2,8 @@
 
 use super::{Happened, RunError, Simulation, stage};
 use crate::elements::Layout;
+use crate::integrate::Stage;
+use crate::plant::Plant;
 use crate::results::{Channels, Readings, Sample};
 use crate::scalar::Scalar;
 use serde::Serialize;
@@ -33,6 +35,9 @@ pub(super) struct Steering<S> {
     readings: Vec<Readings<S>>,
     read: Vec<S>,
     inputs: Vec<S>,
+    /// The inputs at the present time, and the discrete numbers with them.
+    now: Vec<S>,
+    shown: Vec<S>,
     /// Number of steps before the move, the input in d, its value.
     moves: Vec<(u64, usize, f64)>,
     /// Number of steps before the change, the parameter.
@@ -49,6 +54,17 @@ impl<S: Scalar> Steering<S> {
     /// The columns that a steering element reads.
     pub(super) fn readings(&mut self, steer: usize) -> &mut Readings<S> {
         &mut self.readings[steer]
+    }
+
+    /// A stage as a row shows it: with each input at the stage's time.
+    pub(super) fn shown<'a>(&'a mut self, plant: &Plant<S>, at: Stage<'a, S>) -> Stage<'a, S> {
+        if self.readings.is_empty() {
+            return at;
+        }
+        self.shown.clear();
+        self.shown.extend_from_slice(at.d);
+        plant.show_ends(&mut self.shown);
+        Stage { d: &self.shown, ..at }
     }
 
     /// The user set an input. Of several moves between two steps the last counts.
@@ -80,10 +96,15 @@ impl<S: Scalar> Simulation<S> {
         }
         let interval = self.interval();
         let Self { plant, channels, state, steering, v_dot, watch, .. } = self;
-        let Steering { readings, read, inputs, .. } = steering;
+        let Steering { readings, read, inputs, now, shown, .. } = steering;
+        now.clear();
+        now.extend_from_slice(&state.d[plant.layout().end_of(0)..]);
         for (steer, readings) in readings.iter_mut().enumerate() {
             if !readings.is_empty() {
-                let at = stage(interval, state);
+                shown.clear();
+                shown.extend_from_slice(&state.d);
+                shown[..now.len()].copy_from_slice(now);
+                let at = Stage { d: shown, ..stage(interval, state) };
                 let observed = plant.observe(at, readings.extent(), v_dot);
                 readings.read(&Sample { time_s, q: at.q, v: at.v, s: at.s, observed }, channels, read);
             }

@@ -16,7 +16,7 @@ use crate::sea::waves::ramp;
 /// ```
 ///
 /// f is a cubic spline through given commands at given times, s the ramp over which waves begin too. An input is constant over
-/// a step; it gets the function's value at the middle of the step, so that it is not late.
+/// a step; it gets the function's value at the middle of the step, so that it is not late. A row has the value at its time.
 ///
 /// Drive functions that hold a load in place on a moving base are found as the commands with the smallest deviation of the load
 /// (Maczyński & Wojciech, "Stabilization of load's position in offshore cranes", *J. Offshore Mech. Arct. Eng.* 134(2), 2012,
@@ -44,34 +44,36 @@ impl<S: Scalar> Element<S> for DriveFunction<S> {
         one_command(&self.name, &self.to)
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
-        own.numbers[0] = at.inputs[0];
-    }
-
     fn steer(
         &mut self,
         at: &Context<'_, S>,
         _read: &[S],
-        own: &mut Own<'_, S>,
+        _own: &mut Own<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
-        let mut action = at.inputs[0];
-        if let Some(function) = &self.function {
-            let time_s = at.clock.time_s + 0.5 * self.step_s;
-            let [share, ..] = ramp(time_s, self.ramp_s);
-            action += S::constant(share) * function.at(time_s);
-            action = action.clipped(S::constant(self.to.lower), S::constant(self.to.upper));
-        }
-        own.numbers[0] = action;
-        inputs.fill(action);
+        inputs.fill(self.action(at.inputs[0], at.clock.time_s + 0.5 * self.step_s));
         Ok(Vec::new())
     }
 
+    fn at_end(&self, at: &Context<'_, S>, inputs: &mut [S]) {
+        inputs.fill(self.action(at.inputs_at_end[0], at.clock.time_s + self.step_s));
+    }
+
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        out.push(at.numbers[0]);
+        out.push(self.action(at.inputs[0], at.clock.time_s));
     }
 
     fn passes_to(&self, command: usize) -> Option<usize> {
         Some(command)
+    }
+}
+
+impl<S: Scalar> DriveFunction<S> {
+    /// u at a time, s.
+    fn action(&self, command: S, time_s: f64) -> S {
+        let Some(function) = &self.function else { return command };
+        let [share, ..] = ramp(time_s, self.ramp_s);
+        let action = command + S::constant(share) * function.at(time_s);
+        action.clipped(S::constant(self.to.lower), S::constant(self.to.upper))
     }
 }

@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 
 /// A timeline. It checks its condition at the start of each integrator step, so a step of the operation ends at most
 /// one integrator step late. An input that moves gradually has, during each integrator step, its value at the middle of
-/// that step, which makes the motion accurate to second order in the step.
+/// that step, which makes the motion accurate to second order in the step; a row has its value at the time of the row.
 #[derive(Clone, Debug)]
 pub struct Operation<S = f64> {
     /// Name in the table of events.
@@ -97,10 +97,13 @@ impl<S: Scalar> Element<S> for Operation<S> {
         if own.modes[STEP] == 0 {
             happened.push(self.go_on(time_s, own, inputs));
         }
-        while let Some(step) = self.under_way(own) {
+        while let Some(step) = self.step(own.modes[STEP]) {
             let elapsed_s = time_s - own.numbers[BEGAN].value();
             for (input, moves) in &step.moves {
-                inputs[*input] = self.value(moves, elapsed_s, own.numbers[FROM + input], inputs[*input]);
+                let (from, now) = (own.numbers[FROM + input], inputs[*input]);
+                inputs[*input] = self
+                    .begun(moves, elapsed_s, from)
+                    .map_or(now, |(from, one)| one.value(from, elapsed_s + 0.5 * self.step_s));
             }
             let elapsed_s = elapsed_s + TIME_SLACK * self.step_s;
             if step.until.holds(elapsed_s, &columns) {
@@ -117,11 +120,22 @@ impl<S: Scalar> Element<S> for Operation<S> {
         }
         Ok(happened)
     }
+
+    fn at_end(&self, at: &Context<'_, S>, inputs: &mut [S]) {
+        let Some(step) = self.step(at.modes[STEP]) else { return };
+        let elapsed_s = at.clock.time_s - at.numbers[BEGAN].value();
+        for (input, moves) in &step.moves {
+            if let Some((from, one)) = self.begun(moves, elapsed_s, at.numbers[FROM + input]) {
+                inputs[*input] = one.value(from, elapsed_s + self.step_s);
+            }
+        }
+    }
 }
 
 impl<S: Scalar> Operation<S> {
-    fn under_way(&self, own: &Own<'_, S>) -> Option<&OperationStep<S>> {
-        self.steps.get(usize::try_from(own.modes[STEP] - 1).ok()?)
+    /// The step of this number, from 1.
+    fn step(&self, number: i64) -> Option<&OperationStep<S>> {
+        self.steps.get(usize::try_from(number - 1).ok()?)
     }
 
     /// Begins the next step, or ends after the last; returns what happened.
@@ -129,20 +143,26 @@ impl<S: Scalar> Operation<S> {
         own.modes[STEP] += 1;
         own.numbers[BEGAN] = S::constant(time_s);
         own.numbers[FROM..].copy_from_slice(inputs);
-        self.under_way(own).map_or_else(|| "ends".to_owned(), |step| format!("begins {:?}", step.name))
+        self.step(own.modes[STEP]).map_or_else(|| "ends".to_owned(), |step| format!("begins {:?}", step.name))
     }
 
-    /// The value of an input at this time after the start of the step, where it was `from`; it stays `now` before its
-    /// first move.
-    fn value(&self, moves: &[Move<S>], elapsed_s: f64, from: S, now: S) -> S {
+    /// The last of the moves that has begun at this time after the start of the step, where the input was `from`, and the
+    /// value from which it goes.
+    fn begun<'a>(&self, moves: &'a [Move<S>], elapsed_s: f64, from: S) -> Option<(S, &'a Move<S>)> {
         let begun = moves.partition_point(|one| one.at_s <= elapsed_s + TIME_SLACK * self.step_s);
-        let Some(one) = begun.checked_sub(1).map(|last| &moves[last]) else { return now };
-        let from = begun.checked_sub(2).map_or(from, |before| moves[before].to);
-        let middle_s = elapsed_s - one.at_s + 0.5 * self.step_s;
-        if middle_s >= one.in_s || one.in_s == 0.0 {
-            one.to
+        let last = begun.checked_sub(1)?;
+        Some((last.checked_sub(1).map_or(from, |before| moves[before].to), &moves[last]))
+    }
+}
+
+impl<S: Scalar> Move<S> {
+    /// The input at this time after the start of the step; the move begins at `from`.
+    fn value(&self, from: S, elapsed_s: f64) -> S {
+        let gone_s = elapsed_s - self.at_s;
+        if gone_s >= self.in_s || self.in_s == 0.0 {
+            self.to
         } else {
-            from + (one.to - from) * S::constant(middle_s / one.in_s)
+            from + (self.to - from) * S::constant(gone_s / self.in_s)
         }
     }
 }
