@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import difflib
-import os
 import sys
 import warnings
 from collections.abc import Sequence
@@ -36,6 +35,7 @@ from .commands import (
 )
 from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, beginning, fail
 from .commands.interrupts import ended_as_interrupted
+from .commands.streams import LostOutput, fill_closed, watched_output
 from .errors import KingpostError, KingpostWarning, RunError, printable
 
 COMMANDS = {
@@ -92,6 +92,19 @@ class Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
+    fill_closed()
+    try:
+        with watched_output():
+            return _run(arguments)
+    except LostOutput as lost:
+        # A reader that has seen enough closes its pipe.
+        if isinstance(lost.__cause__, BrokenPipeError):
+            return DONE
+        why = getattr(lost.__cause__, "strerror", lost.__cause__)
+        return fail(f"standard output cannot be written: {why}", FAILED)
+
+
+def _run(arguments: Sequence[str] | None) -> int:
     given = sys.argv[1:] if arguments is None else arguments
     options, unknown = parser().parse_known_args([hyphened(argument) for argument in given])
     if unknown:
@@ -107,10 +120,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return fail(error, WRONG_INPUT)
     except KeyboardInterrupt:
         return fail("interrupted", INTERRUPTED)
-    except BrokenPipeError:
-        # The reader closed the pipe; without this Python would print a traceback when it exits.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return DONE
 
 
 def hyphened(argument: str) -> str:

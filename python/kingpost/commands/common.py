@@ -17,6 +17,7 @@ import numpy as np
 from ..engine import engine
 from ..errors import KingpostError, printable
 from ..scenario import Scenario, load
+from .streams import say
 
 WORD = re.compile(
     r'"(?:[^"\\]|\\.)*"|'
@@ -113,7 +114,7 @@ def warn(every: Iterable[str]) -> None:
     """Print lines of warning on stderr."""
     sys.stdout.flush()
     for line in every:
-        print(printable(line), file=sys.stderr)
+        say(line)
 
 
 def plain(value: Any) -> Any:
@@ -159,5 +160,5 @@ def only_errors_of(library: str) -> Iterator[None]:
 def fail(error: object, code: int) -> int:
     """Print the error in one line, after the output so far."""
     sys.stdout.flush()
-    print(f"error: {printable(' '.join(str(error).split()))}", file=sys.stderr)
+    say(f"error: {' '.join(str(error).split())}")
     return code
