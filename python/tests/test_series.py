@@ -121,9 +121,14 @@ def test_other_names_are_given(tmp_path: Path) -> None:
     ):
         series.read(path)
     columns = {"height": "H_sig", "period": "T", "direction": "wave_dir"}
-    with pytest.raises(SeriesError, match="direction: found the column wave_dir, allowed: from or to"):
+    asked = "direction: found the column wave_dir, allowed: what it means: --direction-is from or to"
+    with pytest.raises(SeriesError, match=asked):
         series.read(path, columns)
-    found = series.read(path, columns, "to")
+    asked = "period: found the column T, allowed: which period it is: --period-is peak, zero_up_crossing"
+    with pytest.raises(SeriesError, match=asked):
+        series.read(path, columns, "to")
+    found = series.read(path, columns, "to", period="energy")
+    assert found.period == "energy"
     assert found.direction_from_deg is not None
     assert found.direction_from_deg.tolist() == [170, 190]
 
@@ -132,7 +137,7 @@ def test_other_names_are_given(tmp_path: Path) -> None:
     ("text", "message"),
     [
         (PLAIN.replace("1.6", "high"), "sea.csv:3: hs: found 'high', allowed: a number, or nothing in a gap"),
-        (PLAIN.replace("1.6", "-1"), "sea.csv:3: hs: found -1 at 2026-05-01T03:00:00, allowed: 0 or more"),
+        (PLAIN.replace("1.6", "-1"), "sea.csv:3: hs: found -1 at 2026-05-01T03:00:00, allowed: 0 to 30 m, or nothing in a gap"),
         (PLAIN.replace("T03", "T00"), "sea.csv:3: time: found 2026-05-01T00:00:00 after 2026-05-01T00"),
         (
             PLAIN.replace("2026-05-01T03:00", "1 May"),
@@ -150,6 +155,39 @@ def test_a_wrong_series_is_said_with_its_line(tmp_path: Path, text: str, message
     with pytest.raises(SeriesError, match=message) as caught:
         series.read(written(tmp_path, text))
     assert isinstance(caught.value, KingpostError)
+
+
+def test_a_period_with_its_kind_in_words_needs_no_option(tmp_path: Path) -> None:
+    path = written(tmp_path, PLAIN.replace("tp", "Zero-up-crossing period(s)"))
+    assert series.read(path).period == "zero_up_crossing"
+
+
+def test_directions_that_may_be_radians_are_asked_about(tmp_path: Path) -> None:
+    """Source: a hindcast in radians read as degrees, all seas from ahead: GO instead of NO-GO."""
+    text = "time,hs,tp,mwd\n2026-05-01T00:00,1.5,8,4.712389\n2026-05-01T03:00,1.6,8.5,0.785398\n"
+    with pytest.raises(SeriesError, match=r"mwd: found no unit, and all values from 0.785398 to 4.71239, allowed: --"):
+        series.read(written(tmp_path, text))
+    for found in (
+        series.read(written(tmp_path, text), direction_unit="rad"),
+        series.read(written(tmp_path, text.replace("mwd", "mwd (rad)"))),
+    ):
+        assert found.direction_from_deg == pytest.approx([270, 45], abs=1e-4)
+    small = series.read(written(tmp_path, text.replace("mwd", "mwd (deg)"))).direction_from_deg
+    assert small == pytest.approx([4.712389, 0.785398])
+    with pytest.raises(SeriesError, match="direction_unit: found 'grad', allowed: deg, rad"):
+        series.read(written(tmp_path, text), direction_unit="grad")
+
+
+@pytest.mark.parametrize(
+    ("row", "message"),
+    [
+        ("2026-05-01T00:00,130,8,10", "hs: found 130 at 2026-05-01T00:00:00, allowed: 0 to 30 m"),
+        ("2026-05-01T00:00,1.3,8000,10", "tp: found 8000 at 2026-05-01T00:00:00, allowed: 0 to 40 s"),
+    ],
+)
+def test_heights_and_periods_that_no_sea_has_are_refused(tmp_path: Path, row: str, message: str) -> None:
+    with pytest.raises(SeriesError, match=message):
+        series.read(written(tmp_path, f"time,hs,tp,mwd\n{row}\n"))
 
 
 def test_files_that_are_none_are_said(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING
 
 from ..errors import KingpostError, flag
+from ..study.periods import MOMENTS, PEAK
 from .common import DONE, add_output, scenario_of, show
 
 if TYPE_CHECKING:
@@ -59,6 +60,10 @@ def _add_forecast(command: argparse.ArgumentParser) -> None:
                          help="column of time, height, period or direction; may be repeated")  # fmt: skip
     command.add_argument("--direction-is", choices=("from", "to"),
                          help="what a direction under an unknown name means")  # fmt: skip
+    command.add_argument("--direction-unit", choices=("deg", "rad"),
+                         help="of directions that all lie between 0 and 2 pi, in a file without units")  # fmt: skip
+    command.add_argument("--period-is", choices=(PEAK, *MOMENTS),
+                         help="which period one under an unknown name is")  # fmt: skip
     command.add_argument("--peak-enhancement", type=float, default=3.3, metavar="G",
                          help="gamma by which mean periods become peak periods (default: 3.3)")  # fmt: skip
 
@@ -79,6 +84,8 @@ def run(options: argparse.Namespace) -> int:
         dict(_pair(given, "columns") for given in options.columns),
         options.direction_is,
         None if options.place is None else (options.place[0], options.place[1]),
+        period=options.period_is,
+        direction_unit=options.direction_unit,
     ).with_peak_periods(options.peak_enhancement)
     if options.heading_deg is None and options.direction_deg is None:
         heading, one = flag("heading_deg"), flag("direction_deg")

@@ -27,17 +27,27 @@ NAMES = {
     "mwp": ENERGY,
     "tm01": MEAN,
     "mp1": MEAN,
+    "peak period": PEAK,
+    "peak wave period": PEAK,
+    "wave peak period": PEAK,
+    "zero up crossing period": ZERO_UP_CROSSING,
+    "zero upcrossing period": ZERO_UP_CROSSING,
+    "zero crossing period": ZERO_UP_CROSSING,
+    "mean zero crossing period": ZERO_UP_CROSSING,
+    "energy period": ENERGY,
 }
-"""What a period is, by the names in tables and series: those of ERA5 among them, whose mwp is T(-1, 0)."""
+"""What a period is, by the names in tables and series: those of ERA5 among them, whose mwp is T(-1, 0), and
+words in full, hyphens and underscores taken as blanks."""
 
 
 def kind_of(name: str) -> str | None:
     """What a period is by its name; `None` of an unknown one.
 
-    >>> kind_of("Tz (s)"), kind_of("pp1d"), kind_of("Hs")
-    ('zero_up_crossing', 'peak', None)
+    >>> kind_of("Tz (s)"), kind_of("pp1d"), kind_of("Zero-up-crossing period(s)"), kind_of("Hs")
+    ('zero_up_crossing', 'peak', 'zero_up_crossing', None)
     """
-    return NAMES.get(name.strip().lower().removesuffix("(s)").removesuffix("[s]").strip(" _"))
+    plain = name.strip().lower().removesuffix("(s)").removesuffix("[s]").strip(" _")
+    return NAMES.get(plain) or NAMES.get(" ".join(plain.replace("-", " ").replace("_", " ").split()))
 
 
 @lru_cache(maxsize=64)

@@ -26,7 +26,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .periods import PEAK, kind_of
+from ..errors import flag
+from .periods import MOMENTS, PEAK, kind_of
 from .sea_states import Series, SeriesError, moment
 
 if TYPE_CHECKING:
@@ -40,9 +41,17 @@ PLACES = {"latitude": ("latitude", "lat"), "longitude": ("longitude", "lon")}
 UNIT = re.compile(r"^(.*?)\s*[(\[]\s*([^)\]]*?)\s*[)\]]$")
 METRES = ("", "m", "metre", "meter", "metres", "meters")
 SECONDS = ("", "s", "sec", "second", "seconds")
+RADIANS = ("rad", "radian", "radians")
 DEGREES = ("", "deg", "degree", "degrees", "degree true", "degrees true", "degree_true", "\u00b0")
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
+DIRECTION_IS = f"{flag('direction_is')} from or to, direction= in Python"
+PERIOD_IS = f"{flag('period_is')} {', '.join((PEAK, *MOMENTS))}, period= in Python"
+DIRECTION_UNIT_IS = f"{flag('direction_unit')} deg or rad, direction_unit= in Python"
 QUANTITIES = ("time", "height", "period", "direction")
+KINDS = (PEAK, *MOMENTS)
+MOST_HEIGHT_M, MOST_PERIOD_S = 30.0, 40.0
+"""No sea has more: the highest significant height that was measured is 19 m (WMO, North Atlantic, 4 February
+2013), and swell is shorter than 30 s. More is centimetres, feet or milliseconds."""
 
 
 def read(
@@ -50,6 +59,9 @@ def read(
     columns: Mapping[str, str] | None = None,
     direction: str | None = None,
     at: tuple[float, float] | None = None,
+    *,
+    period: str | None = None,
+    direction_unit: str | None = None,
 ) -> Series:
     """A series from a CSV or a NetCDF file.
 
@@ -58,12 +70,15 @@ def read(
     path
         ``.nc`` and the like is NetCDF, all else CSV, with commas, semicolons or tabs.
     columns
-        Names in the file of ``time``, ``height``, ``period``, ``direction``, where they are not known ones. A
-        period whose name says nothing is the peak period.
+        Names in the file of ``time``, ``height``, ``period``, ``direction``, where they are not known ones.
     direction
         ``from`` or ``to``: what a direction under another name means.
     at
         Latitude and longitude, degrees: of a file with several points the nearest one counts.
+    period
+        ``peak``, ``zero_up_crossing``, ``energy`` or ``mean``: what a period under another name is.
+    direction_unit
+        ``deg`` or ``rad``, where the file has no unit and all its directions lie between 0 and 2 pi.
 
     Returns
     -------
@@ -80,35 +95,47 @@ def read(
     for name in given:
         if name not in QUANTITIES:
             raise SeriesError("columns", repr(name), ", ".join(QUANTITIES))
-    if direction not in (None, "from", "to"):
-        raise SeriesError("direction", repr(direction), "from, to")
+    said = _Said(direction, period, direction_unit)
     if not path.is_file():
         raise SeriesError("file", "none", "a file that can be read", str(path))
     if path.suffix.lower() in NETCDF:
-        return _of_netcdf(path, given, direction, at)
-    return _of_csv(path, given, direction)
+        return _of_netcdf(path, given, said, at)
+    return _of_csv(path, given, said)
+
+
+@dataclass(frozen=True)
+class _Said:
+    """What a caller says of a file that says it not."""
+
+    direction: str | None = None
+    period: str | None = None
+    direction_unit: str | None = None
+
+    def __post_init__(self) -> None:
+        for field, allowed in (("direction", ("from", "to")), ("period", KINDS), ("direction_unit", ("deg", "rad"))):
+            value = getattr(self, field)
+            if value is not None and value not in allowed:
+                raise SeriesError(field, repr(value), ", ".join(allowed))
 
 
 @dataclass(frozen=True)
 class _Columns:
-    """Which column has what: names in the file."""
+    """Which column has what: names in the file. `direction_unit` is ``deg``, ``rad`` or empty where nothing says it."""
 
     time: str
     height: str
     period: str
     direction: str | None
     is_from: bool
-
-    @property
-    def kind(self) -> str:
-        return kind_of(_plain(self.period)[0]) or PEAK
+    kind: str
+    direction_unit: str = ""
 
     @classmethod
     def of(
         cls,
         names: Sequence[str],
         given: Mapping[str, str],
-        direction: str | None,
+        said: _Said,
         file: str,
         line: int | None = None,
     ) -> _Columns:
@@ -135,16 +162,24 @@ class _Columns:
         assert time is not None
         assert height is not None
         assert period is not None
-        if where is not None and direction is None and _plain(where)[0] not in (*FROM, *TO):
-            allowed = "from or to: whether waves come from it or go to it"
-            raise SeriesError("direction", f"the column {where}", allowed, file, line)
-        is_from = direction == "from" if direction else where is not None and _plain(where)[0] in FROM
-        return cls(time, height, period, where, is_from)
+        if where is not None and said.direction is None and _plain(where)[0] not in (*FROM, *TO):
+            raise SeriesError("direction", f"the column {where}", f"what it means: {DIRECTION_IS}", file, line)
+        is_from = said.direction == "from" if said.direction else where is not None and _plain(where)[0] in FROM
+        kind = said.period or kind_of(_plain(period)[0])
+        if kind is None:
+            raise SeriesError("period", f"the column {period}", f"which period it is: {PERIOD_IS}", file, line)
+        return cls(time, height, period, where, is_from, kind, said.direction_unit or "")
 
-    def check_units(self, units: Mapping[str, str], file: str, line: int | None = None) -> None:
-        for name, allowed in ((self.height, METRES), (self.period, SECONDS), (self.direction, DEGREES)):
+    def with_units(self, units: Mapping[str, str], file: str, line: int | None = None) -> _Columns:
+        """These columns with the unit of the directions that the file gives; the other units are checked."""
+        directions = (*DEGREES, *RADIANS)
+        for name, allowed in ((self.height, METRES), (self.period, SECONDS), (self.direction, directions)):
             if name is not None and units[name].lower() not in allowed:
                 raise SeriesError(f"unit of {name}", repr(units[name]), allowed[1], file, line)
+        written = "" if self.direction is None else units[self.direction].lower()
+        if self.direction is None or not (written or self.direction.lower().endswith("_deg")):
+            return self
+        return replace(self, direction_unit="rad" if written in RADIANS else "deg")
 
 
 def _plain(name: str) -> tuple[str, str]:
@@ -153,7 +188,7 @@ def _plain(name: str) -> tuple[str, str]:
     return (found[1].strip().lower(), found[2]) if found else (name.strip().lower(), "")
 
 
-def _of_csv(path: Path, given: Mapping[str, str], direction: str | None) -> Series:
+def _of_csv(path: Path, given: Mapping[str, str], said: _Said) -> Series:
     file = str(path)
     try:
         text = path.read_text(encoding="utf-8-sig")
@@ -171,8 +206,8 @@ def _of_csv(path: Path, given: Mapping[str, str], direction: str | None) -> Seri
         for number, line in lines
     ]
     line, header = cells[0]
-    columns = _Columns.of(header, given, direction, file, line)
-    columns.check_units({name: _plain(name)[1] for name in header}, file, line)
+    columns = _Columns.of(header, given, said, file, line)
+    columns = columns.with_units({name: _plain(name)[1] for name in header}, file, line)
     for number, row in cells[1:]:
         if len(row) != len(header):
             raise SeriesError("cells", len(row), f"{len(header)}, as the header has", file, number)
@@ -203,7 +238,7 @@ def _number(cell: str, name: str, decimal_comma: bool, file: str, line: int) -> 
 
 
 def _of_netcdf(
-    path: Path, given: Mapping[str, str], direction: str | None, at: tuple[float, float] | None
+    path: Path, given: Mapping[str, str], said: _Said, at: tuple[float, float] | None
 ) -> Series:
     import xarray
 
@@ -211,7 +246,7 @@ def _of_netcdf(
     try:
         with xarray.open_dataset(path) as opened:
             names = [str(name) for name in opened.variables]
-            columns = _Columns.of(names, given, direction, file)
+            columns = _Columns.of(names, given, said, file)
             kept = [name for name in (columns.height, columns.period, columns.direction) if name is not None]
             found, place = _at_point(opened[kept], at, file)
             found = found.load()
@@ -224,7 +259,7 @@ def _of_netcdf(
         raise SeriesError(
             columns.time, f"values of the kind {time.dtype}", "times with units, as CF says", file
         )
-    columns.check_units({name: str(found[name].attrs.get("units", "")) for name in kept}, file)
+    columns = columns.with_units({name: str(found[name].attrs.get("units", "")) for name in kept}, file)
     for name in kept:
         left = [f"{dim} ({found.sizes[dim]})" for dim in found[name].dims if dim not in dims]
         if left:
@@ -279,12 +314,22 @@ def _checked(
         raise SeriesError(
             "time", f"{time[k + 1]} after {time[k]}", "times that increase", file, line(int(k) + 1)
         )
-    for name, values in ((columns.height, height), (columns.period, period)):
-        for k in np.flatnonzero(np.isinf(values) | (values < 0)):
-            raise SeriesError(
-                name, f"{values[k]:g} at {time[k]}", "0 or more, or nothing in a gap", file, line(int(k))
-            )
+    of_each = ((columns.height, height, MOST_HEIGHT_M, "m"), (columns.period, period, MOST_PERIOD_S, "s"))
+    for name, values, most, unit in of_each:
+        for k in np.flatnonzero(np.isinf(values) | (values < 0) | (values > most)):
+            allowed = f"0 to {most:g} {unit}, or nothing in a gap"
+            raise SeriesError(name, f"{values[k]:g} at {time[k]}", allowed, file, line(int(k)))
     if np.isnan(height).all():
         raise SeriesError(columns.height, "gaps alone", "one number or more", file)
-    came_from = None if direction is None else (direction if columns.is_from else direction + 180) % 360
+    degrees = None if direction is None else _in_degrees(direction, columns, file)
+    came_from = None if degrees is None else (degrees if columns.is_from else degrees + 180) % 360
     return Series(time, np.array(height), np.where(period > 0, period, np.nan), columns.kind, came_from)
+
+
+def _in_degrees(direction: NDArray[np.float64], columns: _Columns, file: str) -> NDArray[np.float64]:
+    """Directions in degrees. Without a unit, all of them between 0 and 2 pi are asked about: radians look so."""
+    known = direction[np.isfinite(direction)]
+    if not columns.direction_unit and known.size and known.min() >= 0 and known.max() <= 2 * np.pi:
+        found = f"no unit, and all values from {known.min():g} to {known.max():g}"
+        raise SeriesError(str(columns.direction), found, DIRECTION_UNIT_IS, file)
+    return np.degrees(direction) if columns.direction_unit == "rad" else direction
