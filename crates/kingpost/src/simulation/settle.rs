@@ -10,8 +10,16 @@ use crate::plant::Form;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-/// Accelerations below this count as 0, m/s^2 or rad/s^2.
+/// Accelerations below this count as 0, m/s^2 or rad/s^2: a hundred-thousand-millionth of that of free fall, which moves a
+/// pendulum of 1 km by 10 nm.
 const AT_REST: f64 = 1e-10;
+/// Roundings of places by which an acceleration at rest may be off: each is that of an end of a spring, a few operations away.
+const ROUNDINGS: f64 = 4.0;
+/// An acceleration that a move leaves at more than this share of what it was has reached its rounding: Newton's method, which
+/// the moves become, squares it.
+const STAGNANT: f64 = 0.5;
+/// The smallest norm of A that counts, 1/s^2: a body that nothing holds has none.
+const SMALLEST_STIFFNESS: f64 = 1e-10;
 /// Largest number of iterations.
 const MOST_ITERATIONS: usize = 400;
 /// The longest move of a coordinate in one iteration, m or rad.
@@ -157,17 +165,19 @@ impl Simulation {
         loop {
             let linear = self.linear_here(&free);
             let residual = if free.is_empty() { 0.0 } else { linear.acceleration.amax() };
-            if residual < AT_REST && iterations < MOST_ITERATIONS && self.plant.let_go_at_rest(&mut self.state) {
+            let allowed = self.allowed(&linear);
+            let rests = linear.rests(&allowed, last);
+            if rests && iterations < MOST_ITERATIONS && self.plant.let_go_at_rest(&mut self.state) {
                 last = None;
                 iterations += 1;
                 continue;
             }
-            if residual < AT_REST && iterations < MOST_ITERATIONS && self.take_over(&still) {
+            if rests && iterations < MOST_ITERATIONS && self.take_over(&still) {
                 last = Some(LastMove { delta: linear.largest_delta(), acceleration: f64::MAX });
                 iterations += 1;
                 continue;
             }
-            if residual < AT_REST {
+            if rests {
                 self.check_utilisation(&still)?;
                 self.set_state(&self.state.q.clone(), &still, None)?;
                 self.restore_kept(&kept);
@@ -184,12 +194,23 @@ impl Simulation {
                 self.go(&everywhere)
             });
             if !moved {
-                let worst = linear.acceleration.iamax();
+                let worst = linear.acceleration.component_div(&allowed).iamax();
                 let (coordinate, residual) = (names[worst].clone(), linear.acceleration[worst].abs());
-                let adrift = self.adrift(&linear, &free);
-                return Err(NoEquilibrium::NotFound { iterations, coordinate, residual, allowed: AT_REST, adrift });
+                let (allowed, adrift) = (allowed[worst], self.adrift(&linear, &free));
+                return Err(NoEquilibrium::NotFound { iterations, coordinate, residual, allowed, adrift });
             }
         }
+    }
+
+    /// The largest accelerations at rest, by free coordinate: where the ends of a spring are known to the rounding of their
+    /// places, the acceleration is known to that times stiffness over mass, the entry of A.
+    fn allowed(&mut self, linear: &Linear) -> DVector<f64> {
+        let Self { plant, state, .. } = self;
+        let places = plant.body_kinematics(&state.q, &state.v).world.iter().flat_map(|frame| frame.position.0);
+        let farthest = places.fold(1.0, |farthest: f64, place| farthest.max(place.abs()));
+        let rounding = ROUNDINGS * f64::EPSILON * farthest;
+        let of_row = |row: usize| AT_REST + rounding * linear.stiffness.row(row).lp_norm(1);
+        DVector::from_fn(linear.acceleration.len(), |row, _| of_row(row))
     }
 
     /// Transfers the holding forces to the elements' trims; returns whether one had to change.
@@ -314,7 +335,16 @@ fn next_move(linear: &Linear, j: &DMatrix<f64>, last: Option<LastMove>) -> Optio
 
 impl Linear {
     fn size(&self) -> f64 {
-        self.stiffness.norm().max(AT_REST)
+        self.stiffness.norm().max(SMALLEST_STIFFNESS)
+    }
+
+    /// Whether nothing accelerates, or no more than rounding explains and the last move could not change that.
+    fn rests(&self, allowed: &DVector<f64>, last: Option<LastMove>) -> bool {
+        if self.acceleration.iter().all(|a| a.abs() < AT_REST) {
+            return true;
+        }
+        let is_rounding = self.acceleration.iter().zip(allowed).all(|(a, allowed)| a.abs() < *allowed);
+        is_rounding && last.is_some_and(|last| self.acceleration.norm() > STAGNANT * last.acceleration)
     }
 
     /// The fastest growing motion tangent to the loops' J: v' = A x with an eigenvalue 1 / T^2 of A.
