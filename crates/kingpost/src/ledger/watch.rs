@@ -5,16 +5,28 @@ use crate::elements::{Extreme, Warning, Watcher, significant};
 /// Largest error as a share of the energy in play: beyond it the steps were too long, or the equations are wrong. In
 /// the gallery's runs it is at most 1e-5.
 const SHARE: f64 = 1e-3;
-/// The same as a share of the potential energy, whose zero is arbitrary: a smaller difference is rounding, or too small
-/// to matter while little has moved.
-const SHARE_OF_POTENTIAL: f64 = 1e-6;
+/// Share of the potential energy that counts as rounding: some thousand operations, each off in its last digit. The zero of
+/// the potential energy is arbitrary, so nothing else is compared with it.
+const ROUNDING: f64 = 1e-12;
+/// Height by which the error would lift all that moves, m: less is too small to matter while little has moved. It is the
+/// stretch of a loaded rope of a centimetre.
+const HEIGHT_M: f64 = 1e-5;
 
 /// Compares the energy error of a run with the energy in play so far.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct EnergyBalance {
+    weight_n: f64,
     error: Extreme,
     scale: Extreme,
     potential: Extreme,
+}
+
+impl EnergyBalance {
+    /// For moving bodies of this weight together, N; 0 without gravity.
+    pub fn new(weight_n: f64) -> Self {
+        let (error, scale, potential) = Default::default();
+        Self { weight_n, error, scale, potential }
+    }
 }
 
 impl Watcher for EnergyBalance {
@@ -31,7 +43,7 @@ impl Watcher for EnergyBalance {
 
     fn warnings(&self) -> Vec<Warning> {
         let [error, scale, potential] = [self.error, self.scale, self.potential].map(|seen| seen.value.abs());
-        if error <= SHARE * scale || error <= SHARE_OF_POTENTIAL * potential {
+        if error <= SHARE * scale || error <= ROUNDING * potential + HEIGHT_M * self.weight_n {
             return Vec::new();
         }
         let text = format!(

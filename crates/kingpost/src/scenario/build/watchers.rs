@@ -18,7 +18,8 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     });
     let rods = model.loops.iter().filter_map(|closed| rod(model, closed));
     let hulls: Vec<&Hull> = of_kind(elements).collect();
-    let energy: AnyWatcher = Box::<EnergyBalance>::default();
+    let mass: f64 = model.bodies.iter().filter(|body| body.link.is_some()).map(|body| body.mass).sum();
+    let energy: AnyWatcher = Box::new(EnergyBalance::new(mass * world.gravity));
     pendants.chain(rods).chain(gaps(model, &hulls)).chain([energy]).collect()
 }
 
