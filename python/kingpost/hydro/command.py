@@ -35,6 +35,11 @@ SHAPES: dict[str, type[Shape]] = {
     "offshore_vessel": OffshoreVessel,
 }
 MOST_FREQUENCIES = 500
+MOST_FIT_ERROR = 0.25
+"""No fit of the memory with a larger error is written, as a share of its peak: heave's amplitude at its resonance
+is then off by as much and more."""
+NEXT_CUT = 0.85
+"""Each cut of the frequencies that is tried for advice, over the one before; each takes a fit."""
 OF_A_HULL = (
     "frequencies_rad_s", "directions", "panels", "lid", "loading", "flip_normals", *attitude_command.OPTIONS
 )  # fmt: skip
@@ -105,7 +110,8 @@ def run(options: argparse.Namespace) -> Database:
     directions = directions or resolution.default_directions(length_m, float(frequencies[-1]), water)
     print(summary(hull, water))
     print(f"{'wave directions':<20}{directions}")
-    _warn([*hull.remarks, *resolution.warnings(length_m, frequencies, directions, water)])
+    warnings = [*hull.remarks, *resolution.warnings(length_m, frequencies, directions, water)]
+    _warn(warnings)
     every = len(frequencies) + 1
     partial = _partial(target, every)
     has_lid, _ = choose_lid(hull, options.lid)
@@ -113,7 +119,7 @@ def run(options: argparse.Namespace) -> Database:
     with progress.bar(every, "frequencies") as update:
         title = options.title or hull.source
         database = build(hull, water, title, frequencies, directions, options.lid, loading, update, partial)
-    database = _fitted(database, options, target)
+    database = _fitted(_warned_of(database, warnings), options, target)
     partial.done()
     return database
 
@@ -150,17 +156,50 @@ def _fitted(
         response_share=response_share,
     )
     found = misfits(database, radiation, highest_rad_s=options.highest_rad_s)
+    if radiation.fit_error > MOST_FIT_ERROR:
+        raise HydrodynamicsError(
+            "radiation",
+            f"a memory fitted to {radiation.fit_error:.0%} of its peak",
+            f"at most {MOST_FIT_ERROR:.0%}: with more it is no memory of this hull; {_cut(database, found)}",
+        )
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
     for one in found:
         print(
             f"{'  ' + one.motion:<20}{one.memory:.2%} of K, {one.added_mass:.2%} of A, {one.damping:.2%} of B"
         )
-    notes = [_missed(one) for one in found if one.memory > LIMIT]
-    _warn(notes)
-    provenance = replace(database.provenance, notes=(*database.provenance.notes, *notes))
-    database = replace(database, radiation=radiation, provenance=provenance)
+    missed = [_missed(one) for one in found if one.memory > LIMIT]
+    _warn(missed)
+    database = replace(_warned_of(database, missed), radiation=radiation)
     print(f"{'written':<20}{write(database, target)}")
     return database
+
+
+def _warned_of(database: Database, warnings: list[str]) -> Database:
+    """The database with more warnings, which every use of it repeats."""
+    about = database.provenance
+    return replace(database, provenance=replace(about, warnings=(*about.warnings, *warnings)))
+
+
+def _cut(database: Database, found: list[Misfit]) -> str:
+    """Advice: a highest frequency up to which the memory can be fitted, where there is one."""
+    omega = database.frequencies_rad_s
+    cut = max(found, key=lambda one: one.memory).frequency_rad_s
+    best: tuple[float, float] | None = None
+    while (kept := omega[omega < cut]).size >= FEWEST_FREQUENCIES:
+        cut = float(kept[-1])
+        error = fit(database, highest_rad_s=cut, accept=True).fit_error
+        if best is None or error < best[0]:
+            best = error, cut
+        if error <= LIMIT:
+            break
+        cut *= NEXT_CUT
+    if best is None or best[0] > MOST_FIT_ERROR:
+        return "compute the hull again, with a lid and more panels"
+    error, cut = best
+    return (
+        f"above {cut:.4g} rad/s the waves may be too short for the panels, or irregular frequencies lie there: with "
+        f"{flag('highest_rad_s')} {cut:.4g} it is {error:.2%}"
+    )
 
 
 def _missed(one: Misfit) -> str:

@@ -24,7 +24,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Provenance:
-    """Origin of the numbers; without dates, so that equal input gives an equal file."""
+    """Origin of the numbers; without dates, so that equal input gives an equal file.
+
+    Attributes
+    ----------
+    notes
+        What was assumed and chosen.
+    warnings
+        What makes the numbers doubtful: every use of the database repeats it.
+    """
 
     tool: str
     solver: str
@@ -32,6 +40,7 @@ class Provenance:
     panels: int | None = None
     lid_panels: int | None = None
     notes: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -149,9 +149,11 @@ def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
 
 
 def _provenance(top: Fields) -> Provenance:
-    at = top.fields("provenance", ("tool", "solver", "source", "panels", "lid_panels", "notes"))
+    names = ("tool", "solver", "source", "panels", "lid_panels", "notes")
+    at = top.fields("provenance", names, ("warnings",))
+    warnings = () if at.values["warnings"] is None else at.texts("warnings")
     return Provenance(at.text("tool"), at.text("solver"), at.text("source"), at.count("panels"),
-                      at.count("lid_panels"), at.texts("notes"))  # fmt: skip
+                      at.count("lid_panels"), at.texts("notes"), warnings)  # fmt: skip
 
 
 def _water(top: Fields) -> Water:
@@ -252,6 +254,8 @@ def to_tree(database: Database) -> dict[str, Any]:
     }  # fmt: skip
     if hull.attitude is not None:
         tree["hull"]["attitude"] = vars(hull.attitude)
+    if about.warnings:
+        tree["provenance"]["warnings"] = list(about.warnings)
     loading = here.mean_drift_loading
     if loading is not None:
         tree["mean_drift_loading"] = vars(loading)

@@ -21,6 +21,9 @@ const MOST_OF_MESH: f64 = 2.0;
 /// One that differs by more than this share is warned of.
 const DOUBTFUL_OF_MESH: f64 = 0.1;
 
+/// A fit of the memory with a larger error, as a share of its peak, is warned of: `kingpost hydro` aims at this.
+const DOUBTFUL_FIT: f64 = 0.02;
+
 /// Waves are long against a hull where `k L` is at most this.
 const LONG: f64 = 0.4;
 /// Heave's excitation in such a wave over what level and acceleration make: beyond this factor a database is refused.
@@ -77,7 +80,18 @@ impl Database {
             &|ratio| ratio < 1.0 / DOUBTFUL_EXCITATION,
             "a damping that holds viscosity or a mooring too, coarse panels, irregular frequencies, or units",
         );
-        of_mesh.chain(large).chain(small).collect()
+        let fit = self.radiation.as_ref().map(|radiation| radiation.fit_error).filter(|error| *error > DOUBTFUL_FIT);
+        let fit = fit.map(|error| {
+            format!(
+                "the memory of its radiated waves is fitted to {:.2} % of its peak only (warned of above {:.0} %): responses near \
+                 a resonance can be off by a multiple of that",
+                100.0 * error,
+                100.0 * DOUBTFUL_FIT
+            )
+        });
+        let told = self.provenance.get("warnings").and_then(|told| told.as_array()).into_iter().flatten();
+        let told = told.filter_map(|warning| warning.as_str().map(str::to_owned));
+        of_mesh.chain(large).chain(small).chain(fit).chain(told).collect()
     }
 
     /// Diagonal of the damping that the excitation implies, by frequency and mode; `None` at frequencies whose waves are too
