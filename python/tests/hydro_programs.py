@@ -142,28 +142,44 @@ def shipx(stem: Path, base: Database) -> Path:
     return stem.with_suffix(".re7")
 
 
-def aqwa(stem: Path, base: Database) -> Path:
-    """STEM.AH1 of one structure, its centre of gravity at `ABOVE`; A at 100 rad/s is that of
-    infinite frequency."""
+def aqwa(stem: Path, base: Database, structures: int = 1) -> Path:
+    """STEM.AH1 of structures, all alike, the centre of gravity of the first at `ABOVE`; A at 100 rad/s is that of
+    infinite frequency. Structures act on each other by a hundredth of what they are by themselves."""
     about, hull, water = About(base, ABOVE), base.hull, base.water
     omega, degrees = base.frequencies_rad_s, np.degrees(base.wave_directions_rad)
-    lines = ["* FILE VERSION NO 5", f"  1  {len(degrees)}  {len(omega)} " + " ".join(f"{d:.5f}" for
-    d in degrees),
-             " ".join(f"{w:.7f}" for w in omega), "GENERAL",
-             f"  1 1000.000 {water.density_kg_m3:.3f} {water.gravity_m_s2:.3f} 0 0",
-             "COG", "  1 " + " ".join(f"{x:.3f}" for x in ABOVE), "DRAFT", f"  1 {hull.draught_m:.3f}",
-             "COB", "  1 " + " ".join(f"{x:.3f}" for x in hull.centre_of_buoyancy_m),
-             "DISPLACEMENT", f"  1 {hull.volume_m3:.4E}", "HYDSTIFFNESS", "  1",
-             *_matrix(about.restoring(ABOVE))]  # fmt: skip
+    every = range(1, structures + 1)
+    pairs = [(i, j) for i in every for j in every]
+    lines = ["* FILE VERSION NO 5"]
+    for i in every:
+        lines += [f"  {i}  {len(degrees)}  {len(omega)} " + " ".join(f"{d:.5f}" for d in degrees),
+                  " ".join(f"{w:.7f}" for w in omega)]  # fmt: skip
+    of_each = {"GENERAL": f"1000.000 {water.density_kg_m3:.3f} {water.gravity_m_s2:.3f} 0 0",
+               "COG": " ".join(f"{x:.3f}" for x in ABOVE), "DRAFT": f"{hull.draught_m:.3f}",
+               "COB": " ".join(f"{x:.3f}" for x in hull.centre_of_buoyancy_m),
+               "DISPLACEMENT": f"{hull.volume_m3:.4E}"}  # fmt: skip
+    for name, numbers in of_each.items():
+        lines += [name, *(f"  {i} {numbers}" for i in every)]
+    lines.append("HYDSTIFFNESS")
+    for i in every:
+        lines += [f"  {i}", *_matrix(about.restoring(ABOVE))]
+
+    def of_pair(i: int, j: int, matrix: np.ndarray) -> list[str]:
+        return _matrix(matrix if i == j else 0.01 * matrix)
+
     for name, matrices in (("ADDEDMASS", base.added_mass), ("DAMPING", base.radiation_damping)):
         lines.append(name)
-        for k, each in enumerate(about.matrix(matrices)):
-            lines += [f"  1  1  {k + 1}", *_matrix(each)]
-    lines += ["ADDEDMASS_HF", "  1  1", *_matrix(about.matrix(base.added_mass_infinite)), "FORCERAO"]
-    for b in range(len(degrees)):
-        for k, forces in enumerate(about.force(base.excitation)[:, b]):
-            lines += [f"  1  {b + 1}  {k + 1} " + " ".join(f"{abs(x):.6E}" for x in forces),
-                      " ".join(f"{np.degrees(np.angle(x)):.4f}" for x in forces)]  # fmt: skip
+        for i, j in pairs:
+            for k, each in enumerate(about.matrix(matrices)):
+                lines += [f"  {i}  {j}  {k + 1}", *of_pair(i, j, each)]
+    lines.append("ADDEDMASS_HF")
+    for i, j in pairs:
+        lines += [f"  {i}  {j}", *of_pair(i, j, about.matrix(base.added_mass_infinite))]
+    lines.append("FORCERAO")
+    for i in every:
+        for b in range(len(degrees)):
+            for k, forces in enumerate(about.force(base.excitation)[:, b]):
+                lines += [f"  {i}  {b + 1}  {k + 1} " + " ".join(f"{abs(x):.6E}" for x in forces),
+                          " ".join(f"{np.degrees(np.angle(x)):.4f}" for x in forces)]  # fmt: skip
     _lines(stem, ".AH1", lines)
     return stem.with_suffix(".AH1")
 

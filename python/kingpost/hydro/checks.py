@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import HydrodynamicsError
+from ..errors import HydrodynamicsError, flag
 from .airy import group_ratio, wave_number
 
 if TYPE_CHECKING:
@@ -22,6 +22,8 @@ NEGATIVE_DAMPING = 0.05
 """Lowest eigenvalue of the symmetric part of B, over the diagonal's largest, may be this much below 0."""
 HASKIND = 0.10
 """Largest difference of B_ii from Haskind's relation as a fraction of the largest B_ii."""
+PLAUSIBLE = {"density_kg_m3": (900.0, 1300.0, "kg/m3"), "gravity_m_s2": (9.7, 9.9, "m/s2")}
+"""Hot fresh water to the Dead Sea; the equator to the poles."""
 REMEDY = "use more panels, a lid, or frequencies that the panels resolve"
 _SMALL = 0.01
 """Smallest scale of a diagonal, as a fraction of the displaced water's: the roll of a sphere is zero."""
@@ -44,6 +46,21 @@ def check(database: Database, remedy: str = REMEDY) -> None:
     check_symmetry(database, remedy)
     check_damping(database, remedy)
     check_haskind(database, remedy)
+
+
+def check_water(water: Water, file: str | None = None) -> None:
+    """Refuse a density or a gravity in another unit, before anything is computed with it.
+
+    Raises
+    ------
+    HydrodynamicsError
+        If one is outside of its range.
+    """
+    for name, (least, most, unit) in PLAUSIBLE.items():
+        value = getattr(water, name)
+        if not least <= value <= most:
+            allowed = f"{least:g} to {most:g} {unit}: give {flag(name)} in {unit}"
+            raise HydrodynamicsError(name, f"{value:g}", allowed, file)
 
 
 def check_symmetry(database: Database, remedy: str = REMEDY) -> None:

@@ -14,6 +14,7 @@ from .. import progress
 from ..errors import HydrodynamicsError, flag
 from . import attitude_command, demand, import_command, importers, inclined, resolution
 from .build import FREQUENCIES, MOST_PANELS, PANELS, build, choose_lid, default_frequencies
+from .checks import check_water
 from .database import Database, Radiation, Water
 from .database_file import check_output, rounded, write
 from .drift import Loading
@@ -94,8 +95,9 @@ def run(options: argparse.Namespace) -> Database:
     if not _is_parametric(options.hull) and importers.recognise(options.hull) is not None:
         _refuse_for_a_file(options)
         imported = import_command.run(options)
-        _warn(resolution.of_database(imported))
-        return _fitted(imported, options, target, import_command.RESPONSE_SHARE)
+        warnings = resolution.of_database(imported)
+        _warn(warnings)
+        return _fitted(_warned_of(imported, warnings), options, target, import_command.RESPONSE_SHARE)
     import_command.refuse(options)
     water = _water(options)
     given = options.frequencies_rad_s
@@ -227,7 +229,9 @@ def _water(options: argparse.Namespace) -> Water:
         if value is not None and not (math.isfinite(value) and value > 0):
             raise HydrodynamicsError(flag(name), f"{value:g}", "a number greater than 0")
     given = options.density_kg_m3
-    return Water(Water.density_kg_m3 if given is None else given, depth_m=options.water_depth_m)
+    water = Water(Water.density_kg_m3 if given is None else given, depth_m=options.water_depth_m)
+    check_water(water)
+    return water
 
 
 def _count(name: str, given: int | None, limits: tuple[int, int]) -> int | None:

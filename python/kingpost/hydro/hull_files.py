@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+from collections.abc import Callable, Container
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,11 +15,12 @@ import numpy as np
 
 from ..errors import HydrodynamicsError, shortened
 from ..results.files import is_whole
+from . import obj
 from .database import Mesh
 from .meshes import HullMeshes, whole
 from .panels import Panels, of_triangles
 from .stitching import stitched
-from .surface import LARGEST_M, SMALLEST_M, Surface, check_closed, check_outward, open_edges, particulars
+from .surface import LARGEST_M, SMALLEST_M, Particulars, Surface, check_closed, check_outward, open_edges, particulars
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,8 +31,9 @@ LARGEST_HULL = 2000
 """The most triangles of a hull mesh in a database."""
 METRIC_GRAVITY = (9.7, 9.9)
 """Range of GRAV in a file in metres, m/s2; in feet it is 32.2."""
-READ_TO_THEIR_END = (".stl", ".obj")
+READ_TO_THEIR_END = (".stl",)
 """Formats whose readers end for any file; other formats are first read in a separate process."""
+PACKED = (".gz", ".zip", ".bz2", ".xz", ".7z", ".zst")
 MESH_TIME_LIMIT_S = 30.0
 """Time limit for reading a mesh there, s."""
 INSTALL = 'pip install "meshio>=5.3"'
@@ -63,9 +67,8 @@ class HullFile:
         reflections, fine = file_panels(wetted, panels, (0, 1))
         why_not = _too_large(len(surface.triangles)) if closed else "the mesh ends at the water line"
         mesh = None if why_not else Mesh(surface.vertices, surface.triangles)
-        return HullMeshes(
-            self.path.name, reflections, fine, found, mesh, why_not, remarks=_joined(self.path, surface)
-        )
+        remarks = (*_joined(self.path, surface), *_across(found))
+        return HullMeshes(self.path.name, reflections, fine, found, mesh, why_not, remarks=remarks)
 
     def placed(self) -> Surface:
         """The file's surface at its draught, z = 0 on the water plane."""
@@ -145,10 +148,20 @@ def _joined(path: Path, surface: Surface) -> tuple[str, ...]:
     return (f"{joined} open edges joined, of panels that do not meet edge to edge in {path.name}",)
 
 
+def _across(found: Particulars) -> tuple[str, ...]:
+    """A note if the hull is wider than long."""
+    if found.beam_m <= found.length_m:
+        return ()
+    return (
+        f"the hull is {found.length_m:.4g} m long and {found.beam_m:.4g} m wide: x must point to the bow; turn the mesh "
+        "by 90 degrees about z if its bow is along y, else head seas are beam seas",
+    )
+
+
 def _as_written(path: Path) -> Surface:
     if not os.path.isfile(path):
         raise HydrodynamicsError("hull", "no such file", "a mesh file or a parametric hull", str(path))
-    surface = _read_gdf(path) if path.suffix.lower() == ".gdf" else _read_meshio(path)
+    surface = _READERS.get(path.suffix.lower(), _read_meshio)(path)
     if len(surface.triangles) == 0:
         raise HydrodynamicsError("hull", "no triangles and no quadrangles", "a surface mesh", str(path))
     wrong = surface.triangles[(surface.triangles < 0) | (surface.triangles >= len(surface.vertices))]
@@ -178,6 +191,7 @@ def _read_meshio(path: Path) -> Surface:
         import meshio
     except ImportError:
         raise HydrodynamicsError("meshio", "no such package", f"`{INSTALL}`, which installs it") from None
+    _check_ending(path, meshio.extension_to_filetypes)
     if path.suffix.lower() not in READ_TO_THEIR_END and not is_whole(path, MESH_TIME_LIMIT_S):
         allowed = "STL, OBJ, GDF or another format that meshio reads, whole"
         raise HydrodynamicsError("hull", "a file that cannot be read to its end", allowed, str(path))
@@ -198,6 +212,17 @@ def _read_meshio(path: Path) -> Surface:
     if not faces or points.ndim != 2 or points.shape[1] != 3:
         return Surface(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64))
     return Surface(points, np.concatenate(faces))
+
+
+def _check_ending(path: Path, known: Container[str]) -> None:
+    """Refuse a file whose name says that it is packed or of a format that is not read."""
+    ending = path.suffix.lower()
+    if ending in PACKED:
+        raise HydrodynamicsError("hull", f"a packed file ({ending})", "the mesh itself: unpack it first", str(path))
+    if ending not in known:
+        found = f"the format {ending}" if ending else "a name without an ending"
+        allowed = "STL, OBJ, GDF or another format that meshio reads: convert it to one of them"
+        raise HydrodynamicsError("hull", found, allowed, str(path))
 
 
 def _halved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -221,11 +246,16 @@ def _read_gdf(path: Path) -> Surface:
         gravity = float(words[0][1])
         symmetric = int(words[1][0]), int(words[1][1])
         count = int(words[2][0])
-        numbers = np.array([float(word) for line in words[3:] for word in line][: 12 * count])
-        quads = numbers.reshape(count, 4, 3)
     except (ValueError, IndexError, OverflowError):
-        found = "a file of another format or cut short"
-        raise HydrodynamicsError("hull", found, allowed, str(path)) from None
+        raise HydrodynamicsError("hull", "a file of another format or cut short", allowed, str(path)) from None
+    if len(words[2]) > 1 and _is_number(words[2][1]) and float(words[2][1]) != 0:
+        found = f"a high-order geometry, of patches (IGDEF {words[2][1]})"
+        raise HydrodynamicsError("hull", found, "a low-order one, of panels", str(path))
+    numbers = list(takewhile(_is_number, (word for line in words[3:] for word in line)))
+    if count < 0 or len(numbers) != 12 * count:
+        found = f"{count} panels by the header, {len(numbers) / 12:.4g} in the file"
+        raise HydrodynamicsError("hull", found, "as many as the header has, each of twelve coordinates", str(path))
+    quads = np.array(numbers, dtype=float).reshape(count, 4, 3)
     if not METRIC_GRAVITY[0] <= gravity <= METRIC_GRAVITY[1]:
         found = f"GRAV {gravity:g}, a mesh that is not in metres" if gravity > 0 else f"GRAV {gravity:g}"
         allowed = "GRAV from {:g} to {:g} m/s2: scale corners, ULEN and GRAV to metres".format(
@@ -240,6 +270,17 @@ def _read_gdf(path: Path) -> Surface:
     corners = np.arange(4 * count).reshape(count, 4)
     part = Surface(quads.reshape(-1, 3), _halved(corners))
     return whole(part.welded(), tuple(axis for axis in (0, 1) if symmetric[axis]))
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+_READERS: dict[str, Callable[[Path], Surface]] = {".gdf": _read_gdf, ".obj": obj.read}
 
 
 def _symmetric(surface: Surface, axis: int) -> bool:

@@ -201,7 +201,9 @@ def check_closed(surface: Surface, file: str | None) -> None:
     """Refuse a surface that is not closed, or whose normals do not all point outwards."""
     edges = open_edges(surface)
     if len(edges):
-        point = surface.vertices[edges[0]].mean(axis=0)
+        middles = surface.vertices[edges].mean(axis=1)
+        # An edge on the water plane may be meant to be open.
+        point = middles[np.abs(middles[:, 2]).argmax()]
         raise HydrodynamicsError(
             "hull",
             f"a mesh with holes: {len(edges)} open edges, one at ({_point(point)}) m",

@@ -23,6 +23,7 @@ __all__ = ["ALLOWED", "CHOICES", "KINDS", "TEXTS", "VECTORS", "Options", "load",
 LONGEST_REASON = 100
 """Characters of a library's words in an error."""
 HDF5, CLASSIC = b"\x89HDF\r\n\x1a\n", b"CDF"
+HYDROSTAR = (b"PROJECT", b"COORDIN", b"NBBODY")
 READERS = {
     "bemio": bemio.read,
     "capytaine": capytaine_file.read,
@@ -108,5 +109,8 @@ def _check_signature(kind: str, name: str) -> None:
     signatures = {"bemio": (HDF5,), "capytaine": (HDF5, CLASSIC)}.get(kind, (b"",))
     if not head.startswith(signatures) or not head:
         raise reading_error("a file that is empty or of another kind", f"a file of {kind}'s", name)
+    if Path(name).suffix.lower() == ".hst" and head.lstrip().upper().startswith(HYDROSTAR):
+        found = "a mesh of Hydrostar (PROJECT, COORDINATES, PANEL)"
+        raise reading_error(found, "WAMIT's .hst of hydrostatic coefficients; of a mesh, STL, OBJ or GDF", name)
     if head.startswith(HDF5) and not is_whole(name):
         raise reading_error("a file that is damaged", f"a file of {kind}'s, whole", name)

@@ -1,10 +1,9 @@
 """AQWA-LINE's file STEM.AH1, of version 5: a header, then named sections of numbers.
 
-The header has the numbers of structures, directions and frequencies and their values; GENERAL the depth,
+The header has of each structure its number, the numbers of directions and frequencies, and their values; GENERAL the depth,
 density and gravity; COG, DRAFT, COB and DISPLACEMENT the hull; HYDSTIFFNESS the restoring matrix about the
 centre of gravity, including weight; ADDEDMASS and DAMPING six lines for each pair of structures and
-frequency,
-ADDEDMASS_HF added mass at 100 rad/s, taken as infinite frequency; FORCERAO moduli and phases in degrees,
+frequency, ADDEDMASS_HF added mass at 100 rad/s, taken as infinite frequency; FORCERAO moduli and phases in degrees,
 Froude-Krylov and diffraction together. Waves go to their directions, phases are those of exp(-i w t) and of
 the wave at the centre of gravity (readAQWA.m of WEC-Sim reads them so). The origin here is on the water
 plane, vertically above or below the centre of gravity.
@@ -47,7 +46,7 @@ def read(path: str, options: Options) -> Foreign:
     shift = np.array([centre[0], centre[1], 0.0])
     infinite = None
     if file.has("ADDEDMASS_HF"):
-        infinite = _first_matrix(file.section("ADDEDMASS_HF"))
+        infinite = file.first_matrix("ADDEDMASS_HF")
         notes.append("added mass at infinite frequency is that of 100 rad/s")
     return Foreign(
         file=path,
@@ -74,12 +73,6 @@ def read(path: str, options: Options) -> Foreign:
     )
 
 
-def _first_matrix(numbers: list[float]) -> NDArray[np.float64]:
-    """The matrix of structures 1 and 1, after its two or three labels."""
-    labels = len(numbers) % 36 or 2
-    return np.array(numbers[labels : labels + 36]).reshape(6, 6)
-
-
 class _File:
     """Sections by name, each a list of numbers."""
 
@@ -102,14 +95,24 @@ class _File:
         head = self.sections[""]
         if len(head) < 3:
             raise reading_error("no header", ALLOWED, path)
-        self.structures, count, frequencies = (int(value) for value in head[:3])
-        if (
-            min(self.structures, count, frequencies) < 1
-            or len(head) < 3 + self.structures * count + frequencies
-        ):
+        _, count, frequencies = (int(value) for value in head[:3])
+        if min(count, frequencies) < 1 or len(head) < 3 + count + frequencies:
             raise reading_error("a header cut short", ALLOWED, path)
         self.directions = np.array(head[3 : 3 + count])
-        self.omega = np.array(head[-frequencies:])
+        self.omega = np.array(head[3 + count : 3 + count + frequencies])
+        self.structures = self._structures(head)
+
+    def _structures(self, head: list[float]) -> int:
+        """How many structures the header has, each with its number and its directions and frequencies."""
+        found = begin = 0
+        while begin < len(head):
+            if len(head) < begin + 3 or head[begin] != found + 1:
+                raise reading_error("a header cut short", ALLOWED, self.path)
+            begin += 3 + int(head[begin + 1]) + int(head[begin + 2])
+            found += 1
+        if begin != len(head):
+            raise reading_error("a header cut short", ALLOWED, self.path)
+        return found
 
     def has(self, name: str) -> bool:
         return bool(self.sections.get(name))
@@ -132,6 +135,14 @@ class _File:
         if len(first) != len(self.omega):
             raise reading_error(f"{len(first)} matrices", f"{len(self.omega)} frequencies", self.path, name)
         return first[np.argsort(first[:, 2]), 3:].reshape(-1, 6, 6)
+
+    def first_matrix(self, name: str) -> NDArray[np.float64]:
+        """The matrix of structures 1 and 1, after its labels: two, or three as in other sections."""
+        numbers, pairs = self.section(name), self.structures**2
+        labels = len(numbers) // pairs - 36
+        if len(numbers) % pairs or labels not in (2, 3):
+            raise reading_error(f"{len(numbers)} numbers", f"36 of each of {pairs} pairs", self.path, name)
+        return np.array(numbers[labels : labels + 36]).reshape(6, 6)
 
     def forces(self, name: str) -> NDArray[np.complex128]:
         blocks = self._blocks(name, 12)

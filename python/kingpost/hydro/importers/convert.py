@@ -10,7 +10,7 @@ import numpy as np
 
 from ... import __version__
 from ...errors import HydrodynamicsError
-from ..checks import HASKIND, haskind_difference
+from ..checks import HASKIND, check_water, haskind_difference
 from ..database import Database, Hull, Provenance, Water, Waterplane
 from ..infinite_mass import joint_added_mass_infinite
 from .directions import Circle
@@ -138,7 +138,9 @@ def _water(foreign: Foreign, options: Options) -> Water:
     density = float(options.settled("density_kg_m3", foreign.density_kg_m3, file))
     gravity = float(options.settled("gravity_m_s2", foreign.gravity_m_s2, file))
     depth = float(options.settled("water_depth_m", foreign.water_depth_m, file))
-    return Water(density, gravity, None if np.isinf(depth) else depth)
+    water = Water(density, gravity, None if np.isinf(depth) else depth)
+    check_water(water, file)
+    return water
 
 
 def _infinite(foreign: Foreign, options: Options, notes: list[str]) -> NDArray[np.float64]:
