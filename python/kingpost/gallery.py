@@ -10,6 +10,7 @@ from pathlib import Path
 
 from .engine import engine
 from .errors import ScenarioError
+from .output import irregular
 
 ENDINGS = (".yaml", ".yml", ".json")
 GALLERY = "gallery:"
@@ -119,7 +120,13 @@ def place(file: str | Path, name: str) -> Path:
     True
     """
     in_gallery = name.removeprefix(GALLERY)
-    return Path(file).parent / name if in_gallery == name else folder() / in_gallery
+    if in_gallery == name:
+        # Files lie beside a scenario, not beside a link to it.
+        beside = os.path.realpath(file) if os.path.islink(file) else file
+        return Path(beside).parent / name
+    if Path(in_gallery).is_absolute() or ".." in Path(in_gallery).parts:
+        raise ScenarioError(f"{file}: found {name}, allowed: a file of the gallery", file=str(file))
+    return folder() / in_gallery
 
 
 def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
@@ -141,6 +148,9 @@ def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
 
 def read_text(path: Path) -> str:
     """Text of a scenario file, or a `ScenarioError` that says why it cannot be read."""
+    kind = irregular(path)
+    if kind is not None:
+        raise ScenarioError(f"{path}: found {kind}, allowed: a regular file", file=str(path))
     try:
         # Some programs begin a text with a byte-order mark.
         return path.read_text(encoding="utf-8-sig")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import os
+import stat
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -17,14 +18,15 @@ if TYPE_CHECKING:
     import xarray
 
 LOG = logging.getLogger(__name__)
+KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a pipe"), (stat.S_ISSOCK, "a socket"))
 
 
 @contextmanager
 def whole(path: str | Path) -> Iterator[Path]:
     """A file beside `path` for the block to write, with the same ending.
 
-    When the block has ended and the data is on the disk, the new file replaces `path` in one step. If the
-    block fails or is stopped, the old file at `path` stays.
+    When the block has ended and the data is on the disk, the new file replaces `path` in one step; of a link, the
+    file that it leads to. If the block fails or is stopped, the old file stays.
 
     >>> import tempfile
     >>> target = Path(tempfile.mkdtemp()) / "numbers.csv"
@@ -38,7 +40,8 @@ def whole(path: str | Path) -> Iterator[Path]:
     OutputError
         If the file cannot be written, for example on a full disk.
     """
-    target = Path(path)
+    check_regular(path)
+    target = Path(os.path.realpath(path))
     try:
         number, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=target.suffix)
         os.close(number)
@@ -88,6 +91,7 @@ def check(path: str | Path, endings: Sequence[str]) -> Path:
     path = Path(path)
     if path.suffix.lower() not in endings:
         raise KingpostError(f"{path}: unknown ending, allowed: {', '.join(endings)}")
+    check_regular(path)
     try:
         existed = path.exists()
         with path.open("ab"):
@@ -97,6 +101,39 @@ def check(path: str | Path, endings: Sequence[str]) -> Path:
     except OSError as error:
         raise OutputError(path, error) from None
     return path
+
+
+def check_regular(path: str | Path) -> None:
+    """Refuse what is there and is no regular file: a pipe waits for ever, and a device would be replaced.
+
+    Raises
+    ------
+    KingpostError
+        If it is a folder, a pipe, a socket or a device.
+
+    >>> check_regular(os.devnull)
+    Traceback (most recent call last):
+        ...
+    kingpost.errors.KingpostError: /dev/null: found a device, allowed: a regular file
+    """
+    kind = irregular(path)
+    if kind is not None:
+        raise KingpostError(f"{path}: found {kind}, allowed: a regular file")
+
+
+def irregular(path: str | Path) -> str | None:
+    """The kind of a file that is no regular one, in words; `None` of a regular one, and where nothing is.
+
+    >>> irregular(os.curdir), irregular("no/such/file")
+    ('a folder', None)
+    """
+    try:
+        mode = os.stat(path).st_mode
+    except OSError:
+        return None
+    if stat.S_ISREG(mode):
+        return None
+    return next((words for is_kind, words in KINDS if is_kind(mode)), "a device")
 
 
 def _flush(path: Path) -> None:

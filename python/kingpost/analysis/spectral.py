@@ -21,6 +21,7 @@ from .. import results
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario
 from ..simulation.simulate import Simulation
+from ..simulation.telling import note_warnings
 from .response import frequencies_that_all_cover
 from .statistics import EULER
 from .wave_response import REASONS, as_simulation, matching
@@ -154,6 +155,8 @@ def spectral_response(
         for one in bounds
         for k in [at[one.column]]
     ]
+    least = found.mean - largest
+    slack = [k for k, name in enumerate(found.columns) if name.rpartition(".")[2] in ONE_SIDED and least[k] < 0]
     units = ("column", np.array(found.units, str))
     own = {results.unit_coordinate(name): units for name in OF_UNIT}
     variables = {
@@ -162,7 +165,7 @@ def spectral_response(
         "significant_amplitude": ("column", 2 * sigma),
         "zero_up_crossing_period": ("column", period, {"units": "s"}),
         "expected_maximum": ("column", found.mean + largest),
-        "expected_minimum": ("column", found.mean - largest),
+        "expected_minimum": ("column", np.where(np.isin(np.arange(len(least)), slack), 0.0, least)),
         "interpolation_error": ("column", error, {"units": "1"}),
         "linear": ("column", [name not in found.not_linear for name in found.columns]),
         "reason": ("column", np.array([found.not_linear.get(name, "") for name in found.columns], str)),
@@ -176,11 +179,17 @@ def spectral_response(
     }
     attributes = results.attributes(simulation.scenario, "about rest, by the spectrum of the sea")
     attributes["duration_s"] = duration_s
-    if warnings := [*found.warnings, *beyond_the_data(found, systems)]:
-        attributes["warning"] = "; ".join(warnings)
+    about_model = simulation.scenario.model["warnings"]
+    of_slack = [f"{found.columns[k]}: {SLACK}; without it, {least[k]:.3g} {found.units[k]}" for k in slack]
+    note_warnings(attributes, [*about_model, *found.warnings, *beyond_the_data(found, systems), *of_slack])
     return xarray.Dataset(variables, coordinates, attributes)
 
 
+ONE_SIDED = (
+    "rope_tension", "rope_first_tension", "line_tension", "line_end_tension", "winch_tension", "contact_normal_force",
+)  # fmt: skip
+"""Columns that never fall below 0."""
+SLACK = "its least value is 0: it goes slack or lifts off in this sea, which a linear response leaves out"
 OF_UNIT = ("mean", "standard_deviation", "significant_amplitude", "expected_maximum", "expected_minimum")
 
 

@@ -14,6 +14,7 @@ from ..scenario import Overrides, Scenario, as_scenario
 from ..simulation.linear import Equilibrium
 from ..simulation.records import State
 from ..simulation.simulate import Simulation
+from ..simulation.telling import note_warnings
 from .eigenmodes import FREE, Mode, eigenmodes
 from .tracking import tracks
 
@@ -247,9 +248,7 @@ def _dataset(
         **{results.unit_coordinate(name): units for name in ("shape", "shape_imaginary")},
     }
     attributes = results.attributes(scenario, points[-1].status)
-    warnings = dict.fromkeys(point.warning for point in points if point.warning)
-    if warnings:
-        attributes["warning"] = "; ".join(warnings)
+    note_warnings(attributes, [*scenario.model["warnings"], *(point.warning for point in points if point.warning)])
     return xarray.Dataset(variables, coordinates, attributes)
 
 

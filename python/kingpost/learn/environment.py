@@ -7,7 +7,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from .episodes import Episodes
+from .episodes import Episodes, check_options
 from .task import LARGEST_OBSERVATION, Task
 
 
@@ -57,7 +57,8 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
-        """Begin an episode; with the same seed it is the same to the last bit."""
+        """Begin an episode; with the same seed it is the same to the last bit. There are no options."""
+        check_options(options)
         super().reset(seed=seed)
         self.episodes.begin({0: self.np_random})
         return self.episodes.observations()[0], {}

@@ -19,6 +19,46 @@ FAILED = -1
 BEFORE = "before."
 
 
+def check_options(options: Mapping[str, Any] | None, *allowed: str) -> None:
+    """Refuse options of a reset that would do nothing.
+
+    Raises
+    ------
+    KingpostError
+        If there is one of another name.
+
+    >>> check_options({"load_t": 3})
+    Traceback (most recent call last):
+        ...
+    kingpost.errors.KingpostError: options: found 'load_t', allowed: none; parameters vary by the task's randomised
+    """
+    unknown = [name for name in options or {} if name not in allowed]
+    if unknown:
+        known = ", ".join(allowed) or "none"
+        raise KingpostError(
+            f"options: found {unknown[0]!r}, allowed: {known}; parameters vary by the task's randomised"
+        )
+
+
+def checked_rewards(rewards: object, count: int) -> np.ndarray:
+    """The rewards of a step, one for each environment.
+
+    Raises
+    ------
+    KingpostError
+        If a function of a task or of an agent returned something else: one number for all, say.
+
+    >>> checked_rewards([0.5, 1], 2)
+    array([0.5, 1. ])
+    """
+    given = np.asarray(rewards)
+    if given.shape != (count,) or given.dtype.kind not in "fiub":
+        found = f"an array of the shape {given.shape}" if given.shape else repr(rewards)
+        raise KingpostError(f"reward: found {found}, allowed: {count} numbers, one for each environment")
+    return given.astype(float)
+
+
+
 class Episodes:
     """Copies of a task's scenario, each in an episode of its own.
 
@@ -113,7 +153,7 @@ class Episodes:
         self._copies.advance(self.task.steps, inputs.ravel(), self._read, self._status)
         self.taken += 1
         columns, failed = self.columns, self._status != 0
-        rewards = self.task.reward(columns, self.goals, actions)
+        rewards = checked_rewards(self.task.reward(columns, self.goals, actions), self.count)
         if failed.any():
             rewards = np.where(failed, self.task.failure_reward, rewards)
         if self.task.done is not None:

@@ -12,7 +12,7 @@ from pettingzoo import ParallelEnv
 
 from ..errors import KingpostError
 from .agents import Agent, one_for_each_action, places
-from .episodes import Episodes
+from .episodes import Episodes, check_options, checked_rewards
 from .task import LARGEST_OBSERVATION, Task
 
 
@@ -87,7 +87,8 @@ class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
-        """Begin an episode; with the same seed it is the same to the last bit."""
+        """Begin an episode; with the same seed it is the same to the last bit. There are no options."""
+        check_options(options)
         if seed is not None or self._random is None:
             self._random = seeding.np_random(seed)[0]
         self.episodes.begin({0: self._random})
@@ -150,4 +151,4 @@ class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
         own, episodes = self.shares[name].reward, self.episodes
         if own is None or episodes.goals is None or episodes.failed(0):
             return of_task
-        return float(own(episodes.columns, episodes.goals, actions)[0])
+        return float(checked_rewards(own(episodes.columns, episodes.goals, actions), 1)[0])

@@ -12,7 +12,7 @@ from gymnasium.vector.utils import batch_space
 
 from ..errors import KingpostError
 from .environment import spaces
-from .episodes import Episodes
+from .episodes import Episodes, check_options
 from .task import Task
 
 
@@ -77,6 +77,7 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
 
         Environment i of a seed s has the seed s + i; a list has one seed for each.
         """
+        check_options(options, "reset_mask")
         mask = np.asarray((options or {}).get("reset_mask", np.ones(self.num_envs, dtype=np.bool_)))
         if mask.dtype != np.bool_ or mask.shape != (self.num_envs,) or not mask.any():
             raise KingpostError(

@@ -6,6 +6,7 @@ import sys
 import warnings
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from ..errors import KingpostWarning
 
@@ -26,3 +27,18 @@ def tell(words: Iterable[str]) -> None:
         frame, level = frame.f_back, level + 1
     for one in words:
         warnings.warn(one, KingpostWarning, stacklevel=level)
+
+
+def note_warnings(attributes: dict[str, Any], words: Iterable[str]) -> None:
+    """Store warnings of an analysis in its attribute ``warning``, each once, and raise each as a warning.
+
+    >>> attributes = {}
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     note_warnings(attributes, ["a list of 4.7 deg", "a list of 4.7 deg"])
+    >>> attributes, len(told)
+    ({'warning': 'a list of 4.7 deg'}, 1)
+    """
+    each = list(dict.fromkeys(words))
+    if each:
+        attributes["warning"] = "; ".join(each)
+        tell(each)

@@ -1,6 +1,6 @@
 //! One hull at rest in still water.
 
-use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads, weight};
+use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads};
 use super::liquids::{FreeSurface, Liquids};
 use super::righting::{RightingArmCurve, Side};
 use super::{HullAfloat, HydrostaticsError};
@@ -107,7 +107,8 @@ impl LoadedHull<'_> {
 
     pub(super) fn carried_weight(&self) -> Weight {
         let aboard = aboard(self.model, self.at, self.hull.frame.body, self.restraints);
-        self.liquids.with_flooding(weight(self.model, self.at, &aboard), self.at, &aboard)
+        let weight = self.restraints.weight(self.model, self.at, &aboard);
+        self.liquids.with_flooding(weight, self.at, &aboard)
     }
 
     /// Centre of gravity with the liquid in slack tanks as in the upright hull, hull axes, from the data's origin, m.

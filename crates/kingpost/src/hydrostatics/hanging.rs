@@ -5,7 +5,7 @@ use crate::dynamics::{Kinematics, LinkKinematics};
 use crate::elements::drives::{
     Brake, ControlledDrive, Cylinder, Motor, Oscillation, PrescribedMotion, Servo, WaveMotion,
 };
-use crate::elements::{CatenaryLine, Contact, Context, Hull, JointSpring, Rope, SpringLine, of_kind};
+use crate::elements::{CatenaryLine, Contact, Context, Hull, JointSpring, Rope, SpringLine, Submerged, of_kind};
 use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
@@ -27,7 +27,7 @@ pub struct HangingLoad {
     pub joint: String,
     /// The body under the joint.
     pub body: String,
-    /// Mass of the body and all that it carries, kg.
+    /// Mass of the body and all that it carries, less that of the water that it displaces as a lifted object, kg.
     pub mass_kg: f64,
     /// Distance of their centre below the joint, m.
     pub length_m: f64,
@@ -49,6 +49,8 @@ pub(super) struct Restraints {
     wet: Vec<usize>,
     /// Bodies that touch each other.
     touching: Vec<[Option<usize>; 2]>,
+    /// The water that lifted objects displace, by body.
+    displaced: Vec<(usize, Weight)>,
 }
 
 impl Restraints {
@@ -82,6 +84,7 @@ impl Restraints {
             lines,
             tied,
             touching: touching(setup),
+            displaced: displaced(setup),
         }
     }
 
@@ -141,7 +144,7 @@ pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: 
             let from_ship = |end: &Attachment| end.body.is_some_and(|body| ship.contains(&body));
             let (line, end) = outside.first()?;
             let first = point(end)?;
-            let load = weight(model, at, &bodies).centre;
+            let load = restraints.weight(model, at, &bodies).centre;
             let near = |name: &String| if name == *line { NARROW * (load - first).norm() } else { ONE_POINT_M };
             let together = |name: &String, end: &Attachment| {
                 from_ship(end) && point(end).is_some_and(|p| (p - first).norm() < near(name))
@@ -161,11 +164,16 @@ pub(super) struct Weight {
     pub(super) centre: Vector3,
 }
 
-/// The weight of several bodies together.
-pub(super) fn weight(model: &Model, at: &Kinematics, bodies: &[usize]) -> Weight {
-    let mass: f64 = bodies.iter().map(|&body| model.bodies[body].mass).sum();
-    let moment = |sum: Vector3, &body: &usize| sum + at.world[body].position * model.bodies[body].mass;
-    Weight { mass, centre: bodies.iter().fold(Vector3::zero(), moment) * (1.0 / mass) }
+impl Restraints {
+    /// The weight of several bodies together, less the buoyancy of those that are lifted objects in the water.
+    pub(super) fn weight(&self, model: &Model, at: &Kinematics, bodies: &[usize]) -> Weight {
+        let of_body = |&body: &usize| (model.bodies[body].mass, at.world[body].position);
+        let buoyant = self.displaced.iter().filter(|(body, _)| bodies.contains(body));
+        let parts = bodies.iter().map(of_body).chain(buoyant.map(|(_, water)| (-water.mass, water.centre)));
+        let sum = |(mass, moment): (f64, Vector3), (of_part, at): (f64, Vector3)| (mass + of_part, moment + at * of_part);
+        let (mass, moment) = parts.fold((0.0, Vector3::zero()), sum);
+        Weight { mass, centre: moment * (1.0 / mass) }
+    }
 }
 
 /// The loads that hang on a hull, each at the outermost joint that lets it swing; `axes` are those of
@@ -184,7 +192,7 @@ pub(super) fn loads(
         if below.iter().any(|body| restraints.bodies.contains(body) || restraints.wet.contains(body)) {
             continue;
         }
-        let Weight { mass, centre } = weight(model, at, &below);
+        let Weight { mass, centre } = restraints.weight(model, at, &below);
         let pivot = at.world[body].point(-model.tree.nodes[body].kind.to_child());
         let length_m = pivot[2] - centre[2];
         let free = free_axes(model, at, body, restraints);
@@ -202,7 +210,7 @@ pub(super) fn loads(
         }
     }
     found.extend(on_lines(model, at, hull, restraints).into_iter().filter_map(|load| {
-        let Weight { mass, centre } = weight(model, at, &load.bodies);
+        let Weight { mass, centre } = restraints.weight(model, at, &load.bodies);
         let (body, length_m) = (model.bodies[load.bodies[0]].name.clone(), load.point[2] - centre[2]);
         let hanging = HangingLoad { joint: load.line, body, mass_kg: mass, length_m, free_share: [1.0; 2] };
         (length_m > 0.0).then_some(hanging)
@@ -235,6 +243,17 @@ fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
     };
     let roots = (0..model.bodies.len()).filter(is_free);
     roots.map(|root| model.carried(root)).filter(stands).flatten().collect()
+}
+
+/// The water that lifted objects displace in the setup's position.
+fn displaced(setup: &Setup) -> Vec<(usize, Weight)> {
+    at_rest(setup, |at| {
+        let of = |solid: &Submerged| {
+            let (mass, centre) = solid.clone().displaced(at);
+            (solid.place.body, Weight { mass, centre })
+        };
+        of_kind(&setup.elements).map(of).filter(|(_, water)| water.mass > 0.0).collect()
+    })
 }
 
 /// The bodies of the contacts that touch in the setup's position.

@@ -38,7 +38,8 @@ pub struct RightingArmCurve {
     pub side: Side,
     /// Points at heel angles from 0 to 60 deg.
     pub points: Vec<RightingArmPoint>,
-    /// Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll. `None` if it does not
+    /// Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll; negative if it lies on the
+    /// other side, as by linear buoyancy a ship may list to one side and by her mesh to the other. `None` if there is none
     /// up to 90 deg.
     pub equilibrium_rad: Option<f64>,
     /// The largest arm beyond it, m, and its heel, rad, from a parabola through three angles one degree apart.
@@ -132,11 +133,14 @@ impl RightingArmCurve {
         // If no trim is found at large heel, the curve still goes to 60 deg.
         points.extend(at(&heels(LAST_KEPT_DEG + 1..=LAST_HEEL_DEG)).unwrap_or_default());
         let positive = |point: &RightingArmPoint| point.arm_m > NO_ARM_M;
+        let before = if positive(&points[0]) { before_upright(&at)? } else { Vec::new() };
+        let beyond = before.len();
+        let points: Vec<RightingArmPoint> = before.into_iter().chain(points).collect();
         let rise = (1..points.len()).find(|&i| !positive(&points[i - 1]) && positive(&points[i]));
         let fall = rise.and_then(|rise| (rise..points.len()).find(|&i| !positive(&points[i])));
         let crossing = |after: usize| zero(&arm, [points[after - 1].heel_rad, points[after].heel_rad]);
         let equilibrium_rad = match rise {
-            Some(1) if points[0].arm_m.abs() <= NO_ARM_M => Some(0.0),
+            Some(1) if beyond == 0 && points[0].arm_m.abs() <= NO_ARM_M => Some(0.0),
             _ => rise.map(crossing).transpose()?,
         };
         Ok(Self {
@@ -144,9 +148,25 @@ impl RightingArmCurve {
             equilibrium_rad,
             largest: rise.map(|rise| largest(&points[rise - 1..fall.unwrap_or(points.len())])),
             vanishing_rad: fall.map(crossing).transpose()?,
-            points: points.into_iter().take(LAST_KEPT_DEG + 1).step_by(KEPT_EVERY).collect(),
+            points: points.into_iter().skip(beyond).take(LAST_KEPT_DEG + 1).step_by(KEPT_EVERY).collect(),
         })
     }
+}
+
+/// The points at every degree of heel to the other side, from the first whose arm is not positive to the last before 0; none
+/// if there is no such point.
+fn before_upright(
+    at: &impl Fn(&[f64]) -> Result<Vec<RightingArmPoint>, StabilityError>,
+) -> Result<Vec<RightingArmPoint>, StabilityError> {
+    let mut found = Vec::new();
+    for degrees in 1..=LAST_KEPT_DEG {
+        let point = at(&[-(degrees as f64).to_radians()])?[0];
+        found.insert(0, point);
+        if point.arm_m <= NO_ARM_M {
+            return Ok(found);
+        }
+    }
+    Ok(Vec::new())
 }
 
 /// Where an arm passes through zero between two angles of heel, rad.

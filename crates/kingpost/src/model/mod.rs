@@ -197,13 +197,13 @@ impl<S: Scalar> Model<S> {
 
     /// A body and all bodies below it in the tree, itself first.
     pub fn carried(&self, body: usize) -> Vec<usize> {
-        let mut found = vec![body];
-        for (child, node) in self.tree.nodes.iter().enumerate() {
-            if node.parent.is_some_and(|parent| found.contains(&parent)) {
-                found.push(child);
-            }
+        let mut is_carried = vec![false; self.bodies.len()];
+        is_carried[body] = true;
+        // Parents stand first.
+        for (child, node) in self.tree.nodes.iter().enumerate().skip(body + 1) {
+            is_carried[child] = node.parent.is_some_and(|parent| is_carried[parent]);
         }
-        found
+        (body..is_carried.len()).filter(|&body| is_carried[body]).collect()
     }
 
     /// Index of the joint, and so of its body, of this name.

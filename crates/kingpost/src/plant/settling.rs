@@ -28,10 +28,10 @@ impl<S: Scalar> Plant<S> {
 
     /// While an equilibrium is sought: transfers the holding forces to the elements' trims. Returns the largest
     /// remaining deviation, m or rad.
-    pub fn take_over(&mut self, q: &[S], v: &[S]) -> S {
+    pub fn take_over(&mut self, q: &[S], v: &[S], s: &[S]) -> S {
         self.links.update(&self.model, q, v);
         let Self { model, world, links, layout, situation, elements, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at_rest(q, v));
+        let mut scene = Scene::new(layout, world, model, links, *situation, at_rest(q, v, s));
         let off = elements
             .iter_mut()
             .enumerate()
@@ -47,9 +47,10 @@ impl<S: Scalar> Plant<S> {
 
     /// While an equilibrium is sought: the first element that cannot give its holding force, and the utilisation that
     /// it would need.
-    pub fn overloaded(&mut self, q: &[S], v: &[S]) -> Option<(String, S)> {
+    pub fn overloaded(&mut self, q: &[S], v: &[S], s: &[S]) -> Option<(String, S)> {
         self.links.update(&self.model, q, v);
-        let mut scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.situation, at_rest(q, v));
+        let at = at_rest(q, v, s);
+        let mut scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.situation, at);
         let mut used =
             self.elements.iter().enumerate().filter_map(|(i, element)| {
                 Some((element.name().to_owned(), element.settling()?.utilisation(scene.of(i))))
@@ -58,6 +59,6 @@ impl<S: Scalar> Plant<S> {
     }
 }
 
-fn at_rest<'a, S>(q: &'a [S], v: &'a [S]) -> Stage<'a, S> {
-    Stage { time_s: 0.0, interval: Interval { start_s: 0.0, end_s: 0.0 }, q, v, s: &[], d: &[], m: &[] }
+fn at_rest<'a, S>(q: &'a [S], v: &'a [S], s: &'a [S]) -> Stage<'a, S> {
+    Stage { time_s: 0.0, interval: Interval { start_s: 0.0, end_s: 0.0 }, q, v, s, d: &[], m: &[] }
 }

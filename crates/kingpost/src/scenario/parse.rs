@@ -161,9 +161,26 @@ fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
         E::MultipleDocuments { .. } => wording::second_document(),
         E::UnknownAnchor { .. } => wording::unknown_anchor(),
         E::NullIntoString { .. } | E::Unexpected { .. } => wording::not_a_name(),
-        other => wording::syntax(&other.to_string()),
+        other => match odd_blank(text, &here) {
+            Some((place, found)) => return Fault::new(&place, "", found, wording::PLAIN_SPACE),
+            None => wording::syntax(&other.to_string()),
+        },
     };
     Fault::new(&here, "", found, allowed)
+}
+
+/// The last blank up to a line that is none of YAML's: text that was copied from a web page or a word processor has them, and
+/// an editor does not show them.
+fn odd_blank(text: &str, here: &SourcePlace) -> Option<(SourcePlace, String)> {
+    let SourcePlace::File { line: last, .. } = *here else { return None };
+    let is_odd = |letter: &char| letter.is_whitespace() && !letter.is_ascii_whitespace();
+    let of_line = |(line, text): (usize, &str)| {
+        let (column, letter) = text.chars().enumerate().find(|(_, letter)| is_odd(letter))?;
+        let name = if letter == '\u{a0}' { "a no-break space" } else { "a blank" };
+        let place = SourcePlace::File { line: line + 1, column: column + 1 };
+        Some((place, format!("{name} (U+{:04X})", u32::from(letter))))
+    };
+    text.lines().enumerate().take(last).filter_map(of_line).last()
 }
 
 /// The path of the name at this place, in a file where a name occurs twice.

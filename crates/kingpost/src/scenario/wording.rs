@@ -29,6 +29,7 @@ pub const PARAMETER_VALUE: &str = "true or false, a number, or a text";
 
 pub(super) const NOTHING: &str = "nothing";
 pub(super) const FINITE: &str = "a finite number";
+pub(super) const PLAIN_SPACE: &str = "a plain space (U+0020)";
 pub(super) const BOOLEAN: &str = "true or false";
 pub(super) const NUMBER: &str = "a number";
 pub(super) const TEXT: &str = "a text";

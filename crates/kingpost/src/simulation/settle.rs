@@ -216,12 +216,12 @@ impl Simulation {
     /// Transfers the holding forces to the elements' trims; returns whether one had to change.
     fn take_over(&mut self, still: &[f64]) -> bool {
         let before = self.plant.trims();
-        let off = self.plant.take_over(&self.state.q, still);
+        let off = self.plant.take_over(&self.state.q, still, &self.state.s);
         off > TAKEN_OVER && self.plant.trims() != before
     }
 
     fn check_utilisation(&mut self, still: &[f64]) -> Result<(), NoEquilibrium> {
-        let overloaded = self.plant.overloaded(&self.state.q, still);
+        let overloaded = self.plant.overloaded(&self.state.q, still, &self.state.s);
         overloaded.map_or(Ok(()), |(name, utilisation)| Err(NoEquilibrium::Overloaded { name, utilisation }))
     }
 

@@ -3,7 +3,8 @@
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::{
-    Context, Declaration, DrawnLine, Element, ElementState, Input, LineStyle, Output, Own, hunt_crossley,
+    Context, Declaration, DrawnLine, Element, ElementState, Input, LineStyle, Output, Own, Settling, Situation,
+    hunt_crossley,
 };
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
@@ -12,8 +13,11 @@ use crate::scalar::Scalar;
 /// length L_wanted,
 ///
 /// ```text
-/// F = k (L_wanted - L) - c L',   clipped to what the pressures allow, -F_pull <= F <= F_push
+/// F = F_0 + k (L_wanted - L) - c L',   clipped to what the pressures allow, -F_pull <= F <= F_push
 /// ```
+///
+/// F_0 is 0, but for a lever in a run that begins at an equilibrium: it then carries the load there, at the length that the
+/// lever has set.
 ///
 /// L_wanted changes no faster than the speed limit and stays within the stroke. There is a stop at both ends of the
 /// stroke ([`hunt_crossley`]). The work of the force is the drive's; the stops store energy and make heat. Barrel and
@@ -46,6 +50,8 @@ pub struct Cylinder<S = f64> {
     pub aim: Aim<S>,
     /// Length at the start, m.
     pub start: S,
+    /// Force that holds it at its length at an equilibrium, N: 0 unless the run begins at one and its target is a lever.
+    pub hold: [S; 1],
     /// Time at which the target length stops moving, s: a step ends there.
     pub arrival_s: Option<f64>,
 }
@@ -122,9 +128,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Forces { line, drive, stops, .. } = self.forces(at);
-        let share = |force: S, limit: S| limit.select_below(f64::MIN_POSITIVE, || S::ZERO, || force / limit);
-        let used = drive.select_below(0.0, || share(-drive, self.pull_limit), || share(drive, self.push_limit));
-        out.extend([line.residual, line.rate, drive + stops, used]);
+        out.extend([line.residual, line.rate, drive + stops, self.share_of_limit(drive)]);
     }
 
     /// The barrel from the first pin, the rod from within the barrel to the second pin, and both pins.
@@ -153,11 +157,40 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         self.arrival_s.filter(|arrival| *arrival > after_s).unwrap_or(f64::INFINITY)
     }
 
+    fn settling(&self) -> Option<&dyn Settling<S>> {
+        (self.aim == Aim::Lever).then_some(self)
+    }
+
+    fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
+        if self.aim == Aim::Lever { Some(self) } else { None }
+    }
+
     /// Energy in the stops, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let square =
             self.depths(self.length(at.model, at.links)).iter().fold(S::ZERO, |sum, depth| sum + *depth * *depth);
         self.stop_stiffness * square * S::constant(0.5)
+    }
+}
+
+/// A lever holds the length that it has set, whatever the load.
+impl<S: Scalar> Settling<S> for Cylinder<S> {
+    fn trim(&self) -> &[S] {
+        &self.hold
+    }
+
+    fn set_trim(&mut self, trim: &[S]) {
+        self.hold.copy_from_slice(trim);
+    }
+
+    fn take_over(&mut self, at: &Context<'_, S>) -> S {
+        let off = self.length(at.model, at.links) - self.wanted(at);
+        self.hold[0] -= self.stiffness * off;
+        off.select_below(0.0, || -off, || off)
+    }
+
+    fn utilisation(&self, _at: &Context<'_, S>) -> S {
+        self.share_of_limit(self.hold[0])
     }
 }
 
@@ -214,12 +247,19 @@ impl<S: Scalar> Cylinder<S> {
     fn forces(&self, at: &Context<'_, S>) -> Forces<S> {
         let line = self.line(at.model, at.links);
         let (length, rate) = (line.residual, line.rate);
-        let wanted = self.stiffness * (self.wanted(at) - length) - self.damping * rate;
-        let drive = wanted.clipped(-self.pull_limit, self.push_limit);
+        let wanted = self.hold[0] + self.stiffness * (self.wanted(at) - length) - self.damping * rate;
+        let is_sought = at.situation == Situation::Settling && self.aim == Aim::Lever;
+        let drive = if is_sought { wanted } else { wanted.clipped(-self.pull_limit, self.push_limit) };
         let [short, long] = self.depths(length);
         let stop = |depth, speed| hunt_crossley(self.stop_stiffness, self.stop_dissipation, depth, speed);
         let ((out, heat_short), (back, heat_long)) = (stop(short, -rate), stop(long, rate));
         Forces { line, drive, stops: out - back, heat: heat_short + heat_long }
+    }
+
+    /// A force of the drive over the limit in its direction; 0 without one.
+    fn share_of_limit(&self, drive: S) -> S {
+        let share = |force: S, limit: S| limit.select_below(f64::MIN_POSITIVE, || S::ZERO, || force / limit);
+        drive.select_below(0.0, || share(-drive, self.pull_limit), || share(drive, self.push_limit))
     }
 
     /// How far the length is beyond each end of the stroke, m.

@@ -201,6 +201,12 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 }
 
 impl<S: Scalar> Submerged<S> {
+    /// Mass of the water that it displaces with the model at rest, kg, and the centre of that water in the world, m.
+    pub fn displaced(&mut self, at: &Context<'_, S>) -> (S, Vector3<S>) {
+        let now = self.immersion(at);
+        (at.world.water_density * self.displaced * now.below.volume, now.frame.point(now.centre))
+    }
+
     fn immersion(&mut self, at: &Context<'_, S>) -> Immersion<S> {
         let mut now = self.waters.immersion(at, &self.place, &self.solid);
         [now.factor, now.factor_rate] = self.added_mass.growth.at(now.share, now.share_rate);

@@ -47,6 +47,7 @@ pub fn build<S: Quantity>(
         speed_limit: given.speed_limit_m_s.get(),
         aim,
         start: S::ZERO,
+        hold: [S::ZERO],
         arrival_s: None,
     }))
 }

@@ -105,7 +105,7 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
         }
         plant.retract(&setup.q, &xi, &mut moved);
         setup.q.copy_from_slice(&moved);
-        plant.take_over(&setup.q, &still);
+        plant.take_over(&setup.q, &still, &s);
     }
     let trims = plant.trims();
     settling(&mut setup.elements).zip(trims).for_each(|(settling, trim)| settling.set_trim(&trim));

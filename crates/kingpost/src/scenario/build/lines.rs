@@ -4,8 +4,8 @@ use super::super::schema::{self, Scenario};
 use super::cylinders::attachment;
 use super::{FieldError, known};
 use crate::dynamics::LinkKinematics;
-use crate::elements::lines::Catenary;
-use crate::elements::{AnyElement, CatenaryLine, SpringLine, of_kind};
+use crate::elements::lines::{Catenary, Span};
+use crate::elements::{AnyElement, CatenaryLine, SpringLine, of_kind, significant};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
@@ -80,20 +80,43 @@ pub fn catenary<S: Quantity>(
 /// How far an anchor may be from the seabed, as a share of the depth: rounding.
 const SAME_DEPTH: f64 = 1e-9;
 
-/// Checks that at the start of a run fairleads are above the seabed.
+/// Strain at the start beyond which a length, a stiffness or a weight is an error: steel parts long before, and polyester at 0.12.
+const LARGEST_STRAIN: f64 = 0.1;
+
+/// Checks that at the start of a run fairleads are above the seabed, and that no line is stretched beyond what lines bear.
 pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
     let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
-    for line in of_kind::<S, CatenaryLine<S>>(elements).filter(|line| line.line.on_seabed) {
-        let up = line.span(model, &links).up;
-        if !up.all(|up| up > 0.0) {
+    for line in of_kind::<S, CatenaryLine<S>>(elements) {
+        let span = line.span(model, &links);
+        let up = span.up;
+        if line.line.on_seabed && !up.all(|up| up > 0.0) {
             let found = format!("a fairlead that starts {} m below the seabed", -up);
             let allowed = "one above it (it is flat, at the anchor's depth), or seabed: false";
             return Err(FieldError::new(format!("forces.{}.catenary_line.fairlead", line.name), found, allowed));
         }
+        check_strain(line, &span)?;
     }
     Ok(())
+}
+
+fn check_strain<S: Quantity>(line: &CatenaryLine<S>, span: &Span<S>) -> Result<(), FieldError> {
+    let [tension, ..] = line.line.tensions(&line.line.force(span));
+    let strain = tension / line.line.axial_stiffness;
+    if strain.all(|strain| strain <= LARGEST_STRAIN) {
+        return Ok(());
+    }
+    let Catenary { unstretched_length, weight, axial_stiffness, .. } = &line.line;
+    let found = format!(
+        "{unstretched_length} m between ends {} m apart, of {weight} N/m and a stiffness of {axial_stiffness} N: a tension of \
+         {} kN, a strain of {:.3}",
+        significant(libm::hypot(span.across.value(), span.up.value()), 4),
+        significant(tension.value() / 1000.0, 4),
+        strain.value()
+    );
+    let allowed = format!("a strain of {LARGEST_STRAIN} at most: check the length, and the units of weight and stiffness");
+    Err(FieldError::new(format!("forces.{}.catenary_line.unstretched_length_m", line.name), found, allowed))
 }
 
 /// An end relative to the centre of mass of its body; `None` if the body does not exist.

@@ -2,6 +2,7 @@
 
 mod afloat;
 mod facts;
+mod units;
 mod warnings;
 
 pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};

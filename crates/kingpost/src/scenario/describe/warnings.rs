@@ -1,5 +1,6 @@
 //! Warnings about a model before it runs.
 
+use super::units;
 use crate::elements::hull::Hydrostatics;
 use crate::elements::{AnyElement, Hull, of_kind, significant};
 use crate::model::Model;
@@ -18,7 +19,8 @@ const LARGEST_CHANGE_OF_MASS: f64 = 0.25;
 pub fn of(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let falls = |body: usize| format!("gravity acts and nothing carries {}: it falls", model.bodies[body].name);
     let falling = falling(model, world, elements).into_iter().map(falls);
-    falling.chain(of_databases(scenario, model, world, elements)).chain(of_raos(scenario, model, world)).collect()
+    let of_files = of_databases(scenario, model, world, elements).into_iter().chain(of_raos(scenario, model, world));
+    falling.chain(of_files).chain(units::of(scenario)).collect()
 }
 
 /// Of feedback that makes a mode grow, by the linear check at the start of the run.

@@ -1,0 +1,115 @@
+//! Numbers that look like those of another unit.
+//!
+//! A number in the wrong unit gives a result that looks computed. What no ship, crane or sea has is warned of where it is
+//! written, with the unit that it is read in.
+
+use crate::scenario::schema::Scenario;
+use core::f64::consts::TAU;
+use serde_json::{Map, Value};
+
+/// What a field can be, and the units that it is often taken for.
+struct Plausible {
+    /// The end of the field's path.
+    field: &'static str,
+    /// Least and most, in the field's unit.
+    range: [f64; 2],
+    /// The reason for the range, and the other units.
+    why: &'static str,
+}
+
+const TURN: [f64; 2] = [-TAU, TAU];
+const IN_DEGREES: &str = "one turn, in radians: is it in degrees?";
+
+/// Every field with a range. A length has none by itself: it is compared with that of the hull or the body.
+const PLAUSIBLE: [Plausible; 10] = [
+    Plausible { field: ".orientation_rad", range: TURN, why: IN_DEGREES },
+    Plausible { field: ".initial_orientation_rad", range: TURN, why: IN_DEGREES },
+    Plausible { field: ".initial_angle_rad", range: TURN, why: IN_DEGREES },
+    Plausible { field: ".direction_rad", range: TURN, why: IN_DEGREES },
+    Plausible { field: ".heading_rad", range: TURN, why: IN_DEGREES },
+    Plausible {
+        field: ".significant_height_m",
+        range: [0.0, 20.0],
+        why: "the highest that was measured is 19 m: is it in cm or feet?",
+    },
+    Plausible {
+        field: "wind.speed_m_s",
+        range: [0.0, 80.0],
+        why: "more than the mean wind of any storm: is it in km/h or knots?",
+    },
+    Plausible {
+        field: "current.speed_m_s",
+        range: [0.0, 12.0],
+        why: "more than any tidal stream: is it in cm/s or km/h?",
+    },
+    Plausible {
+        field: "sea.density_kg_m3",
+        range: [900.0, 1300.0],
+        why: "hot fresh water to the Dead Sea: is it in t/m^3?",
+    },
+    Plausible { field: ".gravity.gravity_m_s2", range: [-30.0, 30.0], why: "that of Jupiter: is it in feet?" },
+];
+
+/// Warns of numbers outside of their range, and of radii of gyration larger than their body.
+pub fn of(scenario: &Scenario) -> Vec<String> {
+    let Ok(written) = serde_json::to_value(scenario) else { return Vec::new() };
+    let mut warnings = Vec::new();
+    walk(&written, "", &mut warnings);
+    of_gyration(scenario, &written, &mut warnings);
+    warnings
+}
+
+fn walk(value: &Value, path: &str, warnings: &mut Vec<String>) {
+    match value {
+        Value::Object(fields) if is_off(fields) => {}
+        Value::Object(fields) => fields.iter().for_each(|(name, field)| walk(field, &format!("{path}.{name}"), warnings)),
+        Value::Array(entries) => entries.iter().for_each(|entry| walk(entry, path, warnings)),
+        Value::Number(number) => {
+            let Some(value) = number.as_f64() else { return };
+            let Some(Plausible { range: [least, most], why, .. }) = PLAUSIBLE.iter().find(|one| path.ends_with(one.field))
+            else {
+                return;
+            };
+            if !(*least..=*most).contains(&value) {
+                warnings.push(format!("{}: {value} is outside of {why}", &path[1..]));
+            }
+        }
+        _ => {}
+    }
+}
+
+fn is_off(fields: &Map<String, Value>) -> bool {
+    fields.get("enabled").is_some_and(|enabled| *enabled == Value::Bool(false))
+}
+
+/// A radius of gyration is less than the farthest point of its body: a hull's length, or the largest edge of its shape.
+fn of_gyration(scenario: &Scenario, written: &Value, warnings: &mut Vec<String>) {
+    let bodies = written.get("bodies").and_then(Value::as_object).into_iter().flatten();
+    for (name, body) in bodies.filter(|(_, body)| !body.as_object().is_some_and(is_off)) {
+        let radii = body.pointer("/inertia/radii_of_gyration/radii_m").and_then(Value::as_array);
+        let Some(radius) = radii.into_iter().flatten().filter_map(Value::as_f64).reduce(f64::max) else { continue };
+        let length = hull_length(scenario, written, name).or_else(|| shape_length(body.get("shape")));
+        if let Some(length) = length.filter(|length| radius > *length) {
+            warnings.push(format!(
+                "bodies.{name}.inertia.radii_of_gyration.radii_m: {radius} m, of a body {length:.4} m long: no body has a \
+                 radius of gyration larger than itself; is it in mm?"
+            ));
+        }
+    }
+}
+
+/// The length of the hull that a body is, by its database, m.
+fn hull_length(scenario: &Scenario, written: &Value, body: &str) -> Option<f64> {
+    let mut forces = written.get("forces")?.as_object()?.iter();
+    forces.find_map(|(name, force)| {
+        let of = force.pointer("/hydrodynamics/body")?.as_str()?;
+        (of == body).then(|| scenario.database_of(name).map(|database| database.hull.length_m))?
+    })
+}
+
+/// The sum of a shape's lengths, m: no two of its points are farther apart.
+fn shape_length(shape: Option<&Value>) -> Option<f64> {
+    let lengths = shape?.as_object()?.values().find_map(Value::as_object)?;
+    let lengths = lengths.iter().filter(|(name, _)| name.ends_with("_m")).filter_map(|(_, value)| value.as_f64());
+    Some(2.0 * lengths.sum::<f64>()).filter(|length| *length > 0.0)
+}

@@ -1,0 +1,62 @@
+"""Files that are no regular ones, and links: as a scenario, as an output and within the gallery."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from kingpost import gallery
+from kingpost.cli import main
+from kingpost.errors import ScenarioError
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs POSIX pipes and links")
+SHORT = ["run", "paper", "--set", "simulation.duration_s=0.01", "-q", "-o"]
+
+
+def test_an_output_onto_a_pipe_is_refused_at_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Source: opening a pipe waits until another process reads it."""
+    pipe = tmp_path / "pipe.csv"
+    os.mkfifo(pipe)
+    assert main([*SHORT, str(pipe)]) == 2
+    assert capsys.readouterr().err == f"error: {pipe}: found a pipe, allowed: a regular file\n"
+    assert pipe.is_fifo()
+
+
+def test_an_output_onto_a_link_is_written_to_the_file_that_it_leads_to(tmp_path: Path) -> None:
+    kept, link = tmp_path / "kept.csv", tmp_path / "link.csv"
+    kept.write_text("old")
+    link.symlink_to(kept)
+    assert main([*SHORT, str(link)]) == 0
+    assert link.is_symlink()
+    assert kept.read_text().startswith("time")
+
+
+@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir])
+def test_a_scenario_that_is_no_regular_file_is_refused(make, tmp_path: Path, capsys) -> None:
+    path = tmp_path / "odd.yaml"
+    make(path)
+    assert main(["check", str(path)]) == 2
+    words = "found a pipe, allowed: a regular file" if path.is_fifo() else "is a folder, not a scenario file"
+    assert words in capsys.readouterr().err
+
+
+def test_a_device_as_a_scenario_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "/dev/zero"]) == 2
+    assert "/dev/zero: found a device, allowed: a regular file" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["gallery:../pyproject.toml", "gallery:/etc/passwd", "gallery:parts/../../x"])
+def test_a_name_of_the_gallery_stays_in_the_gallery(name: str) -> None:
+    with pytest.raises(ScenarioError, match="allowed: a file of the gallery"):
+        gallery.place("a.yaml", name)
+
+
+def test_a_link_to_a_scenario_finds_the_files_beside_the_scenario(tmp_path: Path) -> None:
+    there, here = tmp_path / "there", tmp_path / "here"
+    there.mkdir()
+    here.mkdir()
+    (there / "own.yaml").write_text("x")
+    (there / "a.yaml").write_text("x")
+    (here / "link.yaml").symlink_to(there / "a.yaml")
+    assert gallery.place(here / "link.yaml", "own.yaml") == there / "own.yaml"
