@@ -333,3 +333,16 @@ def test_copies_that_resume_see_what_the_marked_one_had_seen() -> None:
 def test_a_delay_that_cannot_be_is_refused(delay_s: tuple[float, float]) -> None:
     with pytest.raises(KingpostError, match=r"delay_s: found .* allowed: from 0 to duration_s"):
         replace(anti_sway(), delay_s=delay_s)
+
+
+def test_a_reward_that_is_one_number_for_all_is_refused() -> None:
+    task = replace(anti_sway(), reward=lambda columns, goal, actions: -1.0)
+    episodes = Episodes(task, 3)
+    episodes.begin({k: np.random.default_rng(k) for k in range(3)})
+    with pytest.raises(KingpostError, match="reward: found -1.0, allowed: 3 numbers, one for each environment"):
+        episodes.step(np.zeros((3, len(task.actions))))
+
+
+def test_options_that_do_nothing_are_refused() -> None:
+    with pytest.raises(KingpostError, match="options: found 'load_t', allowed: none; parameters vary by"):
+        ShipCraneEnv(anti_sway()).reset(options={"load_t": 3})

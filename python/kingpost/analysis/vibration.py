@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import output, results
 from ..errors import KingpostError
+from ..given import lists, number
 from ..scenario import Overrides, Scenario, as_scenario
 from ..simulation.linear import Equilibrium
 from ..simulation.records import State
@@ -166,10 +167,10 @@ def modes(
 def _one(sweep: Mapping[str, Sequence[float]]) -> tuple[str, list[float]]:
     if len(sweep) != 1:
         raise KingpostError(f"sweep: found {len(sweep)} names, allowed: one")
-    ((name, values),) = sweep.items()
-    if not len(values):
+    ((name, values),) = lists("sweep", sweep).items()
+    if not values:
         raise KingpostError(f"sweep: found no values for {name}, allowed: at least one")
-    return name, [float(value) for value in values]
+    return name, [number(f"sweep of {name}", value) for value in values]
 
 
 def parse_sweep(text: str) -> dict[str, list[float]]:

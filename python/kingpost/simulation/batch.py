@@ -13,6 +13,7 @@ import numpy as np
 from .. import results
 from ..engine import engine
 from ..errors import KingpostError
+from ..given import lists
 from ..scenario import Overrides, Scenario, as_scenario
 from .outcomes import in_words, with_partings
 from .simulate import Progress, Simulation
@@ -63,7 +64,7 @@ class Batch:
         overrides: Overrides | None = None,
     ) -> None:
         self.scenario = as_scenario(scenario, overrides, {})
-        self.parameters = {str(name): np.asarray(values).tolist() for name, values in parameters.items()}
+        self.parameters = lists("parameters", parameters)
         lengths = {name: len(values) for name, values in self.parameters.items()}
         if len(set(lengths.values())) != 1:
             found = ", ".join(f"{length} of {name}" for name, length in lengths.items()) or "no parameters"

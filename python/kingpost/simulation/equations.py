@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..given import numbers
 from .linear import Equilibrium, Linearization, labelled
 from .matrices import MovingFrame
 
@@ -49,7 +50,7 @@ class Equations:
         >>> Simulation(load("paper")).acceleration().shape
         (5,)
         """
-        return self._engine.acceleration(None if tau is None else vector(tau))
+        return self._engine.acceleration(None if tau is None else numbers("tau", tau))
 
     def mass_matrix(self) -> NDArray[np.float64]:
         """Reduced mass matrix M* = B^T M B of the free coordinates (kg, kg m, kg m2).
@@ -292,8 +293,3 @@ class Equations:
         'ship'
         """
         return json.loads(self._engine.hydrostatics_json())
-
-
-def vector(values: ArrayLike) -> NDArray[np.float64]:
-    """Numbers as the engine takes them."""
-    return np.ascontiguousarray(values, dtype=np.float64).ravel()

@@ -18,9 +18,10 @@ import numpy as np
 
 from .. import markup
 from ..engine import engine
-from ..errors import KingpostError
+from ..errors import KingpostError, shortened
+from ..given import number, numbers
 from ..scenario import Overrides, Scenario, as_scenario, load
-from .equations import Equations, vector
+from .equations import Equations
 from .observed import Observed
 from .outcomes import every_warning
 from .records import Input, State
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
 Progress = Callable[[float], None]
 LOG = logging.getLogger(__name__)
+MOST_STEPS = 10**15
+"""The most steps of one call: beyond them the time is no longer exact."""
 
 
 class Simulation(Observed, Equations):
@@ -96,8 +99,8 @@ class Simulation(Observed, Equations):
         >>> round(simulation.time_s, 9)
         0.5
         """
-        if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0:
-            raise KingpostError(f"n: found {n!r}, allowed: a whole number not less than 0")
+        if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 0 <= n <= MOST_STEPS:
+            raise KingpostError(f"n: found {n!r}, allowed: a whole number from 0 to {MOST_STEPS:.0e}")
         self._engine.step(int(n))
 
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
@@ -236,7 +239,7 @@ class Simulation(Observed, Equations):
         >>> bool((simulation.state.q == state.q).all())
         True
         """
-        self._engine.set_state(vector(q), vector(v), None if s is None else vector(s))
+        self._engine.set_state(numbers("q", q), numbers("v", v), None if s is None else numbers("s", s))
 
     def snapshot(self) -> bytes:
         """The complete state. A run resumed from it gives the same bits.
@@ -271,7 +274,10 @@ class Simulation(Observed, Equations):
         >>> simulation = Simulation(load("paper"))
         >>> simulation.restore(simulation.snapshot())
         """
-        self._engine.restore(snapshot)
+        if not isinstance(snapshot, bytes | bytearray | memoryview):
+            found = shortened(repr(snapshot), 40)
+            raise KingpostError(f"snapshot: found {found}, allowed: the bytes of Simulation.snapshot()")
+        self._engine.restore(bytes(snapshot))
 
     @property
     def inputs(self) -> dict[str, Input]:
@@ -298,7 +304,7 @@ class Simulation(Observed, Equations):
         >>> simulation.inputs["hoist"].value
         0.1
         """
-        self._engine.set_input(name, value)
+        self._engine.set_input(str(name), number(f"input {name}", value))
 
     def set_parameter(self, name: str, value: bool | float | str) -> None:
         """Set a parameter that is `live` in the scenario while the run goes on, from the next step on.
