@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import KingpostError
 from ..given import numbers
 from .linear import Equilibrium, Linearization, labelled
 from .matrices import MovingFrame
@@ -18,6 +19,10 @@ if TYPE_CHECKING:
 
     from ..engine import engine
     from ..scenario import Scenario
+
+
+MOST_DENSE = 2000
+"""The most free coordinates for matrices of all of them: one of as many states takes 128 MB."""
 
 
 class Equations:
@@ -123,11 +128,19 @@ class Equations:
         Linearization
             A, B and the rates, with names and units.
 
+        Raises
+        ------
+        KingpostError
+            If there are more than 2,000 free coordinates.
+
         >>> from kingpost import Simulation, load
         >>> linear = Simulation(load("paper")).linearize()
         >>> linear.states[:2], linear.inputs
         (['ship.roll', 'ship.pitch'], [])
         """
+        count = len(self._engine.coordinates())
+        if count > MOST_DENSE:
+            raise KingpostError(f"linearize: found {count} free coordinates, allowed: at most {MOST_DENSE}")
         return labelled(*self._engine.linearize())
 
     def settle(self) -> Equilibrium:

@@ -45,6 +45,9 @@ class Observed:
         []
         """
         settings, known = self.scenario.resolved["simulation"], list(self.scenario.model["warnings"])
+        count = 2 * len(self.coordinates)
+        if count > step_limit.MOST_STATES:
+            return [*known, step_limit.left_out(count)]
         try:
             too_long = step_limit.warning(settings, lambda: self._engine.linearize()[0])
         except KingpostError:

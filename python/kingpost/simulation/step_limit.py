@@ -20,6 +20,8 @@ Ordinary Differential Equations II*, 1996, sec. IV.2)."""
 DAMPED = 0.02
 """Motions with a smaller damping ratio are not judged: Euler's method makes them grow at any step."""
 LONGEST_S, HALVINGS = 1e3, 60
+MOST_STATES = 1000
+"""The most states of which the eigenvalues are sought before each run: they take a second or two."""
 
 
 def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None:
@@ -40,6 +42,18 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
     # One of each conjugate pair.
     values = values[values.imag >= 0].astype(complex)
     return float(_limits(growth, values).min()) if values.size else None
+
+
+def left_out(states: int) -> str:
+    """The warning of a model whose longest stable step is not estimated.
+
+    >>> left_out(7200)
+    'the longest stable step is not estimated: 7200 states, more than 1000; compare with a run of half the step'
+    """
+    return (
+        f"the longest stable step is not estimated: {states} states, more than {MOST_STATES}; compare with a run "
+        "of half the step"
+    )
 
 
 def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]]) -> str | None:

@@ -2,7 +2,7 @@
 
 use super::sampled_loops::{FeedbackLoop, HeldInputs, Sensed, fastest, vector};
 use super::small_motions::{Changed, DIFFERENCE};
-use super::{Simulation, stage};
+use super::{MOST_DENSE, Simulation, stage};
 use crate::elements::{LinearLaw, Situation};
 use crate::integrate::Stage;
 use crate::results::Sample;
@@ -38,7 +38,7 @@ impl Simulation {
     /// delays.
     pub fn growing_with_feedback(&mut self) -> Option<GrowingMode> {
         let laws = self.laws();
-        if laws.is_empty() {
+        if laws.is_empty() || self.plant.model.velocity_count > MOST_DENSE {
             return None;
         }
         let a = self.small_motions();

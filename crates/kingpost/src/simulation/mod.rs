@@ -44,6 +44,10 @@ use watching::Watching;
 /// Steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 1_000;
 
+/// The most free coordinates, or states of the same number of motions, for which matrices of all of them are made: with them
+/// one takes 32 MB, and an analysis keeps a few dozen.
+pub const MOST_DENSE: usize = 2_000;
+
 /// Edges closer than this share of a step count as simultaneous.
 const EDGE_SLACK: f64 = 1e-9;
 

@@ -1,6 +1,6 @@
 //! The equilibrium of a model: free coordinates at which, with zero rates, nothing accelerates.
 
-use super::{InputError, Simulation, stage};
+use super::{InputError, MOST_DENSE, Simulation, stage};
 use crate::dynamics::Kinematics;
 use crate::dynamics::moving_frame::MovingFrame;
 use crate::elements::{HOLD_IT, Situation};
@@ -95,6 +95,17 @@ pub enum NoEquilibrium {
         /// The floating body that is pushed horizontally and that nothing holds, if there is one.
         adrift: Option<String>,
     },
+    /// Too many free coordinates for a matrix of all of them.
+    #[error(
+        "no equilibrium is sought: {found} free coordinates, allowed: at most {allowed}, because its matrix grows with the square of \
+         their number"
+    )]
+    TooMany {
+        /// Free coordinates.
+        found: usize,
+        /// The most that are allowed.
+        allowed: usize,
+    },
     /// The element that has to hold the model is too weak.
     #[error("no equilibrium: {name} would have to give {utilisation:.3} times its capacity, allowed: at most 1")]
     Overloaded {
@@ -160,6 +171,9 @@ impl Simulation {
         self.set_state(&self.state.q.clone(), &still, None)?;
         self.restore_kept(&kept);
         let (names, free) = (self.coordinates(), self.plant.model.free_coordinates());
+        if free.len() > MOST_DENSE {
+            return Err(NoEquilibrium::TooMany { found: free.len(), allowed: MOST_DENSE });
+        }
         let mut last: Option<LastMove> = None;
         let mut iterations = 0;
         loop {

@@ -55,7 +55,7 @@ use crate::model::Model;
 use crate::plant::Form;
 use crate::results::Channels;
 use crate::scenario::leaf::Quantity;
-use crate::simulation::{SchemeName, Settings, Setup, Simulation};
+use crate::simulation::{MOST_DENSE, SchemeName, Settings, Setup, Simulation};
 use crate::spatial::Frame;
 use crate::world::World;
 pub use sea_spectra::{SeaSpectrum, SeaWaves};
@@ -72,6 +72,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     positioning::check_stability(scenario)?;
     setup.fingerprint = scenario.fingerprint();
     check_recording(&setup)?;
+    check_size(&setup)?;
     check_mass_matrix(scenario, &setup)?;
     station::check(&setup)?;
     loops::close(scenario, &mut setup)?;
@@ -204,6 +205,20 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
         return Err(FieldError::new("simulation.record_every_s", record_every_s, allowed));
     }
     Ok(())
+}
+
+/// Checks that a run makes no matrix of more coordinates than fit in memory.
+fn check_size(setup: &Setup) -> Result<(), FieldError> {
+    let (Settings { scheme, form, .. }, count) = (setup.settings, setup.model.velocity_count);
+    let by_matrices = [
+        (form != Form::Recursive, "simulation.form", "recursive"),
+        (scheme.is_implicit(), "simulation.integrator", "an explicit one"),
+    ];
+    let Some((_, field, other)) = by_matrices.into_iter().find(|(is_so, ..)| *is_so && count > MOST_DENSE) else {
+        return Ok(());
+    };
+    let found = format!("one with matrices, of {count} coordinates");
+    Err(FieldError::new(field, found, format!("at most {MOST_DENSE} with matrices; {other} has none")))
 }
 
 /// Checks that the first row is finite: numbers beyond 1e308 overflow, and so do squares beyond 1e154.

@@ -14,13 +14,22 @@ use crate::world::World;
 
 /// A hull whose mass differs by more than this share from what its data displace is warned of.
 const LARGEST_CHANGE_OF_MASS: f64 = 0.25;
+/// The most bodies that are named one by one.
+const MOST_NAMED: usize = 5;
 
 /// All warnings.
 pub fn of(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
-    let falls = |body: usize| format!("gravity acts and nothing carries {}: it falls", model.bodies[body].name);
-    let falling = falling(model, world, elements).into_iter().map(falls);
+    let falling = falls(model, &falling(model, world, elements)).into_iter();
     let of_files = of_databases(scenario, model, world, elements).into_iter().chain(of_raos(scenario, model, world));
     falling.chain(of_files).chain(units::of(scenario)).collect()
+}
+
+/// A warning for each body that falls, up to a few, and one for the others.
+fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
+    let of = |body: &usize| format!("gravity acts and nothing carries {}: it falls", model.bodies[*body].name);
+    let others = falling.len().saturating_sub(MOST_NAMED);
+    let rest = (others > 0).then(|| format!("gravity acts and nothing carries {others} more bodies: they fall"));
+    falling.iter().take(MOST_NAMED).map(of).chain(rest).collect()
 }
 
 /// Of feedback that makes a mode grow, by the linear check at the start of the run.
