@@ -22,6 +22,7 @@ use crate::model::{Mode, Model, Node};
 use crate::scalar::Scalar;
 use crate::state::State;
 use crate::world::World;
+use nalgebra::DMatrix;
 
 /// The form of the equations of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -372,6 +373,12 @@ impl Plant {
             Form::Recursive => Variation::Restricted,
         };
         MovingFrame::assemble(&self.model, at.q, at.v, &self.loads, variation)
+    }
+
+    /// M* and J over the free coordinates at a state.
+    pub fn mass_and_constraints(&mut self, at: Stage<'_>) -> (DMatrix<f64>, DMatrix<f64>) {
+        self.evaluate_loads(at);
+        MovingFrame::mass_and_constraints(&self.model, at.q, at.v, &self.loads)
     }
 
     /// Accelerations by the matrices; NaN if M* is singular.

@@ -2,7 +2,6 @@
 
 use super::{InputError, MOST_DENSE, Simulation, stage};
 use crate::dynamics::Kinematics;
-use crate::dynamics::moving_frame::MovingFrame;
 use crate::elements::{HOLD_IT, Situation};
 use crate::integrate::{Jacobian, System};
 use crate::model::JointKind;
@@ -195,12 +194,12 @@ impl Simulation {
                 self.check_utilisation(&still)?;
                 self.set_state(&self.state.q.clone(), &still, None)?;
                 self.restore_kept(&kept);
-                let instability = self.capsized().or_else(|| linear.growth(&self.moving_frame(), &names));
+                let instability = self.capsized().or_else(|| linear.growth(&self.mass_and_constraints(), &names));
                 return Ok(Equilibrium { iterations, residual, instability });
             }
             iterations += 1;
             let next =
-                if iterations < MOST_ITERATIONS { next_move(&linear, &self.moving_frame().j, last) } else { None };
+                if iterations < MOST_ITERATIONS { next_move(&linear, &self.mass_and_constraints().1, last) } else { None };
             let moved = next.is_some_and(|(xi, made)| {
                 last = Some(made);
                 let mut everywhere = still.clone();
@@ -225,6 +224,12 @@ impl Simulation {
         let rounding = ROUNDINGS * f64::EPSILON * farthest;
         let of_row = |row: usize| AT_REST + rounding * linear.stiffness.row(row).lp_norm(1);
         DVector::from_fn(linear.acceleration.len(), |row, _| of_row(row))
+    }
+
+    /// M* and J over the free coordinates here.
+    fn mass_and_constraints(&mut self) -> (DMatrix<f64>, DMatrix<f64>) {
+        let at = stage(self.interval(), &self.state);
+        self.plant.mass_and_constraints(at)
     }
 
     /// Transfers the holding forces to the elements' trims; returns whether one had to change.
@@ -299,7 +304,7 @@ impl Simulation {
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
         let mut there = self.at_rest();
         let free = there.plant.model.free_coordinates();
-        let (linear, j) = (there.linear_here(&free), there.moving_frame().j);
+        let (linear, (_, j)) = (there.linear_here(&free), there.mass_and_constraints());
         let inverse = linear.bordered(&j, linear.largest_delta()).try_inverse()?;
         Some(inverse.view((0, 0), (free.len(), free.len())).into_owned())
     }
@@ -362,8 +367,8 @@ impl Linear {
     }
 
     /// The fastest growing motion tangent to the loops' J: v' = A x with an eigenvalue 1 / T^2 of A.
-    fn growth(&self, frame: &MovingFrame, names: &[String]) -> Option<Instability> {
-        let tangents = tangents(&frame.j, names.len());
+    fn growth(&self, (mass, j): &(DMatrix<f64>, DMatrix<f64>), names: &[String]) -> Option<Instability> {
+        let tangents = tangents(j, names.len());
         if tangents.ncols() == 0 {
             return None;
         }
@@ -377,7 +382,7 @@ impl Linear {
         // One step of inverse iteration, shifted from the eigenvalue so that the matrix is not singular.
         let beside = a - DMatrix::identity(tangents.ncols(), tangents.ncols()) * (fastest + 1e-6 * size);
         let motion = tangents * beside.lu().solve(&DVector::from_element(squares.len(), 1.0))?;
-        let energies = motion.component_mul(&(&frame.m_star * &motion));
+        let energies = motion.component_mul(&(mass * &motion));
         Some(Instability::Growth { coordinate: names[energies.imax()].clone(), time_s: 1.0 / fastest.sqrt() })
     }
 

@@ -18,7 +18,7 @@
 use super::Loads;
 use crate::model::{JointKind, Model, Node, Tree, joint::Columns};
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Twist, Vector3, Wrench, hat};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SMatrix};
 
 /// x' of a body (world, m/s).
 pub(super) fn x_dot_of(x_dot: &DVector<f64>, body: usize) -> Vector3 {
@@ -28,18 +28,6 @@ pub(super) fn x_dot_of(x_dot: &DVector<f64>, body: usize) -> Vector3 {
 /// omega of a body (body axes, rad/s).
 pub(super) fn omega_of(x_dot: &DVector<f64>, body: usize) -> Vector3 {
     Vector3::from_slice(&x_dot.as_slice()[6 * body + 3..])
-}
-
-fn set_matrix(out: &mut DMatrix<f64>, row: usize, column: usize, block: &Matrix3) {
-    for i in 0..3 {
-        set_column_entry(out, row + i, column, block.0[i]);
-    }
-}
-
-fn set_column_entry(out: &mut DMatrix<f64>, row: usize, column: usize, entries: [f64; 3]) {
-    for (j, entry) in entries.into_iter().enumerate() {
-        out[(row, column + j)] = entry;
-    }
 }
 
 fn set_column(out: &mut DMatrix<f64>, row: usize, column: usize, v: Vector3) {
@@ -124,47 +112,75 @@ fn inertias(model: &Model, loads: &Loads) -> Vec<SpatialInertia> {
     all
 }
 
-/// M (eq. 48) and its rate.
-pub(super) fn mass_matrices(
-    model: &Model,
-    frames: &[Frame],
-    x_dot: &DVector<f64>,
-    loads: &Loads,
-) -> (DMatrix<f64>, DMatrix<f64>) {
-    let n = 6 * frames.len();
-    let (mut m, mut m_dot) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
-    for (body, inertia) in inertias(model, loads).iter().enumerate() {
-        let (at, angular) = (6 * body, inertia.angular.to_matrix());
-        set_matrix(&mut m, at + 3, at + 3, &angular);
-        if inertia.is_rigid_about_centre_of_mass() {
-            set_matrix(&mut m, at, at, &inertia.linear.to_matrix());
-            continue;
-        }
-        let (r, r_t, skew) = (frames[body].rotation, frames[body].rotation.transpose(), hat(omega_of(x_dot, body)));
-        let (linear, coupling) = (inertia.linear.to_matrix(), inertia.coupling);
-        set_matrix(&mut m, at, at, &(r * linear * r_t));
-        set_matrix(&mut m, at, at + 3, &(r * coupling.transpose()));
-        set_matrix(&mut m, at + 3, at, &(coupling * r_t));
-        set_matrix(&mut m_dot, at, at, &(r * (skew * linear - linear * skew) * r_t));
-        set_matrix(&mut m_dot, at, at + 3, &(r * skew * coupling.transpose()));
-        set_matrix(&mut m_dot, at + 3, at, &-(coupling * skew * r_t));
+/// Six by six: the rows and columns of one body.
+pub(super) type Block = SMatrix<f64, 6, 6>;
+
+/// A body's block of M (eq. 48), and its rate: x' in the world first, then omega in its own axes.
+fn mass_block(inertia: &SpatialInertia, rotation: &Matrix3, omega: Vector3) -> [Block; 2] {
+    let (mut m, mut m_dot) = (Block::zeros(), Block::zeros());
+    put(&mut m, 3, 3, &inertia.angular.to_matrix());
+    if inertia.is_rigid_about_centre_of_mass() {
+        put(&mut m, 0, 0, &inertia.linear.to_matrix());
+        return [m, m_dot];
     }
-    (m, m_dot)
+    let (r, r_t, skew) = (*rotation, rotation.transpose(), hat(omega));
+    let (linear, coupling) = (inertia.linear.to_matrix(), inertia.coupling);
+    put(&mut m, 0, 0, &(r * linear * r_t));
+    put(&mut m, 0, 3, &(r * coupling.transpose()));
+    put(&mut m, 3, 0, &(coupling * r_t));
+    put(&mut m_dot, 0, 0, &(r * (skew * linear - linear * skew) * r_t));
+    put(&mut m_dot, 0, 3, &(r * skew * coupling.transpose()));
+    put(&mut m_dot, 3, 0, &-(coupling * skew * r_t));
+    [m, m_dot]
 }
 
-/// D (eq. 57): diag(0, hat(omega)) by body, and for a full 6x6 inertia `R^T hat(x')` below it.
-pub(super) fn d_matrix(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, loads: &Loads) -> DMatrix<f64> {
-    let n = 6 * frames.len();
-    let mut d = DMatrix::zeros(n, n);
-    for (body, inertia) in inertias(model, loads).iter().enumerate() {
-        let at = 6 * body;
-        set_matrix(&mut d, at + 3, at + 3, &hat(omega_of(x_dot, body)));
-        if !inertia.is_rigid_about_centre_of_mass() {
-            let block = frames[body].rotation.transpose() * hat(x_dot_of(x_dot, body));
-            set_matrix(&mut d, at + 3, at, &block);
+fn put(block: &mut Block, row: usize, column: usize, entries: &Matrix3) {
+    for (i, row_of) in entries.0.iter().enumerate() {
+        for (j, entry) in row_of.iter().enumerate() {
+            block[(row + i, column + j)] = *entry;
         }
     }
-    d
+}
+
+/// The blocks of M (eq. 48) and of its rate, by body.
+pub(super) fn mass_blocks(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, loads: &Loads) -> Vec<[Block; 2]> {
+    let of = |(body, inertia): (usize, &SpatialInertia)| {
+        mass_block(inertia, &frames[body].rotation, omega_of(x_dot, body))
+    };
+    inertias(model, loads).iter().enumerate().map(of).collect()
+}
+
+/// A matrix with these blocks on its diagonal.
+pub(super) fn diagonal(blocks: impl ExactSizeIterator<Item = Block>) -> DMatrix<f64> {
+    let n = 6 * blocks.len();
+    let mut matrix = DMatrix::zeros(n, n);
+    for (body, block) in blocks.enumerate() {
+        matrix.view_mut((6 * body, 6 * body), (6, 6)).copy_from(&block);
+    }
+    matrix
+}
+
+/// The product of a matrix with these blocks on its diagonal, and another matrix: the zeros are left out.
+pub(super) fn times(blocks: impl Iterator<Item = Block>, right: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut product = DMatrix::zeros(right.nrows(), right.ncols());
+    for (body, block) in blocks.enumerate() {
+        let rows = block * right.fixed_rows::<6>(6 * body);
+        product.fixed_rows_mut::<6>(6 * body).copy_from(&rows);
+    }
+    product
+}
+
+/// The blocks of D (eq. 57), by body: diag(0, hat(omega)), and for a full 6x6 inertia `R^T hat(x')` below it.
+pub(super) fn d_blocks(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, loads: &Loads) -> Vec<Block> {
+    let of = |(body, inertia): (usize, &SpatialInertia)| {
+        let mut d = Block::zeros();
+        put(&mut d, 3, 3, &hat(omega_of(x_dot, body)));
+        if !inertia.is_rigid_about_centre_of_mass() {
+            put(&mut d, 3, 0, &(frames[body].rotation.transpose() * hat(x_dot_of(x_dot, body))));
+        }
+        d
+    };
+    inertias(model, loads).iter().enumerate().map(of).collect()
 }
 
 /// {F} (eq. 59): by body, force in the world, moment in body axes. A force along a coordinate acts

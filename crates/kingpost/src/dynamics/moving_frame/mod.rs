@@ -33,6 +33,7 @@ pub use symbols::{Naming, Symbols};
 use super::Loads;
 use crate::model::{Mode, Model};
 use crate::spatial::{Frame, Vector3};
+use blocks::Block;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
@@ -111,24 +112,28 @@ impl MovingFrame {
         let x_dot = &b * &velocity;
         let column_rates = blocks::joint_column_rates(&model.tree, &columns, v, &x_dot);
         let b_dot = blocks::b_dot_matrix(&model.tree, &frames, &x_dot, &columns, &column_rates);
-        let (m, m_dot) = blocks::mass_matrices(model, &frames, &x_dot, loads);
-        let d = match variation {
-            Variation::Restricted => blocks::d_matrix(model, &frames, &x_dot, loads),
-            Variation::Naive => DMatrix::zeros(m.nrows(), m.ncols()),
+        let of_mass = blocks::mass_blocks(model, &frames, &x_dot, loads);
+        let of_variation = match variation {
+            Variation::Restricted => blocks::d_blocks(model, &frames, &x_dot, loads),
+            Variation::Naive => vec![Block::zeros(); frames.len()],
         };
+        let m_of = || of_mass.iter().map(|[m, _]| *m);
+        let momentum_rate = || of_mass.iter().zip(&of_variation).map(|([m, m_dot], d)| m_dot + d * m);
         let f = blocks::force_list(model, &frames, &columns, loads);
 
         let free = model.free_coordinates();
         let (b_free, b_dot_free) = (b.select_columns(&free), b_dot.select_columns(&free));
-        let momentum_rate = &m_dot + &d * &m;
-        let mut m_star = b_free.transpose() * &m * &b_free;
+        let mut m_star = b_free.transpose() * blocks::times(m_of(), &b_free);
         for (k, &i) in free.iter().enumerate() {
             m_star[(k, k)] += model.rotor_inertia[i];
         }
-        let n_star = b_free.transpose() * (&m * &b_dot_free + &momentum_rate * &b_free);
+        let rate_of_momentum = blocks::times(m_of(), &b_dot_free) + blocks::times(momentum_rate(), &b_free);
+        let n_star = b_free.transpose() * rate_of_momentum;
         let (given_velocity, given_acceleration) = prescribed(model, v, loads);
-        let given = &m * (&b * &given_acceleration + &b_dot * &given_velocity) + momentum_rate * (&b * given_velocity);
-        let f_star = b_free.transpose() * (&f - given);
+        let column = |x: DVector<f64>| DMatrix::from_column_slice(x.len(), 1, x.as_slice());
+        let given = blocks::times(m_of(), &column(&b * &given_acceleration + &b_dot * &given_velocity))
+            + blocks::times(momentum_rate(), &column(&b * given_velocity));
+        let f_star = b_free.transpose() * (&f - given.column(0));
         let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
         let x_drift = &b_dot * &velocity;
         let motion = loops::BodiesMotion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
@@ -142,9 +147,9 @@ impl MovingFrame {
             b,
             b_dot,
             x_dot,
-            m,
-            m_dot,
-            d,
+            m: blocks::diagonal(m_of()),
+            m_dot: blocks::diagonal(of_mass.iter().map(|[_, m_dot]| *m_dot)),
+            d: blocks::diagonal(of_variation.iter().copied()),
             f,
             m_star,
             n_star,
@@ -156,6 +161,30 @@ impl MovingFrame {
             j_drift,
             held_by,
         }
+    }
+
+    /// M* and J over the free coordinates alone, without the matrices over all bodies: their size is that of the square of
+    /// the number of bodies.
+    pub fn mass_and_constraints(model: &Model, q: &[f64], v: &[f64], loads: &Loads) -> (DMatrix<f64>, DMatrix<f64>) {
+        let nodes = &model.tree.nodes;
+        let mut frames: Vec<Frame> = Vec::with_capacity(nodes.len());
+        for node in nodes {
+            let relative = node.kind.relative(&q[node.positions..]);
+            frames.push(node.parent.map_or(relative, |p: usize| frames[p].times(&relative)));
+        }
+        let columns = blocks::joint_columns(&model.tree, &frames, q);
+        let b = blocks::b_matrix(&model.tree, &frames, &columns);
+        let (x_dot, free) = (&b * DVector::from_column_slice(v), model.free_coordinates());
+        let b_free = b.select_columns(&free);
+        let of_mass = blocks::mass_blocks(model, &frames, &x_dot, loads);
+        let mut m_star = b_free.transpose() * blocks::times(of_mass.iter().map(|[m, _]| *m), &b_free);
+        for (k, &i) in free.iter().enumerate() {
+            m_star[(k, k)] += model.rotor_inertia[i];
+        }
+        // J does not depend on the drift.
+        let x_drift = DVector::zeros(x_dot.len());
+        let motion = loops::BodiesMotion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
+        (m_star, loops::rows(&motion, &loads.restraints).0.select_columns(&free))
     }
 
     /// The velocity terms N* q' (N, N m).
