@@ -35,7 +35,7 @@ from .commands import (
 )
 from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, beginning, fail
 from .commands.interrupts import ended_as_interrupted
-from .commands.streams import LostOutput, fill_closed, watched_output
+from .commands.streams import LostOutputError, fill_closed, watched_output
 from .errors import KingpostError, KingpostWarning, RunError, printable
 
 COMMANDS = {
@@ -96,7 +96,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with watched_output():
             return _run(arguments)
-    except LostOutput as lost:
+    except LostOutputError as lost:
         # A reader that has seen enough closes its pipe.
         if isinstance(lost.__cause__, BrokenPipeError):
             return DONE

@@ -1,4 +1,4 @@
-"""Checks of what a caller gives, so that a wrong kind of value is named and no library's error reaches the caller."""
+"""Checks of what a caller gives: a value of a wrong kind is named, and no library's error reaches the caller."""
 
 from __future__ import annotations
 
@@ -77,6 +77,7 @@ def lists(field: str, values: Any) -> dict[str, list[Any]]:
     found = {str(name): np.asarray(given).tolist() for name, given in values.items()}
     for name, given in found.items():
         if not isinstance(given, list):
-            raise KingpostError(f"{field}: found {shortened(repr(given))} for {name}, allowed: a list of values")
+            raise KingpostError(
+                f"{field}: found {shortened(repr(given))} for {name}, allowed: a list of values"
+            )
     return found
-

@@ -25,8 +25,8 @@ KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a pipe"), (stat.S_ISSOCK, 
 def whole(path: str | Path) -> Iterator[Path]:
     """A file beside `path` for the block to write, with the same ending.
 
-    When the block has ended and the data is on the disk, the new file replaces `path` in one step; of a link, the
-    file that it leads to. If the block fails or is stopped, the old file stays.
+    When the block has ended and the data is on the disk, the new file replaces `path` in one step; of a link,
+    the file that it leads to. If the block fails or is stopped, the old file stays.
 
     >>> import tempfile
     >>> target = Path(tempfile.mkdtemp()) / "numbers.csv"

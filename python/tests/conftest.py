@@ -99,7 +99,9 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     given = folder / "small.yaml"
     given.write_text(SMALL, encoding="utf-8")
     files, _ = serve.scenarios(str(given))
-    yield from running(serve.open_server(made_app(folder), files, serve.LOOPBACK, 0, serve.databases(str(given))))
+    yield from running(
+        serve.open_server(made_app(folder), files, serve.LOOPBACK, 0, serve.databases(str(given)))
+    )
 
 
 @pytest.fixture

@@ -143,8 +143,8 @@ def shipx(stem: Path, base: Database) -> Path:
 
 
 def aqwa(stem: Path, base: Database, structures: int = 1) -> Path:
-    """STEM.AH1 of structures, all alike, the centre of gravity of the first at `ABOVE`; A at 100 rad/s is that of
-    infinite frequency. Structures act on each other by a hundredth of what they are by themselves."""
+    """STEM.AH1 of structures, all alike, the centre of gravity of the first at `ABOVE`; A at 100 rad/s is
+    that of infinite frequency. Structures act on each other by a hundredth of what they are by themselves."""
     about, hull, water = About(base, ABOVE), base.hull, base.water
     omega, degrees = base.frequencies_rad_s, np.degrees(base.wave_directions_rad)
     every = range(1, structures + 1)

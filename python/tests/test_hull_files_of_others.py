@@ -25,7 +25,7 @@ def plain() -> list[str]:
 
 
 def octagons() -> str:
-    """The box with its vertical edges cut by 1 m: bottom and top are octagons, 228 m3 at the draught of the box."""
+    """The box with its vertical edges cut by 1 m: bottom and top are octagons."""
     cut = [(9, -4), (10, -3), (10, 3), (9, 4), (-9, 4), (-10, 3), (-10, -3), (-9, -4)]
     points = [f"v {x} {y} {z}" for z in (0, 3) for x, y in cut]
     sides = [f"f {k + 1} {(k + 1) % 8 + 1} {(k + 1) % 8 + 9} {k + 9}" for k in range(8)]
@@ -33,8 +33,12 @@ def octagons() -> str:
 
 
 FACES = [" ".join(["f", *map(str, quad)]) for quad in QUADS]
-WITH_TEXTURE = [" ".join(["f", *(f"{corner}/{k % 4 + 1}/1" for k, corner in enumerate(quad))]) for quad in QUADS]
-WITH_NORMALS = [" ".join(["f", *(f"{corner}//{face + 1}" for corner in quad)]) for face, quad in enumerate(QUADS)]
+WITH_TEXTURE = [
+    " ".join(["f", *(f"{corner}/{k % 4 + 1}/1" for k, corner in enumerate(quad))]) for quad in QUADS
+]
+WITH_NORMALS = [
+    " ".join(["f", *(f"{corner}//{face + 1}" for corner in quad)]) for face, quad in enumerate(QUADS)
+]
 BACKWARDS = [" ".join(["f", *(str(corner - 9) for corner in quad)]) for quad in QUADS]
 BROKEN = [face.replace(" ", " \\\n", 3) for face in FACES]
 
@@ -72,17 +76,33 @@ PANELS = [" ".join(f"{x} {y} {z - 1.5}" for x, y, z in (CORNERS[k - 1] for k in 
 @pytest.mark.parametrize(
     ("name", "text", "message"),
     [
-        ("box.gdf", GDF.format(count=9, panels="\n".join(PANELS)), "found 9 panels by the header, 6 in the file"),
-        ("box.gdf", GDF.format(count=4, panels="\n".join(PANELS)), "found 4 panels by the header, 6 in the file"),
+        (
+            "box.gdf",
+            GDF.format(count=9, panels="\n".join(PANELS)),
+            "found 9 panels by the header, 6 in the file",
+        ),
+        (
+            "box.gdf",
+            GDF.format(count=4, panels="\n".join(PANELS)),
+            "found 4 panels by the header, 6 in the file",
+        ),
         ("box.gdf", GDF.format(count="6 -11", panels="3 3"), "a high-order geometry, of patches .IGDEF -11."),
         ("hull.mar", "2 0\n", "found the format .mar, allowed: STL, OBJ, GDF"),
         ("hull", "solid\n", "found a name without an ending"),
         ("hull.obj.gz", "x", "found a packed file .*unpack it first"),
         ("hull.obj", "v 0 0\n", "hull.obj:1: hull: found a point of 2 coordinates"),
-        ("hull.obj", "v 0 0 0\nf 1 2 3\n", "hull.obj:2: hull: found a face with a point that is not in the file"),
-        ("hull.obj", obj(["v 0 0 0", "v 4 0 0", "v 4 4 0", "v 3 1 0"], ["f 1 2 3 4"]), "a concave face of 4 corners"),
+        (
+            "hull.obj",
+            "v 0 0 0\nf 1 2 3\n",
+            "hull.obj:2: hull: found a face with a point that is not in the file",
+        ),
+        (
+            "hull.obj",
+            obj(["v 0 0 0", "v 4 0 0", "v 4 4 0", "v 3 1 0"], ["f 1 2 3 4"]),
+            "a concave face of 4 corners",
+        ),
     ],
-)  # fmt: skip
+)
 def test_what_is_wrong_with_a_file_is_named(name: str, text: str, message: str, tmp_path: Path) -> None:
     path = tmp_path / name
     path.write_text(text)
@@ -105,7 +125,9 @@ def test_a_bow_along_y_is_warned_of(tmp_path: Path) -> None:
     assert remark.startswith("the hull is 8 m long and 20 m wide: x must point to the bow")
 
 
-def test_a_mesh_of_hydrostar_is_not_taken_for_wamits_hst(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_mesh_of_hydrostar_is_not_taken_for_wamits_hst(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = tmp_path / "ship.hst"
     path.write_text("PROJECT Ship\n\nSYMMETRY_BODY 1 2\n\nNBBODY 1\n")
     assert main(["hydro", str(path), "-o", str(tmp_path / "a.hydro.json")]) == 2

@@ -141,8 +141,8 @@ def test_an_aqwa_file_gives_the_database_back(tmp_path) -> None:
 
 @pytest.mark.parametrize("structures", [2, 3])
 def test_the_first_of_several_structures_of_aqwa_is_read_with_a_note(tmp_path, structures: int) -> None:
-    """Source: the header, which has number, directions and frequencies of each structure, and two labels before each
-    pair of ADDEDMASS_HF, as AQWA-LINE 2020 R1 writes them."""
+    """Source: the header, which has number, directions and frequencies of each structure, and two labels
+    before each pair of ADDEDMASS_HF, as AQWA-LINE 2020 R1 writes them."""
     base = writers.database()
     found = importers.load(programs.aqwa(tmp_path / "hull", base, structures), Options(**SIZE))
     near(found, base, 1e-5)

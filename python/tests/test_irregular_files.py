@@ -46,7 +46,9 @@ def test_a_device_as_a_scenario_is_refused(capsys: pytest.CaptureFixture[str]) -
     assert "/dev/zero: found a device, allowed: a regular file" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["gallery:../pyproject.toml", "gallery:/etc/passwd", "gallery:parts/../../x"])
+@pytest.mark.parametrize(
+    "name", ["gallery:../pyproject.toml", "gallery:/etc/passwd", "gallery:parts/../../x"]
+)
 def test_a_name_of_the_gallery_stays_in_the_gallery(name: str) -> None:
     with pytest.raises(ScenarioError, match="allowed: a file of the gallery"):
         gallery.place("a.yaml", name)

@@ -1,8 +1,8 @@
 """Rows of a run: each column has the value at the time of the row, whatever moves the inputs.
 
 Source: in a run of a method of the fourth order, position, velocity and acceleration are a function and its
-derivatives, and the ledger's work is the integral of the powers. Over two steps of length h, Simpson's rule joins
-them: f(t + h) - f(t - h) = h / 3 (f'(t - h) + 4 f'(t) + f'(t + h)) - h^5 / 90 f^(5).
+derivatives, and the ledger's work is the integral of the powers. Over two steps of length h, Simpson's rule
+joins them: f(t + h) - f(t - h) = h / 3 (f'(t - h) + 4 f'(t) + f'(t + h)) - h^5 / 90 f^(5).
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ PAIRS = (("position", "velocity"), ("velocity", "acceleration"), ("joint_positio
 STEADY = 0.9
 """Share of the rows that have no event and no sample of a controller within two steps, at least."""
 ALLOWED = 0.03
-"""Allowed share of a rate's largest value. A step holds an input that moves at its middle value, so the motion has a
-ripple of the step's length: (omega h)^2 / 8 of the rate, 0.008 for the fastest drive of the gallery. Rows that
-lagged by half a step were off by 3 times the largest acceleration."""
+"""Allowed share of a rate's largest value. A step holds an input that moves at its middle value, so the
+motion has a ripple of the step's length: (omega h)^2 / 8 of the rate, 0.008 for the fastest drive of the gallery.
+Rows that lagged by half a step were off by 3 times the largest acceleration."""
 NEGLIGIBLE = 1e-6
 """Columns whose rates are below this share of the largest of their variable have rounding only."""
 RAMP = """version: 1
@@ -44,8 +44,8 @@ operation:
 
 
 def off(f: np.ndarray, rate: np.ndarray, h: float) -> float:
-    """How far a function and its rate are apart in steady rows, as a share of the rate's largest value; what Simpson's
-    rule leaves out, by fourth differences of the rate, is not counted."""
+    """How far a function and its rate are apart in steady rows, as a share of the rate's largest value; what
+    Simpson's rule leaves out, by fourth differences of the rate, is not counted."""
     count = len(f)
     f, rate = f.reshape(count, -1), rate.reshape(count, -1)
     largest = np.abs(rate).max(axis=0)
@@ -74,8 +74,17 @@ def recorded(name: str) -> tuple[kingpost.Scenario, object, float]:
 def has_powers(scenario: kingpost.Scenario) -> bool:
     """Whether every drive has a column of its power, and none prescribes a motion."""
     drives = scenario.resolved.get("drives", {}).values()
-    kinds = {kind for drive in drives for kind in drive if kind in ("servo", "linear_servo", "motor", "linear_motor")}
-    return bool(drives) and not kinds and not any(words in scenario.text for words in ("prescribed", "moved_by_waves"))
+    kinds = {
+        kind
+        for drive in drives
+        for kind in drive
+        if kind in ("servo", "linear_servo", "motor", "linear_motor")
+    }
+    return (
+        bool(drives)
+        and not kinds
+        and not any(words in scenario.text for words in ("prescribed", "moved_by_waves"))
+    )
 
 
 @pytest.mark.parametrize("name", sampled(kingpost.gallery.names(), ["slew_without_swing", "quayside_lift"]))
@@ -113,13 +122,15 @@ def test_a_motor_has_the_torque_of_a_ramp_at_the_time_of_each_row(tmp_path: Path
 
 @pytest.mark.parametrize("step_s", [0.02, 0.01])
 def test_a_servo_whose_set_point_moves_evenly_needs_no_torque(tmp_path: Path, step_s: float) -> None:
-    """Source: a wheel without friction that has come to the rate of its set-point; the ripple of the held set-point
-    is (omega h)^2 / 8 of that rate, omega = 10/s, times the damping."""
+    """Source: a wheel without friction that has come to the rate of its set-point; the ripple of the held
+    set-point is (omega h)^2 / 8 of that rate, omega = 10/s, times the damping."""
     drives = (
-        "{drive: {servo: {joint: axle, target_deg: 0, stiffness_N_m_per_rad: 9000, damping_N_m_s_per_rad: 1800, "
-        "torque_limit_kN_m: 100}}}"
+        "{drive: {servo: {joint: axle, target_deg: 0, stiffness_N_m_per_rad: 9000, "
+        "damping_N_m_s_per_rad: 1800, torque_limit_kN_m: 100}}}"
     )
-    shaper = "{command: {input_shaper: {to: drive.target_offset, shaper: none, period_s: 9, damping_ratio: 0}}}"
+    shaper = (
+        "{command: {input_shaper: {to: drive.target_offset, shaper: none, period_s: 9, damping_ratio: 0}}}"
+    )
     scenario = wheel(tmp_path, f"{drives}\ncontrollers: {shaper}", np.pi / 2, "command")
     every = {"simulation.step_s": step_s, "simulation.record_every_s": step_s, "simulation.duration_s": 4.8}
     found = kingpost.run(scenario, every)

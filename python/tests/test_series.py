@@ -137,7 +137,10 @@ def test_other_names_are_given(tmp_path: Path) -> None:
     ("text", "message"),
     [
         (PLAIN.replace("1.6", "high"), "sea.csv:3: hs: found 'high', allowed: a number, or nothing in a gap"),
-        (PLAIN.replace("1.6", "-1"), "sea.csv:3: hs: found -1 at 2026-05-01T03:00:00, allowed: 0 to 30 m, or nothing in a gap"),
+        (
+            PLAIN.replace("1.6", "-1"),
+            "sea.csv:3: hs: found -1 at 2026-05-01T03:00:00, allowed: 0 to 30 m, or nothing in a gap",
+        ),
         (PLAIN.replace("T03", "T00"), "sea.csv:3: time: found 2026-05-01T00:00:00 after 2026-05-01T00"),
         (
             PLAIN.replace("2026-05-01T03:00", "1 May"),
@@ -165,7 +168,9 @@ def test_a_period_with_its_kind_in_words_needs_no_option(tmp_path: Path) -> None
 def test_directions_that_may_be_radians_are_asked_about(tmp_path: Path) -> None:
     """Source: a hindcast in radians read as degrees, all seas from ahead: GO instead of NO-GO."""
     text = "time,hs,tp,mwd\n2026-05-01T00:00,1.5,8,4.712389\n2026-05-01T03:00,1.6,8.5,0.785398\n"
-    with pytest.raises(SeriesError, match=r"mwd: found no unit, and all values from 0.785398 to 4.71239, allowed: --"):
+    with pytest.raises(
+        SeriesError, match=r"mwd: found no unit, and all values from 0.785398 to 4.71239, allowed: --"
+    ):
         series.read(written(tmp_path, text))
     for found in (
         series.read(written(tmp_path, text), direction_unit="rad"),

@@ -23,13 +23,22 @@ WITH_LEVER = "lowering_by_winch"
         (lambda sim: sim.restore(bytearray(b"x")), "not a Kingpost snapshot"),
         (lambda sim: sim.set_state([1j], [0.0]), r"q: found \[1j\], allowed: real numbers"),
         (lambda sim: sim.set_state("here", [0.0]), "q: found 'here', allowed: real numbers"),
-        (lambda sim: sim.set_state([[1], [2, 3]], [0.0]), r"q: found \[\[1\], \[2, 3\]\], allowed: real numbers"),
+        (
+            lambda sim: sim.set_state([[1], [2, 3]], [0.0]),
+            r"q: found \[\[1\], \[2, 3\]\], allowed: real numbers",
+        ),
         (lambda sim: sim.acceleration(["push"]), r"tau: found \['push'\], allowed: real numbers"),
         (lambda _: kingpost.Batch("paper", None), "parameters: found None, allowed: lists of values by name"),
-        (lambda _: kingpost.Batch("paper", {"crane_x_m": 1.0}), "parameters: found 1.0 for crane_x_m, allowed: a list"),
-        (lambda _: kingpost.modes("paper", sweep={"damping": 5}), "sweep: found 5 for damping, allowed: a list"),
+        (
+            lambda _: kingpost.Batch("paper", {"crane_x_m": 1.0}),
+            "parameters: found 1.0 for crane_x_m, allowed: a list",
+        ),
+        (
+            lambda _: kingpost.modes("paper", sweep={"damping": 5}),
+            "sweep: found 5 for damping, allowed: a list",
+        ),
     ],
-)  # fmt: skip
+)
 def test_a_value_of_a_wrong_kind_is_named(act: Callable[[Simulation], object], message: str) -> None:
     with pytest.raises(KingpostError, match=message):
         act(Simulation(kingpost.load(WITH_LEVER)))

@@ -249,7 +249,9 @@ def _dataset(
         **{results.unit_coordinate(name): units for name in ("shape", "shape_imaginary")},
     }
     attributes = results.attributes(scenario, points[-1].status)
-    note_warnings(attributes, [*scenario.model["warnings"], *(point.warning for point in points if point.warning)])
+    note_warnings(
+        attributes, [*scenario.model["warnings"], *(point.warning for point in points if point.warning)]
+    )
     return xarray.Dataset(variables, coordinates, attributes)
 
 

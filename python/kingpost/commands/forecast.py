@@ -61,7 +61,7 @@ def _add_forecast(command: argparse.ArgumentParser) -> None:
     command.add_argument("--direction-is", choices=("from", "to"),
                          help="what a direction under an unknown name means")  # fmt: skip
     command.add_argument("--direction-unit", choices=("deg", "rad"),
-                         help="of directions that all lie between 0 and 2 pi, in a file without units")  # fmt: skip
+                         help="of directions that all lie between 0 and 2 pi, without a unit")  # fmt: skip
     command.add_argument("--period-is", choices=(PEAK, *MOMENTS),
                          help="which period one under an unknown name is")  # fmt: skip
     command.add_argument("--peak-enhancement", type=float, default=3.3, metavar="G",

@@ -36,7 +36,7 @@ def say(line: str) -> None:
         print(printable(line), file=sys.stderr, flush=True)
 
 
-class LostOutput(Exception):
+class LostOutputError(Exception):
     """Standard output cannot be written; the cause is the system's error."""
 
 
@@ -63,12 +63,12 @@ def _told() -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise LostOutput from error
+        raise LostOutputError from error
 
 
 @contextmanager
 def watched_output() -> Iterator[None]:
-    """Raise `LostOutput` in the block, at its end at the latest, if standard output cannot be written.
+    """Raise `LostOutputError` in the block, at its end at the latest, if standard output cannot be written.
 
     What is still to be printed then is given up, so that the end of the program does not fail too.
     """
@@ -79,7 +79,7 @@ def watched_output() -> Iterator[None]:
             yield
         finally:
             sys.stdout.flush()
-    except LostOutput:
+    except LostOutputError:
         _give_up(before)
         raise
     finally:

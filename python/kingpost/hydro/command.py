@@ -37,8 +37,8 @@ SHAPES: dict[str, type[Shape]] = {
 }
 MOST_FREQUENCIES = 500
 MOST_FIT_ERROR = 0.25
-"""No fit of the memory with a larger error is written, as a share of its peak: heave's amplitude at its resonance
-is then off by as much and more."""
+"""No fit of the memory with a larger error is written, as a share of its peak: heave's amplitude at its
+resonance is then off by as much and more."""
 NEXT_CUT = 0.85
 """Each cut of the frequencies that is tried for advice, over the one before; each takes a fit."""
 OF_A_HULL = (
@@ -199,8 +199,8 @@ def _cut(database: Database, found: list[Misfit]) -> str:
         return "compute the hull again, with a lid and more panels"
     error, cut = best
     return (
-        f"above {cut:.4g} rad/s the waves may be too short for the panels, or irregular frequencies lie there: with "
-        f"{flag('highest_rad_s')} {cut:.4g} it is {error:.2%}"
+        f"above {cut:.4g} rad/s the waves may be too short for the panels, or irregular frequencies lie there: "
+        f"with {flag('highest_rad_s')} {cut:.4g} it is {error:.2%}"
     )
 
 

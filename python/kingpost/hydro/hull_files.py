@@ -20,7 +20,16 @@ from .database import Mesh
 from .meshes import HullMeshes, whole
 from .panels import Panels, of_triangles
 from .stitching import stitched
-from .surface import LARGEST_M, SMALLEST_M, Particulars, Surface, check_closed, check_outward, open_edges, particulars
+from .surface import (
+    LARGEST_M,
+    SMALLEST_M,
+    Particulars,
+    Surface,
+    check_closed,
+    check_outward,
+    open_edges,
+    particulars,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -153,8 +162,8 @@ def _across(found: Particulars) -> tuple[str, ...]:
     if found.beam_m <= found.length_m:
         return ()
     return (
-        f"the hull is {found.length_m:.4g} m long and {found.beam_m:.4g} m wide: x must point to the bow; turn the mesh "
-        "by 90 degrees about z if its bow is along y, else head seas are beam seas",
+        f"the hull is {found.length_m:.4g} m long and {found.beam_m:.4g} m wide: x must point to the bow; turn "
+        "the mesh by 90 degrees about z if its bow is along y, else head seas are beam seas",
     )
 
 
@@ -218,7 +227,9 @@ def _check_ending(path: Path, known: Container[str]) -> None:
     """Refuse a file whose name says that it is packed or of a format that is not read."""
     ending = path.suffix.lower()
     if ending in PACKED:
-        raise HydrodynamicsError("hull", f"a packed file ({ending})", "the mesh itself: unpack it first", str(path))
+        raise HydrodynamicsError(
+            "hull", f"a packed file ({ending})", "the mesh itself: unpack it first", str(path)
+        )
     if ending not in known:
         found = f"the format {ending}" if ending else "a name without an ending"
         allowed = "STL, OBJ, GDF or another format that meshio reads: convert it to one of them"
@@ -247,14 +258,18 @@ def _read_gdf(path: Path) -> Surface:
         symmetric = int(words[1][0]), int(words[1][1])
         count = int(words[2][0])
     except (ValueError, IndexError, OverflowError):
-        raise HydrodynamicsError("hull", "a file of another format or cut short", allowed, str(path)) from None
+        raise HydrodynamicsError(
+            "hull", "a file of another format or cut short", allowed, str(path)
+        ) from None
     if len(words[2]) > 1 and _is_number(words[2][1]) and float(words[2][1]) != 0:
         found = f"a high-order geometry, of patches (IGDEF {words[2][1]})"
         raise HydrodynamicsError("hull", found, "a low-order one, of panels", str(path))
     numbers = list(takewhile(_is_number, (word for line in words[3:] for word in line)))
     if count < 0 or len(numbers) != 12 * count:
         found = f"{count} panels by the header, {len(numbers) / 12:.4g} in the file"
-        raise HydrodynamicsError("hull", found, "as many as the header has, each of twelve coordinates", str(path))
+        raise HydrodynamicsError(
+            "hull", found, "as many as the header has, each of twelve coordinates", str(path)
+        )
     quads = np.array(numbers, dtype=float).reshape(count, 4, 3)
     if not METRIC_GRAVITY[0] <= gravity <= METRIC_GRAVITY[1]:
         found = f"GRAV {gravity:g}, a mesh that is not in metres" if gravity > 0 else f"GRAV {gravity:g}"

@@ -1,7 +1,7 @@
 """Wavefront OBJ: the points and faces of a mesh, as drawing programs write them.
 
-Source: the OBJ format of Wavefront's Advanced Visualizer, appendix B1. Texture points, normals, colours behind the
-coordinates, groups and materials say nothing of the surface; each face may have any number of corners.
+Source: the OBJ format of Wavefront's Advanced Visualizer, appendix B1. Texture points, normals, colours behind
+the coordinates, groups and materials say nothing of the surface; each face may have any number of corners.
 """
 
 from __future__ import annotations
@@ -39,7 +39,9 @@ def read(path: Path) -> Surface:
             elif words[0] == "f":
                 faces.append((number, [_place(word, len(points)) for word in words[1:]]))
         except (ValueError, IndexError):
-            raise _wrong(path, number, f"{' '.join(words)[:60]!r}", "v x y z, or f with points as 1 or 1/2/3") from None
+            raise _wrong(
+                path, number, f"{' '.join(words)[:60]!r}", "v x y z, or f with points as 1 or 1/2/3"
+            ) from None
         if words[0] == "v" and len(points[-1]) < 3:
             raise _wrong(path, number, f"a point of {len(points[-1])} coordinates", "x y z")
     at = np.array(points, float).reshape(-1, 3)
@@ -76,7 +78,9 @@ def _fan(path: Path, number: int, face: list[int], points: NDArray[np.float64]) 
         areas = np.cross(b - a, c - a)
         whole = areas.sum(axis=0)
         if (areas @ whole < -CONCAVE * (whole @ whole)).any():
-            raise _wrong(path, number, f"a concave face of {len(face)} corners", "convex faces: triangulate the mesh")
+            raise _wrong(
+                path, number, f"a concave face of {len(face)} corners", "convex faces: triangulate the mesh"
+            )
     return triangles
 
 

@@ -30,14 +30,12 @@ def check_options(options: Mapping[str, Any] | None, *allowed: str) -> None:
     >>> check_options({"load_t": 3})
     Traceback (most recent call last):
         ...
-    kingpost.errors.KingpostError: options: found 'load_t', allowed: none; parameters vary by the task's randomised
+    kingpost.errors.KingpostError: options: found 'load_t', allowed: none; randomised varies parameters
     """
     unknown = [name for name in options or {} if name not in allowed]
     if unknown:
         known = ", ".join(allowed) or "none"
-        raise KingpostError(
-            f"options: found {unknown[0]!r}, allowed: {known}; parameters vary by the task's randomised"
-        )
+        raise KingpostError(f"options: found {unknown[0]!r}, allowed: {known}; randomised varies parameters")
 
 
 def checked_rewards(rewards: object, count: int) -> np.ndarray:
@@ -56,7 +54,6 @@ def checked_rewards(rewards: object, count: int) -> np.ndarray:
         found = f"an array of the shape {given.shape}" if given.shape else repr(rewards)
         raise KingpostError(f"reward: found {found}, allowed: {count} numbers, one for each environment")
     return given.astype(float)
-
 
 
 class Episodes:

@@ -72,7 +72,12 @@ def simulate(case: Case, **parameters: object) -> xarray.Dataset:
 
     Peaks between records of 10 ms would be up to 1 % higher.
     """
-    overrides = {**AT_CENTRE, **case.motors, "simulation.duration_s": DURATION_S, "simulation.record_every_s": STEP_S}
+    overrides = {
+        **AT_CENTRE,
+        **case.motors,
+        "simulation.duration_s": DURATION_S,
+        "simulation.record_every_s": STEP_S,
+    }
     return Simulation(load("paper", overrides | parameters)).run()
 
 

@@ -48,11 +48,11 @@ def left_out(states: int) -> str:
     """The warning of a model whose longest stable step is not estimated.
 
     >>> left_out(7200)
-    'the longest stable step is not estimated: 7200 states, more than 1000; compare with a run of half the step'
+    'the longest stable step is not estimated: 7200 states, more than 1000; compare with half the step'
     """
     return (
-        f"the longest stable step is not estimated: {states} states, more than {MOST_STATES}; compare with a run "
-        "of half the step"
+        f"the longest stable step is not estimated: {states} states, more than {MOST_STATES}; compare with "
+        "half the step"
     )
 
 

@@ -112,7 +112,11 @@ class _Said:
     direction_unit: str | None = None
 
     def __post_init__(self) -> None:
-        for field, allowed in (("direction", ("from", "to")), ("period", KINDS), ("direction_unit", ("deg", "rad"))):
+        for field, allowed in (
+            ("direction", ("from", "to")),
+            ("period", KINDS),
+            ("direction_unit", ("deg", "rad")),
+        ):
             value = getattr(self, field)
             if value is not None and value not in allowed:
                 raise SeriesError(field, repr(value), ", ".join(allowed))
@@ -120,7 +124,7 @@ class _Said:
 
 @dataclass(frozen=True)
 class _Columns:
-    """Which column has what: names in the file. `direction_unit` is ``deg``, ``rad`` or empty where nothing says it."""
+    """Which column has what: names in the file. `direction_unit` is ``deg``, ``rad`` or empty if unknown."""
 
     time: str
     height: str
@@ -163,11 +167,17 @@ class _Columns:
         assert height is not None
         assert period is not None
         if where is not None and said.direction is None and _plain(where)[0] not in (*FROM, *TO):
-            raise SeriesError("direction", f"the column {where}", f"what it means: {DIRECTION_IS}", file, line)
-        is_from = said.direction == "from" if said.direction else where is not None and _plain(where)[0] in FROM
+            raise SeriesError(
+                "direction", f"the column {where}", f"what it means: {DIRECTION_IS}", file, line
+            )
+        is_from = (
+            said.direction == "from" if said.direction else where is not None and _plain(where)[0] in FROM
+        )
         kind = said.period or kind_of(_plain(period)[0])
         if kind is None:
-            raise SeriesError("period", f"the column {period}", f"which period it is: {PERIOD_IS}", file, line)
+            raise SeriesError(
+                "period", f"the column {period}", f"which period it is: {PERIOD_IS}", file, line
+            )
         return cls(time, height, period, where, is_from, kind, said.direction_unit or "")
 
     def with_units(self, units: Mapping[str, str], file: str, line: int | None = None) -> _Columns:
@@ -237,9 +247,7 @@ def _number(cell: str, name: str, decimal_comma: bool, file: str, line: int) -> 
         raise SeriesError(name, repr(cell), "a number, or nothing in a gap", file, line) from None
 
 
-def _of_netcdf(
-    path: Path, given: Mapping[str, str], said: _Said, at: tuple[float, float] | None
-) -> Series:
+def _of_netcdf(path: Path, given: Mapping[str, str], said: _Said, at: tuple[float, float] | None) -> Series:
     import xarray
 
     file = str(path)
@@ -327,7 +335,7 @@ def _checked(
 
 
 def _in_degrees(direction: NDArray[np.float64], columns: _Columns, file: str) -> NDArray[np.float64]:
-    """Directions in degrees. Without a unit, all of them between 0 and 2 pi are asked about: radians look so."""
+    """Directions in degrees. Without a unit, those that all lie between 0 and 2 pi may be radians."""
     known = direction[np.isfinite(direction)]
     if not columns.direction_unit and known.size and known.min() >= 0 and known.max() <= 2 * np.pi:
         found = f"no unit, and all values from {known.min():g} to {known.max():g}"

@@ -170,7 +170,8 @@ impl Restraints {
         let of_body = |&body: &usize| (model.bodies[body].mass, at.world[body].position);
         let buoyant = self.displaced.iter().filter(|(body, _)| bodies.contains(body));
         let parts = bodies.iter().map(of_body).chain(buoyant.map(|(_, water)| (-water.mass, water.centre)));
-        let sum = |(mass, moment): (f64, Vector3), (of_part, at): (f64, Vector3)| (mass + of_part, moment + at * of_part);
+        let sum =
+            |(mass, moment): (f64, Vector3), (of_part, at): (f64, Vector3)| (mass + of_part, moment + at * of_part);
         let (mass, moment) = parts.fold((0.0, Vector3::zero()), sum);
         Weight { mass, centre: moment * (1.0 / mass) }
     }

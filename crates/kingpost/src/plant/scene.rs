@@ -34,7 +34,8 @@ impl<'a, S: Copy> Scene<'a, S> {
         let clock = Clock { time_s: at.time_s, middle_s: at.interval.middle_s() };
         let (q, v, own) = (at.q, at.v, <&[S]>::default());
         let (states, inputs, inputs_at_end, numbers, modes) = (own, own, own, own, <&[i64]>::default());
-        let shared = Context { clock, situation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes };
+        let shared =
+            Context { clock, situation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes };
         let states = at.s.get(layout.ledger..).unwrap_or_default();
         Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }

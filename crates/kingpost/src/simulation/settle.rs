@@ -198,8 +198,11 @@ impl Simulation {
                 return Ok(Equilibrium { iterations, residual, instability });
             }
             iterations += 1;
-            let next =
-                if iterations < MOST_ITERATIONS { next_move(&linear, &self.mass_and_constraints().1, last) } else { None };
+            let next = if iterations < MOST_ITERATIONS {
+                next_move(&linear, &self.mass_and_constraints().1, last)
+            } else {
+                None
+            };
             let moved = next.is_some_and(|(xi, made)| {
                 last = Some(made);
                 let mut everywhere = still.clone();

@@ -111,6 +111,8 @@ def _check_signature(kind: str, name: str) -> None:
         raise reading_error("a file that is empty or of another kind", f"a file of {kind}'s", name)
     if Path(name).suffix.lower() == ".hst" and head.lstrip().upper().startswith(HYDROSTAR):
         found = "a mesh of Hydrostar (PROJECT, COORDINATES, PANEL)"
-        raise reading_error(found, "WAMIT's .hst of hydrostatic coefficients; of a mesh, STL, OBJ or GDF", name)
+        raise reading_error(
+            found, "WAMIT's .hst of hydrostatic coefficients; of a mesh, STL, OBJ or GDF", name
+        )
     if head.startswith(HDF5) and not is_whole(name):
         raise reading_error("a file that is damaged", f"a file of {kind}'s, whole", name)

@@ -144,9 +144,8 @@ fn put(block: &mut Block, row: usize, column: usize, entries: &Matrix3) {
 
 /// The blocks of M (eq. 48) and of its rate, by body.
 pub(super) fn mass_blocks(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, loads: &Loads) -> Vec<[Block; 2]> {
-    let of = |(body, inertia): (usize, &SpatialInertia)| {
-        mass_block(inertia, &frames[body].rotation, omega_of(x_dot, body))
-    };
+    let of =
+        |(body, inertia): (usize, &SpatialInertia)| mass_block(inertia, &frames[body].rotation, omega_of(x_dot, body));
     inertias(model, loads).iter().enumerate().map(of).collect()
 }
 

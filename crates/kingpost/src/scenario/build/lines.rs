@@ -115,7 +115,8 @@ fn check_strain<S: Quantity>(line: &CatenaryLine<S>, span: &Span<S>) -> Result<(
         significant(tension.value() / 1000.0, 4),
         strain.value()
     );
-    let allowed = format!("a strain of {LARGEST_STRAIN} at most: check the length, and the units of weight and stiffness");
+    let allowed =
+        format!("a strain of {LARGEST_STRAIN} at most: check the length, and the units of weight and stiffness");
     Err(FieldError::new(format!("forces.{}.catenary_line.unstretched_length_m", line.name), found, allowed))
 }
 

@@ -62,11 +62,14 @@ pub fn of(scenario: &Scenario) -> Vec<String> {
 fn walk(value: &Value, path: &str, warnings: &mut Vec<String>) {
     match value {
         Value::Object(fields) if is_off(fields) => {}
-        Value::Object(fields) => fields.iter().for_each(|(name, field)| walk(field, &format!("{path}.{name}"), warnings)),
+        Value::Object(fields) => {
+            fields.iter().for_each(|(name, field)| walk(field, &format!("{path}.{name}"), warnings))
+        }
         Value::Array(entries) => entries.iter().for_each(|entry| walk(entry, path, warnings)),
         Value::Number(number) => {
             let Some(value) = number.as_f64() else { return };
-            let Some(Plausible { range: [least, most], why, .. }) = PLAUSIBLE.iter().find(|one| path.ends_with(one.field))
+            let Some(Plausible { range: [least, most], why, .. }) =
+                PLAUSIBLE.iter().find(|one| path.ends_with(one.field))
             else {
                 return;
             };

@@ -1,0 +1,47 @@
+"""The warning of an energy that does not balance is the same wherever the world's origin is."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import kingpost
+import pytest
+
+PENDULUM = """version: 1
+title: A pendulum
+simulation: {{integrator: {integrator}, step_s: {step_s}, duration_s: 4, record_every_s: 0.1}}
+bodies:
+  bob:
+    mass_t: 1
+    shape: {{sphere: {{radius_m: 0.3}}}}
+    joint:
+      revolute:
+        axis: [0, 1, 0]
+        position_m: [0, 0, {height_m}]
+        child_position_m: [0, 0, 5]
+        initial_angle_deg: 20
+forces: {{gravity: {{gravity: {{}}}}}}
+"""
+
+
+def energy_warnings(tmp_path: Path, integrator: str, step_s: float, height_m: float) -> list[str]:
+    path = tmp_path / "pendulum.yaml"
+    path.write_text(
+        PENDULUM.format(integrator=integrator, step_s=step_s, height_m=height_m), encoding="utf-8"
+    )
+    found = json.loads(kingpost.run(path).attrs["warnings"])
+    return [one["text"] for one in found if one["name"] == "energy"]
+
+
+@pytest.mark.parametrize("height_m", [0.0, 400.0, -3000.0])
+def test_an_error_of_the_energy_in_play_is_warned_of_at_any_height(height_m: float, tmp_path: Path) -> None:
+    """Source: forward Euler adds energy to a pendulum: (1 + h^2 g / L) each step, 8 % here."""
+    (text,) = energy_warnings(tmp_path, "forward_euler", 0.01, height_m)
+    (at_origin,) = energy_warnings(tmp_path, "forward_euler", 0.01, 0.0)
+    assert text.split(":")[0] == at_origin.split(":")[0]
+
+
+@pytest.mark.parametrize("height_m", [0.0, 3000.0])
+def test_rounding_is_no_error_however_far_the_origin_is(height_m: float, tmp_path: Path) -> None:
+    assert energy_warnings(tmp_path, "rk4", 0.01, height_m) == []

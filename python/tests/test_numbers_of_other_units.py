@@ -1,0 +1,87 @@
+"""Numbers that look like another unit's are named where they are written."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import kingpost
+import pytest
+from kingpost.errors import ScenarioError
+
+LINE = """version: 1
+title: A line
+simulation: {{step_s: 0.05, duration_s: 0.1}}
+bodies:
+  buoy:
+    mass_kg: 1000
+    shape: {{box: {{length_m: 2, width_m: 2, height_m: 1}}}}
+    joint: {{floating: {{initial: {{position_m: [0, 0, 0]}}, hold_translation: true, hold_rotation: true}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  chain:
+    catenary_line:
+      fairlead: {{body: buoy, position_m: [0, 0, 0]}}
+      anchor_m: [400, 0, -50]
+      unstretched_length_m: {length_m}
+      weight_in_water_N_per_m: {weight}
+      axial_stiffness_N: {stiffness}
+"""
+
+
+def warnings_of(overrides: dict[str, object], name: str = "offshore_vessel") -> list[str]:
+    return kingpost.load(name, overrides).model["warnings"]
+
+
+@pytest.mark.parametrize(
+    ("name", "overrides", "words"),
+    [
+        (
+            "barge",
+            {"bodies.hull.inertia": {"radii_of_gyration": {"radii_m": [3500, 6000, 6000]}}},
+            "is it in mm",
+        ),
+        (
+            "barge",
+            {"bodies.hull.joint.floating.initial.orientation_rad": [0, 0, 90]},
+            "90 is outside of one turn",
+        ),
+        ("offshore_vessel", {"sea.waves.wind_sea.jonswap.significant_height_m": 250}, "is it in cm or feet"),
+    ],
+)
+def test_a_number_that_no_ship_or_sea_has_is_warned_of(
+    name: str, overrides: dict[str, object], words: str
+) -> None:
+    resolved = kingpost.load(name).resolved
+    for path in list(overrides):
+        at: object = resolved
+        for part in path.split(".")[:-1]:
+            at = at.get(part) if isinstance(at, dict) else None
+        if at is None:
+            pytest.fail(f"{name} has no {path}")
+    settled = overrides | {"simulation.begin_at_equilibrium": False}
+    assert any(words in one for one in warnings_of(settled, name)), warnings_of(settled, name)
+    assert not any(words in one for one in warnings_of({}, name))
+
+
+@pytest.mark.parametrize(
+    ("length_m", "weight", "stiffness"), [(300, 3323, 1.674e9), (410, 3323, 1674.0), (410, 3323e3, 1.674e9)]
+)
+def test_a_line_stretched_beyond_what_lines_bear_is_refused(
+    length_m: float, weight: float, stiffness: float, tmp_path: Path
+) -> None:
+    """Source: steel parts at a few percent, polyester at 12 %."""
+    path = tmp_path / "line.yaml"
+    path.write_text(LINE.format(length_m=length_m, weight=weight, stiffness=stiffness), encoding="utf-8")
+    with pytest.raises(
+        ScenarioError, match=r"unstretched_length_m: found .* a strain of .* allowed: a strain of 0.1"
+    ):
+        kingpost.load(path)
+
+
+def test_a_no_break_space_is_named_with_its_place(tmp_path: Path) -> None:
+    path = tmp_path / "a.yaml"
+    path.write_text("version: 1\ntitle: t\nbodies:\n  hull:\n\u00a0 \u00a0 mass_t: 410\n", encoding="utf-8")
+    with pytest.raises(
+        ScenarioError, match=r"a.yaml:5:1: found a no-break space \(U\+00A0\), allowed: a plain space"
+    ):
+        kingpost.load(path)
