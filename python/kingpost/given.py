@@ -1,4 +1,4 @@
-"""Checks of what a caller gives: a value of a wrong kind is named, and no library's error reaches the caller."""
+"""Checks of what a caller gives: a value of a wrong kind is named in an error of Kingpost's."""
 
 from __future__ import annotations
 

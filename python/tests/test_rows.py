@@ -22,9 +22,9 @@ PAIRS = (("position", "velocity"), ("velocity", "acceleration"), ("joint_positio
 STEADY = 0.9
 """Share of the rows that have no event and no sample of a controller within two steps, at least."""
 ALLOWED = 0.03
-"""Allowed share of a rate's largest value. A step holds an input that moves at its middle value, so the
-motion has a ripple of the step's length: (omega h)^2 / 8 of the rate, 0.008 for the fastest drive of the gallery.
-Rows that lagged by half a step were off by 3 times the largest acceleration."""
+"""Allowed share of a rate's largest value. A step holds an input that moves at its middle value, so
+the motion has a ripple of the step's length: (omega h)^2 / 8 of the rate, 0.008 for the fastest
+drive of the gallery. Rows that lagged by half a step were off by 3 times the largest acceleration."""
 NEGLIGIBLE = 1e-6
 """Columns whose rates are below this share of the largest of their variable have rounding only."""
 RAMP = """version: 1

@@ -199,7 +199,7 @@ def _cut(database: Database, found: list[Misfit]) -> str:
         return "compute the hull again, with a lid and more panels"
     error, cut = best
     return (
-        f"above {cut:.4g} rad/s the waves may be too short for the panels, or irregular frequencies lie there: "
+        f"above {cut:.4g} rad/s waves may be too short for the panels, or irregular frequencies lie there: "
         f"with {flag('highest_rad_s')} {cut:.4g} it is {error:.2%}"
     )
 

@@ -162,8 +162,8 @@ def _across(found: Particulars) -> tuple[str, ...]:
     if found.beam_m <= found.length_m:
         return ()
     return (
-        f"the hull is {found.length_m:.4g} m long and {found.beam_m:.4g} m wide: x must point to the bow; turn "
-        "the mesh by 90 degrees about z if its bow is along y, else head seas are beam seas",
+        f"the hull is {found.length_m:.4g} m long and {found.beam_m:.4g} m wide: x must point to the bow; "
+        "turn the mesh by 90 degrees about z if its bow is along y, else head seas are beam seas",
     )
 
 

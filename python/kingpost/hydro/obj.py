@@ -1,7 +1,8 @@
 """Wavefront OBJ: the points and faces of a mesh, as drawing programs write them.
 
-Source: the OBJ format of Wavefront's Advanced Visualizer, appendix B1. Texture points, normals, colours behind
-the coordinates, groups and materials say nothing of the surface; each face may have any number of corners.
+Source: the OBJ format of Wavefront's Advanced Visualizer, appendix B1. Texture points, normals, colours
+behind the coordinates, groups and materials say nothing of the surface; each face may have any number of
+corners.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """AQWA-LINE's file STEM.AH1, of version 5: a header, then named sections of numbers.
 
 The header has of each structure its number, the numbers of directions and frequencies, and their values;
-GENERAL the depth, density and gravity; COG, DRAFT, COB and DISPLACEMENT the hull; HYDSTIFFNESS the restoring matrix about the
-centre of gravity, including weight; ADDEDMASS and DAMPING six lines for each pair of structures and
-frequency, ADDEDMASS_HF added mass at 100 rad/s, taken as infinite frequency; FORCERAO moduli and phases in
-degrees,
+GENERAL the depth, density and gravity; COG, DRAFT, COB and DISPLACEMENT the hull; HYDSTIFFNESS the
+restoring matrix about the centre of gravity, including weight; ADDEDMASS and DAMPING six lines for each
+pair of structures and frequency, ADDEDMASS_HF added mass at 100 rad/s, taken as infinite frequency;
+FORCERAO moduli and phases in degrees,
 Froude-Krylov and diffraction together. Waves go to their directions, phases are those of exp(-i w t) and of
 the wave at the centre of gravity (readAQWA.m of WEC-Sim reads them so). The origin here is on the water
 plane, vertically above or below the centre of gravity.
