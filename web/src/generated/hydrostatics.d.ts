@@ -142,7 +142,7 @@ export interface HangingLoad {
    */
   body: string;
   /**
-   * Mass of the body and all that it carries, kg.
+   * Mass of the body and all that it carries, less that of the water that it displaces as a lifted object, kg.
    */
   mass_kg: number;
   /**
@@ -209,7 +209,8 @@ export interface RightingArmCurve {
    */
   points: RightingArmPoint[];
   /**
-   * Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll. `None` if it does not
+   * Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll; negative if it lies on the
+   * other side, as by linear buoyancy a ship may list to one side and by her mesh to the other. `None` if there is none
    * up to 90 deg.
    */
   equilibrium_rad: number | null;

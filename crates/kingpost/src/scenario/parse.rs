@@ -133,6 +133,9 @@ fn node(raw: Spanned<Raw>, path: &mut Vec<String>) -> Result<ScenarioNode, Fault
         Raw::Fields(fields) => {
             let mut nodes = IndexMap::with_capacity(fields.len());
             for (name, value) in fields {
+                if let Some((_, found)) = odd_blank_in(&name.value) {
+                    return Err(Fault::new(&place(name.referenced), path.join("."), found, wording::PLAIN_SPACE));
+                }
                 path.push(name.value.clone());
                 nodes.insert(name.value, Field::new(place(name.referenced), node(value, path)?));
                 path.pop();
@@ -173,14 +176,19 @@ fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
 /// an editor does not show them.
 fn odd_blank(text: &str, here: &SourcePlace) -> Option<(SourcePlace, String)> {
     let SourcePlace::File { line: last, .. } = *here else { return None };
-    let is_odd = |letter: &char| letter.is_whitespace() && !letter.is_ascii_whitespace();
     let of_line = |(line, text): (usize, &str)| {
-        let (column, letter) = text.chars().enumerate().find(|(_, letter)| is_odd(letter))?;
-        let name = if letter == '\u{a0}' { "a no-break space" } else { "a blank" };
-        let place = SourcePlace::File { line: line + 1, column: column + 1 };
-        Some((place, format!("{name} (U+{:04X})", u32::from(letter))))
+        let (column, found) = odd_blank_in(text)?;
+        Some((SourcePlace::File { line: line + 1, column: column + 1 }, found))
     };
     text.lines().enumerate().take(last).filter_map(of_line).last()
+}
+
+/// The first such blank of a text, and its place.
+fn odd_blank_in(text: &str) -> Option<(usize, String)> {
+    let is_odd = |letter: &char| letter.is_whitespace() && !letter.is_ascii_whitespace();
+    let (place, letter) = text.chars().enumerate().find(|(_, letter)| is_odd(letter))?;
+    let name = if letter == '\u{a0}' { "a no-break space" } else { "a blank" };
+    Some((place, format!("{name} (U+{:04X})", u32::from(letter))))
 }
 
 /// The path of the name at this place, in a file where a name occurs twice.

@@ -135,3 +135,19 @@ pub(super) fn si_path(path: &[String]) -> (Vec<String>, f64) {
     }
     (si, 1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The prefixes of the SI, a tonne of 1000 kg, a bar of 100,000 Pa (BIPM, *The International System of Units*, 9th ed.,
+    /// tables 7 and 8), and a turn of 360 degrees.
+    #[test]
+    fn each_alias_has_the_factor_of_its_prefix() {
+        let of_prefix = [("_deg", PI / 180.0), ("_k", 1e3), ("_t", 1e3), ("_GPa", 1e9), ("_bar", 1e5)];
+        for UnitAlias { ending, si, .. } in UNIT_ALIASES {
+            let (_, expected) = of_prefix.iter().find(|(prefix, _)| ending.starts_with(prefix)).unwrap();
+            assert_eq!(si_name(&format!("x{ending}")), Some((format!("x{si}"), *expected)), "{ending}");
+        }
+    }
+}

@@ -105,3 +105,33 @@ impl Limits {
         self.held.iter().map(result).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// "At least" and "at most" hold at the bound itself, and at nothing beyond it.
+    #[test]
+    fn a_value_at_its_bound_is_within_the_limit() {
+        let limit = |bounds| Limit {
+            name: "reach".to_owned(),
+            column: "x".to_owned(),
+            unit: ("m".to_owned(), 1.0),
+            bounds,
+            from_s: 0.0,
+        };
+        let beyond = |value: f64| value * (1.0 + f64::EPSILON);
+        for (bounds, value, holds) in [
+            ([None, Some(2.0)], 2.0, true),
+            ([None, Some(2.0)], beyond(2.0), false),
+            ([Some(-2.0), None], -2.0, true),
+            ([Some(-2.0), None], beyond(-2.0), false),
+            ([Some(2.0), Some(2.0)], 2.0, true),
+            ([None, Some(2.0)], f64::NAN, false),
+        ] {
+            let mut limits = Limits { held: vec![Held { limit: limit(bounds), place: 1, worst: None }] };
+            limits.see(&[0.0, value]);
+            assert_eq!(limits.results()[0].held, Some(holds), "{bounds:?}, {value}");
+        }
+    }
+}
