@@ -24,6 +24,8 @@ class Observed:
 
     scenario: Scenario
     _engine: engine.Simulation
+    _warned_of: tuple[Any, list[str]] | None = None
+    """The state that warnings were last asked of, and the warnings."""
 
     @property
     def events(self) -> list[Event]:
@@ -44,6 +46,13 @@ class Observed:
         >>> Simulation(load("paper", {"simulation.step_s": 0.001})).model_warnings
         []
         """
+        # A run asks again for what its command has printed: the eigenvalues are sought once for each state.
+        state = (self.scenario.overrides, self._engine.snapshot())
+        if self._warned_of is None or self._warned_of[0] != state:
+            self._warned_of = state, self._warnings_before_a_run()
+        return list(self._warned_of[1])
+
+    def _warnings_before_a_run(self) -> list[str]:
         settings, known = self.scenario.resolved["simulation"], list(self.scenario.model["warnings"])
         count = 2 * len(self.coordinates)
         if count > step_limit.MOST_STATES:

@@ -118,7 +118,7 @@ impl<S: Scalar> Plant<S> {
         }
         let Self { model, world, links, layout, situation, elements, .. } = self;
         let mut scene = Scene::new(layout, world, model, links, *situation, instant(time_s, state));
-        elements[element].at_end(scene.of(element), values);
+        elements[element].at_end(scene.with_ends(element), values);
         for (&input, value) in layout.steers[steer].inputs.iter().zip(values) {
             state.d[layout.end_of(input)] = *value;
         }
@@ -209,7 +209,7 @@ impl<S: Scalar> Plant<S> {
         let State { v, s, d, m, .. } = state;
         let mut scene = Scene::new(layout, world, model, links, *situation, at);
         let mut own = layout.own(element, s, d, m);
-        change(&mut *elements[element], scene.of(element), &mut own, v);
+        change(&mut *elements[element], scene.with_ends(element), &mut own, v);
         let is_it = |event| move |watched: &&Watched| (watched.element, watched.event) == (element, event);
         also.extend(own.also.and_then(|event| layout.watched.iter().find(is_it(event))));
     }

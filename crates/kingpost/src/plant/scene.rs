@@ -50,9 +50,22 @@ impl<'a, S: Copy> Scene<'a, S> {
         let own = self.own.get_or_insert(self.shared);
         own.states = self.states.get(states.clone()).unwrap_or_default();
         own.inputs = self.discrete.get(inputs.clone()).unwrap_or_default();
-        own.inputs_at_end = self.discrete.get(self.layout.ends_of(inputs.clone())).unwrap_or_default();
         own.numbers = self.discrete.get(numbers.clone()).unwrap_or_default();
         own.modes = self.modes.get(modes.clone()).unwrap_or_default();
         own
+    }
+
+    /// The same with the values that its inputs reach at the end of the step, which loads do not need.
+    pub fn with_ends(&mut self, element: usize) -> &Context<'a, S> {
+        let ends = self.layout.ends_of(self.layout.shares[element].inputs.clone());
+        let ends = self.discrete.get(ends).unwrap_or_default();
+        self.of(element);
+        match &mut self.own {
+            Some(own) if self.layout.shares[element].has_own => {
+                own.inputs_at_end = ends;
+                own
+            }
+            _ => &self.shared,
+        }
     }
 }
