@@ -19,7 +19,7 @@ def number(field: str, value: Any) -> float:
     Raises
     ------
     KingpostError
-        If it is none, text, complex or a list.
+        If the value is nothing, text, complex or a list.
 
     >>> number("threads", np.int64(3))
     3.0
@@ -39,7 +39,7 @@ def numbers(field: str, values: ArrayLike) -> NDArray[np.float64]:
     Raises
     ------
     KingpostError
-        If one of them is none, text or complex.
+        If one of them is nothing, text or complex.
 
     >>> numbers("q", [[0, 1], [2, 3]])
     array([0., 1., 2., 3.])

@@ -60,6 +60,7 @@ def test_the_figures_numbers_are_the_engines(folder, number):
     motors = {9: (True, False), 10: (False, True), 11: (True, True)}[number]
     table = read_csv(folder / f"figure_{number}.csv")
     case = {"crane_x_m": 0, "crane_y_m": 0, "load": False, "motor_1": motors[0], "motor_2": motors[1]}
+    case["simulation.record_every_s"] = 0.001
     for suffix, damping in (("", False), ("_damped", True)):
         rate = kingpost.run("paper", case, damping=damping)["angular_velocity"].sel(body="ship")
         for name, axis in (("pitch", "y"), ("yaw", "z"), ("roll", "x")):

@@ -23,7 +23,7 @@ ESCAPES = 'version: 1\ntitle: "a\\e[31mred\\x07"\nbodies:\n  a: {mass_kg: 1, joi
 @pytest.mark.parametrize(
     ("faces", "found"),
     [
-        ("f 1 2 9\n", "found a face with a point that is not in the file, allowed: faces of the 3 points"),
+        ("f 1 2 9\n", "found a face with a point that is not in the file, allowed: 1 to 3"),
         ("f 0 2 3\n", "found a face with a point that is not in the file"),
         ("f 1 1 2\nf 2 2 2\n", "found faces without an area only"),
     ],

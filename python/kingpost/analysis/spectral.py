@@ -156,9 +156,7 @@ def spectral_response(
         for k in [at[one.column]]
     ]
     least = found.mean - largest
-    slack = [
-        k for k, name in enumerate(found.columns) if name.rpartition(".")[2] in ONE_SIDED and least[k] < 0
-    ]
+    slack = [k for k, name in enumerate(found.columns) if name.endswith(ONE_SIDED) and least[k] < 0]
     units = ("column", np.array(found.units, str))
     own = {results.unit_coordinate(name): units for name in OF_UNIT}
     variables = {
@@ -187,11 +185,8 @@ def spectral_response(
     return xarray.Dataset(variables, coordinates, attributes)
 
 
-ONE_SIDED = (
-    "rope_tension", "rope_first_tension", "line_tension", "line_end_tension", "winch_tension",
-    "contact_normal_force",
-)  # fmt: skip
-"""Columns that never fall below 0."""
+ONE_SIDED = ("tension", "normal_force")
+"""Ends of the names of columns that never fall below 0."""
 SLACK = "its least value is 0: it goes slack or lifts off in this sea, which a linear response leaves out"
 OF_UNIT = ("mean", "standard_deviation", "significant_amplitude", "expected_maximum", "expected_minimum")
 

@@ -88,7 +88,8 @@ class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
         """Begin an episode; with the same seed it is the same to the last bit. There are no options."""
-        check_options(options)
+        # PettingZoo's own checker gives one of this name.
+        check_options(options, "options")
         if seed is not None or self._random is None:
             self._random = seeding.np_random(seed)[0]
         self.episodes.begin({0: self._random})

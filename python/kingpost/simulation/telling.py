@@ -34,6 +34,7 @@ def note_warnings(attributes: dict[str, Any], words: Iterable[str]) -> None:
 
     >>> attributes = {}
     >>> with warnings.catch_warnings(record=True) as told:
+    ...     warnings.simplefilter("always")
     ...     note_warnings(attributes, ["a list of 4.7 deg", "a list of 4.7 deg"])
     >>> attributes, len(told)
     ({'warning': 'a list of 4.7 deg'}, 1)

@@ -172,7 +172,7 @@ fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
     Fault::new(&here, "", found, allowed)
 }
 
-/// The last blank up to a line that is none of YAML's: text that was copied from a web page or a word processor has them, and
+/// The last blank up to a line that YAML does not know: text that was copied from a web page or a word processor has them, and
 /// an editor does not show them.
 fn odd_blank(text: &str, here: &SourcePlace) -> Option<(SourcePlace, String)> {
     let SourcePlace::File { line: last, .. } = *here else { return None };
