@@ -155,10 +155,11 @@ def _report(study: Study, folder: Path, options: argparse.Namespace) -> int:
 def _limiting(study: Study, folder: Path) -> list[str]:
     """Limiting heights and the operable share; nothing where the study cannot say them yet, or at all."""
     from ..reports import limiting
-    from ..study import limiting_runs, store
+    from ..study import limiting_runs
+    from ..study.opened import open_results
 
     try:
-        heights = limiting_runs.limiting_heights(store.open_results(folder))
+        heights = limiting_runs.limiting_heights(open_results(folder))
     except KingpostError:
         return []
     return ["", *limiting.heights(heights), *_shares(study, heights)]

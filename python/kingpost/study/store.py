@@ -29,7 +29,7 @@ from .plan import Plan
 from .reduce import HELD_MEANINGS, STATISTICS, STATUS, variables
 
 if TYPE_CHECKING:
-    import xarray
+    pass
 
 STUDY, SCENARIO, ABOUT, RESULTS, UNITS = "study.yaml", "scenario.json", "study.json", "results.zarr", "units"
 FORMAT = 1
@@ -109,8 +109,15 @@ class Store:
             "columns": plan.columns,
             "limits": plan.limits,
             "files": plan.scenario.digests,
+            "frame": self._frame_digest(),
             "versions": {"kingpost": engine.__version__, **versions},
         }
+
+    def _frame_digest(self) -> str:
+        from .opened import frame_digest
+
+        coordinates = {name: values for name, (_, values, _) in _coordinates(self.plan).items()}
+        return frame_digest(coordinates, _group_attributes(self.plan))
 
     def _check_same(self, found: dict[str, Any]) -> None:
         parts = fingerprint.differences(found["depends_on"], self.plan.depends_on)
@@ -230,28 +237,12 @@ def digest(arrays: Mapping[str, NDArray[Any]]) -> str:
     return found.hexdigest()
 
 
-def open_results(folder: Path) -> xarray.Dataset:
-    """The results of a study, read as they are asked for."""
-    import xarray
-
-    path = folder / RESULTS
-    if not (path / "zarr.json").is_file():
-        raise KingpostError(f"{folder}: found no {RESULTS} in it, allowed: the folder of a study")
-    found = xarray.open_zarr(str(path), consolidated=False, chunks=None)
-    # Texts as other data sets have them.
-    texts = {name: (one.dims, np.array(one.values.tolist(), str), one.attrs)
-             for name, one in found.coords.items() if one.dtype.kind == "T"}  # fmt: skip
-    return found.assign_coords(texts)
-
-
 def _frame(path: Path, plan: Plan) -> None:
     """A Zarr group with all arrays, the coordinates filled and the others empty."""
     import zarr
 
     coordinates = _coordinates(plan)
-    group = zarr.create_group(str(path), zarr_format=3, attributes={
-        **_attributes(plan), "coordinates": " ".join(name for name, (dims, _, _) in coordinates.items()
-                                                     if dims != name)})  # fmt: skip
+    group = zarr.create_group(str(path), zarr_format=3, attributes=_group_attributes(plan))
     for name, (dim, values, about) in coordinates.items():
         array = group.create_array(
             name,
@@ -315,6 +306,11 @@ def _coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[Any], dict[str, Any
     if plan.kept.cycles:
         found["slope"] = ("slope", np.array(plan.kept.slopes), {})
     return found
+
+
+def _group_attributes(plan: Plan) -> dict[str, Any]:
+    named = " ".join(name for name, (dims, _, _) in _coordinates(plan).items() if dims != name)
+    return {**_attributes(plan), "coordinates": named}
 
 
 def _attributes(plan: Plan) -> dict[str, Any]:

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..scenario import Scenario
-from . import file, run, store
+from . import file, run
 from .locks import Part
+from .opened import open_results
 from .plan import Plan, plan
 
 if TYPE_CHECKING:
@@ -185,4 +186,4 @@ def open_study(folder: str | Path) -> xarray.Dataset:
     >>> open_study(folder).statistics.sel(column="ship.roll", statistic="maximum").dims
     ('run',)
     """
-    return store.open_results(Path(folder))
+    return open_results(Path(folder))

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..simulation.outcomes import NUMBER
 from . import store
+from .opened import open_results
 from .plan import Plan
 from .reduce import ENDED_EARLY, EXCEEDED, FINISHED, HELD, NOT_BUILT, NOT_RUN, UNKNOWN
 
@@ -37,7 +38,7 @@ def of_plan(plan: Plan) -> dict[str, Any]:
 
 def of_results(folder: Path, plan: Plan) -> dict[str, Any]:
     """How the runs ended, how limits held, and what the engine warned of."""
-    found = store.open_results(folder)
+    found = open_results(folder)
     status = found["status"].values
     ends = {int(run): text for marker in store.markers(folder) for run, text in marker["ends"].items()}
     names = {"finished": FINISHED, "ended_early": ENDED_EARLY, "not_built": NOT_BUILT, "not_run": NOT_RUN}

@@ -15,6 +15,7 @@ from ..engine import engine
 from ..errors import KingpostError
 from ..study import store
 from ..study.limiting_runs import limiting_heights
+from ..study.opened import open_results
 from ..study.plan import Plan
 from ..study.screened import of_plan
 from ..study.summary import of_results
@@ -70,7 +71,7 @@ def write(plan: Plan, folder: str | Path, path: str | Path, app: str = APP) -> P
 
 def of_study(plan: Plan, folder: Path, app: str = APP) -> Report:
     """The report as blocks."""
-    results, about = store.open_results(folder), store.about_of(folder)
+    results, about = open_results(folder), store.about_of(folder)
     if about is None:
         raise KingpostError(f"{folder}: found no study, allowed: the folder of a study")
     content, names = plan.file.content, list(plan.cases.names)
