@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import random
 import resource
 import subprocess
 import sys
@@ -115,3 +116,21 @@ def test_kill_at_any_moment_leaves_the_old_file_or_the_new_one(tmp_path, ending)
     killed, digests = zip(*json.loads(done.stdout), strict=True)
     assert sum(killed) >= KILLS
     assert len(set(digests)) == 1
+
+
+def test_a_flipped_bit_of_a_netcdf_file_is_never_read_as_another_number(tmp_path, results):
+    """Source: the file as it was written."""
+    path, damaged = tmp_path / "run.nc", tmp_path / "damaged.nc"
+    kingpost.results.write(results, path)
+    written, content, refused = kingpost.results.read(path), path.read_bytes(), 0
+    for number in range(200 if THOROUGH else 25):
+        draw, changed = random.Random(number), bytearray(content)
+        changed[draw.randrange(len(changed))] ^= 1 << draw.randrange(8)
+        damaged.write_bytes(changed)
+        try:
+            found = kingpost.results.read(damaged)
+        except KingpostError:
+            refused += 1
+            continue
+        assert found.identical(written), number
+    assert refused > 0

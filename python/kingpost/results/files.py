@@ -169,7 +169,8 @@ def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str],
         fields.append(field.with_metadata({"units": shown}))
     attributes = {key: str(value) for key, value in results.attrs.items()}
     metadata = {**(table.schema.metadata or {}), **attributes}
-    pyarrow.parquet.write_table(table.cast(pyarrow.schema(fields, metadata)), path)
+    checked = table.cast(pyarrow.schema(fields, metadata))
+    pyarrow.parquet.write_table(checked, path, write_page_checksum=True)
 
 
 def read(path: str | Path) -> xarray.Dataset:
