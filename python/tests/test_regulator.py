@@ -266,3 +266,15 @@ def test_a_controller_that_does_not_read_a_state_is_reported() -> None:
         found.scenario(start, "hold")
     with pytest.raises(KingpostError, match="controller: found held, allowed: hold"):
         found.scenario(start, "held")
+
+
+def test_a_swing_across_the_boom_that_slewing_alone_moves_not_is_named() -> None:
+    """Source: luffing swings the load along the boom, slewing across it; each leaves the other as it was."""
+    slew = kingpost.load("slew_without_swing")
+    with pytest.warns(kingpost.KingpostWarning, match="the inputs do not move the mode of period 9"):
+        found = kingpost.lqr(
+            slew, inputs=["slewing.target_offset"], Q={"slew": 1, "pendant.second": 20}, R=[1]
+        )
+    (words,) = found.unmoved
+    assert "pendant" in words
+    assert np.abs(found.eigenvalues - complex(-0.0094, 0.698)).min() < 1e-3

@@ -15,10 +15,24 @@ from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario
 from ..simulation.linear import RATE
 from ..simulation.simulate import Simulation
-from .riccati import NO_REST, SMALLEST_SHARE, Matrix, check_reach, closed_loop, places, solve, weights_of
+from ..simulation.telling import tell
+from .riccati import (
+    NO_REST,
+    SMALLEST_SHARE,
+    Matrix,
+    check_reach,
+    closed_loop,
+    places,
+    solve,
+    unreached,
+    weights_of,
+)
 
 if TYPE_CHECKING:
     import xarray
+
+SLOW = 0.1
+"""Damping ratio below which an oscillation that no input moves is warned of: it lasts for several periods."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +52,9 @@ class Regulator:
         The same of all states of the scenario, with the regulator.
     period_s
         Sampling period, s; None if it acts continuously.
+    unmoved
+        In words, the oscillations that decay slowly and that the inputs do not move: the feedback leaves
+        them as they are.
     """
 
     gains: xarray.DataArray
@@ -45,6 +62,7 @@ class Regulator:
     eigenvalues: NDArray[np.complex128]
     all_eigenvalues: NDArray[np.complex128]
     period_s: float | None = None
+    unmoved: tuple[str, ...] = ()
 
     def cost(self, x0: ArrayLike) -> float:
         """The cost ``x0' P x0`` from a state.
@@ -191,8 +209,9 @@ def lqr(
     Raises
     ------
     KingpostError
-        If a name is unknown, a weight is not allowed, the inputs cannot damp a mode (the error names it), or
-        Q does not see a mode that grows or stays.
+        If a name is unknown, a weight is not allowed, the inputs do not move a mode that grows or stays (the
+        error names it), or Q does not see one. A mode that decays slowly and that they do not move is warned
+        of, and named in ``unmoved``.
 
     Examples
     --------
@@ -220,6 +239,8 @@ def lqr(
     if period_s is not None and not (math.isfinite(period_s) and period_s > 0):
         raise KingpostError(f"period_s: found {period_s}, allowed: a number greater than 0, or None")
     check_reach(a, b, chosen)
+    unmoved = tuple(_slow(value, about) for value, about in unreached(a, b, chosen) if _is_slow(value))
+    tell(unmoved)
     gains, cost = solve(a, b, q, r, period_s)
     closed = closed_loop(a, b, gains, period_s)
     if not closed[0].real < -(SMALLEST_SHARE**0.5) * abs(closed).max():
@@ -232,6 +253,23 @@ def lqr(
         closed,
         closed_loop(whole_a, whole_b, embedded, period_s),
         period_s,
+        unmoved,
+    )
+
+
+def _is_slow(value: complex) -> bool:
+    return value.imag > 0 and -value.real < SLOW * abs(value)
+
+
+def _slow(value: complex, about: str) -> str:
+    """The warning of an oscillation that the inputs do not move.
+
+    >>> _slow(complex(-0.01, 0.7), "lift")
+    'the inputs do not move the mode of period 8.976 s in which lift takes part (damping ratio 0.0143)'
+    """
+    return (
+        f"the inputs do not move the mode of period {2 * math.pi / value.imag:.4g} s in which {about} takes "
+        f"part (damping ratio {-value.real / abs(value):.3g})"
     )
 
 

@@ -62,20 +62,31 @@ def weights_of(
 
 
 def check_reach(a: Matrix, b: Matrix, names: list[str]) -> None:
-    """Popov, Belevitch and Hautus: [A - s I, B] has full rank for each s that does not decay."""
+    """Refuse inputs that do not move a mode which grows or stays."""
     scale = max(float(np.abs(a).max()), 1.0)
-    for value in np.linalg.eigvals(a):
-        if value.real < -1e-9 * scale or value.imag < 0:
-            continue
-        test = np.hstack([a - value * np.eye(len(a)), b / max(float(np.abs(b).max()), 1e-300)])
-        left, singular, _ = np.linalg.svd(test)
-        if singular[-1] < SMALLEST_SHARE * singular[0] or singular[-1] < 1e-8:
-            about = names[int(np.abs(left[:, -1]).argmax())]
+    for value, about in unreached(a, b, names):
+        if value.real >= -1e-9 * scale:
             period = f" of period {2 * math.pi / value.imag:.4g} s" if value.imag > 1e-6 * scale else ""
             raise KingpostError(
                 f"inputs: found no effect on the mode{period} in which {about} takes part, allowed: inputs "
                 "that damp every mode that does not decay; or leave its states out of states"
             )
+
+
+def unreached(a: Matrix, b: Matrix, names: list[str]) -> list[tuple[complex, str]]:
+    """Eigenvalues of the modes that no input moves, each with a state that takes part.
+
+    Popov, Belevitch and Hautus: the inputs move the mode of s where [A - s I, B] has full rank.
+    """
+    found: list[tuple[complex, str]] = []
+    for value in np.linalg.eigvals(a):
+        if value.imag < 0:
+            continue
+        test = np.hstack([a - value * np.eye(len(a)), b / max(float(np.abs(b).max()), 1e-300)])
+        left, singular, _ = np.linalg.svd(test)
+        if singular[-1] < SMALLEST_SHARE * singular[0] or singular[-1] < 1e-8:
+            found.append((complex(value), names[int(np.abs(left[:, -1]).argmax())]))
+    return found
 
 
 def solve(a: Matrix, b: Matrix, q: Matrix, r: Matrix, period_s: float | None) -> tuple[Matrix, Matrix]:
