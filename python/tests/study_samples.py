@@ -6,6 +6,10 @@ import json
 from pathlib import Path
 from typing import Any
 
+import xarray
+import zarr
+from kingpost.study import store
+
 RUNS = 24
 SLEWING: dict[str, Any] = {
     "version": 1,
@@ -36,3 +40,18 @@ def written(study: dict[str, Any], path: Path) -> Path:
     """A study as a file: JSON is YAML."""
     path.write_text(json.dumps(study, indent=1), encoding="utf-8")
     return path
+
+
+def folder_of(results: xarray.Dataset, folder: Path) -> Path:
+    """A study's folder that holds made-up results, as one finished unit."""
+    results.to_zarr(folder / store.RESULTS, zarr_format=3, consolidated=False)
+    group = zarr.open_group(str(folder / store.RESULTS), mode="r")
+    raw: dict[str, Any] = {str(name): group[str(name)] for name in results.data_vars}
+    digest = store.digest({name: one[...] for name, one in raw.items()})
+    runs = results.sizes["run"]
+    about = {"version": store.FORMAT, "depends_on": {}, "fingerprint": "", "runs": runs, "runs_of_unit": runs}
+    (folder / store.ABOUT).write_text(json.dumps(about), encoding="utf-8")
+    (folder / store.UNITS).mkdir()
+    marker = {"fingerprint": "", "runs": [0, runs], "sha256": digest}
+    (folder / store.UNITS / "000000.json").write_text(json.dumps(marker), encoding="utf-8")
+    return folder

@@ -8,7 +8,12 @@ from pathlib import Path
 import pytest
 from kingpost import gallery
 from kingpost.cli import main
-from kingpost.errors import ScenarioError
+from kingpost.errors import KingpostError, ScenarioError
+from kingpost.hydro import database_file, hull_files, importers
+from kingpost.learn import network
+from kingpost.results import files as results_files
+from kingpost.roll_damping import sections
+from kingpost.study import scatter, series
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs POSIX pipes and links")
 SHORT = ["run", "paper", "--set", "simulation.duration_s=0.01", "-q", "-o"]
@@ -62,3 +67,27 @@ def test_a_link_to_a_scenario_finds_the_files_beside_the_scenario(tmp_path: Path
     (there / "a.yaml").write_text("x")
     (here / "link.yaml").symlink_to(there / "a.yaml")
     assert gallery.place(here / "link.yaml", "own.yaml") == there / "own.yaml"
+
+
+READERS = {
+    "series": (series.read, ".csv"),
+    "NetCDF series": (series.read, ".nc"),
+    "scatter table": (scatter.read, ".csv"),
+    "roll damping": (sections.read_columns, ".csv"),
+    "database": (database_file.read, ".hydro.json"),
+    "GDF": (hull_files.read, ".gdf"),
+    "OBJ": (hull_files.read, ".obj"),
+    "STL": (hull_files.read, ".stl"),
+    "policy": (network.read_policy, ".json"),
+    "results": (lambda path: results_files.open_all([path]), ".nc"),
+    **{f"import {ending}": (importers.load, ending) for ending in importers.ENDINGS},
+}
+
+
+@pytest.mark.parametrize(("read", "ending"), READERS.values(), ids=READERS)
+def test_a_pipe_is_refused_by_each_reader(read, ending: str, tmp_path: Path) -> None:
+    """Source: opening a pipe waits until another process writes it."""
+    pipe = tmp_path / f"pipe{ending}"
+    os.mkfifo(pipe)
+    with pytest.raises(KingpostError, match="a pipe"):
+        read(pipe)

@@ -22,6 +22,7 @@ from kingpost.study.windows import (
     windows,
     workable,
 )
+from study_samples import folder_of
 
 START = np.datetime64("2026-01-01T00:00:00", "s")
 
@@ -238,7 +239,7 @@ def study(tmp_path: Path) -> Path:
     grid = np.meshgrid([1.0, 2.0, 4.0], [6.0, 10.0], np.arange(1, 21), indexing="ij")
     hs, tp, seed = (one.ravel() for one in grid)
     worst = hs * 1.5 * (1 + 0.15 * rng.gumbel(size=len(hs)))
-    xarray.Dataset(
+    results = xarray.Dataset(
         {
             "limit_worst": (("run", "limit"), worst[:, None]),
             "limit_held": (("run", "limit"), (worst <= 5).astype("i1")[:, None]),
@@ -254,8 +255,8 @@ def study(tmp_path: Path) -> Path:
             "sea": '{"significant_height": "hs", "peak_period": "tp"}', "operation_s": 1800.0,
             "acceptance": 0.1,
         },
-    ).to_zarr(tmp_path / "study" / "results.zarr", zarr_format=3, consolidated=False)  # fmt: skip
-    return tmp_path / "study"
+    )  # fmt: skip
+    return folder_of(results, tmp_path / "study")
 
 
 def forecast(folder: Path, *options: str) -> list[str]:
@@ -336,7 +337,7 @@ def test_what_was_not_studied_is_warned_of(
     [
         ((), "error: direction: found neither, allowed: --heading-deg"),
         (("--direction-deg", "180"), "error: SCENARIO, --study: found neither, allowed: one of them"),
-        (("--direction-deg", "180", "--study", "nowhere"), "error: nowhere: found no results.zarr in it"),
+        (("--direction-deg", "180", "--study", "nowhere"), "error: nowhere: found no study.json in it"),
         (("--heading-deg", "0", "--operation-hours", "80"), "error: operation_hours: found 80, allowed"),
         (
             ("--heading-deg", "0", "--columns", "height"),

@@ -17,6 +17,7 @@ import numpy as np
 
 from .. import output
 from ..errors import HydrodynamicsError, OutputError
+from ..reading import text_of
 from .database import (
     Attitude,
     Database,
@@ -51,7 +52,7 @@ def read(path: str | Path) -> Database:
     file = str(path)
     allowed = f"a hydrodynamic database, as `kingpost hydro` writes ({ENDING})"
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        text = text_of(path, "utf-8")
     except UnicodeDecodeError:
         raise HydrodynamicsError("", "a file that is not text", allowed, file) from None
     except OSError as error:

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import HydrodynamicsError, shortened
+from ..output import irregular
+from ..reading import text_of
 from ..results.files import is_whole
 from . import obj
 from .database import Mesh
@@ -169,7 +171,8 @@ def _across(found: Particulars) -> tuple[str, ...]:
 
 def _as_written(path: Path) -> Surface:
     if not os.path.isfile(path):
-        raise HydrodynamicsError("hull", "no such file", "a mesh file or a parametric hull", str(path))
+        found = irregular(path) or "no such file"
+        raise HydrodynamicsError("hull", found, "a mesh file or a parametric hull", str(path))
     surface = _READERS.get(path.suffix.lower(), _read_meshio)(path)
     if len(surface.triangles) == 0:
         raise HydrodynamicsError("hull", "no triangles and no quadrangles", "a surface mesh", str(path))
@@ -250,7 +253,7 @@ def _read_gdf(path: Path) -> Surface:
     and ISY of 1 mean that x = 0 and y = 0 are planes of symmetry, and -1 means a wall there. Corners are in
     the length unit of GRAV, the acceleration of gravity, independent of ULEN.
     """
-    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()[1:]
+    lines = text_of(path, errors="replace").splitlines()[1:]
     allowed = "WAMIT's GDF: a title, ULEN GRAV, ISX ISY, the number of panels, twelve coordinates each"
     words = [line.split() for line in lines]
     try:

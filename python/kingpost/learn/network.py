@@ -14,6 +14,7 @@ import numpy as np
 
 from ..errors import KingpostError
 from ..output import write_text
+from ..reading import text_of
 from .acting import Policy
 from .task import LARGEST_OBSERVATION, Task
 
@@ -217,7 +218,7 @@ def read_policy(path: str | Path) -> NeuralPolicy:
     ('slewing', 'luffing')
     """
     try:
-        given = json.loads(Path(path).read_text(encoding="utf-8"))
+        given = json.loads(text_of(path, "utf-8"))
         seen, set_ = given["observations"], given["actions"]
         layers = tuple(
             (np.array(one["weights"], np.float64), np.array(one["biases"], np.float64))
@@ -235,7 +236,9 @@ def read_policy(path: str | Path) -> NeuralPolicy:
             layers,
             given.get("about", {}),
         )
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except OSError as error:
+        raise KingpostError(f"{path}: found {error.strerror}, allowed: a file of a policy") from None
+    except (ValueError, KeyError, TypeError) as error:
         raise KingpostError(f"{path}: found no policy ({error}), allowed: a file of a policy") from error
     _check(path, policy)
     return policy

@@ -16,6 +16,7 @@ import numpy as np
 
 from .. import output
 from ..errors import KingpostError
+from ..reading import check_ends
 from . import xarrays
 from .columns import OVER_RUNS, columns, frame, nearest, places, unit_of
 from .events import events, warnings
@@ -299,7 +300,8 @@ def _told(path: str | Path) -> Iterator[None]:
     """Turn a failure to read a file into one line."""
     try:
         if not Path(path).is_file():
-            what = "is a folder" if Path(path).is_dir() else "no such file"
+            kind = output.irregular(path)
+            what = "no such file" if kind is None else f"is {kind}"
             columns = "" if Path(path).suffix.lower() == ".nc" else "; columns follow --channels"
             raise KingpostError(f"{path}: {what}, {ALLOWED}{columns}")
         yield
@@ -312,6 +314,7 @@ def _told(path: str | Path) -> Iterator[None]:
 
 def _unreadable(path: str | Path) -> KingpostError:
     try:
+        check_ends(path)
         with Path(path).open("rb") as file:
             is_hdf5 = file.read(len(HDF5)) == HDF5
     except (OSError, ValueError) as error:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import RollDampingError, shortened
+from ..reading import text_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -212,7 +213,7 @@ def read_columns(path: str | Path) -> dict[str, Array]:
     """
     file = str(path)
     try:
-        text = Path(path).read_text(encoding="utf-8-sig")
+        text = text_of(path)
     except UnicodeDecodeError:
         raise RollDampingError("", "a file that is not text", "a CSV file", file) from None
     except OSError as error:

@@ -92,7 +92,8 @@ def operability(
     """
     if table.direction_rad is None and direction_rad is None:
         raise KingpostError(
-            "direction: found none in the scatter table, allowed: a column of it, or one of all waves"
+            "direction: found none in the scatter table, allowed: a column of it, or one direction of all "
+            "waves (direction_rad)"
         )
     table = table.with_peak_periods(peak_enhancement)
     directions = (

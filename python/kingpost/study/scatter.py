@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..reading import CSV_TEXT, text_of
 from .periods import PEAK, kind_of, ratio
 from .scatter_sheet import CLASSES, LOWER, OCCURRENCES, PER_CENT, UPPER, ScatterError, Sheet
 
@@ -124,13 +125,11 @@ def read(path: str | Path, classes: str | None = None, entries: str | None = Non
         When the file cannot be read or is no such table; with its line.
     """
     try:
-        text = Path(path).read_text(encoding="utf-8-sig")
+        text = text_of(path)
     except OSError as error:
         raise ScatterError("file", error.strerror, "a file that can be read", str(path)) from None
     except UnicodeDecodeError:
-        raise ScatterError(
-            "file", "bytes that are no text", "CSV in UTF-8 (in Excel: save as CSV UTF-8)", str(path)
-        ) from None
+        raise ScatterError("file", "bytes that are no text", CSV_TEXT, str(path)) from None
     return parse(text, str(path), classes, entries)
 
 

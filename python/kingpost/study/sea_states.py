@@ -95,7 +95,8 @@ class Series:
         """
         if self.direction_from_deg is None:
             raise KingpostError(
-                "direction: found none in the series, allowed: a column of it, or one direction given"
+                "direction: found none in the series, allowed: a column of it (by another name with "
+                "--columns direction=NAME), or one direction of all waves (--direction-deg, direction_rad)"
             )
         return np.radians((x_axis_deg - self.direction_from_deg + 180) % 360)
 

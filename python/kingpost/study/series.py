@@ -27,6 +27,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import flag
+from ..output import irregular
+from ..reading import CSV_TEXT, text_of
 from .periods import MOMENTS, PEAK, kind_of
 from .sea_states import Series, SeriesError, moment
 
@@ -97,7 +99,7 @@ def read(
             raise SeriesError("columns", repr(name), ", ".join(QUANTITIES))
     said = _Said(direction, period, direction_unit)
     if not path.is_file():
-        raise SeriesError("file", "none", "a file that can be read", str(path))
+        raise SeriesError("file", irregular(path) or "none", "a file that can be read", str(path))
     if path.suffix.lower() in NETCDF:
         return _of_netcdf(path, given, said, at)
     return _of_csv(path, given, said)
@@ -201,10 +203,10 @@ def _plain(name: str) -> tuple[str, str]:
 def _of_csv(path: Path, given: Mapping[str, str], said: _Said) -> Series:
     file = str(path)
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = text_of(path)
     except (OSError, UnicodeDecodeError) as error:
         raise SeriesError(
-            "file", getattr(error, "strerror", None) or "bytes that are no text", "CSV in UTF-8", file
+            "file", getattr(error, "strerror", None) or "bytes that are no text", CSV_TEXT, file
         ) from None
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1)
              if line.strip(" ,;\t") and not line.startswith("#")]  # fmt: skip

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ...reading import check_ends
 from ...results.files import is_whole
 from ..database import Database
 from . import aqwa, aqwa_listing, bemio, capytaine_file, nemoh, orcaflex, veres, wamit
@@ -102,6 +103,7 @@ def _told(kind: str, name: str) -> Iterator[None]:
 
 def _check_signature(kind: str, name: str) -> None:
     try:
+        check_ends(name)
         with open(name, "rb") as file:
             head = file.read(8)
     except OSError as error:

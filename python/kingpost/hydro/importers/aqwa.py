@@ -12,11 +12,11 @@ plane, vertically above or below the centre of gravity.
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...reading import text_of
 from .foreign import Foreign, Options, reading_error
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ class _File:
 
     def __init__(self, path: str) -> None:
         self.path = path
-        lines = Path(path).read_text(encoding="latin-1").splitlines()
+        lines = text_of(path, "latin-1").splitlines()
         self.sections: dict[str, list[float]] = {"": []}
         name = ""
         for number, line in enumerate(lines, 1):

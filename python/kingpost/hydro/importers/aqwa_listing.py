@@ -9,11 +9,11 @@ with directions and phases as in the .AH1 (`aqwa`), added mass of 100 rad/s for 
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...reading import text_of
 from .foreign import Foreign, Options, reading_error
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def read(path: str, options: Options) -> Foreign:
     HydrodynamicsError
         When it cannot be read, is cut short, lacks a section or has several structures.
     """
-    text = Path(path).read_text(encoding="latin-1")
+    text = text_of(path, "latin-1")
     structures = {int(number) for number in _STRUCTURE.findall(text)}
     if structures != {1}:
         found = f"{len(structures)} structures"

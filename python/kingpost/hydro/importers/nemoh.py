@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...reading import text_of
 from .foreign import Foreign, Options, reading_error
 
 if TYPE_CHECKING:
@@ -78,7 +79,7 @@ class _Case:
 
     def __init__(self, file: Path) -> None:
         self.file, self.folder = file, file.parent
-        lines = file.read_text(encoding="latin-1").splitlines()
+        lines = text_of(file, "latin-1").splitlines()
         values = [_leading(line) for line in lines]
         try:
             self.density, self.gravity, depth = values[1][0], values[2][0], values[3][0]
@@ -104,7 +105,7 @@ class _Case:
     def text(self, folder: str, name: str) -> str:
         path = self._path(folder, name)
         try:
-            return path.read_text(encoding="latin-1")
+            return text_of(path, "latin-1")
         except OSError as error:
             raise reading_error(str(error.strerror), ALLOWED, str(path)) from None
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 import re
 import reprlib
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from ...errors import HydrodynamicsError, flag
+from ...reading import text_of
 from .foreign import reading_error
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def load(path: str) -> tuple[Entry, str]:
     import yaml
 
     try:
-        text = Path(path).read_text(encoding="utf-8-sig")
+        text = text_of(path)
         # Only texts, lists and mappings: nothing in the file is executed.
         loader = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
         _check_depth(text, loader)

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...errors import shortened
+from ...reading import text_of
 from .foreign import Foreign, Options, reading_error
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ class _File:
     def __init__(self, path: Path) -> None:
         self.path = path
         try:
-            lines = path.read_text(encoding="latin-1").splitlines()
+            lines = text_of(path, "latin-1").splitlines()
         except OSError as error:
             raise reading_error(
                 str(error.strerror), "ShipX's .re7 and .re8 beside each other", str(path)
@@ -206,7 +207,7 @@ def _keel_to_buoyancy(path: Path) -> float | None:
     file = _sibling(path, ".hyd")
     if not file.is_file():
         return None
-    for line in file.read_text(encoding="latin-1").splitlines():
+    for line in text_of(file, "latin-1").splitlines():
         if line.strip().endswith("*") and "KB" in line and "buoyancy" in line.replace("bouyancy", "buoyancy"):
             return float(line.split()[-1].rstrip("*"))
     return None

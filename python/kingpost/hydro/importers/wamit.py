@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...reading import text_of
 from . import wamit_motions, wamit_out
 from .foreign import ASKED, Foreign, Options, reading_error
 from .wamit_header import Header, beside, size
@@ -160,7 +161,7 @@ class _Tables:
         elif waves is None:
             rows(stem.with_suffix(".3"), (7,))
         restoring = _restoring(stem.with_suffix(".hst"), header, notes)
-        written = HEADER in one.read_text(encoding="latin-1")[:80] or out is not None
+        written = HEADER in text_of(one, "latin-1")[:80] or out is not None
         return cls(radiation, waves, f"{stem}{name}", *apart, restoring, written)
 
     @classmethod

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...reading import text_of
 from .foreign import reading_error
 
 if TYPE_CHECKING:
@@ -145,7 +146,7 @@ def size(stem: Path, reference: NDArray[np.float64] | None) -> tuple[float, floa
 
 
 def _extents(path: Path, reference: NDArray[np.float64] | None) -> tuple[float, float, float] | None:
-    lines = path.read_text(encoding="latin-1").splitlines()[1:]
+    lines = text_of(path, "latin-1").splitlines()[1:]
     words = [line.split() for line in lines]
     try:
         symmetric = [int(float(word)) == 1 for word in words[1][:2]]

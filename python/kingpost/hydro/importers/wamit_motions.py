@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import HydrodynamicsError
+from ...reading import text_of
 from .wamit_rows import of_six_motions, rows
 
 if TYPE_CHECKING:
@@ -73,7 +74,7 @@ def loading(path: Path, foreign: Foreign) -> Loading | None:
     """The loading of STEM.frc, or `None` if the file is missing or of another form."""
     if not path.is_file() or foreign.volume_m3 is None or foreign.centre_of_buoyancy_m is None:
         return None
-    lines = [_numbers(line) for line in path.read_text(encoding="latin-1").splitlines()[1:]]
+    lines = [_numbers(line) for line in text_of(path, "latin-1").splitlines()[1:]]
     try:
         if len(lines[3]) == 3 and len(lines[1]) == 1:
             return _by_radii(lines, foreign)

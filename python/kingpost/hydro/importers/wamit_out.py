@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...reading import text_of
 from .foreign import reading_error
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def tables(path: Path) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     HydrodynamicsError
         When the listing has no coefficients or no exciting forces.
     """
-    text = path.read_text(encoding="latin-1")
+    text = text_of(path, "latin-1")
     kind = next((name for name in WAVES if name in text), None)
     radiation: list[list[float]] = []
     waves: list[list[float]] = []

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...reading import text_of
 from .foreign import reading_error
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def rows(path: Path, columns: tuple[int, ...]) -> NDArray[np.float64]:
         When the file cannot be read, is cut short or has a line of another form.
     """
     try:
-        text = path.read_text(encoding="latin-1")
+        text = text_of(path, "latin-1")
     except OSError as error:
         raise reading_error(str(error.strerror), "a file of WAMIT's numeric output", str(path)) from None
     lines = text.splitlines()

@@ -1,0 +1,56 @@
+"""Texts and bytes of files that a user names: a pipe or a device is refused, because it may never end."""
+
+from __future__ import annotations
+
+import codecs
+import errno
+from pathlib import Path
+
+from .output import irregular
+
+CSV_TEXT = "CSV in UTF-8 (in Excel: save as CSV UTF-8)"
+"""Words for the encoding of a table, which a spreadsheet chooses unless it is told."""
+
+
+def check_ends(path: str | Path) -> None:
+    """Refuse what is there and is no regular file.
+
+    Raises
+    ------
+    OSError
+        If it is a folder, a pipe, a socket or a device; the reason is its `strerror`.
+
+    >>> import os
+    >>> check_ends(os.devnull)
+    Traceback (most recent call last):
+        ...
+    OSError: [Errno 22] a device, no regular file: '/dev/null'
+    """
+    kind = irregular(path)
+    if kind is not None:
+        raise OSError(errno.EINVAL, f"{kind}, no regular file", str(path))
+
+
+def text_of(path: str | Path, encoding: str = "utf-8-sig", errors: str = "strict") -> str:
+    """Text of a file. UTF-16 is known by its byte-order mark: spreadsheets write it as *Unicode text*.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read, or is no regular file.
+    UnicodeDecodeError
+        If its bytes are no text in this encoding.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "series.txt"
+    ...     _ = path.write_text("time,hs", encoding="utf-16")
+    ...     text_of(path)
+    'time,hs'
+    """
+    check_ends(path)
+    with open(path, "rb") as file:
+        mark = file.read(2)
+    if mark in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE):
+        encoding = "utf-16"
+    return Path(path).read_text(encoding=encoding, errors=errors)
