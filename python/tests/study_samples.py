@@ -9,6 +9,7 @@ from typing import Any
 import xarray
 import zarr
 from kingpost.study import store
+from kingpost.study.digests import digest
 
 RUNS = 24
 SLEWING: dict[str, Any] = {
@@ -47,11 +48,11 @@ def folder_of(results: xarray.Dataset, folder: Path) -> Path:
     results.to_zarr(folder / store.RESULTS, zarr_format=3, consolidated=False)
     group = zarr.open_group(str(folder / store.RESULTS), mode="r")
     raw: dict[str, Any] = {str(name): group[str(name)] for name in results.data_vars}
-    digest = store.digest({name: one[...] for name, one in raw.items()})
+    numbers_digest = digest({name: one[...] for name, one in raw.items()})
     runs = results.sizes["run"]
     about = {"version": store.FORMAT, "depends_on": {}, "fingerprint": "", "runs": runs, "runs_of_unit": runs}
     (folder / store.ABOUT).write_text(json.dumps(about), encoding="utf-8")
     (folder / store.UNITS).mkdir()
-    marker = {"fingerprint": "", "runs": [0, runs], "sha256": digest}
+    marker = {"fingerprint": "", "runs": [0, runs], "sha256": numbers_digest}
     (folder / store.UNITS / "000000.json").write_text(json.dumps(marker), encoding="utf-8")
     return folder

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ..errors import KingpostError, shortened
 from . import store
+from .digests import digest, frame_digest
 
 if TYPE_CHECKING:
     import xarray
@@ -91,16 +92,8 @@ def _is_whole(marker: Path, about: dict[str, Any], arrays: Mapping[str, NDArray[
         expected = (said["fingerprint"], said["runs"], said["sha256"])
     except (OSError, ValueError, TypeError, KeyError):
         return False
-    found = store.digest({name: array[runs] for name, array in arrays.items()})
+    found = digest({name: array[runs] for name, array in arrays.items()})
     return expected == (about["fingerprint"], [runs.start, runs.stop], found)
-
-
-def frame_digest(coordinates: Mapping[str, NDArray[Any]], attributes: Mapping[str, Any]) -> str:
-    """SHA-256 of coordinates and attributes: what the numbers of a study stand for."""
-    texts = {name: np.array(values.tolist(), str) if values.dtype.kind == "T" else values
-             for name, values in coordinates.items()}  # fmt: skip
-    said = np.array(json.dumps(dict(attributes), sort_keys=True))
-    return store.digest(texts | {"attributes": said})
 
 
 @contextmanager

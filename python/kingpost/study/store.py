@@ -6,7 +6,6 @@ stands there, after a power cut or on a full disk, is computed again.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import shutil
 import tempfile
@@ -25,6 +24,7 @@ from ..errors import KingpostError, OutputError
 from ..output import write_text
 from . import fingerprint
 from .compute import Result
+from .digests import digest, frame_digest
 from .plan import Plan
 from .reduce import HELD_MEANINGS, STATISTICS, STATUS, variables
 
@@ -114,8 +114,6 @@ class Store:
         }
 
     def _frame_digest(self) -> str:
-        from .opened import frame_digest
-
         coordinates = {name: values for name, (_, values, _) in _coordinates(self.plan).items()}
         return frame_digest(coordinates, _group_attributes(self.plan))
 
@@ -224,17 +222,6 @@ def markers(folder: Path) -> Iterator[dict[str, Any]]:
             yield json.loads(path.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             continue
-
-
-def digest(arrays: Mapping[str, NDArray[Any]]) -> str:
-    """SHA-256 of the numbers of a unit, with their names, types and shapes."""
-    found = hashlib.sha256()
-    for name in sorted(arrays):
-        array = np.ascontiguousarray(arrays[name])
-        array = array.astype(array.dtype.newbyteorder("<"), copy=False)
-        found.update(f"{name} {array.dtype.str} {array.shape};".encode())
-        found.update(array.tobytes())
-    return found.hexdigest()
 
 
 def _frame(path: Path, plan: Plan) -> None:

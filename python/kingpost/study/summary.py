@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..reports.tables import unit_cell
 from ..simulation.outcomes import NUMBER
 from . import store
 from .opened import open_results
@@ -117,12 +118,19 @@ def warning_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
 
 
 def _limit_words(limit: dict[str, Any]) -> str:
+    """The outcome of a limit in one line.
+
+    >>> _limit_words({"name": "lift", "held": 1, "exceeded": 1, "worst": 0.5, "unit": "1", "worst_run": 61,
+    ...               "worst_in": {"hs": 2.0}})
+    'lift held in 1 of 2 runs, worst 0.5 in run 61 (hs 2)'
+    """
     judged = limit["held"] + limit["exceeded"]
     words = f"{limit['name']} held in {limit['held']} of {judged} runs"
     if limit["worst_run"] is None:
         return words
     where = ", ".join(f"{name} {_shown(value)}" for name, value in limit["worst_in"].items())
-    return f"{words}, worst {limit['worst']:.4g} {limit['unit']} in run {limit['worst_run']} ({where})"
+    worst = f"{limit['worst']:.4g} {unit_cell(limit['unit'])}".rstrip()
+    return f"{words}, worst {worst} in run {limit['worst_run']} ({where})"
 
 
 def _listed(values: list[Any]) -> str:
