@@ -34,8 +34,8 @@ def power(value: float) -> str:
 
 
 def errata(m: Measured) -> list[Erratum]:
-    """The nine remarks, with numbers measured by the engine."""
-    return [*_kinematics(m), *_statements(m), _names(), _figure_9(m), _smaller()]
+    """The ten remarks, with numbers measured by the engine."""
+    return [*_kinematics(m), *_statements(m), _names(), _figure_9(m), _figure_10(m), _smaller()]
 
 
 def _kinematics(m: Measured) -> list[Erratum]:
@@ -59,8 +59,9 @@ def _kinematics(m: Measured) -> list[Erratum]:
         ),
         Erratum(
             "Eq. 46b: the block B53",
-            "The same slips; B54 is right. With B52 and B53 as printed the arm's velocity is off by "
-            f"{m.eq_46b_m_s:.1f} m/s at the instant of remark 1.",
+            "The same slips; B54 is right. The second term of B53 is zero, printed or corrected, because the "
+            "tower's centre and top lie on the axis that it turns about. With B52 and B53 as printed the "
+            f"arm's velocity is off by {m.eq_46b_m_s:.1f} m/s at the instant of remark 1.",
             EQUATIONS["B53"].printed,
             EQUATIONS["B53"].corrected,
         ),
@@ -128,15 +129,28 @@ def _figure_9(m: Measured) -> Erratum:
     )
 
 
+def _figure_10(m: Measured) -> Erratum:
+    return Erratum(
+        "Fig. 10: the arm goes down",
+        "The text says that the arm is lifting. By eq. 40 a positive angle \u03be lowers the arm, and eq. 59 "
+        "applies the +70 kN m of Table 2 along it: the arm of Fig. 10 goes down, and so it does on this "
+        f"page. Pitch then peaks at {m.lowering[0]:.3f} rad/s, with damping at {m.lowering[1]:.3f} rad/s. "
+        f"With the opposite torque the arm is lifted, and the peaks are {m.lifting[0]:.3f} and "
+        f"{m.lifting[1]:.3f} rad/s: <code>kingpost run paper --set motor_1=false "
+        "--set motor_2=true --set drives.motor_2.motor.torque_N_m=-70000</code>.",
+    )
+
+
 def _smaller() -> Erratum:
     return Erratum(
         "Smaller ones",
         "In the order of the list: eq. 47 needs a product of three matrices, not a square; the "
         "velocity in eq. 29b is in body components; eq. 55 unskews both of its terms; the blocks of D in "
         "eq. 57 stand on the diagonal; the second column of Table 1 holds displacements, not their rates; "
-        "damping is in the results but in neither eq. 59 nor eq. 61; and eq. 33 puts the crane's foot at "
-        "the height of the ship's centre of mass, 2.5 m below the deck (the parameter "
-        "<code>crane_z_m</code> moves it).",
+        "damping is in the results but in neither eq. 59 nor eq. 61, and although the text puts it on each "
+        "coordinate, the figures' coefficients, and this page, have it on the ship's three rates only; and "
+        "eq. 33 puts the crane's foot at the height of the ship's centre of mass, 2.5 m below the deck (the "
+        "parameter <code>crane_z_m</code> moves it).",
         [
             r"(47) \quad K^{(\alpha)} = \tfrac{1}{2} \left\{ m (\dot{x}_C)^2 + J_C (\omega)^2 \right\}",
             r"(55) \quad \delta \omega = \frac{d}{dt} \left( R^T \delta R \right) + S(\omega) "

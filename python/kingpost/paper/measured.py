@@ -11,6 +11,7 @@ from ..simulation.simulate import Simulation
 from . import figures
 from .equations import arm_velocity
 
+TABLE_2_ARM_TORQUE_N_M = 70_000.0
 PRINTED_AT_S = 0.25
 """The time at which printed and corrected kinematics are compared, s."""
 
@@ -34,6 +35,9 @@ class Measured:
         upright, rad/s.
     level_damped, both, both_damped
         The same of Fig. 9 with damping, and of Fig. 11 without and with it, rad/s.
+    lowering, lifting
+        Largest pitch rate of Fig. 10 without and with damping, for the torque of Table 2 by the signs of
+        eqs. 40 and 59, and for the opposite torque, rad/s.
     without_d_energy, without_d_momentum
         Energy error over work, and momentum error (N m s), with D left out of eq. 60b.
     """
@@ -51,13 +55,15 @@ class Measured:
     level_damped: dict[str, float]
     both: dict[str, float]
     both_damped: dict[str, float]
+    lowering: tuple[float, float]
+    lifting: tuple[float, float]
     without_d_energy: float
     without_d_momentum: float
 
 
 def measure(drawn: list[figures.Figure]) -> Measured:
     """Measure them; `drawn` holds the results of Figs. 9 to 11."""
-    level, both = drawn[0], drawn[-1]
+    level, arm_alone, both = drawn
     arm = "bodies.arm.joint.revolute"
     held_upright = {f"{arm}.initial_angle_rad": -np.pi / 2, f"{arm}.mode": "held"}
     upright = figures.simulate(level.case, **held_upright)
@@ -73,9 +79,18 @@ def measure(drawn: list[figures.Figure]) -> Measured:
         level_damped=_peaks(level.damped),
         both=_peaks(both.undamped),
         both_damped=_peaks(both.damped),
+        lowering=(_peaks(arm_alone.undamped)["pitch"], _peaks(arm_alone.damped)["pitch"]),
+        lifting=(_lifting(arm_alone.case, damping=False), _lifting(arm_alone.case, damping=True)),
         without_d_energy=without_d[0],
         without_d_momentum=without_d[1],
     )
+
+
+def _lifting(case: figures.Case, damping: bool) -> float:
+    """Largest pitch rate with the opposite torque of the arm's motor, rad/s."""
+    torque = "drives.motor_2.motor.torque_N_m"
+    opposite = {torque: -TABLE_2_ARM_TORQUE_N_M}
+    return _peaks(figures.rates(figures.simulate(case, damping=damping, **opposite)))["pitch"]
 
 
 def _without_d(case: figures.Case) -> tuple[float, float]:

@@ -153,7 +153,7 @@ def _errata(remarks: list[Erratum]) -> str:
         "<p>Found by comparing the printed equations with finite differences of the kinematics and with "
         "other multibody engines. S(a) is the skew matrix of a, the paper's double arrow. Everything on "
         "this page is computed with the corrected forms. Right as printed: eqs. 8, 30, 34, 36, 37, 40, "
-        "42, 49, 58 to 62, 63, rows 1 to 4 and 6 of 46a, and B54.</p>"
+        "42, 49, 58, 60 to 63, rows 1 to 4 and 6 of 46a, and B54.</p>"
     )
     items = "".join(f'<li class="remark"><h3>{remark.title}</h3>{_remark(remark)}</li>' for remark in remarks)
     return f'{note}<ol class="errata">{items}</ol>'
