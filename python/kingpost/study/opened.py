@@ -100,9 +100,8 @@ def _is_whole(marker: Path, about: dict[str, Any], arrays: Mapping[str, NDArray[
 def _named(path: Path) -> Iterator[None]:
     """Whatever a damaged chunk leads to, in the library or its codecs, as one error in words."""
     try:
-        with warnings.catch_warnings():
-            # Of parts that the library does not know: the digests say more.
-            warnings.simplefilter("ignore")
+        # Of parts that the library does not know it warns: the digests say more.
+        with warnings.catch_warnings(action="ignore"):
             yield
     except Exception as error:
         reason = shortened(" ".join(str(error).split()) or type(error).__name__)

@@ -143,6 +143,23 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
+    /// Begins to watch the closed loops: the distance from a singular position is measured relative to the present
+    /// position.
+    pub fn watch_loops(&mut self, q: &[S], v: &[S]) {
+        if !self.model.loops.is_empty() {
+            self.loads.clear();
+            self.project(|solver, on| solver.begin_at(on, q, v));
+        }
+    }
+
+    /// The constraint with the largest error at a state, and the error, m or rad; `None` without loops.
+    pub fn loop_gap(&mut self, q: &[S], v: &[S]) -> Option<(usize, f64)> {
+        self.links.update(&self.model, q, v);
+        self.loops.update_rows(&self.model, &self.links);
+        let gaps = self.loops.rows().iter().map(|row| row.residual.value().abs()).enumerate();
+        gaps.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// Computes the forces of the constraints at a stage and gives them to their elements.
     pub(super) fn load_restraints(&mut self, at: Stage<'_, S>) {
         if self.layout.holding.is_empty() {

@@ -54,6 +54,18 @@ const MOVES: &str = "operation:
       set: [{input: command, to: 0.6, at_s: 0.1, in_s: 0.3731}, {input: command, to: -0.2, at_s: 0.9, in_s: 0.517}, {input: command, to: 0.5, at_s: 1.61}]
 ";
 
+/// An input as it is held during the step.
+fn input(found: &Simulation, name: &str) -> f64 {
+    found.inputs().iter().find(|input| input.name == name).expect("an input").value
+}
+
+/// An input at the end of the step.
+fn at_end(found: &Simulation, name: &str) -> f64 {
+    let inputs = found.inputs();
+    let place = inputs.iter().position(|input| input.name == name).expect("an input");
+    found.state().d[found.state().d.len() - inputs.len() + place]
+}
+
 /// Period between two maxima, s.
 fn period_s(zeta: f64) -> f64 {
     core::f64::consts::TAU / (libm::sqrt(STIFFNESS / MASS) * libm::sqrt(1.0 - zeta * zeta))
@@ -159,7 +171,7 @@ fn feedback_is_its_law_between_samples_and_within_limits() {
             correction = 2.0 * (read[0] - 0.1) + 0.5 * read[1];
         }
         found.step(1).expect("it runs");
-        let command = found.inputs().iter().find(|input| input.name == "command").expect("an input").value;
+        let command = at_end(&found, "command");
         let action = value(&mut found, "hold.commanded_lever");
         assert_eq!(action.to_bits(), (command - correction).clamp(-0.3, 0.3).to_bits(), "step {step}");
         clipped += usize::from(action.abs() == 0.3);
@@ -204,17 +216,21 @@ fn an_integral_is_the_sum_of_samples_and_stays_while_the_input_is_at_a_limit() {
 const FUNCTION: &str = "controllers: {command: {drive_function: {to: push, period_s: 0.8, ramp_s: 0.5, time_s: [0, 0.2, 0.4, 0.6], command: [0, 0.6, 0, -0.6]}}}\n";
 
 #[test]
-fn a_drive_function_adds_its_curve_at_the_middle_of_the_step_to_its_command_within_limits() {
+fn a_drive_function_adds_its_curve_to_its_command_within_limits() {
     let mut found = simulation(&oscillator(0.0, 0.01, 4.5, &(FUNCTION.to_owned() + MOVES)));
     let curve = CubicSpline::periodic(vec![0.0, 0.2, 0.4, 0.6], vec![0.0, 0.6, 0.0, -0.6], 0.8);
     let mut at_limit = 0;
     for step in 0..400 {
-        let middle = 0.01 * f64::from(step) + 0.005;
         found.step(1).expect("it runs");
-        let command = found.inputs().iter().find(|input| input.name == "command").expect("an input").value;
-        let x = f64::min(middle / 0.5, 1.0);
-        let ramp = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
-        let expected = (command + ramp * curve.at(middle)).clamp(-1.0, 1.0);
+        let sum = |command: f64, time_s: f64| {
+            let x = f64::min(time_s / 0.5, 1.0);
+            let ramp = x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
+            (command + ramp * curve.at(time_s)).clamp(-1.0, 1.0)
+        };
+        let [middle, end] = [0.005, 0.01].map(|after| 0.01 * f64::from(step) + after);
+        let (held, in_step) = (sum(input(&found, "command"), middle), input(&found, "push"));
+        assert!((in_step - held).abs() < 1e-12, "step {step}: {in_step} during it, not {held}");
+        let expected = sum(at_end(&found, "command"), end);
         let set = value(&mut found, "command.commanded_lever");
         assert!((set - expected).abs() < 1e-12, "step {step}: {set}, not {expected}");
         at_limit += usize::from(set.abs() == 1.0);

@@ -238,8 +238,9 @@ fn its_state_numbers_and_modes_are_in_snapshots() {
     let snapshot = simulation.snapshot();
     let (state, row) = (simulation.state().clone(), row(&mut simulation));
     assert_eq!(state.m, [1]);
-    assert_eq!(state.d.len(), 2);
-    assert!(state.d[0] == 1e4 && state.d[1] > LIMIT - 0.5, "{:?}", state.d);
+    // The input, the number, and the input at the end of the step.
+    assert_eq!(state.d.len(), 3);
+    assert!(state.d[0] == 1e4 && state.d[1] > LIMIT - 0.5 && state.d[2] == 1e4, "{:?}", state.d);
     simulation.reset();
     assert!(simulation.state().m == [0] && simulation.events().is_empty());
     simulation.restore(&snapshot).unwrap();

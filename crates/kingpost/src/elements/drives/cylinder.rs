@@ -50,7 +50,9 @@ pub struct Cylinder<S = f64> {
     pub aim: Aim<S>,
     /// Length at the start, m.
     pub start: S,
-    /// Force that holds it at its length at an equilibrium, N: 0 unless the run begins at one and its target is a lever.
+    /// Whether it holds the load from the start on, at an equilibrium at which the run begins; its target is a lever then.
+    pub holds: bool,
+    /// Force that holds it at its length at that equilibrium, N.
     pub hold: [S; 1],
     /// Time at which the target length stops moving, s: a step ends there.
     pub arrival_s: Option<f64>,
@@ -158,11 +160,11 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 
     fn settling(&self) -> Option<&dyn Settling<S>> {
-        (self.aim == Aim::Lever).then_some(self)
+        self.holds.then_some(self)
     }
 
     fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
-        if self.aim == Aim::Lever { Some(self) } else { None }
+        if self.holds { Some(self) } else { None }
     }
 
     /// Energy in the stops, J.
@@ -248,7 +250,7 @@ impl<S: Scalar> Cylinder<S> {
         let line = self.line(at.model, at.links);
         let (length, rate) = (line.residual, line.rate);
         let wanted = self.hold[0] + self.stiffness * (self.wanted(at) - length) - self.damping * rate;
-        let is_sought = at.situation == Situation::Settling && self.aim == Aim::Lever;
+        let is_sought = at.situation == Situation::Settling && self.holds;
         let drive = if is_sought { wanted } else { wanted.clipped(-self.pull_limit, self.push_limit) };
         let [short, long] = self.depths(length);
         let stop = |depth, speed| hunt_crossley(self.stop_stiffness, self.stop_dissipation, depth, speed);

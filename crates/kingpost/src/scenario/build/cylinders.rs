@@ -45,6 +45,7 @@ pub fn build<S: Quantity>(
         stop_stiffness: given.stop_stiffness_n_per_m.get(),
         stop_dissipation: given.stop_dissipation_s_per_m.get(),
         speed_limit: given.speed_limit_m_s.get(),
+        holds: aim == Aim::Lever && scenario.simulation.begin_at_equilibrium,
         aim,
         start: S::ZERO,
         hold: [S::ZERO],

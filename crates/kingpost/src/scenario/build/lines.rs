@@ -5,7 +5,7 @@ use super::cylinders::attachment;
 use super::{FieldError, known};
 use crate::dynamics::LinkKinematics;
 use crate::elements::lines::{Catenary, Span};
-use crate::elements::{AnyElement, CatenaryLine, SpringLine, of_kind, significant};
+use crate::elements::{AnyElement, CatenaryLine, SpringLine, of_kind};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
@@ -109,11 +109,9 @@ fn check_strain<S: Quantity>(line: &CatenaryLine<S>, span: &Span<S>) -> Result<(
     }
     let Catenary { unstretched_length, weight, axial_stiffness, .. } = &line.line;
     let found = format!(
-        "{unstretched_length} m between ends {} m apart, of {weight} N/m and a stiffness of {axial_stiffness} N: a tension of \
-         {} kN, a strain of {:.3}",
-        significant(libm::hypot(span.across.value(), span.up.value()), 4),
-        significant(tension.value() / 1000.0, 4),
-        strain.value()
+        "{unstretched_length} m between ends {:.1} m apart, of {weight} N/m and a stiffness of {axial_stiffness} N: a tension of \
+         {tension:.0} N, a strain of {strain:.3}",
+        (span.across * span.across + span.up * span.up).sqrt(),
     );
     let allowed =
         format!("a strain of {LARGEST_STRAIN} at most: check the length, and the units of weight and stiffness");
