@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from ..reports.tables import unit_cell
 from ..simulation.outcomes import NUMBER
 from . import store
 from .opened import open_results
@@ -129,7 +128,8 @@ def _limit_words(limit: dict[str, Any]) -> str:
     if limit["worst_run"] is None:
         return words
     where = ", ".join(f"{name} {_shown(value)}" for name, value in limit["worst_in"].items())
-    worst = f"{limit['worst']:.4g} {unit_cell(limit['unit'])}".rstrip()
+    unit = "" if limit["unit"] == "1" else f" {limit['unit']}"
+    worst = f"{limit['worst']:.4g}{unit}"
     return f"{words}, worst {worst} in run {limit['worst_run']} ({where})"
 
 
