@@ -107,7 +107,7 @@ def read(
 
 @dataclass(frozen=True)
 class _Said:
-    """What a caller says of a file that says it not."""
+    """Meanings that the caller gives, where the file does not have them."""
 
     direction: str | None = None
     period: str | None = None
@@ -126,7 +126,7 @@ class _Said:
 
 @dataclass(frozen=True)
 class _Columns:
-    """Which column has what: names in the file. `direction_unit` is ``deg``, ``rad`` or empty if unknown."""
+    """Names of the columns that are read. `direction_unit` is ``deg``, ``rad``, or empty if unknown."""
 
     time: str
     height: str

@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,9 +27,6 @@ from .compute import Result
 from .digests import digest, frame_digest
 from .plan import Plan
 from .reduce import HELD_MEANINGS, STATISTICS, STATUS, variables
-
-if TYPE_CHECKING:
-    pass
 
 STUDY, SCENARIO, ABOUT, RESULTS, UNITS = "study.yaml", "scenario.json", "study.json", "results.zarr", "units"
 FORMAT = 1
