@@ -60,7 +60,7 @@ pub struct Swing<S> {
     pub tolerance: S,
 }
 
-/// What its output shows: the action at the end of the step. The commands of earlier steps follow, then those at their ends.
+/// The action, which its output shows at the end of the step. The commands of earlier steps follow, then those at their ends.
 const ACTION: usize = 0;
 const RING: usize = 1;
 /// The only mode: where the next command goes.

@@ -55,7 +55,7 @@ impl<'a, S: Copy> Scene<'a, S> {
         own
     }
 
-    /// The same with the values that its inputs reach at the end of the step, which loads do not need.
+    /// Gives an element its context with the values that its inputs reach at the end of the step; loads do not need them.
     pub fn with_ends(&mut self, element: usize) -> &Context<'a, S> {
         let ends = self.layout.ends_of(self.layout.shares[element].inputs.clone());
         let ends = self.discrete.get(ends).unwrap_or_default();

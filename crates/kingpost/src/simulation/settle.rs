@@ -360,7 +360,7 @@ impl Linear {
         self.stiffness.norm().max(SMALLEST_STIFFNESS)
     }
 
-    /// Whether nothing accelerates, or no more than rounding explains and the last move could not change that.
+    /// Whether all accelerations are 0, or are rounding that the last move could not reduce.
     fn rests(&self, allowed: &DVector<f64>, last: Option<LastMove>) -> bool {
         if self.acceleration.iter().all(|a| a.abs() < AT_REST) {
             return true;

@@ -31,7 +31,7 @@ pub use symbolic::{BlockMatrix, SymbolicMatrix};
 pub use symbols::{Naming, Symbols};
 
 use super::Loads;
-use crate::model::{Mode, Model};
+use crate::model::{Mode, Model, Node};
 use crate::spatial::{Frame, Vector3};
 use blocks::Block;
 use nalgebra::{DMatrix, DVector};
@@ -97,15 +97,21 @@ pub struct MovingFrame {
     pub held_by: Vec<String>,
 }
 
+/// E of each body, from E(child/parent): parents come first.
+fn in_world(nodes: &[Node], relative: impl Iterator<Item = Frame>) -> Vec<Frame> {
+    let mut frames: Vec<Frame> = Vec::with_capacity(nodes.len());
+    for (node, relative) in nodes.iter().zip(relative) {
+        frames.push(node.parent.map_or(relative, |p: usize| frames[p].times(&relative)));
+    }
+    frames
+}
+
 impl MovingFrame {
     /// Computes all matrices from q, v and the loads.
     pub fn assemble(model: &Model, q: &[f64], v: &[f64], loads: &Loads, variation: Variation) -> Self {
         let nodes = &model.tree.nodes;
         let relative: Vec<Frame> = nodes.iter().map(|node| node.kind.relative(&q[node.positions..])).collect();
-        let mut frames: Vec<Frame> = Vec::with_capacity(nodes.len());
-        for (node, relative) in nodes.iter().zip(&relative) {
-            frames.push(node.parent.map_or(*relative, |p: usize| frames[p].times(relative)));
-        }
+        let frames = in_world(nodes, relative.iter().copied());
         let velocity = DVector::from_column_slice(v);
         let columns = blocks::joint_columns(&model.tree, &frames, q);
         let b = blocks::b_matrix(&model.tree, &frames, &columns);
@@ -167,11 +173,7 @@ impl MovingFrame {
     /// the number of bodies.
     pub fn mass_and_constraints(model: &Model, q: &[f64], v: &[f64], loads: &Loads) -> (DMatrix<f64>, DMatrix<f64>) {
         let nodes = &model.tree.nodes;
-        let mut frames: Vec<Frame> = Vec::with_capacity(nodes.len());
-        for node in nodes {
-            let relative = node.kind.relative(&q[node.positions..]);
-            frames.push(node.parent.map_or(relative, |p: usize| frames[p].times(&relative)));
-        }
+        let frames = in_world(nodes, nodes.iter().map(|node| node.kind.relative(&q[node.positions..])));
         let columns = blocks::joint_columns(&model.tree, &frames, q);
         let b = blocks::b_matrix(&model.tree, &frames, &columns);
         let (x_dot, free) = (&b * DVector::from_column_slice(v), model.free_coordinates());

@@ -7,7 +7,7 @@ use crate::scenario::schema::Scenario;
 use core::f64::consts::TAU;
 use serde_json::{Map, Value};
 
-/// What a field can be, and the units that it is often taken for.
+/// The plausible range of a field, and the units that it is often taken for.
 struct Plausible {
     /// The end of the field's path.
     field: &'static str,
@@ -85,7 +85,7 @@ fn is_off(fields: &Map<String, Value>) -> bool {
     fields.get("enabled").is_some_and(|enabled| *enabled == Value::Bool(false))
 }
 
-/// A radius of gyration is less than the farthest point of its body: a hull's length, or the largest edge of its shape.
+/// A radius of gyration is less than the farthest point of its body: a hull's length, or the size of its shape.
 fn of_gyration(scenario: &Scenario, written: &Value, warnings: &mut Vec<String>) {
     let bodies = written.get("bodies").and_then(Value::as_object).into_iter().flatten();
     for (name, body) in bodies.filter(|(_, body)| !body.as_object().is_some_and(is_off)) {
@@ -110,7 +110,7 @@ fn hull_length(scenario: &Scenario, written: &Value, body: &str) -> Option<f64> 
     })
 }
 
-/// The sum of a shape's lengths, m: no two of its points are farther apart.
+/// Twice the sum of a shape's lengths, some of which are radii, m: no two of its points are farther apart.
 fn shape_length(shape: Option<&Value>) -> Option<f64> {
     let lengths = shape?.as_object()?.values().find_map(Value::as_object)?;
     let lengths = lengths.iter().filter(|(name, _)| name.ends_with("_m")).filter_map(|(_, value)| value.as_f64());
