@@ -17,6 +17,7 @@ from .analysis.predictive import Plan, PredictiveRegulator, mpc
 from .analysis.regulator import Regulator, lqr
 from .analysis.response import rao
 from .analysis.spectral import spectral_response
+from .analysis.splash_zone import splash_zone
 from .analysis.stable_step import stable_step
 from .analysis.vibration import equilibrium, modes
 from .analysis.wave_response import wave_response
@@ -68,6 +69,7 @@ __all__ = [
     "results",
     "run",
     "spectral_response",
+    "splash_zone",
     "stable_step",
     "statistics",
     "verify",

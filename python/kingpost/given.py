@@ -33,6 +33,27 @@ def number(field: str, value: Any) -> float:
     raise KingpostError(f"{field}: found {shortened(repr(value))}, allowed: a number")
 
 
+def not_negative(field: str, value: Any) -> float:
+    """A finite number from 0 up.
+
+    Raises
+    ------
+    KingpostError
+        If the value is negative, infinite, NaN or no number.
+
+    >>> not_negative("speed_m_s", 0.5)
+    0.5
+    >>> not_negative("speed_m_s", -1)
+    Traceback (most recent call last):
+        ...
+    kingpost.errors.KingpostError: speed_m_s: found -1.0, allowed: a number not less than 0
+    """
+    found = number(field, value)
+    if not (np.isfinite(found) and found >= 0.0):
+        raise KingpostError(f"{field}: found {found}, allowed: a number not less than 0")
+    return found
+
+
 def numbers(field: str, values: ArrayLike) -> NDArray[np.float64]:
     """Real numbers in one row, as the engine takes them.
 

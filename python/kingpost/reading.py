@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import codecs
 import errno
+import re
 from pathlib import Path
 
 from .output import irregular
 
 CSV_TEXT = "CSV in UTF-8 (in Excel: save as CSV UTF-8)"
 """Words for the encoding of a table, which a spreadsheet chooses unless it is told."""
+GROUPED = re.compile(r"[+-]?\d{1,3}(,\d{3})+")
+"""A number whose commas may group thousands."""
 
 
 def check_ends(path: str | Path) -> None:
@@ -54,3 +57,24 @@ def text_of(path: str | Path, encoding: str = "utf-8-sig", errors: str = "strict
     if mark in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE):
         encoding = "utf-16"
     return Path(path).read_text(encoding=encoding, errors=errors)
+
+
+def decimal(cell: str, separator: str) -> float:
+    """Number of a table's cell, with a decimal point, or with a decimal comma where the cell is quoted or
+    commas do not separate the columns.
+
+    Raises
+    ------
+    ValueError
+        If it is no number, or a comma before three digits between quotes may group thousands.
+
+    >>> decimal("1,5", ";"), decimal("1,5", ","), decimal("1.5", ",")
+    (1.5, 1.5, 1.5)
+    >>> decimal("1,500", ",")
+    Traceback (most recent call last):
+        ...
+    ValueError: 1,500
+    """
+    if separator == "," and GROUPED.fullmatch(cell.strip()):
+        raise ValueError(cell)
+    return float(cell.replace(",", "."))

@@ -111,9 +111,11 @@ def test_a_batch_that_would_take_too_much_memory_is_refused_with_a_way_on() -> N
     batch = kingpost.Batch("paper", {"crane_x_m": [0.0] * 100})
     with pytest.raises(
         kingpost.KingpostError,
-        match=r"100 runs: found .* GB to be recorded, allowed: 0\.0 GB; record less often",
+        match=r"100 runs: found .* GB of rows and models, allowed: 0\.0 GB; record less often",
     ):
         batch.run(memory_gb=1e-3)
+    with pytest.raises(kingpost.KingpostError, match=r"10000000 runs: found .* GB of rows and models"):
+        kingpost.Batch("paper", {"crane_x_m": np.zeros(10**7)}).run()
     for nonsense in (0, -1, np.nan, np.inf):
         with pytest.raises(kingpost.KingpostError, match="memory_gb: found"):
             batch.run(memory_gb=nonsense)

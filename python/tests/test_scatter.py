@@ -40,6 +40,7 @@ def test_a_matrix_has_a_class_for_each_entry_with_its_edges(tmp_path: Path) -> N
         "Hs \\ Tp (s)\t0-2\t2-4\n0-1\t1\t2\n1-2\t3\t4",
         "# classes: lower edges\nHs|Tp,0,2\n0,1,2\n1,3,4",
         "#classes:Upper  Edges\nHs vs Tp,2,4\n1,1,2\n2,3,4",
+        'Hs/Tp,"0,0-2,0","2,0-4,0"\n"0,0-1,0","1,0",2\n"1,0-2,0","3,0",4',
         "Hs/Tp;0,0-2,0;2,0-4,0\n0,0-1,0;1,0;2,0\n1,0-2,0;3,0;4,0",
     ],
 )

@@ -35,6 +35,7 @@ def test_a_plain_file_is_read_in_utc(tmp_path: Path) -> None:
     "text",
     [
         "# a buoy\nTime;Hs (m);Tp (s);MWD [deg]\n2026-05-01T00:00Z;1,5;8;350\n2026-05-01T03Z;1,6;8,5;10\n",
+        'time,Hs,Tp,MWD\n2026-05-01T00:00Z,"1,5",8,350\n2026-05-01T03Z,"1,6","8,5",10\n',
         "valid_time\tVHM0\tVTPK\tVMDR\n2026-05-01 02:00+02:00\t1.5\t8\t350\n2026-05-01 03:00\t1.6\t8.5\t10\n",
         "date,swh,mwp,pp1d,direction_to_deg,wind\n2026-05-01,1.5,6,8,170,3\n2026-05-01T03,1.6,6,8.5,190,nan\n",
     ],
@@ -47,6 +48,11 @@ def test_names_units_zones_and_separators_say_the_same(tmp_path: Path, text: str
     assert found.direction_from_deg is not None
     assert plain.direction_from_deg is not None
     assert found.direction_from_deg.tolist() == plain.direction_from_deg.tolist()
+
+
+def test_a_quoted_number_that_may_group_thousands_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(KingpostError, match="found '1,500', allowed: a number"):
+        series.read(written(tmp_path, 'time,hs,tp\n2026-05-01,"1,500",8\n2026-05-02,1,8\n'))
 
 
 def test_gaps_and_uneven_steps_stay(tmp_path: Path) -> None:

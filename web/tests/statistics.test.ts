@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { evenEnd, linesThatHold, loadTransform, peakOf, segmentLength, welch } from "../src/plots/spectrum";
+import { evenEnd, isResolved, linesThatHold, loadTransform, peakOf, segmentLength, spectraOf, welch } from "../src/plots/spectrum";
 import { armAt, heelToSide } from "../src/plots/stability";
 import { statisticsOf } from "../src/plots/statistics";
 
@@ -82,6 +82,30 @@ describe("a spectrum", () => {
     // A run that ended off the grid.
     expect(evenEnd([0, 1, 2, 3, 3.4])).toEqual([0, 4]);
     expect(evenEnd([])).toEqual([0, 0]);
+  });
+
+  it("of a slow motion takes fewer parts until three periods fit into a segment", () => {
+    const roll = (seconds: number) => times(10 * seconds).map((t) => 0.1 * Math.sin((2 * Math.PI * t) / 14));
+    const [found] = spectraOf([roll(120)], STEP_S, 8, transformOf);
+    expect(isResolved(found)).toBe(true);
+    // A line is wide: its period is known to the spacing of the lines.
+    const omega = found.omega[peakOf(found)];
+    expect(Math.abs(omega - (2 * Math.PI) / 14)).toBeLessThan(found.resolution);
+    // As many parts as are asked for where the motion is fast.
+    const [fast] = spectraOf([times(1200).map((t) => Math.sin(4 * t))], STEP_S, 8, transformOf);
+    expect(fast.resolution).toBeCloseTo((2 * Math.PI) / 12.8, 12);
+  });
+
+  it("of less than three periods has no peak", () => {
+    const [found] = spectraOf([times(200).map((t) => Math.sin((2 * Math.PI * t) / 14))], STEP_S, 8, transformOf);
+    expect(isResolved(found)).toBe(false);
+  });
+
+  it("of columns that stay keeps the parts that are asked for, and of too few records is none", () => {
+    const [found] = spectraOf([times(1200).map(() => 0)], STEP_S, 8, transformOf);
+    expect(found.resolution).toBeCloseTo((2 * Math.PI) / 12.8, 12);
+    expect(spectraOf([times(7)], STEP_S, 8, transformOf)).toEqual([]);
+    expect(spectraOf([], STEP_S, 8, transformOf)).toEqual([]);
   });
 
   it("has segments of a power of two, and none of too few records", () => {

@@ -3,7 +3,7 @@
 use crate::boundary::{self, Look};
 use crate::simulation::{Matrix, matrix};
 use crate::{Files, errors};
-use kingpost::batch::{BatchError, Variant, run_within};
+use kingpost::batch::{BatchError, Variant, check_count, run_within};
 use kingpost::scenario;
 use pyo3::prelude::*;
 
@@ -17,6 +17,12 @@ pub fn has_avx2() -> bool {
     return std::is_x86_feature_detected!("avx2");
     #[cfg(not(target_arch = "x86_64"))]
     return false;
+}
+
+/// Raises an error if the models of so many runs take more than these bytes.
+#[pyfunction]
+pub fn check_batch(runs: usize, most_bytes: u64) -> PyResult<()> {
+    check_count(runs, most_bytes).map_err(errors::input)
 }
 
 /// Runs every variant, a JSON list of lists of `[name, value]`; `most` has the threads that it takes and the bytes that it may record.

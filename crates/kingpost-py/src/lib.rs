@@ -65,7 +65,7 @@ mod _engine {
     use super::{file_names, parse_assignment, read, read_study};
 
     #[pymodule_export]
-    use super::batch::{batch, has_avx2};
+    use super::batch::{batch, check_batch, has_avx2};
 
     #[pymodule_export]
     use super::copies::Copies;

@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import KingpostError
+from ..given import not_negative
 from ..scenario import Scenario
 
 # K_H at the rated capacity, for a hook on one fall and on several falls.
@@ -50,7 +51,7 @@ def deck_speed_m_s(significant_height_m: float) -> float:
     >>> round(deck_speed_m_s(2.7), 3)
     1.514
     """
-    height = _not_negative("significant_height_m", significant_height_m)
+    height = not_negative("significant_height_m", significant_height_m)
     return 6.0 * height / (height + 8.0)
 
 
@@ -81,7 +82,7 @@ def hoisting_speed_m_s(
     >>> [round(hoisting_speed_m_s(height), 3) for height in (1.4, 2.7, 3.6)]
     [0.447, 0.757, 0.931]
     """
-    tip, factor = _not_negative("tip_speed_m_s", tip_speed_m_s), _not_negative("factor", factor)
+    tip, factor = not_negative("tip_speed_m_s", tip_speed_m_s), not_negative("factor", factor)
     return factor * math.hypot(deck_speed_m_s(significant_height_m), tip)
 
 
@@ -107,7 +108,7 @@ def offlead_m(significant_height_m: float) -> float:
     >>> offlead_m(1.0)
     4.0
     """
-    return 2.5 + 1.5 * _not_negative("significant_height_m", significant_height_m)
+    return 2.5 + 1.5 * not_negative("significant_height_m", significant_height_m)
 
 
 def sidelead_m(significant_height_m: float) -> float:
@@ -211,7 +212,7 @@ def hook_load_loss(
     way = 1.0 if rest >= start else -1.0
     rest, start = way * rest, way * start
     heel, arm = (way * one[:: int(way)] for one in (heel, arm))
-    stop = min(_vanishing(heel, arm, rest), math.radians(_not_negative("flooding_deg", flooding_deg)))
+    stop = min(_vanishing(heel, arm, rest), math.radians(not_negative("flooding_deg", flooding_deg)))
     return HookLoadLoss(
         "starboard" if way > 0.0 else "port",
         math.degrees(start),
@@ -219,7 +220,7 @@ def hook_load_loss(
         math.degrees(stop),
         max(-_area(heel, arm, start, rest), 0.0),
         max(_area(heel, arm, rest, stop), 0.0),
-        _not_negative("required", required),
+        not_negative("required", required),
     )
 
 
@@ -266,9 +267,3 @@ def _area(heel: np.ndarray, arm: np.ndarray, start: float, end: float) -> float:
         return 0.0
     at = np.unique([start, *heel[(heel > start) & (heel < end)], end])
     return float(np.trapezoid(np.interp(at, heel, arm), at))
-
-
-def _not_negative(name: str, value: float) -> float:
-    if not (math.isfinite(value) and value >= 0.0):
-        raise KingpostError(f"{name}: found {value}, allowed: a number not less than 0")
-    return float(value)

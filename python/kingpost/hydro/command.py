@@ -324,7 +324,7 @@ def _values(kind: type, description: str, field: str, start: str) -> dict[str, f
     form = start + ",".join(f"{name}=..." for name in names)
     values: dict[str, float] = {}
     for assignment in filter(None, description.split(",")):
-        name, _, value = assignment.partition("=")
+        name, _, value = (part.strip() for part in assignment.partition("="))
         if name not in names or name in values:
             found = "given twice" if name in values else "an unknown dimension"
             raise HydrodynamicsError(f"{field}.{name}", found, form)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..results.units import engineering
-from . import hydrostatics, sea
+from . import hydrostatics, sea, splash
 from .run import steps
 from .tables import kilograms, masses, table
 
@@ -43,6 +43,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _elements(described, "sensors"),
         _elements(described, "controllers"),
         sea.lines(scenario),
+        *splash.sections(scenario),
         *hydrostatics.sections(scenario),
         [f"warning: {words}" for words in described["warnings"]],
         [

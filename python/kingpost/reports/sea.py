@@ -21,7 +21,8 @@ def lines(scenario: Scenario) -> list[str]:
     rows = [("sea and wind", "", "", "")]
     sea, wind = scenario.resolved.get("sea"), scenario.resolved.get("wind")
     if sea:
-        rows.append(("water", "", "", ", ".join(_water(scenario.model["sea"]))))
+        water = ", ".join(_water(scenario.model["sea"], sea.get("stretching", "vertical")))
+        rows.append(("water", "", "", water))
         for name, of_kind in (sea.get("waves") or {}).items():
             for kind, given in of_kind.items():
                 rows.append((name, kind, _on(given), ", ".join(facts(given))))
@@ -47,11 +48,13 @@ def facts(given: dict[str, Any]) -> Iterator[str]:
         yield f"{words} {value} {UNITS.get(ending, '')}".rstrip()
 
 
-def _water(described: dict[str, Any]) -> Iterator[str]:
+def _water(described: dict[str, Any], stretching: str) -> Iterator[str]:
     yield f"density {described['density_kg_m3']:g} kg/m3"
     yield "deep" if described["depth_m"] is None else f"depth {described['depth_m']:g} m"
     if not described["wave_components"]:
         yield "level: no waves act"
+    else:
+        yield f"stretching of the waves {stretching}"
 
 
 def _current(sea: dict[str, Any]) -> list[tuple[str, str, str, str]]:

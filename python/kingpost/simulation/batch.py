@@ -117,6 +117,8 @@ class Batch:
             raise KingpostError(
                 f"memory_gb: found {memory_gb}, allowed: more than 0, and less than {LARGEST_MEMORY_GB:g}"
             )
+        most_bytes = int(1e9 * memory_gb)
+        engine.check_batch(max((len(values) for values in self.parameters.values()), default=1), most_bytes)
         variants = [self.scenario.overrides + variant for variant in self._variants()]
         known = self._known()
         rows, errors, published = engine.batch(
@@ -124,7 +126,7 @@ class Batch:
             self.scenario.file,
             self.scenario.files,
             json.dumps(variants),
-            (threads, int(1e9 * memory_gb)),
+            (threads, most_bytes),
             progress,
         )
         status = [FINISHED if error is None else str(error) for error in errors]

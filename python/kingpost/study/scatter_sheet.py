@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import KingpostError
+from ..reading import decimal
 
 CENTRES, LOWER, UPPER = "centres", "lower edges", "upper edges"
 CLASSES = (CENTRES, LOWER, UPPER)
@@ -56,7 +57,7 @@ class Sheet:
     header: list[str]
     header_line: int
     rows: list[tuple[int, list[str]]]
-    decimal_comma: bool
+    separator: str
     classes: str | None
     entries: str
 
@@ -98,7 +99,7 @@ class Sheet:
             rows[0][1],
             rows[0][0],
             rows[1:],
-            sign != ",",
+            sign,
             said["classes"],
             said["entries"] or OCCURRENCES,
         )
@@ -109,7 +110,7 @@ class Sheet:
     def number(self, cell: str, field: str, line: int, least: float = 0.0) -> float:
         """A number that is finite and not less than `least`."""
         try:
-            value = float(cell.replace(",", ".") if self.decimal_comma else cell)
+            value = decimal(cell, self.separator)
         except ValueError:
             value = np.nan
         if not (np.isfinite(value) and value >= least):

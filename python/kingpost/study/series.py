@@ -28,7 +28,7 @@ import numpy as np
 
 from ..errors import flag
 from ..output import irregular
-from ..reading import CSV_TEXT, text_of
+from ..reading import CSV_TEXT, decimal, text_of
 from .periods import MOMENTS, PEAK, kind_of
 from .sea_states import Series, SeriesError, moment
 
@@ -229,7 +229,7 @@ def _of_csv(path: Path, given: Mapping[str, str], said: _Said) -> Series:
         return [row[header.index(name)] for _, row in cells[1:]]
 
     def numbers(name: str) -> NDArray[np.float64]:
-        return np.array([_number(cell, name, sign != ",", file, number)
+        return np.array([_number(cell, name, sign, file, number)
                          for cell, number in zip(column(name), rows, strict=True)])  # fmt: skip
 
     time = np.array(
@@ -239,12 +239,12 @@ def _of_csv(path: Path, given: Mapping[str, str], said: _Said) -> Series:
     return _checked(time, numbers(columns.height), numbers(columns.period), where, columns, file, rows)
 
 
-def _number(cell: str, name: str, decimal_comma: bool, file: str, line: int) -> float:
+def _number(cell: str, name: str, sign: str, file: str, line: int) -> float:
     """A number; NaN of an empty cell."""
     if cell.lower() in ("", "nan", "na", "null", "none", "-"):
         return np.nan
     try:
-        return float(cell.replace(",", ".") if decimal_comma else cell)
+        return decimal(cell, sign)
     except ValueError:
         raise SeriesError(name, repr(cell), "a number, or nothing in a gap", file, line) from None
 

@@ -8,7 +8,17 @@ from importlib import import_module
 from ..errors import KingpostError
 from .rows import AREAS, CHECKS, Check, Row, measured
 
-FURTHER = ("tops", "flume_forces", "cylinders", "rolling", "spheres", "ropes", "wave_energy", "swimming")
+FURTHER = (
+    "tops",
+    "flume_forces",
+    "cylinders",
+    "rolling",
+    "spheres",
+    "ropes",
+    "wave_energy",
+    "swimming",
+    "lowering",
+)
 FILES = (*AREAS, *FURTHER)
 """The modules of the rows: one for each area, and some for further rows."""
 

@@ -96,6 +96,10 @@ export interface Description {
    */
   hulls: HullDescription[];
   /**
+   * The objects that are lowered through its surface, in the order of results.
+   */
+  submerged: SubmergedDescription[];
+  /**
    * The limits on columns of the results.
    */
   limits: LimitDescription[];
@@ -434,6 +438,91 @@ export interface MeshDescription {
    * Indices of vertices, counter-clockwise seen from the water.
    */
   triangles: [number, number, number][];
+}
+/**
+ * An object that is lowered through the surface.
+ */
+export interface SubmergedDescription {
+  /**
+   * Name of the force.
+   */
+  name: string;
+  /**
+   * Its body.
+   */
+  body: string;
+  /**
+   * Mass of the body and of all that it carries, kg.
+   */
+  mass_kg: number;
+  /**
+   * Number of objects on the body.
+   */
+  objects_on_body: number;
+  /**
+   * Projected area along the body's z axis, m^2.
+   */
+  projected_area_m2: number;
+  /**
+   * C_D A_p along x, y and z of the body, m^2.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  drag_areas_m2: [number, number, number];
+  /**
+   * Added mass along x, y and z of the body under water, kg.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  added_mass_kg: [number, number, number];
+  /**
+   * Whether the slamming coefficient is given; else it follows from the growth of the added mass.
+   */
+  slamming_is_given: boolean;
+  /**
+   * Whether the solid is a circular cylinder.
+   */
+  is_cylinder: boolean;
+  /**
+   * Immersions of the upright object: its bottom at the surface, half its height under water, all of it.
+   */
+  immersions: ImmersionDescription[];
+}
+/**
+ * An upright object at one immersion.
+ */
+export interface ImmersionDescription {
+  /**
+   * h: depth of the lowest point, m.
+   */
+  depth_m: number;
+  /**
+   * Depth of the centre of the part under water, m.
+   */
+  centre_depth_m: number;
+  /**
+   * Volume of the water that is displaced, m^3.
+   */
+  displaced_volume_m3: number;
+  /**
+   * Its rate with depth, m^2: the area of the water line section.
+   */
+  waterplane_area_m2: number;
+  /**
+   * Added mass along z, kg.
+   */
+  added_mass_kg: number;
+  /**
+   * C_D A_p along z of the part under water, m^2.
+   */
+  drag_area_m2: number;
+  /**
+   * C_S A_S, m^2; where it follows from the growth of the added mass, 2 / rho dA/dh, the largest from here to the next
+   * immersion.
+   */
+  slamming_area_m2: number;
 }
 /**
  * A limit that a run is checked against.

@@ -2372,7 +2372,7 @@ export type SubmergedAddedMass = {
    */
   perforation?: number;
   /**
-   * How the added mass grows with the share of the volume under water; without it, in proportion.
+   * How the added mass grows with immersion; without it, in proportion to the share of the volume under water.
    */
   growth?: SubmergedGrowth | null;
 };
@@ -4563,6 +4563,10 @@ export interface Sea {
     [k: string]: Waves;
   };
   /**
+   * How the water's motion continues from the still water level, where linear theory ends, to the moving surface.
+   */
+  stretching?: "none" | "vertical" | "wheeler" | "extrapolated";
+  /**
    * Time over which the waves grow from zero at the start, s.
    */
   ramp_s?: number;
@@ -4967,6 +4971,10 @@ export interface Submerged {
    */
   displaced_volume_m3?: number | null;
   added_mass?: SubmergedAddedMass;
+  /**
+   * Slamming by a coefficient; without it, by the added mass that grows.
+   */
+  slamming?: SubmergedSlamming | null;
   drag?: SubmergedDrag;
   /**
    * Drag of the wind on the dry part.
@@ -4978,17 +4986,37 @@ export interface Submerged {
   entrained_water?: EntrainedWater | null;
 }
 /**
- * Added mass over the share of the volume that is under water: a smooth curve through points.
+ * Added mass over immersion: a smooth curve through points over the share of the volume that is under water, which may be
+ * given by depths of the upright object.
  */
 export interface SubmergedGrowth {
   /**
-   * Shares of the volume, from 0 to 1, increasing.
+   * Shares of the volume, from 0 to 1, increasing; shares or depths.
    */
-  shares: number[];
+  shares?: number[];
+  /**
+   * Depths of the upright object's bottom below the surface, m, increasing from 0 to the height of the solid.
+   */
+  depths_m?: number[];
   /**
    * Share of the added mass at each, the first 0.
    */
   factors: number[];
+}
+/**
+ * Slamming 1/2 rho C_S A_S w^2 against the surface, at the solid's centre, while the surface cuts the solid and its
+ * centre sinks through it with the speed w. It replaces the force of the added mass that grows, whose coefficient is 2 / (rho A_S) dA/dh.
+ */
+export interface SubmergedSlamming {
+  /**
+   * C_S; by DNV-RP-N103, sec. 4.3.5, at least 3 for smooth circular cylinders and 5 otherwise, unless tests or theory
+   * give another.
+   */
+  coefficient: number;
+  /**
+   * A_S that the coefficient refers to, m^2; without it, the solid's shadow along z.
+   */
+  area_m2?: number | null;
 }
 /**
  * Drag of the wind on the share of the volume that is dry.

@@ -81,6 +81,34 @@ export function peakOf({ density }: Spectrum): number {
   return density.reduce((best, value, k) => (k > 0 && value > density[best] ? k : best), 1);
 }
 
+/** Fewest periods of a peak in a segment: nearer to 0 it merges with the drift, since a Hann window is four lines wide. */
+const FEWEST_PERIODS = 3;
+
+/** Whether the segments are long enough for the largest density to be a motion rather than the drift. */
+export function isResolved(spectrum: Spectrum): boolean {
+  return peakOf(spectrum) >= FEWEST_PERIODS;
+}
+
+/** Spectra of columns by at most this many parts of the record, and by fewer where the segments are too short for a peak. */
+export function spectraOf(
+  columns: readonly ArrayLike<number>[],
+  step_s: number,
+  parts: number,
+  transformOf: (length: number) => Transform,
+): Spectrum[] {
+  const records = columns[0]?.length ?? 0;
+  for (let least = parts; ; least /= 2) {
+    const length = segmentLength(records, Math.max(1, least));
+    if (length === 0 && least <= 1) return [];
+    const found = length === 0 ? [] : columns.map((values) => welch(values, step_s, length, transformOf));
+    if (least <= 1 || (found.length > 0 && found.every((one) => isResolved(one) || isStill(one)))) return found;
+  }
+}
+
+function isStill({ density }: Spectrum): boolean {
+  return density.every((value) => value === 0);
+}
+
 /** Number of frequencies from 0 that contain this share of the variance. */
 export function linesThatHold({ density }: Spectrum, share: number): number {
   const whole = density.reduce((sum, value) => sum + value, 0);

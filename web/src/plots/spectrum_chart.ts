@@ -3,7 +3,7 @@ import { texts } from "../texts";
 import { acrossAxis, paddingOf, styleOf, tick, uprightAxis } from "./chart";
 import type { Chart, Content } from "./chart";
 import type { DrawnLine } from "./drawn";
-import { evenEnd, linesThatHold, loadTransform, peakOf, segmentLength, welch } from "./spectrum";
+import { evenEnd, isResolved, linesThatHold, loadTransform, peakOf, spectraOf } from "./spectrum";
 import type { Spectrum, Transform } from "./spectrum";
 import { places } from "./table";
 
@@ -48,12 +48,10 @@ export class SpectrumChart implements Chart {
   private reckon({ lines, stretch }: Content, transformOf: (length: number) => Transform): void {
     const [times, ...columns] = stretch.data;
     const [from, to] = evenEnd(times);
-    const length = segmentLength(to - from, this.parts());
-    this.found = [];
-    if (length === 0) return;
     const step_s = (times[to - 1] - times[from]) / (to - 1 - from);
+    const within = lines.map((_, i) => columns[i].subarray(from, to));
     this.of_s = [times[from], times[to - 1]];
-    this.found = lines.map((_, i) => welch(columns[i].subarray(from, to), step_s, length, transformOf));
+    this.found = spectraOf(within, step_s, this.parts(), transformOf);
   }
 
   /** Frequency up to which nearly all of the variance is visible, rad/s. */
@@ -89,7 +87,9 @@ export class SpectrumChart implements Chart {
     if (!first) return [texts.plots.spectrum_short];
     const peaks = lines.flatMap(({ label }, i) => {
       const peak = peakOf(this.found[i]);
-      return this.found[i].density[peak] > 0 ? [texts.plots.peak(label, ...wordsOf(first.omega[peak]))] : [];
+      if (!(this.found[i].density[peak] > 0)) return [];
+      if (!isResolved(this.found[i])) return [texts.plots.peak_unresolved(label, digits((2 * Math.PI) / first.resolution))];
+      return [texts.plots.peak(label, ...wordsOf(first.omega[peak]))];
     });
     const [from, to] = this.of_s.map((one) => String(Number(one.toPrecision(6))));
     return [...peaks, texts.plots.resolution(digits(first.resolution), first.segments, from, to)];

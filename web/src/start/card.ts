@@ -1,4 +1,4 @@
-import { OPENING } from "../app/opening";
+import { openingOf } from "../app/opening";
 import { queryOf } from "../app/address";
 import { firstSentence } from "../app/gallery";
 import type { GalleryEntry } from "../app/gallery";
@@ -13,9 +13,8 @@ export function cardOf(entry: GalleryEntry): HTMLAnchorElement {
   return make("a", { class: "card", href: addressOf(entry.name), "data-testid": `card-${entry.name}` }, pictureOf(entry), ...words);
 }
 
-/** The paper's ship opens so that Start moves it. */
 export function addressOf(name: string): string {
-  return queryOf(name === OPENING.scenario ? OPENING : { scenario: name, values: {} });
+  return queryOf(openingOf(name));
 }
 
 /** A user's own file has none. */

@@ -3,7 +3,7 @@ import type { Asked } from "../app/address";
 import { Calm } from "../app/calm";
 import { faultOfAddress, faultOfDatabase } from "../app/faults";
 import { Gallery } from "../app/gallery";
-import { OPENING } from "../app/opening";
+import { OPENING, openingOf } from "../app/opening";
 import type { Source } from "../app/run";
 import type { Session } from "../app/session";
 import type { Fault, Values } from "../engine/engine";
@@ -74,7 +74,7 @@ export class Scenarios {
   /** The default scenario. */
   private get first(): Asked {
     const { opening } = this.gallery;
-    return opening ? { scenario: opening, values: {} } : OPENING;
+    return opening ? openingOf(opening) : OPENING;
   }
 
   /** Opens the default instead of a scenario that cannot be opened, with a message. */
@@ -151,7 +151,7 @@ export class Scenarios {
   /** The address shows the user's choice, so that it can be sent as a link and Back works. */
   private async choose(choice: string): Promise<void> {
     const own = this.own.get(choice);
-    if (!(await (own ? this.openOwn(choice, own) : this.openNamed(choice, {})))) return;
+    if (!(await (own ? this.openOwn(choice, own) : this.openNamed(choice, openingOf(choice).values)))) return;
     history.pushState({ choice }, "", location.pathname + this.address());
   }
 

@@ -1,10 +1,11 @@
 //! The runs of a batch, read from their variants of one text and built.
 
-use super::{BatchError, Built, Variant};
+use super::{BatchError, Built, MOST_BYTES, Variant, bytes, channels_of, check_count};
 use crate::scalar::Lanes;
 use crate::scenario::read::Parsed;
 use crate::scenario::{Files, Scenario, side_by_side};
 use crate::simulation::{Setup, Simulation};
+use core::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use rayon::prelude::*;
 
 /// Variants of one scenario, each read and built once: they run together by [`run_built`](super::run_built), or each by
@@ -50,14 +51,39 @@ impl Members {
     /// Reads and builds each variant of a text, which is parsed once.
     ///
     /// # Errors
-    /// A variant that does not read or build.
+    /// A variant that does not read or build; runs that would take more than [`MOST_BYTES`](super::MOST_BYTES).
     pub fn new(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Result<Self, BatchError> {
-        if variants.is_empty() {
-            return Ok(Self(Vec::new()));
-        }
+        Self::within(text, file, files, variants, MOST_BYTES)
+    }
+
+    /// Builds the variants until their memory exceeds `most_bytes`, so that a batch that is too large ends soon.
+    pub(super) fn within(
+        text: &str,
+        file: &str,
+        files: &Files,
+        variants: &[Variant],
+        most_bytes: u64,
+    ) -> Result<Self, BatchError> {
+        let Some(first) = variants.first() else { return Ok(Self(Vec::new())) };
+        check_count(variants.len(), most_bytes)?;
         let parsed = Parsed::new(text, file).map_err(|error| BatchError::Variant { run: 0, error })?;
-        let member = |(run, variant): (usize, &Variant)| Member::new(parsed.clone(), run, variant, files);
-        variants.par_iter().enumerate().map(member).collect::<Result<_, _>>().map(Self)
+        let first = Member::new(parsed.clone(), 0, first, files)?;
+        let columns = channels_of(&first.setup).iter().map(|channel| channel.columns.len()).sum();
+        let too_much =
+            |found: f64| BatchError::Memory { runs: variants.len(), found: found as u64, allowed: most_bytes };
+        let (built, taken) = (AtomicU64::new(1), AtomicU64::new(bytes(&first.setup, columns) as u64));
+        let member = |(run, variant): (usize, &Variant)| {
+            let member = Member::new(parsed.clone(), run, variant, files)?;
+            let own = bytes(&member.setup, columns) as u64;
+            let (count, sum) = (built.fetch_add(1, Relaxed) + 1, taken.fetch_add(own, Relaxed) + own);
+            if sum > most_bytes {
+                return Err(too_much(sum as f64 / count as f64 * variants.len() as f64));
+            }
+            Ok(member)
+        };
+        let rest = variants.par_iter().enumerate().skip(1).map(member);
+        let rest: Vec<Member> = rest.collect::<Result<_, _>>()?;
+        Ok(Self(core::iter::once(first).chain(rest).collect()))
     }
 }
 

@@ -44,14 +44,14 @@ pub enum BatchError {
     },
     /// More numbers would be recorded than are allowed.
     #[error(
-        "{runs} runs: found {:.1} GB to be recorded, allowed: {:.1} GB; record less often (simulation.record_every_s), \
-         or fewer runs at once",
+        "{runs} runs: found {:.1} GB of rows and models, allowed: {:.1} GB; record less often \
+         (simulation.record_every_s), or fewer runs at once",
         *found as f64 / 1e9, *allowed as f64 / 1e9
     )]
     Memory {
         /// How many runs there are.
         runs: usize,
-        /// Bytes of all rows.
+        /// Bytes of all rows and models; where the models alone exceed what is allowed, an estimate by the first ones.
         found: u64,
         /// Bytes that are allowed.
         allowed: u64,
@@ -73,8 +73,10 @@ pub struct Batch {
     pub runs: Vec<Run>,
 }
 
-/// What [`run`] may record, bytes.
+/// Memory that the runs of a batch may take, bytes.
 pub const MOST_BYTES: u64 = 4 << 30;
+/// Memory of a model, bytes: 61 to 74 kB were measured of the gallery's, whose meshes are shared.
+const MODEL_BYTES: f64 = 65536.0;
 
 /// Runs every variant of a scenario from start to end. `threads` 0 takes as many as the machine has. `progress` gets
 /// the number of finished runs; it may stop the batch by returning false.
@@ -116,7 +118,7 @@ pub fn run_within(
 ) -> Result<Batch, BatchError> {
     let pool = pool(threads)?;
     pool.install(|| {
-        let members = Members::new(text, file, files, variants)?;
+        let members = Members::within(text, file, files, variants, most_bytes)?;
         run_all(&members, most_bytes, &progress)
     })
 }
@@ -177,23 +179,40 @@ fn run_all(
     Ok(Batch { channels, runs: runs.into_iter().map(|(_, run)| run).collect() })
 }
 
+/// Checks that the models of so many runs fit, before any is built.
+///
+/// # Errors
+/// [`BatchError::Memory`].
+pub fn check_count(runs: usize, most_bytes: u64) -> Result<(), BatchError> {
+    let found = runs as f64 * MODEL_BYTES;
+    if found > most_bytes as f64 {
+        return Err(BatchError::Memory { runs, found: found as u64, allowed: most_bytes });
+    }
+    Ok(())
+}
+
 /// An error if the rows of all runs would not fit.
 fn check_memory(built: &impl Built, channels: &[Channel], allowed: u64) -> Result<(), BatchError> {
     let columns: usize = channels.iter().map(|channel| channel.columns.len()).sum();
-    let rows = |run: usize| built.setup(run).settings.rows();
-    let found = (0..built.count()).map(rows).sum::<f64>() * (columns * size_of::<f64>()) as f64;
+    let found = (0..built.count()).map(|run| bytes(built.setup(run), columns)).sum::<f64>();
     if found > allowed as f64 {
         return Err(BatchError::Memory { runs: built.count(), found: found as u64, allowed });
     }
     Ok(())
 }
 
+/// Memory that a run takes: its rows and its model, bytes.
+fn bytes(setup: &Setup, columns: usize) -> f64 {
+    setup.settings.rows() * (columns * size_of::<f64>()) as f64 + MODEL_BYTES
+}
+
+fn channels_of(Setup { model, elements, .. }: &Setup) -> Vec<Channel> {
+    Channels::new(model, &Layout::new(elements, 0)).list
+}
+
 /// The channels that all runs have.
 fn common_channels(built: &impl Built) -> Result<Vec<Channel>, BatchError> {
-    let of = |run: usize| {
-        let Setup { model, elements, .. } = built.setup(run);
-        Channels::new(model, &Layout::new(elements, 0)).list
-    };
+    let of = |run: usize| channels_of(built.setup(run));
     if built.count() == 0 {
         return Ok(Vec::new());
     }

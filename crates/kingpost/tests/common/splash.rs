@@ -63,10 +63,10 @@ impl Wave {
         [self.amplitude * cos, -self.amplitude * self.number * sin, self.amplitude * self.frequency * sin]
     }
 
-    /// Velocity along x and z, acceleration along x and z, at z by Wheeler's stretching.
+    /// Velocity along x and z, acceleration along x and z, at z: above the still water level those at it.
     pub fn water(&self, time: f64, z: f64) -> [f64; 4] {
-        let ((sin, cos), elevation) = (self.angle(time), self.surface(time)[0]);
-        let speed = self.amplitude * self.frequency * (self.number * (z - elevation)).exp();
+        let (sin, cos) = self.angle(time);
+        let speed = self.amplitude * self.frequency * (self.number * z.min(0.0)).exp();
         [speed * cos, speed * sin, speed * self.frequency * sin, -speed * self.frequency * cos]
     }
 }

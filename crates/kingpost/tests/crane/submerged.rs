@@ -139,6 +139,48 @@ fn the_impulse_of_entry_is_the_added_mass_times_the_speed() {
     }
 }
 
+/// Shares of a box are its depths over its height; a sphere's at the depth d is d^2 (3 R - d) / (4 R^3).
+#[test]
+fn growth_over_depths_is_that_over_the_shares_of_the_upright_solid() {
+    let cap = |depth: f64| depth * depth * (3.0 - depth) / 4.0;
+    for (shape, depths, shares, height) in [
+        (BOX, "[0, 0.2, 1, 2]", [0.0, 0.1, 0.5, 1.0], 1.1),
+        ("{sphere: {radius_m: 1}}", "[0, 0.5, 1.4, 2]", [0.0, cap(0.5), cap(1.4), 1.0], 1.1),
+    ] {
+        let rest = |growth: &str| {
+            format!(", added_mass: {{coefficients: [0, 0, 0.9], growth: {{{growth}, factors: [0, 0.5, 0.8, 1]}}}}")
+        };
+        let mut by_depth = lowering(shape, &rest(&format!("depths_m: {depths}")), "", height, 0.05);
+        let mut by_share = lowering(shape, &rest(&format!("shares: {shares:?}")), "", height, 0.05);
+        for _ in 0..100 {
+            by_depth.step(1).unwrap();
+            by_share.step(1).unwrap();
+            for name in ["submerged_added_mass", "submerged_slamming"] {
+                let [found, expected] = [&mut by_depth, &mut by_share].map(|load| values(load, name)[2]);
+                // The shares' last digits, over intervals of a tenth.
+                assert!((found - expected).abs() < 1e-13 * DENSITY * 24.0, "{shape}: {found} {expected}");
+            }
+        }
+    }
+}
+
+/// DNV-RP-N103, sec. 4.3.5: 1/2 rho C_S A_S w^2, in place of that of the added mass.
+#[test]
+fn a_slamming_coefficient_acts_from_first_contact_to_immersion() {
+    for (given, area) in [("{coefficient: 5}", 12.0), ("{coefficient: 5, area_m2: 7}", 7.0)] {
+        let rest = format!(", added_mass: {{coefficients: [0, 0, 0.9]}}, slamming: {given}");
+        let mut load = lowering(BOX, &rest, "", 1.45, 0.05);
+        for _ in 0..14 {
+            load.step(10).unwrap();
+            let depth = SPEED * load.time_s() - 0.45;
+            let is_cut = depth > 0.0 && depth < 2.0;
+            let by_hand = if is_cut { 0.5 * DENSITY * 5.0 * area * SPEED * SPEED } else { 0.0 };
+            let found = values(&mut load, "submerged_slamming")[2];
+            assert!((found - by_hand).abs() < 1e-12 * DENSITY * area, "{depth}: {found} {by_hand}");
+        }
+    }
+}
+
 #[test]
 fn a_box_that_is_lowered_through_a_regular_wave_has_the_forces_by_hand() {
     let wave = Wave::new(1.4, 7.5, 0.8);

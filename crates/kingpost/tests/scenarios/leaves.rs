@@ -133,7 +133,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 48] = [
+const STRUCTURE: [&str; 49] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -181,6 +181,7 @@ const STRUCTURE: [&str; 48] = [
     ".table.depths_m.",
     ".load_chart.radii_m.",
     ".growth.shares.",
+    ".growth.depths_m.",
     "sea.depth_m",
 ];
 

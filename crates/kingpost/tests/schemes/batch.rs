@@ -96,6 +96,12 @@ fn a_batch_that_records_more_than_is_allowed_does_not_begin() {
     let error = run(1000).expect_err("30 rows of some 100 numbers each");
     assert!(matches!(error, BatchError::Memory { runs: 2, found: 2000.., allowed: 1000 }), "{error}");
     assert!(run(1_000_000).is_ok());
+    // More models than fit are refused after the first is built, and more rows while the others are.
+    let many = vec![variant(&[]); 100_000];
+    for (count, most_bytes) in [(many.len(), 1 << 30), (50, 4_000_000)] {
+        let refused = batch::run_within(TEXT, "paper.yaml", &Files::default(), &many[..count], 1, most_bytes, |_| true);
+        assert!(matches!(refused, Err(BatchError::Memory { runs, found, .. }) if runs == count && found > most_bytes));
+    }
 }
 
 #[test]

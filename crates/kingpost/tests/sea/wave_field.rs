@@ -1,7 +1,7 @@
 //! The field of linear waves against the equations that it solves.
 
 use kingpost::scalar::{Dual, Lanes, Scalar};
-use kingpost::sea::waves::{Noise, Water, WaveComponent, WaveField, WavesAtPoints};
+use kingpost::sea::waves::{Noise, Stretching, Water, WaveComponent, WaveField, WavesAtBody, WavesAtPoints};
 use kingpost::spatial::Vector3;
 use std::f64::consts::TAU;
 
@@ -134,7 +134,7 @@ fn a_regular_wave_has_the_closed_form() {
 #[test]
 fn the_pressure_at_the_moving_surface_is_zero() {
     for water in [SHALLOW, Water::default()] {
-        let field = field(water);
+        let field = field(water).with_stretching(Stretching::Wheeler);
         for point in points() {
             let [x, y, _] = point.0;
             let elevation = field.elevation_m([x, y], TIME);
@@ -149,8 +149,74 @@ fn the_pressure_at_the_moving_surface_is_zero() {
             assert!((stretched.velocity_m_s - linear.velocity_m_s).norm() < 1e-12);
         }
     }
-    let bottom = field(SHALLOW).kinematics(Vector3::new(3.0, 4.0, -25.0), TIME);
+    let bottom = field(SHALLOW).with_stretching(Stretching::Wheeler).kinematics(Vector3::new(3.0, 4.0, -25.0), TIME);
     assert!(bottom.velocity_m_s[2].abs() < 1e-12);
+}
+
+/// Velocity along x and z over a (g k / w), and pressure over rho g a, of a wave with the cosine and sine of its phase, at
+/// the height z below the elevation: the methods written out from DNV-RP-C205, sec. 3.3.3, for cosh and sinh.
+fn stretched([cos, sin]: [f64; 2], amplitude: f64, k: f64, z: f64, water: &Water, method: Stretching) -> [f64; 3] {
+    let level = |z: f64| match water.depth_m {
+        Some(h) => (k * (z + h)).cosh() / (k * h).cosh(),
+        None => (k * z).exp(),
+    };
+    let upward = |z: f64| match water.depth_m {
+        Some(h) => (k * (z + h)).sinh() / (k * h).cosh(),
+        None => (k * z).exp(),
+    };
+    let elevation = amplitude * cos;
+    let [c, d] = match method {
+        Stretching::Wheeler => {
+            let z = (z - elevation) / water.depth_m.map_or(1.0, |h| 1.0 + elevation / h);
+            [level(z), upward(z)]
+        }
+        _ if z <= 0.0 => [level(z), upward(z)],
+        Stretching::None => return [0.0, 0.0, z / amplitude],
+        Stretching::Vertical => [level(0.0), upward(0.0)],
+        Stretching::Extrapolated => [level(0.0) + k * z * upward(0.0), upward(0.0) + k * z * level(0.0)],
+    };
+    [c * cos, d * sin, c * cos]
+}
+
+#[test]
+fn each_stretching_has_its_closed_form_from_bottom_to_crest() {
+    let methods = [Stretching::None, Stretching::Vertical, Stretching::Wheeler, Stretching::Extrapolated];
+    for water in [SHALLOW, Water::default()] {
+        let wave = WaveComponent::regular(4.0, TAU, 0.0, 0.0, &water).unwrap();
+        let (a, k, omega) = (wave.amplitude_m, wave.wave_number_per_m, wave.angular_frequency_rad_s);
+        let (speed, weight) = (a * water.gravity_m_s2 * k / omega, water.density_kg_m3 * water.gravity_m_s2);
+        for (method, time) in methods.into_iter().flat_map(|method| [0.0, 0.9, TAU / 2.0, 4.0].map(|t| (method, t))) {
+            let field = WaveField::new(&[wave], water, 0.0).with_stretching(method);
+            let (mut points, mut body) = (WavesAtPoints::new(&field), WavesAtBody::new(&field));
+            points.set_time(&field, time);
+            let phase = [time.cos(), -time.sin()];
+            for z in [-25.0, -12.0, -3.0, -0.5, 0.0, 0.4, 1.2, 2.0] {
+                if z > a * phase[0] {
+                    continue;
+                }
+                let point = Vector3::new(0.0, 0.0, z);
+                let [along, up, pressure] = stretched(phase, a, k, z, &water, method);
+                let [x_rate, z_rate, _] = stretched([phase[1], -phase[0]], a, k, z, &water, Stretching::Vertical);
+                let found = field.kinematics(point, time);
+                let velocity = Vector3::new(along * speed, 0.0, up * speed);
+                // Rounding of a phase of a few turns, and of exponents: 1e-13 of each value.
+                assert!((found.velocity_m_s - velocity).norm() < 1e-13 * speed, "{method:?} {z} {time}");
+                assert!((found.dynamic_pressure_pa - pressure * weight * a).abs() < 1e-13 * weight * a);
+                // Below the still water level every method but Wheeler's leaves accelerations alone.
+                if z <= 0.0 && method != Stretching::Wheeler {
+                    let rate = Vector3::new(x_rate, 0.0, z_rate) * (speed * omega);
+                    assert!((found.acceleration_m_s2 - rate).norm() < 1e-13 * speed * omega, "{method:?} {z} {time}");
+                }
+                let [elevation, at_point] = points.at(&field, point);
+                assert!((elevation - found.elevation_m).abs() < 1e-13 * a);
+                assert!((at_point - found.dynamic_pressure_pa).abs() < 1e-13 * weight * a, "{method:?} {z} {time}");
+                let surface = body.surface(&field, [0.0, 0.0], time);
+                let [velocity, acceleration] = body.motion(&field, surface.elevation, z);
+                assert!((velocity - found.velocity_m_s).norm() < 1e-13 * speed, "{method:?} {z} {time}");
+                assert!((acceleration - found.acceleration_m_s2).norm() < 1e-13 * speed * omega);
+            }
+        }
+    }
 }
 
 /// Waves of a metre over kilometres, and points far above and below: no exponential overflows.

@@ -26,6 +26,8 @@ export const plots = {
   phase_needs: "Choose two lines: the first is the horizontal axis, the second the vertical one.",
   phase_first: "The first line is the horizontal axis, the second the vertical one; the others are not drawn.",
   spectrum_short: "The visible time has too few records for a spectrum.",
+  peak_unresolved: (label: string, segment_s: string) =>
+    `${label}: no period: the visible time gives segments of ${segment_s} s, less than three periods of its peak`,
   peak: (label: string, omega: string, period_s: string) => `${label}: peak at ${omega} rad/s, period ${period_s} s`,
   resolution: (step: string, segments: number, from_s: string, to_s: string) =>
     `Welch's method, Hann window: ${segments} ${segments === 1 ? "segment" : "segments"} of the records from ${from_s} to ${to_s} s, resolution ${step} rad/s. One-sided: the area under a curve is the variance.`,

@@ -28,6 +28,7 @@ export const plots: Texts["plots"] = {
   phase_needs: "Velg to linjer: den første er den vannrette aksen, den andre den loddrette.",
   phase_first: "Den første linjen er den vannrette aksen, den andre den loddrette; de andre er ikke tegnet.",
   spectrum_short: "Tiden som vises, har for få målinger til et spekter.",
+  peak_unresolved: (label, segment_s) => `${label}: ingen periode: tiden som vises, gir deler på ${segment_s} s, under tre perioder av toppen`,
   peak: (label, omega, period_s) => `${label}: topp ved ${omega} rad/s, periode ${period_s} s`,
   resolution: (step, segments, from_s, to_s) =>
     `Welchs metode, Hann-vindu: ${segments} ${segments === 1 ? "segment" : "segmenter"} av målingene fra ${from_s} til ${to_s} s, oppløsning ${step} rad/s. Ensidig: arealet under en kurve er variansen.`,

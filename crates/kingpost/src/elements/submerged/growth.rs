@@ -33,7 +33,7 @@ impl<S: Scalar> AddedMassGrowth<S> {
     ///
     /// # Errors
     /// [`GrowthError`], for the first point that is wrong.
-    pub fn new(shares: &[f64], factors: &[S]) -> Result<Self, GrowthError> {
+    pub fn new(shares: &[S], factors: &[S]) -> Result<Self, GrowthError> {
         let error = |column, row, found: String, allowed: &str| {
             Err(GrowthError { column, row, found, allowed: allowed.to_owned() })
         };
@@ -46,10 +46,11 @@ impl<S: Scalar> AddedMassGrowth<S> {
         }
         let last = shares.len() - 1;
         for (row, share) in shares.iter().enumerate() {
-            let (is_end, rises) = (row == 0 || row == last, row == 0 || *share > shares[row - 1]);
-            let expected = if row == 0 { 0.0 } else { 1.0 };
-            if !rises || !share.is_finite() || (is_end && *share != expected) {
-                return error("shares", Some(row), share.to_string(), "increasing numbers, the first 0, the last 1");
+            let (is_end, expected) = (row == 0 || row == last, if row == 0 { 0.0 } else { 1.0 });
+            let rises = row == 0 || (*share - shares[row - 1]).all(|step| step > 0.0);
+            if !rises || !share.all(|share| share.is_finite() && (!is_end || share == expected)) {
+                let allowed = "increasing numbers, the first 0, the last 1";
+                return error("shares", Some(row), share.value().to_string(), allowed);
             }
         }
         for (row, factor) in factors.iter().enumerate() {
@@ -82,19 +83,19 @@ impl<S: Scalar> AddedMassGrowth<S> {
 }
 
 /// Harmonic means of the neighbouring chords' slopes if both have the same sign, else 0; at the ends the chord's slope.
-fn with_slopes<S: Scalar>(shares: &[f64], factors: &[S]) -> Vec<[S; 3]> {
+fn with_slopes<S: Scalar>(shares: &[S], factors: &[S]) -> Vec<[S; 3]> {
     let width = |k: usize| shares[k + 1] - shares[k];
-    let chord = |k: usize| (factors[k + 1] - factors[k]) / S::constant(width(k));
+    let chord = |k: usize| (factors[k + 1] - factors[k]) / width(k);
     let last = shares.len() - 1;
     let slope = |k: usize| match k {
         0 => chord(0),
         k if k == last => chord(last - 1),
         k => {
             let (before, after, [h0, h1]) = (chord(k - 1), chord(k), [width(k - 1), width(k)]);
-            let weight = (h0 + 2.0 * h1) / (3.0 * (h0 + h1));
-            let mean = || before * after / (after * S::constant(weight) + before * S::constant(1.0 - weight));
+            let weight = (h0 + S::constant(2.0) * h1) / (S::constant(3.0) * (h0 + h1));
+            let mean = || before * after / (after * weight + before * (S::ONE - weight));
             (before * after).select_below(f64::MIN_POSITIVE, || S::ZERO, mean)
         }
     };
-    (0..=last).map(|k| [S::constant(shares[k]), factors[k], slope(k)]).collect()
+    (0..=last).map(|k| [shares[k], factors[k], slope(k)]).collect()
 }

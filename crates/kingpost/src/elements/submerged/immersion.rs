@@ -86,9 +86,34 @@ pub(super) struct Immersion<S> {
     /// Elevation of the sea at the solid's centre, m, and its slopes along the world's x and y.
     elevation: S,
     slopes: [S; 2],
+    /// The sea's surface in the solid's axes.
+    plane: Plane<S>,
+    phase: Phase,
 }
 
 impl<S: Scalar> Immersion<S> {
+    /// 1 while the surface cuts the solid, else 0.
+    pub fn is_cut(&self, solid: &Solid<S>) -> S {
+        let (level, reach) = (self.plane.level, solid.reach(self.plane.normal));
+        match self.phase {
+            Phase::Dry | Phase::Wet => S::ZERO,
+            Phase::Cut => S::ONE,
+            Phase::ByLevel => {
+                (-reach).select_less(level, || level.select_less(reach, || S::ONE, || S::ZERO), || S::ZERO)
+            }
+        }
+    }
+
+    /// w: speed at which the solid's centre sinks through the surface, m/s.
+    pub fn sinking_speed(&self) -> S {
+        self.plane.level_rate * self.plane.scale
+    }
+
+    /// n: the surface's normal, up.
+    pub fn surface_normal(&self) -> Vector3<S> {
+        self.plane.normal
+    }
+
     /// Velocity of the body at b.
     pub fn velocity_at_centre(&self) -> Vector3<S> {
         self.twist.linear + self.twist.angular.cross(self.centre)
@@ -186,7 +211,8 @@ impl<S: Scalar> Waters<S> {
         let whole = solid.volume();
         let none =
             Below { volume: S::ZERO, first_moment: Vector3::zero(), area: S::ZERO, area_moment: Vector3::zero() };
-        let below = match Phase::at(at) {
+        let phase = Phase::at(at);
+        let below = match phase {
             Phase::Dry => none,
             Phase::Wet => Below { volume: whole, ..none },
             Phase::Cut => {
@@ -212,6 +238,8 @@ impl<S: Scalar> Waters<S> {
             in_waves: self.waves.is_some() && at.situation.has_waves(),
             elevation: surface.elevation,
             slopes: surface.slopes,
+            plane,
+            phase,
             frame: motion.frame,
             twist: motion.twist,
         }

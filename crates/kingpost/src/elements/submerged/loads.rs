@@ -4,6 +4,7 @@ use super::growth::AddedMassGrowth;
 use super::immersion::Immersion;
 use crate::elements::Context;
 use crate::scalar::Scalar;
+use crate::sea::hull::Solid;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 use crate::world::GustsAtHeight;
 
@@ -25,6 +26,13 @@ pub struct Drag<S = f64> {
     pub areas: Vector3<S>,
     /// N s/m.
     pub linear: Vector3<S>,
+}
+
+/// Slamming by a given coefficient, in place of that of the added mass that grows.
+#[derive(Clone, Copy, Debug)]
+pub struct Slamming<S = f64> {
+    /// C_S A_S, m^2.
+    pub area: S,
 }
 
 /// Drag of the wind on the dry part.
@@ -88,6 +96,16 @@ impl<S: Scalar> AddedMassOf<S> {
             - through.cross_momentum(&added.times(&through));
         let growth = now.factor_rate.select_below(0.0, || S::ZERO, || now.factor_rate);
         (inertia, -self.inertia(density, growth).times(&through))
+    }
+}
+
+impl<S: Scalar> Slamming<S> {
+    /// 1/2 rho C_S A_S w^2 along the surface's normal, at the solid's centre, while the surface cuts the solid and it sinks with the speed
+    /// w (DNV-RP-N103, *Modelling and analysis of marine operations*, sec. 4.3.5).
+    pub(super) fn force(&self, density: S, solid: &Solid<S>, now: &Immersion<S>) -> Wrench<S> {
+        let speed = now.sinking_speed();
+        let pressure = density * S::constant(0.5) * speed.select_below(0.0, || S::ZERO, || speed * speed);
+        Wrench { moment: Vector3::zero(), force: now.surface_normal() * (pressure * self.area * now.is_cut(solid)) }
     }
 }
 

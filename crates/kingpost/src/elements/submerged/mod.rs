@@ -8,7 +8,7 @@ mod loads;
 pub use entrained::EntrainedWater;
 pub use growth::{AddedMassGrowth, GrowthError};
 pub use immersion::Waters;
-pub use loads::{AddedMassOf, Drag, WindOnDry};
+pub use loads::{AddedMassOf, Drag, Slamming, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
@@ -35,7 +35,7 @@ use loads::SubmergedLoads;
 /// buoyancy and Froude-Krylov force   rho V (g + a), at b
 /// drag                               s (1/2 rho C_D A_p |u_r| + c) u_r by axis, u_r = u - v at b
 /// added mass                         -(A nu_r' + nu_r x* A nu_r) with the twist nu_r through the water
-/// slamming                           -A' nu_r while A grows
+/// slamming                           -A' nu_r while A grows, or 1/2 rho C_S A_S w^2 while it sinks with the speed w
 /// ```
 ///
 /// As the body comes out, the momentum of the water that detaches stays with that water, so A falls without a force. (A
@@ -53,6 +53,8 @@ pub struct Submerged<S = f64> {
     pub displaced: S,
     /// A_0 for rho = 1, and phi.
     pub added_mass: AddedMassOf<S>,
+    /// Slamming by a coefficient, in place of A' nu_r.
+    pub slamming: Option<Slamming<S>>,
     /// Drag of the wet share.
     pub drag: Drag<S>,
     /// Drag of the wind on the dry share.
@@ -215,7 +217,8 @@ impl<S: Scalar> Submerged<S> {
 
     fn parts(&self, at: &Context<'_, S>, now: &Immersion<S>) -> SubmergedLoads<S> {
         let density = at.world.water_density;
-        let (inertia, slamming) = self.added_mass.forces(density, now);
+        let (inertia, of_growth) = self.added_mass.forces(density, now);
+        let slamming = self.slamming.as_ref().map_or(of_growth, |given| given.force(density, &self.solid, now));
         SubmergedLoads {
             buoyancy: self.buoyancy(at, now),
             drag: self.drag.force(density, now),
@@ -269,7 +272,7 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
             "submerged_inertia",
             "force of the water's acceleration on the added mass, and of its velocity as the body turns; the force of the body's own acceleration is in its inertia",
         ),
-        force("submerged_slamming", "force of the added mass that grows"),
+        force("submerged_slamming", "force of the added mass that grows, or by a slamming coefficient"),
         Output::wrench(
             "submerged_force",
             "sum of the loads of water and wind, with the moment about the solid's centre; without the force of the body's own acceleration",

@@ -3,7 +3,7 @@
 use super::super::schema::{self, PrincipalAxis, Scenario, SubmergedShape};
 use super::damping::{from_centre, rigid};
 use super::{FieldError, flow, still_water};
-use crate::elements::submerged::{AddedMassGrowth, AddedMassOf, Drag, EntrainedWater, Waters, WindOnDry};
+use crate::elements::submerged::{AddedMassGrowth, AddedMassOf, Drag, EntrainedWater, Slamming, Waters, WindOnDry};
 use crate::elements::{AnyElement, Submerged, hull::HullFrame};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
@@ -39,6 +39,10 @@ pub fn build<S: Quantity>(
         areas: of(&given.drag.coefficients, areas(&given.drag.areas_m2)),
         linear: Vector3(given.drag.linear_n_s_m.map(|c| c.get())),
     };
+    let slamming = given.slamming.as_ref().map(|slamming| {
+        let area = slamming.area_m2.map_or(solid.projected_areas()[2], |area| area.get());
+        Slamming { area: slamming.coefficient.get() * area }
+    });
     let wind = given.wind.as_ref().map(|wind| {
         check_wind(scenario, &format!("{field}.wind"), wind)?;
         let height = wind.height_m.get();
@@ -52,7 +56,7 @@ pub fn build<S: Quantity>(
     let origin = given.position_m.map_or(Vector3::zero(), |point| from_centre(scenario, &given.body, Vector3(point)));
     let place = HullFrame { body, origin };
     let (name, waters) = (name.to_owned(), Waters::new(world));
-    Ok(Some(Box::new(Submerged { name, place, solid, displaced, added_mass, drag, wind, entrained, waters })))
+    Ok(Some(Box::new(Submerged { name, place, solid, displaced, added_mass, slamming, drag, wind, entrained, waters })))
 }
 
 fn solid<S: Quantity>(shape: &SubmergedShape<S>) -> Solid<S> {
@@ -123,12 +127,8 @@ fn added_mass<S: Quantity>(
         let allowed = format!("a number from 0 to {LARGEST_PERFORATION}");
         return Err(FieldError::new(format!("{field}.perforation"), perforation, allowed));
     }
-    let growth = given.growth.as_ref().map_or(Ok(AddedMassGrowth::in_proportion()), |growth| {
-        AddedMassGrowth::new(&growth.shares, &growth.factors).map_err(|error| {
-            let field = format!("{field}.growth.{}", error.column);
-            FieldError::new(error.row.map_or(field.clone(), |row| format!("{field}.{row}")), error.found, error.allowed)
-        })
-    })?;
+    let growth =
+        given.growth.as_ref().map_or(Ok(AddedMassGrowth::in_proportion()), |given| growth(field, given, solid))?;
     let volume = given.reference_volume_m3.map_or(solid.volume(), |volume| volume.get());
     let scale = volume * left_by_perforation(perforation);
     Ok(AddedMassOf {
@@ -136,6 +136,46 @@ fn added_mass<S: Quantity>(
         angular: Vector3(given.moments_kg_m2.map(|moment| moment.get() / world.water_density)),
         growth,
     })
+}
+
+fn growth<S: Quantity>(
+    field: &str,
+    given: &schema::SubmergedGrowth<S>,
+    solid: &Solid<S>,
+) -> Result<AddedMassGrowth<S>, FieldError> {
+    let shares = match (&given.shares[..], &given.depths_m[..]) {
+        (shares, []) => shares.iter().map(|share| S::constant(*share)).collect(),
+        ([], depths) => shares_of(&format!("{field}.growth.depths_m"), depths, solid)?,
+        _ => return Err(FieldError::new(format!("{field}.growth"), "shares and depths_m", "one of the two")),
+    };
+    AddedMassGrowth::new(&shares, &given.factors).map_err(|error| {
+        let field = format!("{field}.growth.{}", error.column);
+        FieldError::new(error.row.map_or(field.clone(), |row| format!("{field}.{row}")), error.found, error.allowed)
+    })
+}
+
+/// Shares of the volume of an upright solid that are under water at depths of its bottom.
+fn shares_of<S: Quantity>(field: &str, depths: &[f64], solid: &Solid<S>) -> Result<Vec<S>, FieldError> {
+    let up = Vector3([S::ZERO, S::ZERO, S::ONE]);
+    let (half, last) = (solid.reach(up), depths.len() - 1);
+    let height = half + half;
+    for (row, depth) in depths.iter().enumerate() {
+        let is_end = match row {
+            0 => *depth == 0.0,
+            _ if row == last => ((S::constant(*depth) - height) / height).all(|beyond| beyond.abs() <= ROUNDING),
+            _ => true,
+        };
+        if !is_end || !(row == 0 || *depth > depths[row - 1]) {
+            let allowed = format!("increasing numbers, the first 0, the last the height of the solid, {height:.6}");
+            return Err(FieldError::new(format!("{field}.{row}"), depth, allowed));
+        }
+    }
+    let share = |(row, depth): (usize, &f64)| match row {
+        0 => S::ZERO,
+        _ if row == last => S::ONE,
+        _ => solid.below(up, S::constant(*depth) - half).volume / solid.volume(),
+    };
+    Ok(depths.iter().enumerate().map(share).collect())
 }
 
 /// Factor on the added mass for an open area of p percent: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34, exp((10 -

@@ -5,7 +5,7 @@ use super::still_water::{gravity, water_of};
 use super::waves::{self, Wave};
 use super::{FieldError, wind_and_current};
 use crate::scenario::leaf::Quantity;
-use crate::sea::waves::WaveField;
+use crate::sea::waves::{Stretching, WaveField};
 use crate::world::World;
 
 /// The world of a scenario, its waves drawn.
@@ -34,7 +34,17 @@ fn incident_waves<S: Quantity>(
     let density = if press(scenario) { density.same(field)? } else { density.scaled(field)?.0 };
     let water = water_of(sea, density, &gravity)?;
     let components: Vec<_> = waves::build(scenario, &water)?.iter().map(Wave::component).collect();
-    Ok((!components.is_empty()).then(|| WaveField::new(&components, water, sea.ramp_s.get())))
+    let field = || WaveField::new(&components, water, sea.ramp_s.get()).with_stretching(stretching(sea.stretching));
+    Ok((!components.is_empty()).then(field))
+}
+
+fn stretching(given: schema::Stretching) -> Stretching {
+    match given {
+        schema::Stretching::None => Stretching::None,
+        schema::Stretching::Vertical => Stretching::Vertical,
+        schema::Stretching::Wheeler => Stretching::Wheeler,
+        schema::Stretching::Extrapolated => Stretching::Extrapolated,
+    }
 }
 
 /// Whether the pressure of the waves acts on a hull.

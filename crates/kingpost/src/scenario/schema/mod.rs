@@ -106,7 +106,7 @@ pub use policies::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selec
 pub use ropes::{
     CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
 };
-pub use sea::Sea;
+pub use sea::{Sea, Stretching};
 pub use sensor_errors::{
     AccelerationErrors, AngleErrors, DropOuts, ForceErrors, LengthErrors, RateErrors, SpeedErrors,
 };

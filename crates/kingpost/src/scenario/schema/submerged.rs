@@ -31,6 +31,9 @@ pub struct Submerged<S = f64> {
     /// Its added mass.
     #[serde(default)]
     pub added_mass: SubmergedAddedMass<S>,
+    /// Slamming by a coefficient; without it, by the added mass that grows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slamming: Option<SubmergedSlamming<S>>,
     /// Drag.
     #[serde(default)]
     pub drag: SubmergedDrag<S>,
@@ -106,7 +109,7 @@ pub struct SubmergedAddedMass<S = f64> {
     pub moments_kg_m2: [NonNegative<S>; 3],
     /// Open area over total area of the plates, from 0 to 0.5: it reduces the coefficients.
     pub perforation: Fraction<S>,
-    /// How the added mass grows with the share of the volume under water; without it, in proportion.
+    /// How the added mass grows with immersion; without it, in proportion to the share of the volume under water.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub growth: Option<SubmergedGrowth<S>>,
 }
@@ -124,7 +127,8 @@ impl<S: Leaf> Default for SubmergedAddedMass<S> {
     }
 }
 
-/// Added mass over the share of the volume that is under water: a smooth curve through points.
+/// Added mass over immersion: a smooth curve through points over the share of the volume that is under water, which may be
+/// given by depths of the upright object.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -133,10 +137,32 @@ impl<S: Leaf> Default for SubmergedAddedMass<S> {
 )]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
 pub struct SubmergedGrowth<S = f64> {
-    /// Shares of the volume, from 0 to 1, increasing.
+    /// Shares of the volume, from 0 to 1, increasing; shares or depths.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub shares: Vec<f64>,
+    /// Depths of the upright object's bottom below the surface, m, increasing from 0 to the height of the solid.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub depths_m: Vec<f64>,
     /// Share of the added mass at each, the first 0.
     pub factors: Vec<S>,
+}
+
+/// Slamming 1/2 rho C_S A_S w^2 against the surface, at the solid's centre, while the surface cuts the solid and its
+/// centre sinks through it with the speed w. It replaces the force of the added mass that grows, whose coefficient is 2 / (rho A_S) dA/dh.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SubmergedSlamming", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct SubmergedSlamming<S = f64> {
+    /// C_S; by DNV-RP-N103, sec. 4.3.5, at least 3 for smooth circular cylinders and 5 otherwise, unless tests or theory
+    /// give another.
+    pub coefficient: NonNegative<S>,
+    /// A_S that the coefficient refers to, m^2; without it, the solid's shadow along z.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area_m2: Option<Positive<S>>,
 }
 
 /// Drag s (1/2 rho C_D A_p |u_r| + c) u_r by axis, where s is the share of the volume under water and u_r the velocity

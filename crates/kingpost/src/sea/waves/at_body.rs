@@ -1,9 +1,10 @@
 //! The sea at a body that is small compared with the waves: the surface, locally a plane, and the water's motion at one
 //! depth.
 
-use core::f64::consts::LOG2_E;
+use core::f64::consts::{LN_2, LOG2_E};
 
 use super::field::WaveField;
+use super::stretching::StretchedHeight;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -110,15 +111,14 @@ impl<S: Scalar> WavesAtBody<S> {
     /// Velocity (m/s) and local acceleration (m/s^2) of the water under the point of the last [`surface`](Self::surface), at a
     /// height z, m: those of [`WaveField::kinematics`].
     pub fn motion(&self, field: &WaveField<S>, elevation: S, z: S) -> [Vector3<S>; 2] {
-        let z = field.stretched(Vector3::new(S::ZERO, S::ZERO, z), elevation)[2];
-        let depth = field.water().depth_m;
-        let z = z.clipped(S::constant(-depth.unwrap_or(f64::INFINITY)), S::ZERO);
-        let mirrored = -(z + S::constant(2.0 * depth.unwrap_or(0.0)));
+        let StretchedHeight { z: level_z, rise } = field.height(z, elevation);
+        let (depth, rise) = (field.water().depth_m, rise * S::constant(LN_2));
+        let mirrored = -(level_z + S::constant(2.0 * depth.unwrap_or(0.0)));
         let (mut velocity, mut acceleration) = (Vector3::zero(), Vector3::zero());
         for i in 0..self.real.len() {
             let (cos, sin, [kx, ky]) = (self.real[i], self.imaginary[i], self.wave_numbers[i]);
             let doublings = self.doublings_per_m[i];
-            let down = (doublings * z).power_of_two();
+            let (down, further) = ((doublings * level_z).power_of_two(), doublings * rise);
             let (level, upward) = match depth {
                 None => (down, down),
                 Some(_) => {
@@ -126,11 +126,13 @@ impl<S: Scalar> WavesAtBody<S> {
                     (scale * (down + up), scale * (down - up))
                 }
             };
-            let upward = upward * doublings * S::constant(core::f64::consts::LN_2);
+            let (level, upward) = (level + further * upward, upward + further * level);
+            let upward = upward * doublings * S::constant(LN_2);
             let [x, y, speed] = [kx * level, ky * level, self.speeds[i]];
             velocity += Vector3::new(x * cos, y * cos, upward * sin) * speed;
             acceleration += Vector3::new(x * sin, y * sin, -(upward * cos));
         }
-        [velocity, acceleration * S::constant(field.water().gravity_m_s2)]
+        let acceleration = acceleration * S::constant(field.water().gravity_m_s2);
+        [velocity, acceleration].map(|vector| Vector3(vector.0.map(|x| field.stretching().moving(z, x))))
     }
 }

@@ -1,8 +1,9 @@
 //! Elevation and pressure at many points at one time.
 
-use core::f64::consts::LOG2_E;
+use core::f64::consts::{LN_2, LOG2_E};
 
 use super::field::WaveField;
+use super::stretching::{StretchedHeight, Stretching};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -74,17 +75,22 @@ impl<S: Scalar> WavesAtPoints<S> {
         self.highest_m
     }
 
-    /// Elevation over a point of the world, m, and the dynamic pressure there, Pa, by Wheeler's stretching.
+    /// Elevation over a point of the world, m, and the dynamic pressure there, Pa, by the field's stretching.
     pub fn at(&mut self, field: &WaveField<S>, point: Vector3<S>) -> [S; 2] {
         let elevation = self.elevation_m(field, [point[0], point[1]]);
-        let z = field.stretched(point, elevation)[2];
+        let height = field.height(point[2], elevation);
         let weight = S::constant(field.water().gravity_m_s2 * field.water().density_kg_m3);
-        // At the surface and above it there is no decay.
-        if z.all(|z| z >= 0.0) {
-            return [elevation, elevation * weight];
-        }
-        let head = self.head_m(field, z);
-        [elevation, z.select_below(0.0, || head, || elevation) * weight]
+        // At the still water level there is no decay, and over Wheeler's and the vertical method's crests neither.
+        let (at_level, extrapolated) = (height.z.all(|z| z >= 0.0), field.stretching() == Stretching::Extrapolated);
+        let head = match () {
+            () if extrapolated => self.extrapolated_head_m(field, height),
+            () if at_level => elevation,
+            () => {
+                let head = self.head_m(field, height.z);
+                height.z.select_below(0.0, || head, || elevation)
+            }
+        };
+        [elevation, field.stretching().pressure(point[2], weight, head * weight)]
     }
 
     /// Sum of a cos q, and each of them in the memory.
@@ -112,7 +118,6 @@ impl<S: Scalar> WavesAtPoints<S> {
                 }
             }
             Some(depth_m) => {
-                let z = z.clipped(S::constant(-depth_m), S::ZERO);
                 let mirrored = -(z + S::constant(2.0 * depth_m));
                 let scales = &field.bottom_scales[..count];
                 for i in 0..count {
@@ -122,6 +127,19 @@ impl<S: Scalar> WavesAtPoints<S> {
             }
         }
         sum(heads)
+    }
+
+    /// Sum of a C cos q where C continues along its tangent k D above the still water level.
+    fn extrapolated_head_m(&mut self, field: &WaveField<S>, height: StretchedHeight<S>) -> S {
+        let head = self.head_m(field, height.z);
+        let rise = height.rise * S::constant(LN_2);
+        for (i, head) in self.heads.iter_mut().enumerate() {
+            // D = tanh kh at the still water level: 2 / (1 + e^-2kh) - 1, over infinite depth 1.
+            let upward = field.bottom_scales[i] * S::constant(2.0) - S::ONE;
+            let upward = if field.water().depth_m.is_some() { upward } else { S::ONE };
+            *head = self.elevations[i] * (self.doublings_per_m[i] * rise * upward);
+        }
+        head + sum(&self.heads)
     }
 }
 

@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use super::components::WaveComponent;
 use super::ramp::ramp;
+use super::stretching::{StretchedHeight, Stretching};
 use super::water::Water;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -28,6 +29,7 @@ pub struct WaveField<S = f64> {
     waves: Vec<WaveComponent<S>>,
     water: Water,
     ramp_s: f64,
+    stretching: Stretching,
     pub(super) amplitudes_m: Vec<S>,
     pub(super) turns: PhaseTurns<S>,
     /// 1 / (1 + e^-2kh) of each wave.
@@ -77,7 +79,18 @@ impl<S: Scalar> WaveField<S> {
         let double_depth = S::constant(-2.0 * water.depth_m.unwrap_or(0.0));
         let bottom_scales = of_each(&|wave| S::ONE / (S::ONE + (double_depth * wave.wave_number_per_m).exp()));
         let amplitudes_m = of_each(&|wave| wave.amplitude_m);
-        Self { waves: waves.to_vec(), water, ramp_s, amplitudes_m, turns, bottom_scales, realisation: 0 }
+        let stretching = Stretching::default();
+        Self { waves: waves.to_vec(), water, ramp_s, stretching, amplitudes_m, turns, bottom_scales, realisation: 0 }
+    }
+
+    /// Field of the same waves whose kinematics continue to the moving surface by this method.
+    pub fn with_stretching(self, stretching: Stretching) -> Self {
+        Self { stretching, ..self }
+    }
+
+    /// Method by which kinematics continue to the moving surface.
+    pub fn stretching(&self) -> Stretching {
+        self.stretching
     }
 
     /// Another sea with the same frequencies and directions: a new amplitude, m, and phase, rad, for each wave.
@@ -183,6 +196,11 @@ impl<S: Scalar> WaveField<S> {
     /// bottom; a point beyond gets the values there, so that short waves do not grow above it.
     pub fn linear_kinematics(&self, point: Vector3<S>, time_s: f64) -> WaveKinematics<S> {
         let [x, y, z] = point.0;
+        self.kinematics_at([x, y], Stretching::Vertical.height(z, S::ZERO, self.water.depth_m), time_s)
+    }
+
+    /// Linear field over (x, y), continued from its height in still water.
+    fn kinematics_at(&self, [x, y]: [S; 2], height: StretchedHeight<S>, time_s: f64) -> WaveKinematics<S> {
         let (mut real, mut imaginary) = ([S::ZERO; BLOCK], [S::ZERO; BLOCK]);
         let (mut elevation, mut head) = (S::ZERO, S::ZERO);
         let (mut velocity, mut acceleration) = (Vector3::zero(), Vector3::zero());
@@ -192,7 +210,7 @@ impl<S: Scalar> WaveField<S> {
             for (i, wave) in waves.iter().enumerate() {
                 let (a, cos, sin) = (wave.amplitude_m, real[i], imaginary[i]);
                 let [kx, ky] = self.wave_vector(first + i);
-                let [c, d] = self.decay(first + i, z);
+                let [c, d] = self.decay(first + i, height);
                 let upward = wave.wave_number_per_m * d;
                 elevation += a * cos;
                 head += a * c * cos;
@@ -216,64 +234,65 @@ impl<S: Scalar> WaveField<S> {
         [turn * self.turns.x_per_m[i], turn * self.turns.y_per_m[i]]
     }
 
-    /// The field up to the moving surface by Wheeler's stretching: the linear field at
-    /// (z - elevation) / (1 + elevation / h), which is 0 at the surface and -h at the bottom (Wheeler,
-    /// *Journal of Petroleum Technology* 22, 1970, p. 359; DNV-RP-C205, sec. 3.3). The pressure at the
-    /// surface, static and dynamic, is then zero. A point above the surface gets the values there.
+    /// Field up to the moving surface, by the field's [`Stretching`]. A point above the surface gets the values there, or
+    /// none.
     pub fn kinematics(&self, point: Vector3<S>, time_s: f64) -> WaveKinematics<S> {
-        let elevation = self.elevation_m([point[0], point[1]], time_s);
-        self.linear_kinematics(self.stretched(point, elevation), time_s)
+        let ([x, y, z], stretching) = (point.0, self.stretching);
+        let elevation = self.elevation_m([x, y], time_s);
+        let at = self.kinematics_at([x, y], self.height(z, elevation), time_s);
+        let moving = |vector: Vector3<S>| Vector3(vector.0.map(|x| stretching.moving(z, x)));
+        WaveKinematics {
+            elevation_m: elevation,
+            dynamic_pressure_pa: stretching.pressure(z, self.specific_weight(), at.dynamic_pressure_pa),
+            velocity_m_s: moving(at.velocity_m_s),
+            acceleration_m_s2: moving(at.acceleration_m_s2),
+        }
     }
 
     /// The dynamic pressure of [`Self::kinematics`] alone, Pa, where the elevation above the point is
     /// known.
     pub fn dynamic_pressure_pa(&self, point: Vector3<S>, elevation_m: S, time_s: f64) -> S {
-        let [x, y, z] = self.stretched(point, elevation_m).0;
+        let [x, y, z] = point.0;
+        let height = self.height(z, elevation_m);
         let (mut head, mut real, mut imaginary) = (S::ZERO, [S::ZERO; BLOCK], [S::ZERO; BLOCK]);
         for (block, waves) in self.waves.chunks(BLOCK).enumerate() {
             let first = BLOCK * block;
             self.unit_phasors(first, [x, y], time_s, &mut real[..waves.len()], &mut imaginary[..waves.len()]);
             for (i, wave) in waves.iter().enumerate() {
-                head += wave.amplitude_m * self.decay(first + i, z)[0] * real[i];
+                head += wave.amplitude_m * self.decay(first + i, height)[0] * real[i];
             }
         }
         let gravity = S::constant(self.water.gravity_m_s2) * S::constant(self.ramp(time_s));
-        head * gravity * S::constant(self.water.density_kg_m3)
+        let pressure = head * gravity * S::constant(self.water.density_kg_m3);
+        self.stretching.pressure(z, self.specific_weight(), pressure)
     }
 
-    /// Pressure above that of the air, Pa, at a point below the moving surface: static, and dynamic by
-    /// Wheeler's stretching; zero above the surface.
+    /// Pressure above that of the air, Pa, at a point below the moving surface: static and dynamic; zero above the
+    /// surface.
     pub fn pressure_pa(&self, point: Vector3<S>, time_s: f64) -> S {
         let elevation = self.elevation_m([point[0], point[1]], time_s);
-        let weight = S::constant(self.water.density_kg_m3 * self.water.gravity_m_s2);
-        let below = || self.dynamic_pressure_pa(point, elevation, time_s) - weight * point[2];
+        let below = || self.dynamic_pressure_pa(point, elevation, time_s) - self.specific_weight() * point[2];
         point[2].select_less(elevation, below, || S::ZERO)
     }
 
-    /// The point of the still water whose linear field Wheeler's stretching gives this one.
-    pub(super) fn stretched(&self, point: Vector3<S>, elevation: S) -> Vector3<S> {
-        let below_surface = point[2] - elevation;
-        let height = match self.water.depth_m {
-            Some(depth_m) => {
-                // A trough below the bottom is not physical, but must not divide by zero.
-                let stretch = S::ONE + elevation / S::constant(depth_m);
-                below_surface / stretch.select_below(1e-3, || S::constant(1e-3), || stretch)
-            }
-            None => below_surface,
-        };
-        Vector3::new(point[0], point[1], height)
+    fn specific_weight(&self) -> S {
+        S::constant(self.water.density_kg_m3 * self.water.gravity_m_s2)
     }
 
-    /// cosh k(z + h) / cosh kh and sinh k(z + h) / cosh kh of a wave, both e^kz over infinite depth, with
-    /// exponentials of negative numbers only: (e^kz +- e^-k(z + 2h)) / (1 + e^-2kh).
-    fn decay(&self, i: usize, z: S) -> [S; 2] {
+    /// Height in still water whose field continues to the height z, m, under this elevation, m.
+    pub(super) fn height(&self, z: S, elevation: S) -> StretchedHeight<S> {
+        self.stretching.height(z, elevation, self.water.depth_m)
+    }
+
+    /// cosh k(z + h) / cosh kh and sinh k(z + h) / cosh kh of a wave, both e^kz over infinite depth, with exponentials of
+    /// negative numbers only: (e^kz +- e^-k(z + 2h)) / (1 + e^-2kh). Above the still water level each continues along
+    /// its tangent, k times the other.
+    fn decay(&self, i: usize, StretchedHeight { z, rise }: StretchedHeight<S>) -> [S; 2] {
         let k = self.waves[i].wave_number_per_m;
-        let Some(depth_m) = self.water.depth_m else {
-            let deep = (k * z.clipped(S::constant(f64::NEG_INFINITY), S::ZERO)).exp();
-            return [deep, deep];
-        };
-        let z = z.clipped(S::constant(-depth_m), S::ZERO);
-        let (down, up) = ((k * z).exp(), (-k * (z + S::constant(2.0 * depth_m))).exp());
-        [self.bottom_scales[i] * (down + up), self.bottom_scales[i] * (down - up)]
+        let (down, further) = ((k * z).exp(), k * rise);
+        let Some(depth_m) = self.water.depth_m else { return [down + down * further; 2] };
+        let up = (-k * (z + S::constant(2.0 * depth_m))).exp();
+        let [level, upward] = [down + up, down - up].map(|sum| self.bottom_scales[i] * sum);
+        [level + further * upward, upward + further * level]
     }
 }

@@ -18,6 +18,7 @@ mod realization;
 mod record;
 mod spectrum;
 mod spreading;
+mod stretching;
 mod surface;
 mod water;
 
@@ -37,4 +38,5 @@ pub use spectrum::{
     Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Torsethaugen,
 };
 pub use spreading::Spreading;
+pub use stretching::Stretching;
 pub use water::Water;
