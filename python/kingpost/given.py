@@ -39,7 +39,7 @@ def not_negative(field: str, value: Any) -> float:
     Raises
     ------
     KingpostError
-        If the value is negative, infinite, NaN or no number.
+        If the value is not a number, or is negative or infinite.
 
     >>> not_negative("speed_m_s", 0.5)
     0.5

@@ -66,7 +66,7 @@ def decimal(cell: str, separator: str) -> float:
     Raises
     ------
     ValueError
-        If it is no number, or a comma before three digits between quotes may group thousands.
+        If it is not a number, or a comma before three digits between quotes may group thousands.
 
     >>> decimal("1,5", ";"), decimal("1,5", ","), decimal("1.5", ",")
     (1.5, 1.5, 1.5)

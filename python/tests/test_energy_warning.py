@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import warnings
 from pathlib import Path
 
 import kingpost
+import numpy as np
 import pytest
 
 PENDULUM = """version: 1
@@ -45,3 +47,17 @@ def test_an_error_of_the_energy_in_play_is_warned_of_at_any_height(height_m: flo
 @pytest.mark.parametrize("height_m", [0.0, 3000.0])
 def test_rounding_is_no_error_however_far_the_origin_is(height_m: float, tmp_path: Path) -> None:
     assert energy_warnings(tmp_path, "rk4", 0.01, height_m) == []
+
+
+def test_a_loop_of_runs_shows_a_warning_of_one_kind_once() -> None:
+    coarse = {"simulation.duration_s": 1.5, "simulation.step_s": 0.02, "motor_2": True}
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.simplefilter("default")
+        for x in np.linspace(-10, -9, 4):
+            kingpost.run("paper", coarse, crane_x_m=x)
+    assert len(shown) == 1
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.simplefilter("always")
+        for x in np.linspace(-10, -9, 4):
+            kingpost.run("paper", coarse, crane_x_m=x)
+    assert len(shown) == 4

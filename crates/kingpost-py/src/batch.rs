@@ -47,8 +47,7 @@ pub fn batch<'py>(
         BatchError::Variant { ref error, .. } => errors::variant(&found, error.clone()),
         found => errors::input(found),
     })?;
-    let warnings: Vec<_> = batch.runs.iter().map(|run| &run.warnings).collect();
-    let limits: Vec<_> = batch.runs.iter().map(|run| &run.limits).collect();
+    let (warnings, limits): (Vec<_>, Vec<_>) = batch.runs.iter().map(|run| (&run.warnings, &run.limits)).unzip();
     let published = serde_json::to_string(&(&batch.channels, warnings, limits)).map_err(errors::input)?;
     let (mut rows, mut ends) = (Vec::new(), Vec::new());
     for run in batch.runs {

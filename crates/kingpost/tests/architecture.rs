@@ -349,3 +349,33 @@ fn files_and_bindings_stay_small() {
         assert!(lines <= most, "{binding} has {lines} lines: only conversions and the boundary belong there");
     }
 }
+
+/// Whether code has a literal with a negative exponent, such as 1e-9.
+fn has_small_literal(code: &str) -> bool {
+    let bytes = code.as_bytes();
+    (1..bytes.len().saturating_sub(2)).any(|i| {
+        bytes[i] == b'e' && bytes[i + 1] == b'-' && bytes[i - 1].is_ascii_digit() && bytes[i + 2].is_ascii_digit()
+    })
+}
+
+/// A tolerance without a scale or a reason is the kind of number that fails far from where it was chosen.
+#[test]
+fn each_small_constant_has_its_scale_or_reason_beside_it() {
+    let folder = root().join("crates/kingpost/src");
+    let mut bare = Vec::new();
+    for path in files_below(&folder, ".rs") {
+        let text = read(&path);
+        let lines: Vec<&str> = text.lines().take_while(|line| !line.contains("#[cfg(test)]")).collect();
+        for (i, line) in lines.iter().enumerate() {
+            let code = line.split("//").next().unwrap_or_default();
+            let above = lines[..i].iter().rev().find(|line| !line.trim_start().starts_with("const "));
+            let says = line.contains("//") || above.is_some_and(|line| line.trim_start().starts_with("//"));
+            // A default of a field has the field's documentation, a row of a table the table's.
+            let is_row = code.trim().trim_end_matches(',').replace('_', "").parse::<f64>().is_ok();
+            if has_small_literal(code) && !says && !is_row && !code.contains("literal(") {
+                bare.push(format!("{}:{}: {}", path.display(), i + 1, line.trim()));
+            }
+        }
+    }
+    assert!(bare.is_empty(), "without a comment:\n{}", bare.join("\n"));
+}

@@ -84,7 +84,7 @@ def splash_zone(
         When there is no `submerged` force, or a number is negative or not finite.
 
     >>> found = splash_zone("subsea_lowering")
-    >>> [name for name in found.immersion.values]
+    >>> found.immersion.values.tolist()
     ['touches', 'half immersed', 'immersed']
     """
     import xarray
@@ -97,16 +97,12 @@ def splash_zone(
     ]
     simulation = as_simulation(scenario_or_simulation, overrides, parameters)
     described = simulation.scenario.model
-    objects = described["submerged"]
+    objects = described["objects_in_water"]
     if not objects:
-        raise KingpostError("forces: found no submerged object that acts, allowed: at least one")
+        raise KingpostError("forces: found no object that is lowered into the water, allowed: at least one")
     amplitude, period = characteristic_wave(simulation)
-    density, gravity = (
-        described["sea"]["density_kg_m3"] if described["sea"] else 1025.0,
-        described["gravity_m_s2"],
-    )
     rows = [
-        [_loads(one, at, speeds, (amplitude, period), (density, gravity)) for at in one["immersions"]]
+        [_loads(one, at, speeds, (amplitude, period), described["gravity_m_s2"]) for at in one["immersions"]]
         for one in objects
     ]
     units = dict.fromkeys(rows[0][0], "N") | OTHER_UNITS
@@ -142,24 +138,21 @@ def _loads(
     at: dict[str, float],
     speeds: list[float],
     wave: tuple[float, float],
-    water: tuple[float, float],
+    g: float,
 ) -> dict[str, float]:
     """One object at one immersion: the equations of the module."""
-    (lowering, heave, tip_speed, tip_acceleration), (amplitude, period), (density, gravity) = (
-        speeds,
-        wave,
-        water,
-    )
+    (lowering, heave, tip_speed, tip_acceleration), (amplitude, period) = speeds, wave
+    density = object_["density_kg_m3"]
     frequency = 2 * math.pi / period if period > 0 else 0.0
-    decay = math.exp(-(frequency**2) * at["centre_depth_m"] / gravity)
+    decay = math.exp(-(frequency**2) * at["centre_depth_m"] / g)
     water_speed = amplitude * frequency * decay
     speed = lowering + math.hypot(tip_speed, water_speed)
     mass, displaced, added = object_["mass_kg"], density * at["displaced_volume_m3"], at["added_mass_kg"]
-    static = (mass - displaced) * gravity
+    static = (mass - displaced) * g
     slamming = 0.5 * density * at["slamming_area_m2"] * speed**2
     drag = 0.5 * density * at["drag_area_m2"] * speed**2
     inertia = math.hypot((mass + added) * tip_acceleration, (displaced + added) * water_speed * frequency)
-    buoyancy = density * gravity * at["waterplane_area_m2"] * math.hypot(amplitude, heave)
+    buoyancy = density * g * at["waterplane_area_m2"] * math.hypot(amplitude, heave)
     if at is object_["immersions"][-1]:
         buoyancy = 0.0
     hydrodynamic = math.hypot(drag + slamming, inertia - buoyancy)

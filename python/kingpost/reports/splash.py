@@ -29,7 +29,7 @@ LEAST = "the least without tests or theory (DNV-RP-N103, sec. 4.3.5),"
 
 def sections(scenario: Scenario) -> list[list[str]]:
     """The coefficients in effect of each object, and in waves its characteristic loads by DNV-RP-N103."""
-    objects = scenario.model["submerged"]
+    objects = scenario.model["objects_in_water"]
     if not objects:
         return []
     found = splash_zone(scenario)
@@ -40,7 +40,7 @@ def sections(scenario: Scenario) -> list[list[str]]:
 
 def _coefficients(objects: list[dict[str, Any]], found: xarray.Dataset) -> list[str]:
     """Added mass and drag areas along x, y and z, and the slamming coefficient of the upright object."""
-    rows = [("submerged", "body", "added mass x, y, z", "C_D A x, y, z", "C_S", "on")]
+    rows = [("lowered object", "body", "added mass x, y, z", "C_D A x, y, z", "C_S", "on")]
     for one, slamming in zip(objects, found.slamming_coefficient.values, strict=True):
         coefficient = float(slamming.max())
         added = ", ".join(kilograms(mass) for mass in one["added_mass_kg"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import warnings
 from collections.abc import Iterable
@@ -11,10 +12,48 @@ from typing import Any
 from ..errors import KingpostWarning
 
 PACKAGE = str(Path(__file__).parents[1])
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d+)?(e[-+]?\d+)?(?!\w)")
+"""A number among words; a digit within a name is none."""
+
+
+ONCE = ("default", "module", "once")
+"""Actions of Python's filters that show a warning once for each line of a program."""
+_SHOWN: set[tuple[str, int, str]] = set()
+"""File, line and kind of each warning that was shown: Python's own registry is cleared whenever a library
+changes a filter."""
+
+
+def _kind(words: str) -> str:
+    """Words of a warning without its numbers: in a loop of runs the same warning has other numbers.
+
+    >>> _kind("leg_1: off by -0.3 % at 1e-05 s")
+    'leg_1: off by # % at # s'
+    """
+    return NUMBER.sub("#", words)
+
+
+def _fits(pattern: str | re.Pattern[str] | None, text: str) -> bool:
+    """Whether a filter's pattern, of which Python's first ones are plain names, matches."""
+    return pattern is None or (pattern == text if isinstance(pattern, str) else bool(pattern.match(text)))
+
+
+def _action(words: str, module: str, line: int) -> str:
+    """Action of the first of Python's filters that matches a warning."""
+    for action, pattern, category, of_module, of_line in warnings.filters:
+        if (
+            issubclass(KingpostWarning, category)
+            and _fits(pattern, words)
+            and _fits(of_module, module)
+            and of_line in (0, line)
+        ):
+            return action
+    return "default"
 
 
 def tell(words: Iterable[str]) -> None:
     """Raise each as a warning that points to the line that called the package.
+
+    Where Python shows a warning once for a line, its default, one that differs in numbers only is the same.
 
     >>> with warnings.catch_warnings(record=True) as told:
     ...     warnings.simplefilter("always")
@@ -25,7 +64,13 @@ def tell(words: Iterable[str]) -> None:
     frame, level = sys._getframe(), 1
     while frame.f_back is not None and frame.f_code.co_filename.startswith(PACKAGE):
         frame, level = frame.f_back, level + 1
+    file, line, module = frame.f_code.co_filename, frame.f_lineno, frame.f_globals.get("__name__", "")
     for one in words:
+        if _action(one, module, line) in ONCE:
+            place = (file, line, _kind(one))
+            if place in _SHOWN:
+                continue
+            _SHOWN.add(place)
         warnings.warn(one, KingpostWarning, stacklevel=level)
 
 

@@ -98,7 +98,7 @@ export interface Description {
   /**
    * The objects that are lowered through its surface, in the order of results.
    */
-  submerged: SubmergedDescription[];
+  objects_in_water: ObjectInWater[];
   /**
    * The limits on columns of the results.
    */
@@ -442,7 +442,7 @@ export interface MeshDescription {
 /**
  * An object that is lowered through the surface.
  */
-export interface SubmergedDescription {
+export interface ObjectInWater {
   /**
    * Name of the force.
    */
@@ -455,6 +455,10 @@ export interface SubmergedDescription {
    * Mass of the body and of all that it carries, kg.
    */
   mass_kg: number;
+  /**
+   * Density of the water, kg/m^3.
+   */
+  density_kg_m3: number;
   /**
    * Number of objects on the body.
    */

@@ -339,6 +339,7 @@ fn half_cayley<S: Scalar, Y: System<S>>(system: &Y, xi: &mut [S]) {
             let length = square.sqrt();
             length.atan2(S::ONE) / length
         };
+        // Where the series' first term left out is below rounding.
         let factor = square.select_below(1e-4, series, closed);
         xi[i..i + 3].iter_mut().for_each(|x| *x = *x * factor);
         i += 3;

@@ -48,6 +48,7 @@ pub(super) fn cos_of_turns(turns: f64) -> f64 {
 /// 1989).
 #[inline(always)]
 pub(super) fn power_of_two(power: f64) -> f64 {
+    // Coefficients of the numerator and the denominator.
     const P: [f64; 3] = [1_513.906_801_156_151, 20.202_065_669_316_532, 2.309_334_770_573_452_3e-2];
     const Q: [f64; 2] = [4_368.211_668_792_106, 233.184_211_722_314_9];
     let power = if power < -1022.0 { -1022.0 } else { power };

@@ -87,6 +87,11 @@ pub(super) fn parse_as(text: &str, allowed: &str) -> Result<ScenarioNode, Fault>
     match &node.content {
         Content::Fields(_) => Ok(node),
         Content::Scalar(Value::Null) => Err(Fault::new(&SourcePlace::START, "", wording::EMPTY_FILE, allowed)),
+        // A file of another kind may hold what is not to be shown: a scenario from elsewhere can name any file.
+        Content::Scalar(Value::String(text)) => {
+            let found = format!("a text of {} characters, without named fields", text.chars().count());
+            Err(Fault::new(&node.place, "", found, allowed))
+        }
         _ => Err(Fault::new(&node.place, "", wording::found(&node.to_value()), allowed)),
     }
 }

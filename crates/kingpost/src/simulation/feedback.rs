@@ -63,6 +63,7 @@ impl Simulation {
         let turn = libm::atan2(value.im, value.re).abs();
         Some(GrowingMode {
             coordinate: self.moves_most(&map, value),
+            // Below 1e-6 of half a circle the turn of an eigenvalue is rounding: the mode grows without oscillation.
             period_s: (turn > 1e-6 * PI).then(|| TAU * time_s / turn),
             growth_time_s: 1.0 / rate,
             because_of: because.into_iter().map(|one| one.name.clone()).collect(),

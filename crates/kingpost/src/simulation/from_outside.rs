@@ -91,6 +91,7 @@ impl Simulation {
         }
         for first in model.quaternions() {
             let norm = libm::sqrt(q[first..first + 4].iter().map(|x| x * x).sum());
+            // Six digits, as files print them.
             if (norm - 1.0).abs() > 1e-6 {
                 return entry("length of the quaternion that begins at q", first, norm, "1");
             }

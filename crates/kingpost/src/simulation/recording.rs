@@ -12,17 +12,20 @@ pub(crate) struct Recording {
     passed: f64,
 }
 
+/// Rounding of a quotient of two times, in steps: that of a run of 1e7 steps.
+const ROUNDING: f64 = 1e-9;
+
 impl Recording {
     /// For a run at this time, with its row already written.
     pub(crate) fn new(settings: Settings, time_s: f64) -> Self {
-        let last = libm::ceil(settings.duration_s / settings.step_s - 1e-9) as u64;
+        let last = libm::ceil(settings.duration_s / settings.step_s - ROUNDING) as u64;
         let mut recording = Self { settings, last, passed: 0.0 };
         recording.passed = recording.passed_at(time_s);
         recording
     }
 
     fn passed_at(&self, time_s: f64) -> f64 {
-        libm::floor(time_s / self.settings.record_every_s + 1e-9)
+        libm::floor(time_s / self.settings.record_every_s + ROUNDING)
     }
 
     /// Whether a run is at its end after this number of steps.
@@ -33,7 +36,7 @@ impl Recording {
     /// The step, after `steps`, at which the next row is due: at a recording time or at the end.
     pub(crate) fn due(&self, steps: u64) -> u64 {
         let Settings { record_every_s, step_s, .. } = self.settings;
-        let due = libm::ceil((self.passed + 1.0) * record_every_s / step_s - 1e-9) as u64;
+        let due = libm::ceil((self.passed + 1.0) * record_every_s / step_s - ROUNDING) as u64;
         due.clamp(steps + 1, self.last)
     }
 

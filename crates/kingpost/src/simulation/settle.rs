@@ -382,7 +382,7 @@ impl Linear {
         if fastest < GROWS[0].max(GROWS[1] * size) {
             return None;
         }
-        // One step of inverse iteration, shifted from the eigenvalue so that the matrix is not singular.
+        // One step of inverse iteration, shifted from the eigenvalue by 1e-6 of the matrix's size so that it is not singular.
         let beside = a - DMatrix::identity(tangents.ncols(), tangents.ncols()) * (fastest + 1e-6 * size);
         let motion = tangents * beside.lu().solve(&DVector::from_element(squares.len(), 1.0))?;
         let energies = motion.component_mul(&(mass * &motion));
@@ -411,6 +411,7 @@ fn tangents(j: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     }
     let eigen = (j.transpose() * j).symmetric_eigen();
     let largest = eigen.eigenvalues.amax();
+    // Eigenvalues are squares: directions that the loops hold by less than 1e-6 of the stiffest are free.
     let passed: Vec<_> = (0..count).filter(|&k| eigen.eigenvalues[k] <= 1e-12 * largest).collect();
     eigen.eigenvectors.select_columns(&passed)
 }

@@ -212,6 +212,7 @@ impl Symmetric3<f64> {
         let (a, b, c) = (half - xx, half - yy, half - zz);
         let minors = [a * b - xy * xy, a * c - xz * xz, b * c - yz * yz];
         let determinant = a * minors[2] - xy * (xy * c + yz * xz) - xz * (xy * yz + b * xz);
+        // Of minors whose entries are at most 1: rounding of products of inertia with some 13 digits.
         let slack = -1e-12;
         [a, b, c, determinant].iter().chain(&minors).all(|x| *x >= slack)
     }

@@ -60,6 +60,7 @@ pub fn log(r: &Matrix3<f64>) -> Vector3<f64> {
     let sine = sine_axis.norm();
     let angle = libm::atan2(sine, cosine);
     if cosine > -0.9 {
+        // angle / sine - 1 is sine^2 / 6: below rounding.
         let scale = if sine < 1e-8 { 1.0 } else { angle / sine };
         return sine_axis * scale;
     }

@@ -55,6 +55,7 @@ pub(super) fn resolved(grid: &[f64], resonances: &[Resonance]) -> Vec<f64> {
     }
     all.retain(|omega| (*lowest..=*highest).contains(omega));
     all.sort_by(f64::total_cmp);
+    // Relative: the eigenvalues of a pair of modes agree to some nine digits.
     all.dedup_by(|next, last| *next - *last <= 1e-9 * *next);
     all
 }

@@ -113,6 +113,7 @@ impl<S: Scalar> CholeskyFactor<S> {
         }
         let reference = |i: usize| self.reference[i].value();
         let size = |i: usize| libm::sqrt(share[i] * share[i] * reference(i) / reference(row));
+        // Shares relative to the row: a part below 1e-6 of it does not make it dependent.
         (0..row).filter(|&i| size(i) > 1e-6).collect()
     }
 }

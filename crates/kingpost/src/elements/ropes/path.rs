@@ -172,6 +172,7 @@ impl<S: Scalar> RopePath<S> {
     pub fn drum_is_along(&mut self, at: &Context<'_, S>) -> bool {
         self.stand(at);
         let across = self.legs[0].along.cross(self.places[0].axis).norm_squared();
+        // The square of a sine: within 1 mrad of the axis.
         self.stations[0].round.is_some() && !across.all(|across| across > 1e-6)
     }
 

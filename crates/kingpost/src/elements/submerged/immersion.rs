@@ -223,6 +223,7 @@ impl<S: Scalar> Waters<S> {
             Phase::ByLevel => solid.below(plane.normal, plane.level),
         };
         let share = below.volume / whole;
+        // Below 1e-12 of the volume the quotient of both moments is rounding, and so is every force at their centre.
         let divisor = share.select_below(1e-12, || whole, || below.volume);
         let centre = Vector3(below.first_moment.0.map(|moment| moment / divisor));
         let [stream, acceleration] = self.water(at, &motion, &surface, centre);

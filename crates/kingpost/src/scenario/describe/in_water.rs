@@ -8,13 +8,15 @@ use serde::Serialize;
 /// An object that is lowered through the surface.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct SubmergedDescription {
+pub struct ObjectInWater {
     /// Name of the force.
     pub name: String,
     /// Its body.
     pub body: String,
     /// Mass of the body and of all that it carries, kg.
     pub mass_kg: f64,
+    /// Density of the water, kg/m^3.
+    pub density_kg_m3: f64,
     /// Number of objects on the body.
     pub objects_on_body: usize,
     /// Projected area along the body's z axis, m^2.
@@ -58,11 +60,11 @@ const STEPS: usize = 200;
 const TOUCHES: f64 = 1e-6;
 
 /// The objects, in the order of results.
-pub fn submerged(setup: &Setup) -> Vec<SubmergedDescription> {
+pub fn objects(setup: &Setup) -> Vec<ObjectInWater> {
     of_kind(&setup.elements).map(|object: &Submerged| describe(setup, object)).collect()
 }
 
-fn describe(setup: &Setup, object: &Submerged) -> SubmergedDescription {
+fn describe(setup: &Setup, object: &Submerged) -> ObjectInWater {
     let (model, density) = (&setup.model, setup.world.water_density);
     let body = object.place.body;
     let on_body = of_kind(&setup.elements).filter(|other: &&Submerged| other.place.body == body);
@@ -74,10 +76,11 @@ fn describe(setup: &Setup, object: &Submerged) -> SubmergedDescription {
         immersions[from].slamming_area_m2 = steps.fold(0.0, |most, at| at.slamming_area_m2.max(most));
     }
     immersions[2].slamming_area_m2 = 0.0;
-    SubmergedDescription {
+    ObjectInWater {
         name: object.name.clone(),
         body: model.bodies[body].name.clone(),
         mass_kg: model.carried(body).iter().map(|&body| model.bodies[body].mass).sum(),
+        density_kg_m3: density,
         objects_on_body: on_body.count(),
         projected_area_m2: object.solid.projected_areas()[2],
         drag_areas_m2: object.drag.areas.0,

@@ -8,7 +8,7 @@ mod warnings;
 
 pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 pub use facts::{ElementDescription, Fact};
-pub use in_water::{ImmersionDescription, SubmergedDescription};
+pub use in_water::{ImmersionDescription, ObjectInWater};
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
@@ -52,7 +52,7 @@ pub struct Description {
     /// The hulls in it, in the order of results.
     pub hulls: Vec<HullDescription>,
     /// The objects that are lowered through its surface, in the order of results.
-    pub submerged: Vec<SubmergedDescription>,
+    pub objects_in_water: Vec<ObjectInWater>,
     /// The limits on columns of the results.
     pub limits: Vec<LimitDescription>,
     /// The parameters with their values.
@@ -193,7 +193,7 @@ impl Scenario {
     /// Describes the scenario by its setup.
     pub(super) fn description_of(&self, setup: &Setup) -> Description {
         let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
-        let submerged = in_water::submerged(setup);
+        let objects_in_water = in_water::objects(setup);
         let growing = warnings::of_feedback(setup);
         let Setup { model, world, elements, limits, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
@@ -243,7 +243,7 @@ impl Scenario {
             gravity_m_s2: world.gravity,
             sea,
             hulls,
-            submerged,
+            objects_in_water,
             limits: limits.iter().cloned().map(describe_limit).collect(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),

@@ -68,6 +68,7 @@ impl<'a> EquilibriumSearch<'a> {
             return Err(StabilityError::CannotFloat { mass_t: mass / 1000.0, displacement_m3: volume, largest_m3 });
         }
         let size = mesh.vertices().iter().map(|r| r.norm()).fold(centre_of_gravity.norm(), f64::max);
+        // A hundred roundings of the farthest place.
         Ok(Self { mesh, wetted: WettedHull::new(mesh), volume, mass, centre_of_gravity, tanks, rounding: 1e-14 * size })
     }
 
@@ -94,6 +95,7 @@ impl<'a> EquilibriumSearch<'a> {
     fn at_volume(&mut self, vertical: Vector3) -> Afloat {
         let (least, greatest) = self.mesh.extent_along(vertical);
         let (mut under, mut out) = (-greatest, -least);
+        // Some roundings of the largest height.
         let smallest_step = 1e-15 * (out - under);
         let mut height = under + (out - under) * (1.0 - self.volume / self.mesh.volume());
         for _ in 0..MOST_HALVINGS {

@@ -23,6 +23,9 @@ pub struct RaoError {
     pub allowed: String,
 }
 
+/// Difference below which two directions are one, rad: tables have at most five digits of a degree.
+const ONE_DIRECTION_RAD: f64 = 1e-6;
+
 impl RaoError {
     fn new(field: impl ToString, found: impl ToString, allowed: impl ToString) -> Self {
         Self { field: field.to_string(), found: found.to_string(), allowed: allowed.to_string() }
@@ -138,7 +141,10 @@ impl RaoTable {
         if self.symmetric.or(symmetric) == Some(true) {
             for (direction, responses) in self.directions_rad.iter().zip(&self.responses).rev() {
                 let mirrored = (TAU - direction).rem_euclid(TAU);
-                let is_there = |known: &f64| (mirrored - known).abs() < 1e-6 || (mirrored - known).abs() > TAU - 1e-6;
+                let is_there = |known: &f64| {
+                    let apart = (mirrored - known).abs();
+                    !(ONE_DIRECTION_RAD..=TAU - ONE_DIRECTION_RAD).contains(&apart)
+                };
                 if !table.directions_rad.iter().any(is_there) {
                     let at = table.directions_rad.partition_point(|known| *known < mirrored);
                     table.directions_rad.insert(at, mirrored);
@@ -148,7 +154,7 @@ impl RaoTable {
         }
         let next = |i: usize| table.directions_rad.get(i + 1).copied().unwrap_or(table.directions_rad[0] + TAU);
         let gap = |i: usize| next(i) - table.directions_rad[i];
-        match (0..table.directions_rad.len()).find(|&i| gap(i) > PI / 2.0 + 1e-6) {
+        match (0..table.directions_rad.len()).find(|&i| gap(i) > PI / 2.0 + ONE_DIRECTION_RAD) {
             Some(i) => {
                 let [from, to] = [table.directions_rad[i], next(i)].map(f64::to_degrees);
                 let found = format!("nothing from {from:.1} to {to:.1} deg");

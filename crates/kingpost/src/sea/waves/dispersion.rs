@@ -51,6 +51,7 @@ pub fn group_velocity_m_s(angular_frequency_rad_s: f64, water: &Water) -> f64 {
         return water.gravity_m_s2 / (2.0 * frequency);
     };
     let k = wave_number(frequency, water);
+    // The group velocity is sqrt(gh) (1 - (kh)^2 / 2): the difference is below rounding.
     if k * depth_m < 1e-8 {
         return libm::sqrt(water.gravity_m_s2 * depth_m);
     }

@@ -224,6 +224,7 @@ impl ElevationRecord {
             between(&format!("elevations_m[{i}]"), elevation, [-100.0, 100.0])?;
         }
         check_waves(&self.elevations_m)?;
+        // From pressure gauges at 1 kHz to a quarter of an hour.
         between("interval_s", self.interval_s, [1e-3, 1e3])?;
         between("start_s", self.start_s, [-1e7, 1e7])?;
         between("direction_rad", self.direction_rad, ANGLES_RAD)?;
