@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import argparse
+import re
 from dataclasses import replace
 
 import hydro_programs as programs
@@ -10,8 +12,9 @@ import hydro_writers as writers
 import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import importers, radiation_fit
+from kingpost.hydro import command, importers, radiation_fit
 from kingpost.hydro.importers import Options, repair, wamit_rows
+from kingpost.hydro.importers.long_waves import check_long_waves
 from kingpost.hydro.infinite_mass import joint_added_mass_infinite
 from kingpost.hydro.memory import added_mass_infinite
 
@@ -220,6 +223,40 @@ def test_the_infinite_added_mass_is_found_where_data_end_in_the_middle_of_the_da
     assert np.count_nonzero(found) == 1
     # Ogilvie's relation, with damping guessed beyond the data, is off by far more.
     assert abs(added_mass_infinite(omega, added_mass, damping)[2, 2] - 3e5) > 1e-3 * 3e5
+
+
+def test_a_roll_moment_of_two_panels_across_names_the_panels_first() -> None:
+    """Source: the sum of y^2 over the centres of two equal panels is 3/4 of its integral."""
+    base = writers.database()
+    coarse = replace(base, froude_krylov=base.froude_krylov.copy())
+    square, athwart = base.frequencies_rad_s[:, None] ** 2, np.sin(base.wave_directions_rad)
+    coarse.froude_krylov[:, :, 3] -= 1j * 1000.0 * 480.0 / 4 * athwart * square
+    check_long_waves(base, "fine.LIS")
+    with pytest.raises(HydrodynamicsError, match="misses 25 % of the waterplane's moment, as about 2 panels"):
+        check_long_waves(coarse, "coarse.LIS")
+
+
+def test_a_fit_beyond_a_quarter_is_refused_and_the_cut_that_it_proposes_is_taken(tmp_path) -> None:
+    """Source: a hemisphere's data, those above 0.7 of the highest frequency spoiled by noise."""
+    base = samples.floating_hemisphere()
+    spoiled = replace(base, added_mass=base.added_mass.copy(), radiation=None)
+    high = base.frequencies_rad_s > 0.7 * base.frequencies_rad_s[-1]
+    spoiled.added_mass[high, 2, 2] *= 1 + 3 * np.random.default_rng(2).standard_normal(high.sum())
+    options = argparse.Namespace(highest_rad_s=None, accept_fit=True)
+    target = tmp_path / "spoiled.hydro.json"
+    with pytest.raises(
+        HydrodynamicsError, match=r"fitted to \d+% of its peak, allowed: at most 25%"
+    ) as refused:
+        command._fitted(spoiled, options, target)
+    assert not target.exists()
+    cut = re.search(r"with --highest-rad-s ([\d.]+) it is ([\d.]+)%", str(refused.value))
+    assert cut is not None
+    options.highest_rad_s = float(cut[1])
+    assert options.highest_rad_s < base.frequencies_rad_s[high].min()
+    fitted = command._fitted(spoiled, options, target)
+    assert fitted.radiation is not None
+    assert 100 * fitted.radiation.fit_error == pytest.approx(float(cut[2]), abs=0.01)
+    assert target.exists()
 
 
 def test_a_fit_that_misses_is_taken_on_request_and_says_which_motion() -> None:

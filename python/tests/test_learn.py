@@ -198,9 +198,24 @@ def test_mistakes_are_named_with_what_is_allowed() -> None:
     with pytest.raises(KingpostError, match="num_envs: found 0, allowed: 1 or more"):
         ShipCraneVectorEnv(anti_sway(), 0)
     with pytest.raises(
-        KingpostError, match="autoreset_mode: found 'never', allowed: NextStep, SameStep, Disabled"
+        KingpostError, match="autoreset_mode: found 'never', allowed: NEXT_STEP, SAME_STEP, DISABLED"
     ):
         ShipCraneVectorEnv(anti_sway(), 1, autoreset_mode="never")
+
+
+@pytest.mark.parametrize(
+    ("randomised", "message"),
+    [
+        ({"rope_length_m": (1.0, 20.0), "crane_x_m": (0.0, 1.0)}, "randomised, at the low end of each range"),
+        (
+            {"simulation.step_s": (0.01, 0.013)},
+            "control_period_s: found 0.05, allowed: a whole number of steps",
+        ),
+    ],
+)
+def test_a_range_that_some_episode_would_fail_in_is_refused_with_the_task(randomised, message) -> None:
+    with pytest.raises(KingpostError, match=message):
+        replace(anti_sway(), randomised=randomised)
 
 
 def test_observations_have_names_and_units() -> None:

@@ -187,6 +187,16 @@ def test_a_lever_is_an_input_that_drives_its_motor(small):
         simulation.set_input("no_such", 0)
 
 
+def test_an_input_that_a_controller_sets_names_its_signal() -> None:
+    simulation = kingpost.Simulation("slew_without_swing")
+    free = [name for name, one in simulation.inputs.items() if one.signal is None]
+    assert free == ["swing_feedback.luffing.target_offset"]
+    for name, one in simulation.inputs.items():
+        if one.signal is not None:
+            with pytest.raises(kingpost.KingpostError, match=f"as it takes {one.signal}"):
+                simulation.set_input(name, 0.0)
+
+
 def test_a_run_continues_from_where_it_stands():
     """Source: the public contract of `Simulation.run`: records from now to the end."""
     simulation = Simulation(load("paper", {"simulation.duration_s": 0.1}))

@@ -20,7 +20,7 @@ type Block<'py> = (String, Matrix<'py>, [Vec<String>; 2], [Vec<&'static str>; 2]
 const STEPS_BETWEEN_SIGNALS: usize = 1_000;
 
 type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, String);
-type Input = (String, String, f64, f64, f64);
+type Input = (String, String, f64, f64, f64, Option<String>);
 
 /// A row-major matrix as an array of two dimensions.
 pub fn matrix(py: Python<'_>, data: Vec<f64>, rows: usize, columns: usize) -> PyResult<Matrix<'_>> {
@@ -145,7 +145,7 @@ impl Simulation {
     fn inputs(&self) -> PyResult<Vec<Input>> {
         self.with(|held| {
             let inputs = held.inner.inputs().into_iter();
-            Ok(inputs.map(|i| (i.name, i.unit.to_owned(), i.lower, i.upper, i.value)).collect())
+            Ok(inputs.map(|i| (i.name, i.unit.to_owned(), i.lower, i.upper, i.value, i.signal)).collect())
         })
     }
 

@@ -146,12 +146,7 @@ class Task:
         for what, given in (("actions", self.actions), ("observations", self.observations)):
             if isinstance(given, str) or not given:
                 raise KingpostError(f"{what}: found {given!r}, allowed: a list of at least one name")
-        steps = self.control_period_s / self._simulation.step_s
-        if not steps >= 1 - 1e-9 or abs(steps - round(steps)) > 1e-6:
-            raise KingpostError(
-                f"control_period_s: found {self.control_period_s}, allowed: a whole number of steps of "
-                f"{self._simulation.step_s} s"
-            )
+        self._check_period(self._simulation.step_s)
         if not self.duration_s >= self.control_period_s:
             raise KingpostError(
                 f"duration_s: found {self.duration_s}, allowed: at least control_period_s, "
@@ -163,12 +158,32 @@ class Task:
         for name, (low, high) in self.randomised.items():
             if not low <= high:
                 raise KingpostError(f"randomised {name}: found {low} to {high}, allowed: from low to high")
+        self._check_ends()
         unknown = [name for name in self.read if name not in self._units]
         if unknown:
             raise KingpostError(f"column {unknown[0]}: no such column in {self.based_on.title}")
         for one in self.bounds:
             if not abs(one[1] - one[0]) < 2 * FARTHEST:
                 raise KingpostError(f"actions: found bounds {one}, allowed: an Action with narrower ones")
+
+    def _check_period(self, step_s: float) -> None:
+        """Refuse a control period that is not a whole number of steps, to six digits of one."""
+        steps = self.control_period_s / step_s
+        if not steps >= 1 - 1e-9 or abs(steps - round(steps)) > 1e-6:
+            raise KingpostError(
+                f"control_period_s: found {self.control_period_s}, allowed: a whole number of steps of "
+                f"{step_s} s"
+            )
+
+    def _check_ends(self) -> None:
+        """Refuse a range of `randomised` whose ends the scenario refuses: an episode would, some day."""
+        for end, which in enumerate(("low", "high") if self.randomised else ()):
+            ends = {name: float(span[end]) for name, span in self.randomised.items()}
+            try:
+                variant = self.based_on.with_overrides(ends)
+            except KingpostError as error:
+                raise KingpostError(f"randomised, at the {which} end of each range: {error}") from error
+            self._check_period(variant.resolved["simulation"]["step_s"])
 
     @cached_property
     def based_on(self) -> Scenario:

@@ -16,6 +16,20 @@ from .episodes import Episodes, check_options
 from .task import Task
 
 
+def _mode(given: AutoresetMode | str) -> AutoresetMode:
+    """Gymnasium's mode by its name or its value.
+
+    >>> _mode("SAME_STEP") == _mode("SameStep") == AutoresetMode.SAME_STEP
+    True
+    """
+    named = AutoresetMode.__members__.get(given) if isinstance(given, str) else None
+    try:
+        return named or AutoresetMode(given)
+    except ValueError as error:
+        allowed = ", ".join(AutoresetMode.__members__)
+        raise KingpostError(f"autoreset_mode: found {given!r}, allowed: {allowed}") from error
+
+
 class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
     """Many environments of one task: one call steps all, over SIMD lanes and threads.
 
@@ -56,11 +70,7 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
     ) -> None:
-        try:
-            self.autoreset_mode = AutoresetMode(autoreset_mode)
-        except ValueError as error:
-            allowed = ", ".join(mode.value for mode in AutoresetMode)
-            raise KingpostError(f"autoreset_mode: found {autoreset_mode!r}, allowed: {allowed}") from error
+        self.autoreset_mode = _mode(autoreset_mode)
         self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
         self.task, self.num_envs = task, num_envs
         self.single_observation_space, self.single_action_space = spaces(task)

@@ -39,13 +39,24 @@ class State:
 
 @dataclass(frozen=True)
 class Input:
-    """An input that may change during a run; it keeps its value from step to step."""
+    """An input that may change during a run; it keeps its value from step to step.
+
+    Attributes
+    ----------
+    name, unit
+        Name and unit.
+    lower, upper, value
+        Bounds and present value, in the unit.
+    signal
+        Signal that sets it, so that `Simulation.set_input` refuses it; None of an input that is free.
+    """
 
     name: str
     unit: str
     lower: float
     upper: float
     value: float
+    signal: str | None = None
 
 
 @dataclass(frozen=True)
