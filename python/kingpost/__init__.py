@@ -8,7 +8,7 @@
 
 import logging
 
-from . import results, verify
+from . import forking, results, verify
 from .accessor import Accessor
 from .analysis import extremes, fatigue, lift_rules, statistics
 from .analysis.drive_functions import DriveFunctions, drive_functions
@@ -32,6 +32,8 @@ from .study.study import Study, open_study
 
 # A library does not print its log: the program that imports it decides where log messages go.
 logging.getLogger(__name__).addHandler(logging.NullHandler())
+
+forking.watch()
 
 __version__: str = engine.__version__
 

@@ -108,7 +108,7 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
     grid = [
         "--directions-deg",
         "180",
-        "90",
+        "210",
         "--frequencies-rad-s",
         "0.5:1.5:5",
         "--points",
@@ -119,11 +119,12 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
     for file in files.values():
         assert main(["rao", "barge", *grid, "-o", file]) == 0
     shown = capsys.readouterr().out
-    expected = kingpost.rao("barge", np.deg2rad([180, 90]), np.linspace(0.5, 1.5, 5), ["ship", "arm.tip"])
+    expected = kingpost.rao("barge", np.deg2rad([180, 210]), np.linspace(0.5, 1.5, 5), ["ship", "arm.tip"])
     stored = xarray.load_dataset(files["nc"], engine="h5netcdf")
     xarray.testing.assert_allclose(stored, expected)
     with open(files["csv"]) as lines:
         names, first = (line.strip().split(",") for line in (next(lines), next(lines)))
+        assert {line.split(",")[0] for line in lines} == {"180.0", "210.0"}
     row = dict(zip(names, map(float, first), strict=True))
     assert (row["direction_deg"], row["frequency_rad_s"]) == (180, 0.5)
     tip = expected.displacement.sel(point="arm.tip", axis="z")

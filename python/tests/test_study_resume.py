@@ -231,3 +231,18 @@ def test_workers_that_end_again_and_again_are_an_error(whole, tmp_path, monkeypa
 
     with pytest.raises(kingpost.RunError, match="its worker ended 4 times: the worker is gone"):
         study.run(tmp_path, executor=Dies())
+
+
+@pytest.mark.parametrize("resume", [False, True])
+def test_a_study_does_not_write_over_a_file_of_another_with_its_name(tmp_path, resume) -> None:
+    """The study's own file, say, in the folder that it is told to write to."""
+    path = written({**SLEWING, "title": "Mine"}, tmp_path / "study.yaml")
+    text = path.read_text(encoding="utf-8") + "# my notes\n"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(kingpost.KingpostError, match=r"study.yaml: found a file of something else, allowed"):
+        kingpost.Study(SLEWING).run(tmp_path, workers=1, resume=resume)
+    assert path.read_text(encoding="utf-8") == text
+    # Files with other names, a cluster's logs, may stand there.
+    path.rename(tmp_path / "log.txt")
+    kingpost.Study(SLEWING).run(tmp_path, workers=1, resume=resume)
+    assert (tmp_path / "log.txt").read_text(encoding="utf-8") == text

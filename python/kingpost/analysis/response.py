@@ -241,7 +241,8 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
 
     directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
     columns: dict[str, NDArray] = {
-        "direction_deg": np.rad2deg(directions).ravel(),
+        # Degrees by way of radians end in rounding: 210.00000000000003.
+        "direction_deg": np.round(np.rad2deg(directions), 9).ravel(),
         "frequency_rad_s": frequencies.ravel(),
     }
     for values in found.data_vars.values():

@@ -61,7 +61,8 @@ class Store:
         Raises
         ------
         KingpostError
-            When there is a study and `resume` is not given, or another study.
+            When there is a study and `resume` is not given, another study, or a file of another with the
+            name of a study's.
         OutputError
             When the folder cannot be written.
         """
@@ -73,6 +74,8 @@ class Store:
             )
         if found is not None:
             self._check_same(found)
+        else:
+            self._check_foreign()
         with _written(self.folder):
             if alone:
                 self._clean()
@@ -83,6 +86,18 @@ class Store:
                 # The one file without which a study is lost.
                 write_text(self.folder / ABOUT, json.dumps(about, indent=1))
             self._lay_out()
+
+    def _check_foreign(self) -> None:
+        """Refuse to write over files of others that have the names of a study's."""
+        own = {STUDY: self.plan.file.text.encode(), SCENARIO: self.plan.scenario.json.encode()}
+        for name, content in own.items():
+            path = self.folder / name
+            # The same content is that of a study that was stopped while it began.
+            if path.exists() and not (path.is_file() and path.read_bytes() == content):
+                raise KingpostError(
+                    f"{path}: found a file of something else, allowed: a folder without {name}, as the "
+                    "study writes its own there"
+                )
 
     def _clean(self) -> None:
         for path in self.folder.glob(f"{BEGINNING}*"):

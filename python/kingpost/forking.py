@@ -1,0 +1,33 @@
+"""Locks of cached properties in a forked process, on Python 3.11.
+
+There `functools.cached_property` holds a lock of its class while it computes. A thread that holds it when a
+program forks is not there in the child, where the lock would stay taken for ever.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from functools import cached_property
+
+LOCKED = sys.version_info < (3, 12)
+"""Whether this Python's cached properties have a lock: later ones have none."""
+
+
+def renew_locks() -> None:
+    """Give each cached property of this package a lock that nobody holds."""
+    package = __name__.partition(".")[0]
+    for name, module in list(sys.modules.items()):
+        if name.partition(".")[0] != package:
+            continue
+        classes = [one for one in vars(module).values() if isinstance(one, type)]
+        for one in (value for owner in classes for value in vars(owner).values()):
+            if isinstance(one, cached_property):
+                one.lock = threading.RLock()  # type: ignore[attr-defined]
+
+
+def watch() -> None:
+    """Renew the locks in every child that is forked from now on."""
+    if LOCKED and hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=renew_locks)

@@ -1,0 +1,38 @@
+"""A process that is forked beside a running thread goes on."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+
+import kingpost
+import pytest
+from kingpost import forking
+from kingpost.scenario import Scenario
+
+WAIT_S = 60
+"""For a child that hangs: a model is described in some hundredths of a second."""
+
+
+@pytest.mark.skipif(not (forking.LOCKED and hasattr(os, "fork")), reason="no lock, or no fork")
+def test_a_child_computes_what_a_thread_was_computing_when_it_was_forked() -> None:
+    scenario = kingpost.load("chain")
+    held, done = threading.Event(), threading.Event()
+
+    def hold() -> None:
+        with vars(Scenario)["model"].lock:
+            held.set()
+            done.wait()
+
+    thread = threading.Thread(target=hold)
+    thread.start()
+    held.wait()
+    child = os.fork()
+    if child == 0:
+        signal.alarm(WAIT_S)
+        os._exit(0 if scenario.model["bodies"] else 1)
+    _, status = os.waitpid(child, 0)
+    done.set()
+    thread.join()
+    assert status == 0, "the child ended by a signal, or without a model"
