@@ -32,6 +32,7 @@ const MODEL: ModelInfo = {
   ],
   sea: null,
   hulls: [],
+  objects_in_water: [],
   limits: [],
   live_settings: [],
   gravity_m_s2: 0,
