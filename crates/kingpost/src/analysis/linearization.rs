@@ -1,6 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::elements::{ElementState, Input, Situation};
+use crate::elements::{ElementState, EvaluationMode, Input};
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
@@ -143,7 +143,7 @@ impl Linearizer {
 
     /// The same without waves, and with prescribed coordinates held.
     pub fn at_rest(mut self) -> Self {
-        self.tangent.set_situation(Situation::AtRest);
+        self.tangent.set_evaluation_mode(EvaluationMode::AtRest);
         self
     }
 

@@ -30,7 +30,7 @@ impl<S: Scalar> Element<S> for AirGap<S> {
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let [x, y, z] = place(&self.point, at.model, at.links).0;
-        let waves = at.world.waves.as_ref().filter(|_| at.situation.has_waves());
+        let waves = at.world.waves.as_ref().filter(|_| at.evaluation.has_waves());
         out.push(z - waves.map_or(S::ZERO, |waves| waves.elevation_m([x, y], at.clock.time_s)));
     }
 

@@ -38,7 +38,7 @@ impl<S: Scalar> Element<S> for Anemometer<S> {
             out.extend([S::ZERO; 3]);
             return;
         };
-        let gust = self.gusts.as_ref().filter(|_| at.situation.has_waves());
+        let gust = self.gusts.as_ref().filter(|_| at.evaluation.has_waves());
         let gust = gust.map_or(S::ZERO, |gusts| gusts.speed(at.clock.time_s));
         let [ahead_x, ahead_y] = self.body.map_or([S::ONE, S::ZERO], |body| {
             let ahead = at.links.body_frame(at.model, body).rotation.column(0);

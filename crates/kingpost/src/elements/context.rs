@@ -4,22 +4,21 @@ use crate::dynamics::{Clock, LinkKinematics};
 use crate::model::Model;
 use crate::world::World;
 
-/// The purpose of an evaluation.
+/// Purpose of an evaluation of the model: which effects take part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Situation {
-    /// A run.
+pub enum EvaluationMode {
+    /// Run: everything acts.
     #[default]
     Running,
     /// Rest: without waves, and with prescribed motions held.
     AtRest,
-    /// The same, and sensors give what they measure at once: without samples, delays and errors.
+    /// Rest, with sensors that deliver what they measure at once: without samples, delays and errors.
     Unsampled,
-    /// The search for an equilibrium: as at rest, and elements that hold the model in place act at once and without
-    /// limits.
+    /// Search for an equilibrium: rest, with elements that hold the model in place acting at once and without limits.
     Settling,
 }
 
-impl Situation {
+impl EvaluationMode {
     /// Whether waves act.
     pub fn has_waves(self) -> bool {
         self == Self::Running
@@ -33,7 +32,7 @@ pub struct Context<'a, S = f64> {
     /// When.
     pub clock: Clock,
     /// The purpose.
-    pub situation: Situation,
+    pub evaluation: EvaluationMode,
     /// The world outside the model.
     pub world: &'a World<S>,
     /// The mechanical model.
@@ -66,7 +65,7 @@ impl<'a, S> Context<'a, S> {
     ) -> Self {
         let clock = Clock { time_s: 0.0, middle_s: 0.0 };
         let (states, inputs, inputs_at_end, numbers, modes) = Default::default();
-        let situation = Situation::AtRest;
-        Self { clock, situation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes }
+        let evaluation = EvaluationMode::AtRest;
+        Self { clock, evaluation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes }
     }
 }

@@ -26,7 +26,7 @@ use core::fmt::Debug;
 /// | what a row shows is to be warned of | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
 /// | it holds a constraint | [`holding`](Self::holding), in every evaluation and after every step |
-/// | an equilibrium is sought | [`loads`](Self::loads) in another [`Situation`](super::Situation), [`settling`](Self::settling) |
+/// | an equilibrium is sought | [`loads`](Self::loads) in another [`EvaluationMode`](super::EvaluationMode), [`settling`](Self::settling) |
 pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Its name in the scenario; empty if it declares nothing that needs a name.
     fn name(&self) -> &str {

@@ -59,7 +59,7 @@ pub use anemometer::Anemometer;
 pub use clearance::Clearance;
 pub use compensation::{HeaveCompensation, PlatformCompensation, ThreeAxisCompensation};
 pub use contact::Contact;
-pub use context::{Context, Situation};
+pub use context::{Context, EvaluationMode};
 pub use coulomb_friction::CoulombFriction;
 pub use damped_against::DampedAgainst;
 pub use declaration::{Components, Crossing, Declaration, ElementState, Event, Input, Output, VectorFrame, WRENCH};

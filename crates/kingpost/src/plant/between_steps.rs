@@ -116,8 +116,8 @@ impl<S: Scalar> Plant<S> {
         for (k, value) in values.iter().enumerate() {
             self.set_input(self.layout.steers[steer].inputs[k], *value, time_s, state);
         }
-        let Self { model, world, links, layout, situation, elements, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, instant(time_s, state));
+        let Self { model, world, links, layout, evaluation, elements, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, instant(time_s, state));
         elements[element].at_end(scene.with_ends(element), values);
         for (&input, value) in layout.steers[steer].inputs.iter().zip(values) {
             state.d[layout.end_of(input)] = *value;
@@ -138,10 +138,10 @@ impl<S: Scalar> Plant<S> {
             return;
         }
         self.links.update(&self.model, &state.q, &state.v);
-        let Self { model, world, links, layout, situation, elements, outputs, .. } = self;
+        let Self { model, world, links, layout, evaluation, elements, outputs, .. } = self;
         let at = instant(time_s, state);
         outputs.clear();
-        elements[element].outputs(Scene::new(layout, world, model, links, *situation, at).of(element), outputs);
+        elements[element].outputs(Scene::new(layout, world, model, links, *evaluation, at).of(element), outputs);
         for wire in layout.wires.iter().filter(|wire| wire.element == element) {
             state.d[wire.input] = outputs[wire.output];
             state.d[layout.end_of(wire.input)] = outputs[wire.output];
@@ -152,8 +152,8 @@ impl<S: Scalar> Plant<S> {
     pub fn witnesses(&mut self, at: Stage<'_, S>, values: &mut [S]) {
         self.load_restraints(at);
         self.links.update(&self.model, at.q, at.v);
-        let Self { model, world, links, layout, situation, elements, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let Self { model, world, links, layout, evaluation, elements, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
         let mut rest = values;
         for of_one in layout.watched.chunk_by(|one, next| one.element == next.element) {
             let (own, others) = rest.split_at_mut(of_one.len());
@@ -203,11 +203,11 @@ impl<S: Scalar> Plant<S> {
         change: impl FnOnce(&mut dyn Element<S>, &Context<'_, S>, &mut Own<'_, S>, &mut [S]),
     ) {
         self.links.update(&self.model, &state.q, &state.v);
-        let Self { model, world, links, layout, situation, elements, seen, also, .. } = self;
+        let Self { model, world, links, layout, evaluation, elements, seen, also, .. } = self;
         seen.copy_from(state);
         let at = instant(time_s, seen);
         let State { v, s, d, m, .. } = state;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
         let mut own = layout.own(element, s, d, m);
         change(&mut *elements[element], scene.with_ends(element), &mut own, v);
         let is_it = |event| move |watched: &&Watched| (watched.element, watched.event) == (element, event);

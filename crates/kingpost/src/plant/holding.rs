@@ -35,8 +35,8 @@ impl<S: Scalar> Plant<S> {
         if self.layout.holding.is_empty() {
             return;
         }
-        let Self { model, world, links, elements, layout, situation, loads, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let Self { model, world, links, elements, layout, evaluation, loads, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
         for (&i, restraint) in layout.holding.iter().zip(&mut loads.restraints) {
             let at = scene.of(i);
             let Some(holding) = elements[i].holding_mut() else { continue };

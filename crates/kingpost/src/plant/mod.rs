@@ -15,7 +15,7 @@ pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 use crate::dynamics::loops::{LoopFault, LoopSolver};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, Restraint, energy, forward, inverse::InverseDynamics};
-use crate::elements::{AnyElement, Layout, Situation, Watched};
+use crate::elements::{AnyElement, EvaluationMode, Layout, Watched};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};
@@ -47,7 +47,7 @@ pub struct Plant<S: Scalar = f64> {
     form: Form,
     /// The solver of the matrix form, which exists for plain numbers only.
     solve_matrices: Option<SolveMatrices<S>>,
-    situation: Situation,
+    evaluation: EvaluationMode,
     links: LinkKinematics<S>,
     bodies: Kinematics<S>,
     loads: Loads<S>,
@@ -116,7 +116,7 @@ impl<S: Scalar> Plant<S> {
             form: Form::default(),
             solve_matrices: None,
             exact: None,
-            situation: Situation::Running,
+            evaluation: EvaluationMode::Running,
         }
     }
 
@@ -143,14 +143,14 @@ impl<S: Scalar> Plant<S> {
     /// Kinematics of the links and loads at a stage.
     fn evaluate_loads(&mut self, at: Stage<'_, S>) {
         self.links.update(&self.model, at.q, at.v);
-        let Self { model, world, links, elements, layout, situation, loads, prescribed_rates, .. } = self;
+        let Self { model, world, links, elements, layout, evaluation, loads, prescribed_rates, .. } = self;
         loads.clear_but_accelerations();
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
         for (i, element) in elements.iter_mut().enumerate() {
             element.loads(scene.of(i), loads);
         }
         // At rest prescribed motions are held.
-        if *situation == Situation::Running {
+        if *evaluation == EvaluationMode::Running {
             for &i in &layout.prescribing {
                 elements[i].prescribe(world, scene.shared.clock, prescribed_rates, &mut loads.acceleration);
             }
@@ -192,8 +192,8 @@ impl<S: Scalar> Plant<S> {
                 Totals::default()
             }
         };
-        let Self { model, world, links, bodies, inverse, loops, elements, layout, situation, outputs, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let Self { model, world, links, bodies, inverse, loops, elements, layout, evaluation, outputs, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
         outputs.clear();
         let mut show = |i: usize| elements[i].outputs(scene.of(i), outputs);
         match extent {
@@ -215,8 +215,8 @@ impl<S: Scalar> Plant<S> {
     /// Appends the points of the elements' lines at a stage, x, y and z (m, world) of each.
     pub fn draw(&mut self, at: Stage<'_, S>, points: &mut Vec<S>) {
         self.links.update(&self.model, at.q, at.v);
-        let Self { model, world, links, elements, layout, situation, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let Self { model, world, links, elements, layout, evaluation, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
         for (i, element) in elements.iter_mut().enumerate() {
             element.draw(scene.of(i), points);
         }
@@ -269,10 +269,10 @@ impl<S: Scalar> Plant<S> {
 
     /// The same for the present kinematics.
     fn totals_here(&mut self, at: Stage<'_, S>) -> Totals<S> {
-        let Self { model, world, elements, layout, situation, links, bodies, .. } = self;
+        let Self { model, world, elements, layout, evaluation, links, bodies, .. } = self;
         let centre = ledger::reference_point(model, at.q);
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
         let stored = elements.iter_mut().enumerate().map(|(i, element)| element.potential_energy(scene.of(i)));
         Totals {
             kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, at.v),
@@ -286,8 +286,8 @@ impl<S: Scalar> Plant<S> {
     fn rates_beside(&mut self, at: Stage<'_, S>, v_dot: &[S], s_dot: &mut [S]) {
         let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
         if !of_elements.is_empty() {
-            let Self { model, world, elements, layout, situation, links, .. } = self;
-            let mut scene = Scene::new(layout, world, model, links, *situation, at);
+            let Self { model, world, elements, layout, evaluation, links, .. } = self;
+            let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
             for (i, element) in elements.iter_mut().enumerate() {
                 let own = layout.shares[i].states.clone();
                 if !own.is_empty() {

@@ -1,7 +1,7 @@
 //! The contexts of all elements at a stage.
 
 use crate::dynamics::{Clock, LinkKinematics};
-use crate::elements::{Context, Layout, Share, Situation};
+use crate::elements::{Context, EvaluationMode, Layout, Share};
 use crate::integrate::Stage;
 use crate::model::Model;
 use crate::world::World;
@@ -28,14 +28,14 @@ impl<'a, S: Copy> Scene<'a, S> {
         world: &'a World<S>,
         model: &'a Model<S>,
         links: &'a LinkKinematics<S>,
-        situation: Situation,
+        evaluation: EvaluationMode,
         at: Stage<'a, S>,
     ) -> Self {
         let clock = Clock { time_s: at.time_s, middle_s: at.interval.middle_s() };
         let (q, v, own) = (at.q, at.v, <&[S]>::default());
         let (states, inputs, inputs_at_end, numbers, modes) = (own, own, own, own, <&[i64]>::default());
         let shared =
-            Context { clock, situation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes };
+            Context { clock, evaluation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes };
         let states = at.s.get(layout.ledger..).unwrap_or_default();
         Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }

@@ -2,16 +2,16 @@
 
 use super::Plant;
 use super::scene::Scene;
-use crate::elements::Situation;
+use crate::elements::EvaluationMode;
 use crate::integrate::{Interval, Stage};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Plant<S> {
     /// Sets the purpose of the following evaluations.
-    pub fn set_situation(&mut self, situation: Situation) {
-        self.situation = situation;
+    pub fn set_evaluation_mode(&mut self, evaluation: EvaluationMode) {
+        self.evaluation = evaluation;
         if let Some(tangent) = self.tangent_mut() {
-            tangent.set_situation(situation);
+            tangent.set_evaluation_mode(evaluation);
         }
     }
 
@@ -30,8 +30,8 @@ impl<S: Scalar> Plant<S> {
     /// remaining deviation, m or rad.
     pub fn take_over(&mut self, q: &[S], v: &[S], s: &[S]) -> S {
         self.links.update(&self.model, q, v);
-        let Self { model, world, links, layout, situation, elements, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at_rest(q, v, s));
+        let Self { model, world, links, layout, evaluation, elements, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *evaluation, at_rest(q, v, s));
         let off = elements
             .iter_mut()
             .enumerate()
@@ -50,7 +50,7 @@ impl<S: Scalar> Plant<S> {
     pub fn overloaded(&mut self, q: &[S], v: &[S], s: &[S]) -> Option<(String, S)> {
         self.links.update(&self.model, q, v);
         let at = at_rest(q, v, s);
-        let mut scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.situation, at);
+        let mut scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.evaluation, at);
         let mut used =
             self.elements.iter().enumerate().filter_map(|(i, element)| {
                 Some((element.name().to_owned(), element.settling()?.utilisation(scene.of(i))))

@@ -1,7 +1,7 @@
 //! Exact derivatives of the right-hand side, by dual numbers.
 
 use super::{Observation, ObservedPart, Plant};
-use crate::elements::Situation;
+use crate::elements::EvaluationMode;
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::model::Mode;
 use crate::scalar::{Dual, Scalar};
@@ -62,9 +62,9 @@ impl Tangent {
         }
     }
 
-    /// As [`Plant::set_situation`].
-    pub fn set_situation(&mut self, situation: Situation) {
-        self.plant.set_situation(situation);
+    /// As [`Plant::set_evaluation_mode`].
+    pub fn set_evaluation_mode(&mut self, evaluation: EvaluationMode) {
+        self.plant.set_evaluation_mode(evaluation);
     }
 
     /// As [`Plant::set_waves`].

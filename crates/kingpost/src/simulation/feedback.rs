@@ -3,7 +3,7 @@
 use super::sampled_loops::{FeedbackLoop, HeldInputs, Sensed, fastest, vector};
 use super::small_motions::{Changed, DIFFERENCE};
 use super::{MOST_DENSE, Simulation, stage};
-use crate::elements::{LinearLaw, Situation};
+use crate::elements::{EvaluationMode, LinearLaw};
 use crate::integrate::Stage;
 use crate::results::Sample;
 use core::f64::consts::{PI, TAU};
@@ -42,9 +42,9 @@ impl Simulation {
             return None;
         }
         let a = self.small_motions();
-        self.plant.set_situation(Situation::Unsampled);
+        self.plant.set_evaluation_mode(EvaluationMode::Unsampled);
         let (b, loops) = self.loops(laws, a.nrows());
-        self.plant.set_situation(Situation::Running);
+        self.plant.set_evaluation_mode(EvaluationMode::Running);
         let held = HeldInputs { a, b, step_s: self.settings.step_s };
         let all: Vec<&FeedbackLoop> = loops.iter().collect();
         let (map, time_s) = held.map(&all)?;

@@ -2,7 +2,7 @@
 
 use super::{InputError, MOST_DENSE, Simulation, stage};
 use crate::dynamics::Kinematics;
-use crate::elements::{HOLD_IT, Situation};
+use crate::elements::{EvaluationMode, HOLD_IT};
 use crate::integrate::{Jacobian, System};
 use crate::model::JointKind;
 use crate::plant::Form;
@@ -159,7 +159,7 @@ impl Simulation {
     /// A copy whose elements act as at rest. All forms of the equations agree there, and the recursive one is the fastest.
     fn at_rest(&self) -> Self {
         let mut there = self.clone();
-        there.plant.set_situation(Situation::Settling);
+        there.plant.set_evaluation_mode(EvaluationMode::Settling);
         there.plant.set_form(Form::Recursive);
         there
     }

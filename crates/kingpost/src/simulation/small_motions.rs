@@ -1,7 +1,7 @@
 //! Small motions about the state of a simulation, by differences.
 
 use super::{Simulation, stage};
-use crate::elements::Situation;
+use crate::elements::EvaluationMode;
 use crate::integrate::{Stage, System};
 use crate::ledger;
 use nalgebra::{DMatrix, DVector};
@@ -33,15 +33,15 @@ impl Simulation {
     /// dual numbers: too large for a browser.
     pub fn small_motions(&mut self) -> DMatrix<f64> {
         let size = 2 * self.plant.model.free_coordinates().len() + self.plant.layout().states.len();
-        self.plant.set_situation(Situation::AtRest);
+        self.plant.set_evaluation_mode(EvaluationMode::AtRest);
         let columns: Vec<DVector<f64>> = (0..size).map(|state| self.rates_by(Changed::State(state))).collect();
-        self.plant.set_situation(Situation::Running);
+        self.plant.set_evaluation_mode(EvaluationMode::Running);
         let mut a = DMatrix::zeros(size, size);
         columns.into_iter().enumerate().for_each(|(state, column)| a.set_column(state, &column));
         a
     }
 
-    /// Rates of the states by a state or an input, in the present situation.
+    /// Rates of the states by a state or an input, in the present evaluation mode.
     pub(super) fn rates_by(&mut self, changed: Changed) -> DVector<f64> {
         let of_motion = 2 * self.plant.model.free_coordinates().len();
         let once = matches!(changed, Changed::State(state) if state < of_motion);

@@ -45,7 +45,7 @@ impl Rows {
         // Whatever looks at the waves sees still water.
         let world = World { waves: None, ..setup.world };
         let mut tangent = Tangent::new(Plant::new(setup.model, world, elements));
-        tangent.set_situation(crate::elements::Situation::AtRest);
+        tangent.set_evaluation_mode(crate::elements::EvaluationMode::AtRest);
         let layout = tangent.plant().layout();
         let channels = Channels::new(&tangent.plant().model, layout);
         let inputs = layout.inputs.len() - count;

@@ -7,7 +7,7 @@ use super::{
     BEGINS_TO_SLIDE, BY_DEPTH, Contact, ContactSolid, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN,
     ROUNDING_M, SLIDES, TOUCHES,
 };
-use crate::elements::{Context, Crossing, Own, Situation, hunt_crossley};
+use crate::elements::{Context, Crossing, EvaluationMode, Own, hunt_crossley};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -24,7 +24,7 @@ pub(super) struct Pressed<S> {
 
 /// The mode of a spot; at rest it follows from the depth.
 pub(super) fn condition<S>(i: usize, at: &Context<'_, S>) -> i64 {
-    if at.situation == Situation::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
+    if at.evaluation == EvaluationMode::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
 }
 
 impl<S: Scalar> Contact<S> {
@@ -139,7 +139,7 @@ impl<S: Scalar> Contact<S> {
     /// The bristle of a spot; while an equilibrium is sought, the displacement since the search began.
     pub(super) fn bristle(&self, i: usize, met: &Met<S>, at: &Context<'_, S>) -> Vector3<S> {
         let own = 3 * i..3 * i + 3;
-        if at.situation == Situation::Settling {
+        if at.evaluation == EvaluationMode::Settling {
             let anchor = at.numbers.get(own).map_or(self.anchors[i], Vector3::from_slice);
             return met.along(met.middle - anchor);
         }

@@ -15,7 +15,7 @@ pub use spot::Spot;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, Situation, VectorFrame,
+    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own, VectorFrame,
 };
 use crate::model::Attachment;
 use crate::scalar::Scalar;
@@ -136,8 +136,8 @@ impl<S: Scalar> Element<S> for Contact<S> {
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let sides = self.sides_at(at);
-        let first_of_search = at.situation == Situation::Settling && !self.settles;
-        self.settles = at.situation == Situation::Settling;
+        let first_of_search = at.evaluation == EvaluationMode::Settling && !self.settles;
+        self.settles = at.evaluation == EvaluationMode::Settling;
         for i in 0..self.spots.len() {
             let met = self.met(i, &sides);
             own.modes[i] = match (met.depth.all(|depth| depth >= 0.0), met.depth.all(|depth| depth < 0.0)) {

@@ -1,7 +1,7 @@
 //! A drive that follows a set-point within its limits: a winch, a slewing gear, a luffing drive.
 
 use crate::dynamics::Loads;
-use crate::elements::{Context, Declaration, Element, ElementState, Input, Output, Own, Settling, Situation};
+use crate::elements::{Context, Declaration, Element, ElementState, EvaluationMode, Input, Output, Own, Settling};
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
 
@@ -228,7 +228,7 @@ impl<S: Scalar> ControlledDrive<S> {
         let (q, v) = (at.q[self.position], at.v[self.coordinate]);
         let free = match at.states {
             _ if self.set_point == SetPoint::Effort => self.target(at),
-            [position, speed, ..] if at.situation != Situation::Settling => {
+            [position, speed, ..] if at.evaluation != EvaluationMode::Settling => {
                 self.hold[0] + self.stiffness * (*position - q) + self.damping * (*speed - v)
             }
             _ => return self.holding(q),

@@ -3,7 +3,7 @@
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::{
-    Context, Declaration, DrawnLine, Element, ElementState, Input, LineStyle, Output, Own, Settling, Situation,
+    Context, Declaration, DrawnLine, Element, ElementState, EvaluationMode, Input, LineStyle, Output, Own, Settling,
     hunt_crossley,
 };
 use crate::model::{Attachment, Constraint, Model};
@@ -250,7 +250,7 @@ impl<S: Scalar> Cylinder<S> {
         let line = self.line(at.model, at.links);
         let (length, rate) = (line.residual, line.rate);
         let wanted = self.hold[0] + self.stiffness * (self.wanted(at) - length) - self.damping * rate;
-        let is_sought = at.situation == Situation::Settling && self.holds;
+        let is_sought = at.evaluation == EvaluationMode::Settling && self.holds;
         let drive = if is_sought { wanted } else { wanted.clipped(-self.pull_limit, self.push_limit) };
         let [short, long] = self.depths(length);
         let stop = |depth, speed| hunt_crossley(self.stop_stiffness, self.stop_dissipation, depth, speed);

@@ -13,7 +13,7 @@ pub use wave_filter::WaveFilter;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
 use crate::elements::{
-    Components, Context, Declaration, Element, ElementState, Output, Own, Settling, Situation, VectorFrame,
+    Components, Context, Declaration, Element, ElementState, EvaluationMode, Output, Own, Settling, VectorFrame,
 };
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -94,7 +94,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
 
     /// Adds the thrusts, and their work. While an equilibrium is sought they follow the error at once, without limits.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
-        let wrench = if at.situation == Situation::Settling {
+        let wrench = if at.evaluation == EvaluationMode::Settling {
             let command = self.settling_command(at.model, at.links);
             self.wrench(|i, _| self.allocation.thrust(i, command))
         } else {

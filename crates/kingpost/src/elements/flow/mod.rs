@@ -94,7 +94,7 @@ impl<S: Scalar> FlowLoad<S> {
     fn velocity(&self, at: &Context<'_, S>) -> (Vector3<S>, S) {
         let (mean, density) = self.flow.in_world(at.world);
         match (&self.gusts, &at.world.wind) {
-            (Some(gusts), Some(wind)) if at.situation.has_waves() => {
+            (Some(gusts), Some(wind)) if at.evaluation.has_waves() => {
                 (mean + wind.along(gusts.speed(at.clock.time_s)), density)
             }
             _ => (mean, density),

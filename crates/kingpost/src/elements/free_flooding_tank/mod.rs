@@ -180,7 +180,7 @@ impl<S: Scalar> FreeFloodingTank<S> {
     fn flooded(&self, at: &Context<'_, S>) -> Flooded<S> {
         let Frame { rotation, position } = self.opening_frame(at);
         let calm = -(at.world.specific_weight() * position[2]);
-        let waves = at.world.waves.as_ref().filter(|_| at.situation.has_waves());
+        let waves = at.world.waves.as_ref().filter(|_| at.evaluation.has_waves());
         let sea = match waves {
             Some(waves) => waves.pressure_pa(position, at.clock.time_s),
             None => calm.select_below(0.0, || S::ZERO, || calm),

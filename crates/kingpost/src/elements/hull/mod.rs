@@ -30,7 +30,9 @@ pub use place::{CoefficientFrame, HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
-use super::{AnyWatcher, Context, Declaration, Element, Output, Own, RegularWaves, ShownWaves, Situation, VectorFrame};
+use super::{
+    AnyWatcher, Context, Declaration, Element, EvaluationMode, Output, Own, RegularWaves, ShownWaves, VectorFrame,
+};
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
@@ -167,7 +169,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         if let Some(radiation) = &self.radiation {
             by_the_sea = radiation.force(States::of(at.states).radiation);
         }
-        let (waves, time_s) = (at.world.waves.as_ref().filter(|_| at.situation.has_waves()), at.clock.time_s);
+        let (waves, time_s) = (at.world.waves.as_ref().filter(|_| at.evaluation.has_waves()), at.clock.time_s);
         let velocity = self.velocity(at, &slow, &axes.rates(&twist));
         if let (Some(excitation), Some(waves)) = (&mut self.excitation, waves) {
             let first = excitation.force(waves, time_s, &slow);
@@ -335,15 +337,15 @@ impl<S: Scalar> Hull<S> {
 
     /// The average position of the hull; while an equilibrium is sought, its present position.
     fn slow_frame(&self, at: &Context<'_, S>) -> SlowFrame<S> {
-        match at.situation {
-            Situation::Settling => SlowFrame::of(&self.coefficients.frame(at.model, at.links)),
+        match at.evaluation {
+            EvaluationMode::Settling => SlowFrame::of(&self.coefficients.frame(at.model, at.links)),
             _ => SlowFilter::read(at.states).frame(),
         }
     }
 
     /// Horizontal deviation of the ship's centre of mass from its mean position relative to the hull, m, and its rate.
     fn off(&self, at: &Context<'_, S>, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
-        if at.situation == Situation::Settling {
+        if at.evaluation == EvaluationMode::Settling {
             return [[S::ZERO; 2]; 2];
         }
         let centre = self.carried.centre(at, self.frame.body, slow);

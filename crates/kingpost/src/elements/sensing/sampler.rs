@@ -1,7 +1,7 @@
 //! The sampling of a sensor's signals: errors, a delay, and a last value that is held while the sensor drops out.
 
 use super::errors::{DropOuts, SensorNoise, SignalErrors};
-use crate::elements::{Context, Crossing, Declaration, Delay, Event, Output, Own, Situation};
+use crate::elements::{Context, Crossing, Declaration, Delay, EvaluationMode, Event, Output, Own};
 use crate::scalar::Scalar;
 
 /// Samples a fixed list of signals. Its numbers stand first among the element's: the outputs, then a ring buffer for
@@ -108,11 +108,11 @@ impl<S: Scalar> Sampler<S> {
         self.drop_outs.is_none() || modes[self.status_mode()] != OUT
     }
 
-    /// The values that it delivers, the exact ones in a [situation](Situation::Unsampled) without samples; then its status if
+    /// The values that it delivers, the exact ones in a [mode](EvaluationMode::Unsampled) without samples; then its status if
     /// it can drop out.
     pub fn outputs<Exact: AsRef<[S]>>(&self, at: &Context<'_, S>, out: &mut Vec<S>, exact: impl FnOnce() -> Exact) {
         let count = self.count();
-        if at.situation == Situation::Unsampled {
+        if at.evaluation == EvaluationMode::Unsampled {
             out.extend_from_slice(&exact().as_ref()[..count]);
         } else {
             out.extend_from_slice(&at.numbers[..count]);

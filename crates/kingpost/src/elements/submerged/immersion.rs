@@ -34,7 +34,7 @@ impl Phase {
     }
 
     pub fn at<S>(at: &Context<'_, S>) -> Self {
-        match at.modes.first().filter(|_| has_phases(at.situation)) {
+        match at.modes.first().filter(|_| has_phases(at.evaluation)) {
             Some(1) => Self::Dry,
             Some(2) => Self::Cut,
             Some(3) => Self::Wet,
@@ -174,7 +174,7 @@ impl<S: Scalar> Waters<S> {
 
     fn surface(&mut self, at: &Context<'_, S>, [x, y, _]: [S; 3]) -> LocalSurface<S> {
         match (&mut self.waves, &at.world.waves) {
-            (Some(waves), Some(field)) if at.situation.has_waves() => waves.surface(field, [x, y], at.clock.time_s),
+            (Some(waves), Some(field)) if at.evaluation.has_waves() => waves.surface(field, [x, y], at.clock.time_s),
             _ => LocalSurface::still(),
         }
     }
@@ -236,7 +236,7 @@ impl<S: Scalar> Waters<S> {
             centre,
             stream,
             acceleration,
-            in_waves: self.waves.is_some() && at.situation.has_waves(),
+            in_waves: self.waves.is_some() && at.evaluation.has_waves(),
             elevation: surface.elevation,
             slopes: surface.slopes,
             plane,
@@ -258,7 +258,7 @@ impl<S: Scalar> Waters<S> {
         let depth = z.select_below(0.0, || -z, || S::ZERO);
         let current = at.world.current_at(&CurrentAt::Depth(depth));
         let [velocity, acceleration] = match (&self.waves, &at.world.waves) {
-            (Some(waves), Some(field)) if at.situation.has_waves() => waves.motion(field, surface.elevation, z),
+            (Some(waves), Some(field)) if at.evaluation.has_waves() => waves.motion(field, surface.elevation, z),
             _ => [Vector3::zero(); 2],
         };
         [velocity + current, acceleration].map(|vector| motion.frame.rotation.transpose_times(vector))

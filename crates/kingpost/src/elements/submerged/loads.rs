@@ -123,7 +123,7 @@ impl<S: Scalar> WindOnDry<S> {
     pub(super) fn force(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let Some(wind) = &at.world.wind else { return Wrench::zero() };
         let mut flow = wind.at_height(self.height);
-        if let (Some(gusts), true) = (&self.gusts, at.situation.has_waves()) {
+        if let (Some(gusts), true) = (&self.gusts, at.evaluation.has_waves()) {
             flow += wind.along(gusts.speed(at.clock.time_s));
         }
         let past = now.frame.rotation.transpose_times(flow) - now.twist.linear;

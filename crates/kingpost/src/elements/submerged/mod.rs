@@ -12,7 +12,7 @@ pub use loads::{AddedMassOf, Drag, Slamming, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
-    Components, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, ShownWaves, Situation,
+    Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own, ShownWaves,
     VectorFrame,
 };
 use crate::dynamics::{Kinematics, Loads};
@@ -235,7 +235,7 @@ impl<S: Scalar> Submerged<S> {
     fn inside(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
         let water = self.entrained?;
         let outside = water.outside(now.depth(water.floor()));
-        let inside = if has_phases(at.situation) { *at.states.first()? } else { outside };
+        let inside = if has_phases(at.evaluation) { *at.states.first()? } else { outside };
         Some((water, Levels { inside, outside }))
     }
 
@@ -291,6 +291,6 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
 }
 
 /// At rest there are no phases: the level decides.
-fn has_phases(situation: Situation) -> bool {
-    situation == Situation::Running
+fn has_phases(evaluation: EvaluationMode) -> bool {
+    evaluation == EvaluationMode::Running
 }

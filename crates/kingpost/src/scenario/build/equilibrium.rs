@@ -2,7 +2,7 @@
 
 use super::super::schema::Scenario;
 use super::FieldError;
-use crate::elements::{AnyElement, Settling, Situation};
+use crate::elements::{AnyElement, EvaluationMode, Settling};
 use crate::integrate::{Interval, Stage, System};
 use crate::model::{Mode, Model, Node};
 use crate::plant::Plant;
@@ -87,7 +87,7 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
     let mut state = State { q: setup.q.clone(), v: still.clone(), ..State::default() };
     // As at the start of a run: a new search would take the present position as that without friction.
     plant.begin(0.0, &inputs, &mut state);
-    plant.set_situation(Situation::Settling);
+    plant.set_evaluation_mode(EvaluationMode::Settling);
     plant.follow_restraints(0.0, &state, &mut setup.q);
     let State { s, d, m, .. } = state;
     let (mut v_dot, mut s_dot) = (still.clone(), vec![S::ZERO; s.len()]);
