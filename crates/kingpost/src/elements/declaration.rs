@@ -220,7 +220,7 @@ pub enum VectorFrame {
     None,
 }
 
-/// An event of an element: its witness function changes sign.
+/// An event of an element: its indicator changes sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
     /// What happens, for the table of events.
@@ -229,7 +229,7 @@ pub struct Event {
     pub crossing: Crossing,
 }
 
-/// Which change of sign of a witness is an event.
+/// Which change of sign of an indicator is an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// From negative to positive.
@@ -241,7 +241,7 @@ pub enum Crossing {
 }
 
 impl Crossing {
-    /// Whether a witness that was `before` and is `after` has crossed.
+    /// Whether an indicator that was `before` and is `after` has crossed.
     pub fn happened(self, before: f64, after: f64) -> bool {
         let (rising, falling) = (before < 0.0 && after >= 0.0, before > 0.0 && after <= 0.0);
         match self {

@@ -18,7 +18,7 @@ use core::fmt::Debug;
 /// | --- | --- |
 /// | a run begins | [`begin`](Self::begin) |
 /// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
-/// | after every step | [`witness`](Self::witness); where one changes sign, [`respond`](Self::respond) at that time |
+/// | after every step | [`event_indicators`](Self::event_indicators); where one changes sign, [`respond`](Self::respond) at that time |
 /// | every step begins | [`steer`](Self::steer), where it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | its numbers or an input of its own are changed | [`renew`](Self::renew) |
@@ -91,8 +91,8 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// the step holds. `inputs` begins with those.
     fn at_end(&self, _at: &Context<'_, S>, _inputs: &mut [S]) {}
 
-    /// Writes the witness function of each event, in the order of the declaration: a change of sign is the event.
-    fn witnesses(&mut self, _at: &Context<'_, S>, values: &mut [S]) {
+    /// Writes the indicator of each event, in the order of the declaration: a change of sign is the event.
+    fn event_indicators(&mut self, _at: &Context<'_, S>, values: &mut [S]) {
         values.fill(S::ONE);
     }
 

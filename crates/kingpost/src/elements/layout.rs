@@ -26,7 +26,7 @@ pub struct Share {
     pub keeps_states: bool,
 }
 
-/// A witness of an element.
+/// An indicator of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Watched {
     /// The element.
@@ -110,7 +110,7 @@ pub struct Layout {
     pub outputs: Vec<(usize, Output)>,
     /// The lines to draw, in the order of drawing.
     pub lines: Vec<DrawnLine>,
-    /// The witnesses of all elements.
+    /// The indicators of all elements.
     pub watched: Vec<Watched>,
     /// The elements that prescribe motions.
     pub prescribing: Vec<usize>,

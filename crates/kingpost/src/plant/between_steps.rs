@@ -148,8 +148,8 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Writes every witness at a stage.
-    pub fn witnesses(&mut self, at: Stage<'_, S>, values: &mut [S]) {
+    /// Writes every indicator at a stage.
+    pub fn event_indicators(&mut self, at: Stage<'_, S>, values: &mut [S]) {
         self.load_restraints(at);
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, layout, evaluation, elements, .. } = self;
@@ -157,7 +157,7 @@ impl<S: Scalar> Plant<S> {
         let mut rest = values;
         for of_one in layout.watched.chunk_by(|one, next| one.element == next.element) {
             let (own, others) = rest.split_at_mut(of_one.len());
-            elements[of_one[0].element].witnesses(scene.of(of_one[0].element), own);
+            elements[of_one[0].element].event_indicators(scene.of(of_one[0].element), own);
             rest = others;
         }
     }

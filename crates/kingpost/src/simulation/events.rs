@@ -1,4 +1,4 @@
-//! Events: if a witness changes sign within a step, the step ends there and the element responds.
+//! Events: if an indicator changes sign within a step, the step ends there and the element responds.
 
 use super::{RunError, Simulation, stage};
 use crate::elements::{Crossing, Watched};
@@ -23,9 +23,9 @@ pub struct Happened {
 const TIME_TOLERANCE_S: f64 = 1e-12;
 /// Largest number of events in one step: more would never end.
 const MOST_EVENTS: usize = 1000;
-/// Share of a step over which the rate of a witness is found, by central differences.
+/// Share of a step over which the rate of an indicator is found, by central differences.
 const RATE_STEP: f64 = 1e-2;
-/// Largest number of trials: a smooth witness is located in far fewer.
+/// Largest number of trials: a smooth indicator is located in far fewer.
 const MOST_TRIALS: usize = 200;
 
 /// Working memory for events, and their table.
@@ -36,7 +36,7 @@ pub(super) struct Watch<S> {
     of_step: Vec<u64>,
     /// Number of events in the present step.
     in_step: usize,
-    /// Witnesses at the start of an interval, at the lower end of the bracket, and at the present state.
+    /// Indicators at the start of an interval, at the lower end of the bracket, and at the present state.
     before: Vec<S>,
     low: Vec<S>,
     now: Vec<S>,
@@ -45,18 +45,18 @@ pub(super) struct Watch<S> {
     end: State<S>,
 }
 
-/// The part of an interval that contains an event: witnesses have not changed sign at `low`, and have at `high`.
+/// The part of an interval that contains an event: indicators have not changed sign at `low`, and have at `high`.
 struct Bracket {
     low_s: f64,
     high_s: f64,
-    /// The witness whose event seems to be first, and its values at both ends.
-    witness: usize,
+    /// The indicator whose event seems to be first, and its values at both ends.
+    indicator: usize,
     values: [f64; 2],
 }
 
 impl<S: Scalar> Watch<S> {
-    pub(super) fn new(witnesses: usize, state: &State<S>) -> Self {
-        let zeros = || vec![S::ZERO; witnesses];
+    pub(super) fn new(indicators: usize, state: &State<S>) -> Self {
+        let zeros = || vec![S::ZERO; indicators];
         Self {
             happened: Vec::new(),
             of_step: Vec::new(),
@@ -89,13 +89,13 @@ impl<S: Scalar> Watch<S> {
         self.of_step.truncate(kept);
     }
 
-    /// Whether a witness has crossed since the interval began, in any lane.
+    /// Whether an indicator has crossed since the interval began, in any lane.
     fn crossed(&self, watched: &[Watched]) -> bool {
         let mut pairs = watched.iter().zip(self.before.iter().zip(&self.now));
         pairs.any(|(watched, (before, now))| !crossed(watched.crossing, *before, *now).all(|crossed| crossed == 0.0))
     }
 
-    /// The witness that crosses first by linear interpolation from the lower end, with its values there and now.
+    /// The indicator that crosses first by linear interpolation from the lower end, with its values there and now.
     fn first(&self, watched: &[Watched]) -> Option<(usize, [f64; 2])> {
         let pairs = watched.iter().zip(self.low.iter().zip(&self.now)).enumerate();
         let crossed = pairs.filter_map(|(i, (watched, (low, now)))| {
@@ -111,7 +111,7 @@ fn share([low, high]: [f64; 2]) -> f64 {
     low / (low - high)
 }
 
-/// 1 where a witness has crossed, 0 where it has not, by lane.
+/// 1 where an indicator has crossed, 0 where it has not, by lane.
 fn crossed<S: Scalar>(crossing: Crossing, before: S, now: S) -> S {
     let rising =
         |before: S, now: S| before.select_below(0.0, || now.select_below(0.0, || S::ZERO, || S::ONE), || S::ZERO);
@@ -131,7 +131,7 @@ impl<S: Scalar> Simulation<S> {
             return Ok(interval.end_s);
         }
         let Self { plant, watch, state, scheme, .. } = self;
-        plant.witnesses(stage(interval, state), &mut watch.before);
+        plant.event_indicators(stage(interval, state), &mut watch.before);
         watch.start.copy_from(state);
         scheme.step(plant, interval, edge_s, state)?;
         self.look(interval, interval.end_s);
@@ -147,21 +147,21 @@ impl<S: Scalar> Simulation<S> {
         Ok(time_s)
     }
 
-    /// Evaluates the witnesses at the present state, at a time within an interval.
+    /// Evaluates the indicators at the present state, at a time within an interval.
     fn look(&mut self, interval: Interval, time_s: f64) {
         let at = Stage { time_s, ..stage(interval, &self.state) };
-        self.plant.witnesses(at, &mut self.watch.now);
+        self.plant.event_indicators(at, &mut self.watch.now);
     }
 
-    /// Moves the state to the first time in an interval at which a witness has changed sign, by secants with a bisection in
+    /// Moves the state to the first time in an interval at which an indicator has changed sign, by secants with a bisection in
     /// between; both ends of the last bracket are within the tolerance.
     fn locate(&mut self, interval: Interval, edge_s: f64) -> Result<f64, RunError> {
         let Interval { start_s, end_s } = interval;
         let tolerance_s = TIME_TOLERANCE_S.max(4.0 * f64::EPSILON * end_s.abs());
         self.watch.low.copy_from_slice(&self.watch.before);
         let first = self.watch.first(&self.plant.layout().watched);
-        let Some((witness, values)) = first else { return Ok(end_s) };
-        let mut bracket = Bracket { low_s: start_s, high_s: end_s, witness, values };
+        let Some((indicator, values)) = first else { return Ok(end_s) };
+        let mut bracket = Bracket { low_s: start_s, high_s: end_s, indicator, values };
         for trial in 0..MOST_TRIALS {
             if bracket.high_s - bracket.low_s <= tolerance_s {
                 break;
@@ -170,11 +170,11 @@ impl<S: Scalar> Simulation<S> {
             self.go_to(interval, time_s, edge_s)?;
             self.look(interval, time_s);
             match self.watch.first(&self.plant.layout().watched) {
-                Some((witness, values)) => bracket = Bracket { high_s: time_s, witness, values, ..bracket },
+                Some((indicator, values)) => bracket = Bracket { high_s: time_s, indicator, values, ..bracket },
                 None => {
                     self.watch.low.copy_from_slice(&self.watch.now);
                     bracket.low_s = time_s;
-                    bracket.values[0] = self.watch.low[bracket.witness].value();
+                    bracket.values[0] = self.watch.low[bracket.indicator].value();
                 }
             }
         }
@@ -230,27 +230,27 @@ impl<S: Scalar> Simulation<S> {
     }
 }
 
-/// Derivatives of the time of an event. With the witness g, f the rates before and f+ those after, `dt = -dg / g'`
+/// Derivatives of the time of an event. With the indicator g, f the rates before and f+ those after, `dt = -dg / g'`
 /// moves the state by `f dt` up to the event and by `-f+ dt` from there (the saltation matrix: Leine & Nijmeijer,
 /// *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2).
 impl<S: Scalar> Simulation<S> {
-    /// dt of a witness at the present state: its value is 0, it carries the derivatives.
-    fn delay(&mut self, interval: Interval, time_s: f64, witness: usize) -> S {
+    /// dt of an indicator at the present state: its value is 0, it carries the derivatives.
+    fn delay(&mut self, interval: Interval, time_s: f64, indicator: usize) -> S {
         if !S::HAS_DERIVATIVES {
             return S::ZERO;
         }
         let by_s = RATE_STEP * self.settings.step_s;
-        // The caller goes through all witnesses: evaluating neighbouring times must not change the others.
+        // The caller goes through all indicators: evaluating neighbouring times must not change the others.
         let now = self.watch.now.clone();
         self.watch.start.copy_from(&self.state);
         let mut at = |by_s: f64| {
             self.drift(interval, time_s, S::constant(by_s));
             self.look(interval, time_s);
             self.state.copy_from(&self.watch.start);
-            self.watch.now[witness].value()
+            self.watch.now[indicator].value()
         };
         let rate = (at(by_s) - at(-by_s)) / (2.0 * by_s);
-        let g = now[witness];
+        let g = now[indicator];
         self.watch.now = now;
         (S::constant(g.value()) - g) / S::constant(rate)
     }

@@ -83,7 +83,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
         own.numbers[0] = now.select_less(own.numbers[0], || own.numbers[0], || now);
     }
 
-    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values[0] = at.states[0] - self.limit;
     }
 

@@ -78,7 +78,7 @@ impl<S: Scalar> Element<S> for Floor<S> {
         Declaration { events, ..Declaration::default() }
     }
 
-    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values[0] = at.q[0];
     }
 
@@ -180,7 +180,7 @@ impl<S: Scalar> Element<S> for Catch {
         loads.power.dissipated += moment * at.v[0];
     }
 
-    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values[0] = at.q[0] - S::constant(self.angle);
     }
 
@@ -341,7 +341,7 @@ fn what_answers_itself_without_end_stops_the_run() {
         }
 
         /// Falls through zero 1e-6 s after each answer.
-        fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+        fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
             let next = 0.001 + 1e-6 * at.modes[0] as f64;
             values[0] = S::constant(next - at.clock.time_s);
         }

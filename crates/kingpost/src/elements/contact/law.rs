@@ -86,7 +86,7 @@ impl<S: Scalar> Contact<S> {
     }
 
     /// The function whose change of sign is an event of a spot.
-    pub(super) fn witness(&self, event: usize, i: usize, met: &Met<S>, at: &Context<'_, S>) -> S {
+    pub(super) fn indicator(&self, event: usize, i: usize, met: &Met<S>, at: &Context<'_, S>) -> S {
         let mode = condition(i, at);
         let never = if EVENTS[event].crossing == Crossing::Rising { -S::ONE } else { S::ONE };
         let is_watched = match event {

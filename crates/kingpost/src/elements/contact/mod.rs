@@ -236,11 +236,11 @@ impl<S: Scalar> Element<S> for Contact<S> {
         out.extend([normal, friction, impulse, penetration, -deepest, count]);
     }
 
-    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let sides = self.sides_at(at);
         for (i, of_spot) in values.chunks_mut(self.events_of_a_spot()).enumerate() {
             let met = self.met(i, &sides);
-            of_spot.iter_mut().enumerate().for_each(|(event, value)| *value = self.witness(event, i, &met, at));
+            of_spot.iter_mut().enumerate().for_each(|(event, value)| *value = self.indicator(event, i, &met, at));
         }
     }
 

@@ -231,7 +231,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         self.load_chart.iter().map(|chart| chart.watcher(&self.name)).collect()
     }
 
-    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let now = self.stretched(at);
         let (mode, pull) = (self.condition(at), self.pull_length(&now));
         let holds = self.inextensible.is_some();

@@ -73,7 +73,7 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
         out.extend([at_winch, extent.length, extent.rate]);
     }
 
-    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         values.fill(self.path.extent(at).range_left);
     }
 

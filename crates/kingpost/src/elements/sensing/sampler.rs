@@ -74,7 +74,7 @@ impl<S: Scalar> Sampler<S> {
         self.drop_outs.map(|_| Output::number("sensor_status", what, "sensor", name, &["1"]))
     }
 
-    /// Its events, if it can drop out: they are brought about by samples, not by witnesses.
+    /// Its events, if it can drop out: they are brought about by samples, not by indicators.
     fn events(&self) -> Vec<Event> {
         let of = |what| Event { what, crossing: Crossing::Rising };
         self.drop_outs.map_or_else(Vec::new, |_| vec![of("drops out"), of("delivers again")])

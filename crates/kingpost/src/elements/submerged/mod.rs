@@ -160,7 +160,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let phase = Phase::at(at);
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
         for (event, value) in values.iter_mut().enumerate() {
