@@ -18,7 +18,7 @@ use core::fmt::Debug;
 /// | --- | --- |
 /// | a run begins | [`begin`](Self::begin) |
 /// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
-/// | after every step | [`event_indicators`](Self::event_indicators); where one changes sign, [`respond`](Self::respond) at that time |
+/// | after every step | [`event_indicators`](Self::event_indicators); where one changes sign, [`handle_event`](Self::handle_event) at that time |
 /// | every step begins | [`steer`](Self::steer), where it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | its numbers or an input of its own are changed | [`renew`](Self::renew) |
@@ -98,7 +98,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
 
     /// Responds to an event at the located time: it may change its states, numbers and modes, and the velocities `v` of
     /// the whole model, as an impact does.
-    fn respond(&mut self, _event: usize, _at: &Context<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
+    fn handle_event(&mut self, _event: usize, _at: &Context<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
 
     /// Sets its modes again after its numbers or one of its inputs were changed, because a threshold may have been
     /// crossed.

@@ -168,10 +168,10 @@ impl<S: Scalar> Plant<S> {
     }
 
     /// Lets an element respond to its event at a time; the change of energy and momentum is booked in the ledger.
-    pub fn respond(&mut self, watched: Watched, time_s: f64, state: &mut State<S>) {
+    pub fn handle_event(&mut self, watched: Watched, time_s: f64, state: &mut State<S>) {
         let before = self.totals(instant(time_s, state));
         self.change(watched.element, time_s, state, |element, at, own, v| {
-            element.respond(watched.event, at, own, v);
+            element.handle_event(watched.event, at, own, v);
         });
         self.take_hold(time_s, state);
         self.book_jump(&before, time_s, state);

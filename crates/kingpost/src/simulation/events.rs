@@ -210,7 +210,7 @@ impl<S: Scalar> Simulation<S> {
             }
             let delay = self.delay(interval, time_s, i);
             self.drift(interval, time_s, delay);
-            self.plant.respond(watched, time_s, &mut self.state);
+            self.plant.handle_event(watched, time_s, &mut self.state);
             let end_s = time_s + self.settings.step_s;
             let after = Interval { start_s: time_s, end_s: self.next_edge_s(time_s, end_s).min(end_s) };
             self.drift(after, time_s, -delay);

@@ -87,7 +87,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
         values[0] = at.states[0] - self.limit;
     }
 
-    fn respond(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+    fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
         own.modes[0] = 1;
     }
 

@@ -82,7 +82,7 @@ impl<S: Scalar> Element<S> for Floor<S> {
         values[0] = at.q[0];
     }
 
-    fn respond(&mut self, _: usize, at: &Context<'_, S>, _: &mut Own<'_, S>, v: &mut [S]) {
+    fn handle_event(&mut self, _: usize, at: &Context<'_, S>, _: &mut Own<'_, S>, v: &mut [S]) {
         v[0] = -(self.restitution * at.v[0]);
     }
 }
@@ -184,7 +184,7 @@ impl<S: Scalar> Element<S> for Catch {
         values[0] = at.q[0] - S::constant(self.angle);
     }
 
-    fn respond(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+    fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
         own.modes[0] = 1;
     }
 }
@@ -346,7 +346,7 @@ fn what_answers_itself_without_end_stops_the_run() {
             values[0] = S::constant(next - at.clock.time_s);
         }
 
-        fn respond(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+        fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
             own.modes[0] += 1;
         }
     }

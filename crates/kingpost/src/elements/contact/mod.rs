@@ -244,7 +244,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn respond(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn handle_event(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
         let met = self.met(i, &self.sides_at(at));
         match (event, self.friction) {

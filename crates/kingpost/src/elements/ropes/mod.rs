@@ -253,7 +253,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         values.iter_mut().enumerate().for_each(|(event, value)| *value = of_event(event));
     }
 
-    fn respond(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn handle_event(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         match event {
             GOES_SLACK => own.modes[0] = SLACK,
             COMES_TAUT => self.pull_or_part(at, own),

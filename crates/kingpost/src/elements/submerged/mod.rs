@@ -180,7 +180,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn respond(&mut self, event: usize, _at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn handle_event(&mut self, event: usize, _at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         own.modes[0] = match event {
             MEETS | COMES_UP => Phase::Cut,
             IS_UNDER => Phase::Wet,
