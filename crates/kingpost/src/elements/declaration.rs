@@ -32,7 +32,7 @@ pub struct Declaration {
     pub holds: bool,
     /// Whether runs with it are stepped one by one, not in lanes: its law changes in each run at a different time.
     pub goes_alone: bool,
-    /// The columns, of the model or of any element, that it [reads](super::Element::steer) at the start of every step.
+    /// The columns, of the model or of any element, that it [reads](super::Element::update_controls) at the start of every step.
     pub reads: Vec<String>,
     /// The inputs of other elements that it sets then.
     pub steers: Vec<String>,

@@ -19,7 +19,7 @@ use core::fmt::Debug;
 /// | a run begins | [`begin`](Self::begin) |
 /// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
 /// | after every step | [`event_indicators`](Self::event_indicators); where one changes sign, [`handle_event`](Self::handle_event) at that time |
-/// | every step begins | [`steer`](Self::steer), where it steers inputs |
+/// | every step begins | [`update_controls`](Self::update_controls), where it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | its numbers or an input of its own are changed | [`renew`](Self::renew) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
@@ -76,7 +76,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     ///
     /// # Errors
     /// The reason why the run ends.
-    fn steer(
+    fn update_controls(
         &mut self,
         _at: &Context<'_, S>,
         _read: &[S],
@@ -87,7 +87,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// Writes the values at the end of the step of the inputs that it [steers](Declaration::steers), in the order of its
-    /// declaration, where they vary within the step; called after [`steer`](Element::steer), which has set the values that
+    /// declaration, where they vary within the step; called after [`update_controls`](Element::update_controls), which has set the values that
     /// the step holds. `inputs` begins with those.
     fn at_end(&self, _at: &Context<'_, S>, _inputs: &mut [S]) {}
 

@@ -83,7 +83,7 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
         own.numbers.fill(at.inputs[0]);
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         _read: &[S],

@@ -124,7 +124,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
 
     /// Takes a position of the satellite receiver where it has a new one. While the receiver is out, the unit goes on with
     /// the motion that it has found.
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

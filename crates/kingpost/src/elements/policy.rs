@@ -75,7 +75,7 @@ impl<S: Scalar> Element<S> for Policy<S> {
         changed_commands("addition", self.steers.iter().map(|steer| (&steer.to, &*steer.command)), reads)
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

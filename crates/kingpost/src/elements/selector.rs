@@ -34,7 +34,7 @@ impl<S: Scalar> Element<S> for Selector {
         }
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         _read: &[S],

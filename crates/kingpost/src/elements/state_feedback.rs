@@ -69,7 +69,7 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
         declared
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

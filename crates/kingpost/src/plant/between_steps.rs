@@ -99,7 +99,7 @@ impl<S: Scalar> Plant<S> {
     ///
     /// # Errors
     /// The reason why the run ends, in the element's words.
-    pub fn steer(
+    pub fn update_controls(
         &mut self,
         steer: usize,
         read: &[S],
@@ -112,7 +112,9 @@ impl<S: Scalar> Plant<S> {
         values.clear();
         values.extend(inputs.iter().map(|&input| state.d[input]));
         let mut steered = Ok(Vec::new());
-        self.change(element, time_s, state, |element, at, own, _| steered = element.steer(at, read, own, values));
+        self.change(element, time_s, state, |element, at, own, _| {
+            steered = element.update_controls(at, read, own, values)
+        });
         for (k, value) in values.iter().enumerate() {
             self.set_input(self.layout.steers[steer].inputs[k], *value, time_s, state);
         }

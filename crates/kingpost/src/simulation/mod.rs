@@ -255,7 +255,7 @@ impl<S: Scalar> Simulation<S> {
     }
 
     fn one_step(&mut self) -> Result<(), RunError> {
-        self.steer()?;
+        self.update_controls()?;
         let start_s = self.time_s();
         self.state.steps += 1;
         let end_s = self.time_s();

@@ -88,7 +88,7 @@ impl<S: Scalar> Steering<S> {
 
 impl<S: Scalar> Simulation<S> {
     /// Lets steering elements set their inputs at the start of a step.
-    pub(super) fn steer(&mut self) -> Result<(), RunError> {
+    pub(super) fn update_controls(&mut self) -> Result<(), RunError> {
         let time_s = self.time_s();
         if self.steering.readings.is_empty() {
             self.note_brought_about(time_s, self.state.steps + 1);
@@ -108,7 +108,7 @@ impl<S: Scalar> Simulation<S> {
                 let observed = plant.observe(at, readings.extent(), v_dot);
                 readings.read(&Sample { time_s, q: at.q, v: at.v, s: at.s, observed }, channels, read);
             }
-            let steered = plant.steer(steer, read, inputs, time_s, state);
+            let steered = plant.update_controls(steer, read, inputs, time_s, state);
             let element = || plant.layout().names[plant.layout().steers[steer].element].clone();
             let steered = steered.map_err(|why| RunError::Steering { time_s, element: element(), why })?;
             for what in steered {

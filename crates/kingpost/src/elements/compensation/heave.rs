@@ -118,7 +118,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
         }
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

@@ -76,7 +76,7 @@ impl<S: Scalar> Element<S> for PlatformCompensation<S> {
         }
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

@@ -95,7 +95,7 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
         }
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

@@ -44,7 +44,7 @@ impl<S: Scalar> Element<S> for DriveFunction<S> {
         one_command(&self.name, &self.to)
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         _read: &[S],

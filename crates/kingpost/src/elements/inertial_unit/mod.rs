@@ -109,7 +109,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
     }
 
     /// Takes a position of the receiver where it has a new one.
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

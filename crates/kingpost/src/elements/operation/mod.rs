@@ -85,7 +85,7 @@ impl<S: Scalar> Element<S> for Operation<S> {
         out.push(S::constant(at.modes[STEP] as f64));
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],

@@ -32,7 +32,7 @@ impl<S: Scalar> Element<S> for LoadCell<S> {
         Declaration { reads: vec![self.column.clone()], ..declaration }
     }
 
-    fn steer(
+    fn update_controls(
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
