@@ -2,7 +2,7 @@ import { texts } from "../texts";
 import type { Engine, Warning } from "./engine";
 import type { LeverMove } from "./messages";
 
-interface Happened {
+interface EventRecord {
   time_s: number;
   element: string;
   what: string;
@@ -22,7 +22,7 @@ export class Events {
 
   /** Only new events are requested from the engine. */
   of(engine: Engine): Warning[] {
-    const fresh = JSON.parse(engine.events_json(this.seen)) as Happened[];
+    const fresh = JSON.parse(engine.events_json(this.seen)) as EventRecord[];
     this.seen += fresh.length;
     fresh.forEach((happened) => this.keep(happened));
     const moves = JSON.parse(engine.lever_moves_json()) as LeverMove[];
@@ -30,7 +30,7 @@ export class Events {
     return [...this.kept, ...told];
   }
 
-  private keep({ time_s, element, what }: Happened): void {
+  private keep({ time_s, element, what }: EventRecord): void {
     const key = `${element} ${what}`;
     const count = (this.alike.get(key) ?? 0) + 1;
     this.alike.set(key, count);

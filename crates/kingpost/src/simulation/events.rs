@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 /// An event in a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Happened {
+pub struct EventRecord {
     /// When, s.
     pub time_s: f64,
     /// The element that watched for it.
@@ -31,7 +31,7 @@ const MOST_TRIALS: usize = 200;
 /// Working memory for events, and their table.
 #[derive(Clone, Debug)]
 pub(super) struct Watch<S> {
-    happened: Vec<Happened>,
+    records: Vec<EventRecord>,
     /// For each event its step, counted from 1.
     of_step: Vec<u64>,
     /// Number of events in the present step.
@@ -58,7 +58,7 @@ impl<S: Scalar> Watch<S> {
     pub(super) fn new(indicators: usize, state: &State<S>) -> Self {
         let zeros = || vec![S::ZERO; indicators];
         Self {
-            happened: Vec::new(),
+            records: Vec::new(),
             of_step: Vec::new(),
             in_step: 0,
             before: zeros(),
@@ -69,12 +69,12 @@ impl<S: Scalar> Watch<S> {
         }
     }
 
-    pub(super) fn happened(&self) -> &[Happened] {
-        &self.happened
+    pub(super) fn records(&self) -> &[EventRecord] {
+        &self.records
     }
 
-    pub(super) fn note(&mut self, of_step: u64, happened: Happened) {
-        self.happened.push(happened);
+    pub(super) fn note(&mut self, of_step: u64, record: EventRecord) {
+        self.records.push(record);
         self.of_step.push(of_step);
     }
 
@@ -85,7 +85,7 @@ impl<S: Scalar> Watch<S> {
     /// Removes events after this number of steps from the table.
     pub(super) fn forget_after(&mut self, steps: u64) {
         let kept = self.of_step.partition_point(|step| *step <= steps);
-        self.happened.truncate(kept);
+        self.records.truncate(kept);
         self.of_step.truncate(kept);
     }
 
@@ -214,8 +214,8 @@ impl<S: Scalar> Simulation<S> {
             let end_s = time_s + self.settings.step_s;
             let after = Interval { start_s: time_s, end_s: self.next_edge_s(time_s, end_s).min(end_s) };
             self.drift(after, time_s, -delay);
-            let happened = Happened { time_s, element, what: Cow::Borrowed(watched.what) };
-            self.watch.note(self.state.steps, happened);
+            let record = EventRecord { time_s, element, what: Cow::Borrowed(watched.what) };
+            self.watch.note(self.state.steps, record);
             self.note_brought_about(time_s, self.state.steps);
         }
         Ok(())
@@ -225,7 +225,7 @@ impl<S: Scalar> Simulation<S> {
     pub(super) fn note_brought_about(&mut self, time_s: f64, of_step: u64) {
         for watched in self.plant.brought_about() {
             let element = self.plant.layout().names[watched.element].clone();
-            self.watch.note(of_step, Happened { time_s, element, what: Cow::Borrowed(watched.what) });
+            self.watch.note(of_step, EventRecord { time_s, element, what: Cow::Borrowed(watched.what) });
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Changes of numbers during a run.
 
 use super::from_outside::LARGEST_GAP_GIVEN;
-use super::{Happened, Simulation, stage};
+use super::{EventRecord, Simulation, stage};
 use crate::elements::AnyElement;
 use crate::world::World;
 
@@ -53,7 +53,7 @@ impl Simulation {
         core::mem::swap(&mut next.limits, &mut self.limits);
         core::mem::swap(&mut next.steering, &mut self.steering);
         next.steering.parameter_set(next.state.steps, what);
-        next.watch.note(next.state.steps, Happened { time_s, element: what.to_owned(), what: "was set".into() });
+        next.watch.note(next.state.steps, EventRecord { time_s, element: what.to_owned(), what: "was set".into() });
         next.note_brought_about(time_s, next.state.steps);
         *self = next;
         Ok(())

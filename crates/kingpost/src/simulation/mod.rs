@@ -20,7 +20,7 @@ mod watching;
 
 pub use crate::elements::{Input, Warning};
 pub use errors::{InputError, RunError};
-pub use events::Happened;
+pub use events::EventRecord;
 pub use feedback::GrowingMode;
 pub use limits::{Limit, LimitResult};
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
@@ -59,7 +59,7 @@ pub struct Run<S = f64> {
     /// Entries in a row.
     pub columns: usize,
     /// The events, in order of time.
-    pub events: Vec<Happened>,
+    pub events: Vec<EventRecord>,
     /// The warnings.
     pub warnings: Vec<Warning>,
     /// The results of its limits.
@@ -217,15 +217,15 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// The events so far, in order of time.
-    pub fn events(&self) -> &[Happened] {
-        self.watch.happened()
+    pub fn events(&self) -> &[EventRecord] {
+        self.watch.records()
     }
 
     /// The warnings of the rows since the start of the run, or since its state was set from outside, and of ropes that
     /// parted; in order of time.
     pub fn warnings(&self) -> Vec<Warning> {
-        let parted = self.events().iter().filter(|happened| happened.what == PARTS_WORDS);
-        let parted = parted.map(|Happened { time_s, element, .. }| Warning {
+        let parted = self.events().iter().filter(|record| record.what == PARTS_WORDS);
+        let parted = parted.map(|EventRecord { time_s, element, .. }| Warning {
             time_s: *time_s,
             name: element.clone(),
             text: "parts: its tension has reached its breaking load".to_owned(),

@@ -1,6 +1,6 @@
 //! Steering by elements at the start of a step, and the user's moves.
 
-use super::{Happened, RunError, Simulation, stage};
+use super::{EventRecord, RunError, Simulation, stage};
 use crate::elements::Layout;
 use crate::integrate::Stage;
 use crate::plant::Plant;
@@ -112,7 +112,7 @@ impl<S: Scalar> Simulation<S> {
             let element = || plant.layout().names[plant.layout().steers[steer].element].clone();
             let steered = steered.map_err(|why| RunError::Steering { time_s, element: element(), why })?;
             for what in steered {
-                watch.note(state.steps + 1, Happened { time_s, element: element(), what: what.into() });
+                watch.note(state.steps + 1, EventRecord { time_s, element: element(), what: what.into() });
             }
         }
         self.note_brought_about(time_s, self.state.steps + 1);

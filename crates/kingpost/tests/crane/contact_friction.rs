@@ -272,8 +272,9 @@ fn a_block_that_lands_on_its_corners_has_derivatives() {
     found.step(30).expect("it lands");
     let (plain, less, more) = (land(mass), land(mass - by), land(mass + by));
     assert_eq!(times(&plain, "touches").len(), 4);
-    let what =
-        |events: &[kingpost::simulation::Happened]| events.iter().map(|event| event.what.clone()).collect::<Vec<_>>();
+    let what = |events: &[kingpost::simulation::EventRecord]| {
+        events.iter().map(|event| event.what.clone()).collect::<Vec<_>>()
+    };
     assert_eq!(what(found.events()), what(plain.events()));
     let difference = |i: usize| (more.state().v[i] - less.state().v[i]) / (2.0 * by);
     let largest = (0..6).map(|i| difference(i).abs()).fold(0.0, f64::max);
