@@ -130,13 +130,13 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// The pairs of bodies of which one may carry the other through it; `None` is the world.
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         Vec::new()
     }
 
     /// The two bodies of which one may hold the other in surge, sway and yaw through it; `None` among them is the
     /// world.
-    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
         None
     }
 

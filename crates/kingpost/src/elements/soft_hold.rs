@@ -97,7 +97,7 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
         }
     }
 
-    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
         Some([Some(self.place.body), None])
     }
 }

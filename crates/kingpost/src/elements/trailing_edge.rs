@@ -85,7 +85,7 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
         Some("the response leaves out the waves at the trailing edge of a fin; a run has them")
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         vec![[Some(self.place.body), None]]
     }
 }

@@ -27,7 +27,7 @@ pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = Tie>) -> Vec<
 
 /// The ties that hold bodies in surge, sway and yaw.
 pub fn stations(elements: &[AnyElement]) -> impl Iterator<Item = Tie> + '_ {
-    elements.iter().filter_map(|element| element.keeps_station())
+    elements.iter().filter_map(|element| element.station_keeping())
 }
 
 fn joints(model: &Model) -> impl Iterator<Item = Tie> + '_ {

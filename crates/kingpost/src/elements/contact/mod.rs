@@ -270,7 +270,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         vec![Box::new(Depth::new(&self.name, self.tolerance.value()))]
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         vec![self.sides.each_ref().map(|side| side.body)]
     }
 }

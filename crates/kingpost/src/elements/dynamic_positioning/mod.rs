@@ -147,7 +147,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         out.extend(of_thrusters().map(|(thruster, thrust)| thruster.utilisation(thrust)));
     }
 
-    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
         Some([Some(self.place.body), None])
     }
 

@@ -234,7 +234,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         out.push(self.water_kinetic_energy(at));
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         vec![[Some(self.frame.body), None]]
     }
 

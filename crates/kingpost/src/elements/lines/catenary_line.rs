@@ -64,11 +64,11 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         }
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         vec![[self.fairlead.body, None]]
     }
 
-    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
         Some([self.fairlead.body, None])
     }
 

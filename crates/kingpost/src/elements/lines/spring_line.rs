@@ -74,11 +74,11 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         }
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         vec![[self.first.body, self.second.body]]
     }
 
-    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
         Some([self.first.body, self.second.body])
     }
 

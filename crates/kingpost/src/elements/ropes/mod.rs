@@ -284,8 +284,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
-        self.path.ties()
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
+        self.path.attached_bodies()
     }
 
     fn holding(&self) -> Option<&dyn Holding<S>> {
@@ -296,7 +296,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         self.inextensible.is_some().then_some(self)
     }
 
-    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
-        self.ties().into_iter().find(|[first, second]| first != second)
+    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
+        self.attached_bodies().into_iter().find(|[first, second]| first != second)
     }
 }

@@ -113,7 +113,7 @@ impl<S: Scalar> RopePath<S> {
     }
 
     /// The pairs of bodies that the legs connect.
-    pub fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    pub fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         self.stations.windows(2).map(|ends| [ends[0].centre.body, ends[1].centre.body]).collect()
     }
 

@@ -82,8 +82,8 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
         points.extend(self.path.straights().flatten().flat_map(|point| point.0));
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
-        self.path.ties()
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
+        self.path.attached_bodies()
     }
 }
 

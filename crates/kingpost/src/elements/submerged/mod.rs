@@ -197,7 +197,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         Some("the response leaves out wave loads and drag on its submerged part; a run has them")
     }
 
-    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         vec![[Some(self.place.body), None]]
     }
 }

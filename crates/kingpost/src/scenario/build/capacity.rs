@@ -83,8 +83,8 @@ impl FloatingGroups {
         let (mut group, mut held) = (roots.clone(), Vec::new());
         let loops = model.loops.iter().map(|closed| ([closed.first.body, closed.second.body], false));
         let by_elements = elements.iter().filter(|element| element.keeps_afloat().is_none()).flat_map(|element| {
-            let is_mooring = element.keeps_station().is_some();
-            element.ties().into_iter().map(move |tie| (tie, is_mooring))
+            let is_mooring = element.station_keeping().is_some();
+            element.attached_bodies().into_iter().map(move |tie| (tie, is_mooring))
         });
         for (tie, is_mooring) in loops.chain(by_elements) {
             match tie.map(root) {

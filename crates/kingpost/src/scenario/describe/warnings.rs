@@ -100,6 +100,6 @@ fn falling(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<usize> 
     if world.gravity == 0.0 {
         return Vec::new();
     }
-    let carried = tied_to_the_world(model, elements.iter().flat_map(|element| element.ties()));
+    let carried = tied_to_the_world(model, elements.iter().flat_map(|element| element.attached_bodies()));
     (0..model.bodies.len()).filter(|&body| floats_freely(model, body) && !carried[body]).collect()
 }
