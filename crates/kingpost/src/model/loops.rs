@@ -46,7 +46,7 @@ pub enum Constraint<S = f64> {
 
 /// A rotation that a loop can constrain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turn {
+pub enum RotationAxis {
     /// About x.
     Roll,
     /// About y.
@@ -85,13 +85,13 @@ impl<S: Scalar> Constraint<S> {
     /// The constraint of one rotation if `all` are the constrained ones. Two of them leave a hinge about the third
     /// axis: B's hinge axis stays perpendicular to A's other two, at any angle of the hinge. Otherwise phi is that of
     /// the intrinsic z-y-x angles: B's y on A's z for roll, B's x on A's z for pitch, B's x on A's y for yaw.
-    pub fn rotation(turn: Turn, all: &[Turn]) -> Self {
+    pub fn rotation(turn: RotationAxis, all: &[RotationAxis]) -> Self {
         let third = |axis: usize| 3 - turn as usize - axis;
         let free: Vec<usize> = (0..3).filter(|axis| !all.iter().any(|turn| *turn as usize == *axis)).collect();
         let second = match (free.as_slice(), turn) {
             ([hinge], _) => *hinge,
-            (_, Turn::Roll) => 1,
-            (_, Turn::Pitch | Turn::Yaw) => 0,
+            (_, RotationAxis::Roll) => 1,
+            (_, RotationAxis::Pitch | RotationAxis::Yaw) => 0,
         };
         Self::Perpendicular { first: third(second), second }
     }
@@ -109,7 +109,7 @@ impl<S: Scalar> Constraint<S> {
 mod tests {
     use super::*;
 
-    fn axes(turn: Turn, all: &[Turn]) -> (usize, usize) {
+    fn axes(turn: RotationAxis, all: &[RotationAxis]) -> (usize, usize) {
         match Constraint::<f64>::rotation(turn, all) {
             Constraint::Perpendicular { first, second } => (first, second),
             _ => unreachable!("a rotation is about axes"),
@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn two_rotations_leave_a_hinge_whose_axis_stays_perpendicular_to_the_other_two() {
-        use Turn::{Pitch, Roll, Yaw};
+        use RotationAxis::{Pitch, Roll, Yaw};
         assert_eq!([Roll, Yaw].map(|turn| axes(turn, &[Roll, Yaw])), [(2, 1), (0, 1)]);
         assert_eq!([Roll, Pitch].map(|turn| axes(turn, &[Roll, Pitch])), [(1, 2), (0, 2)]);
         assert_eq!([Pitch, Yaw].map(|turn| axes(turn, &[Pitch, Yaw])), [(2, 0), (1, 0)]);

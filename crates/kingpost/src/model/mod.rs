@@ -16,7 +16,7 @@ pub use beam::Beam;
 pub use charts::Charts;
 pub use joint::{AxisMotion, Joint, JointKind, Mode};
 pub use links::{Carrier, Link, LinkInertia, LinkJoint, Moments};
-pub use loops::{Attachment, Constraint, Loop, Turn};
+pub use loops::{Attachment, Constraint, Loop, RotationAxis};
 pub use section::Section;
 pub use shape::{Axis, Shape};
 pub use tree::{Node, Tree};

@@ -8,7 +8,7 @@ use kingpost::dynamics::forward::{Workspace, forward_dynamics};
 use kingpost::dynamics::loops::LoopSolver;
 use kingpost::dynamics::moving_frame::{MovingFrame, Variation};
 use kingpost::dynamics::{Kinematics, LinkKinematics, Loads, inverse::InverseDynamics};
-use kingpost::model::{Attachment, Constraint, Loop, Model, Turn};
+use kingpost::model::{Attachment, Constraint, Loop, Model, RotationAxis};
 
 const STATES: u64 = 500;
 
@@ -77,8 +77,8 @@ fn random_loop(random: &mut Random, model: &Model, k: usize) -> Loop {
         Attachment::on(body, random.frame())
     };
     let (first, second) = (attachment(random), attachment(random));
-    let all = [Turn::Roll, Turn::Pitch, Turn::Yaw];
-    let turns: Vec<Turn> = all.into_iter().filter(|_| random.chance(0.3)).collect();
+    let all = [RotationAxis::Roll, RotationAxis::Pitch, RotationAxis::Yaw];
+    let turns: Vec<RotationAxis> = all.into_iter().filter(|_| random.chance(0.3)).collect();
     let mut constraints: Vec<Constraint> = turns.iter().map(|turn| Constraint::rotation(*turn, &turns)).collect();
     constraints.extend((0..3).filter(|_| random.chance(0.4)).map(Constraint::Offset));
     if constraints.is_empty() {

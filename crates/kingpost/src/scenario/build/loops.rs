@@ -7,7 +7,7 @@ use super::{FieldError, known};
 use crate::dynamics::forward::Workspace;
 use crate::dynamics::loops::{LoopSolver, Projection, Row};
 use crate::dynamics::{LinkKinematics, Loads, Restraint};
-use crate::model::{Attachment, Constraint, Loop, Model, Turn};
+use crate::model::{Attachment, Constraint, Loop, Model, RotationAxis};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
@@ -57,20 +57,20 @@ fn attachment<S: Quantity>(
 /// The constraints as types of the engine, with their names.
 fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<S>)> {
     let turn = |constraint: &schema::Constraint<S>| match constraint {
-        schema::Constraint::Roll => Some(Turn::Roll),
-        schema::Constraint::Pitch => Some(Turn::Pitch),
-        schema::Constraint::Yaw => Some(Turn::Yaw),
+        schema::Constraint::Roll => Some(RotationAxis::Roll),
+        schema::Constraint::Pitch => Some(RotationAxis::Pitch),
+        schema::Constraint::Yaw => Some(RotationAxis::Yaw),
         _ => None,
     };
-    let turns: Vec<Turn> = given.constraints.iter().filter_map(turn).collect();
+    let turns: Vec<RotationAxis> = given.constraints.iter().filter_map(turn).collect();
     let constraint = |constraint: &schema::Constraint<S>| {
         let meant = match constraint {
             schema::Constraint::X => Constraint::Offset(0),
             schema::Constraint::Y => Constraint::Offset(1),
             schema::Constraint::Z => Constraint::Offset(2),
-            schema::Constraint::Roll => Constraint::rotation(Turn::Roll, &turns),
-            schema::Constraint::Pitch => Constraint::rotation(Turn::Pitch, &turns),
-            schema::Constraint::Yaw => Constraint::rotation(Turn::Yaw, &turns),
+            schema::Constraint::Roll => Constraint::rotation(RotationAxis::Roll, &turns),
+            schema::Constraint::Pitch => Constraint::rotation(RotationAxis::Pitch, &turns),
+            schema::Constraint::Yaw => Constraint::rotation(RotationAxis::Yaw, &turns),
             schema::Constraint::Distance(given) => Constraint::Distance(given.length_m.get()),
         };
         (constraint.name().to_owned(), meant)
