@@ -41,7 +41,13 @@ impl<S: Scalar> Articulated<S> {
     /// A joint that is free along its axis S: `U = I S`, `D = S . U + rotor`, `u = tau - S . p`; the parent takes
     /// `I - U U^T / D` and `p + U u / D` (Featherstone 2008, table 7.1). At the end of a branch I has ten numbers.
     #[inline]
-    pub fn yield_along(&mut self, moving: &MovingLink<S>, force: S, rotor: S, parent: Option<&mut Self>) {
+    pub fn project_articulated_inertia(
+        &mut self,
+        moving: &MovingLink<S>,
+        force: S,
+        rotor: S,
+        parent: Option<&mut Self>,
+    ) {
         if self.has_more {
             let inertia = self.more.plus_rigid(&moving.inertia);
             self.resolve(inertia.times(&moving.axis), &moving.axis, force, rotor);

@@ -70,14 +70,19 @@ pub fn forward_dynamics<S: Scalar>(
     work: &mut Workspace<S>,
     v_dot: &mut [S],
 ) {
-    gather(model, links, loads, work);
-    articulate(model, links, loads, work);
-    respond(model, links, loads, work, v_dot);
+    link_inertias_and_loads(model, links, loads, work);
+    articulated_inertia_pass(model, links, loads, work);
+    acceleration_pass(model, links, loads, work, v_dot);
 }
 
-/// The own inertia of each link, and the loads on it from outside.
+/// Inertia and bias force of each link, with the loads on it from outside.
 #[inline]
-fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<S>, work: &mut Workspace<S>) {
+fn link_inertias_and_loads<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    loads: &Loads<S>,
+    work: &mut Workspace<S>,
+) {
     for (link, moving) in work.links.iter_mut().zip(links.moving()) {
         (link.has_more, link.bias) = (false, moving.bias);
     }
@@ -132,9 +137,15 @@ fn fall_freely<S: Scalar>(
     }
 }
 
-/// From the ends of the branches to their roots: the articulated inertias.
+/// Articulated inertias and bias forces, from the ends of the branches to their roots (Featherstone, *Rigid Body Dynamics
+/// Algorithms*, 2008, sec. 7.3, second pass).
 #[inline]
-fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<S>, work: &mut Workspace<S>) {
+fn articulated_inertia_pass<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    loads: &Loads<S>,
+    work: &mut Workspace<S>,
+) {
     for (i, (plan, moving)) in model.plan.iter().zip(links.moving()).enumerate().rev() {
         let (before, rest) = work.links.split_at_mut(i);
         let (link, parent) = (&mut rest[0], plan.parent().map(|p| &mut before[p]));
@@ -150,7 +161,7 @@ fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Lo
             }
             LinkJoint::Hinge | LinkJoint::Slide if plan.mode == Mode::Free => {
                 let (force, rotor) = (loads.force[plan.velocities], model.rotor_inertia[plan.velocities]);
-                link.yield_along(moving, force, rotor, parent);
+                link.project_articulated_inertia(moving, force, rotor, parent);
             }
             LinkJoint::Hinge | LinkJoint::Slide => {
                 if let Some(parent) = parent {
@@ -163,9 +174,9 @@ fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Lo
     }
 }
 
-/// From the roots outward: the response of each link.
+/// Accelerations, from the roots outward (Featherstone, sec. 7.3, third pass).
 #[inline]
-fn respond<S: Scalar>(
+fn acceleration_pass<S: Scalar>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
     loads: &Loads<S>,
