@@ -70,8 +70,8 @@ impl<S: Scalar> MovingLink<S> {
     /// is not that of a rigid body, and for the axis of a joint on the root.
     pub fn still(plan: &Link<S>) -> Self {
         let axis = match (plan.carrier, plan.joint) {
-            (Carrier::Root(_), LinkJoint::Hinge) => Seat::on_root(plan).hinge(),
-            (Carrier::Root(_), LinkJoint::Slide) => Seat::on_root(plan).slide(),
+            (Carrier::Root(_), LinkJoint::Revolute) => Seat::on_root(plan).hinge(),
+            (Carrier::Root(_), LinkJoint::Prismatic) => Seat::on_root(plan).slide(),
             _ => Twist::zero(),
         };
         Self {
@@ -101,17 +101,17 @@ impl<S: Scalar> MovingLink<S> {
         let turned = |rotation: Matrix3<S>| Frame { rotation, position: position + rotation * arm };
         match plan.joint {
             LinkJoint::Floating => Frame::identity(),
-            LinkJoint::Hinge => {
+            LinkJoint::Revolute => {
                 self.axis = Twist { angular: z, linear: z.cross(arm) };
                 self.motion = world.turned(&(self.axis * v[0]), Vector3::zero(), arm);
                 turned(rotation.turned_about_z(q[0].sin_cos()))
             }
-            LinkJoint::Slide => {
+            LinkJoint::Prismatic => {
                 self.axis = Twist { angular: Vector3::zero(), linear: z };
                 self.motion = world.slid(z * v[0], Vector3::zero());
                 Frame { rotation, position: position + rotation * (arm + z * q[0]) }
             }
-            LinkJoint::Ball => {
+            LinkJoint::Spherical => {
                 let own = Ball::new(plan, &self.in_root).twist(v);
                 self.motion = world.turned(&own, Vector3::zero(), arm);
                 turned(rotation * Quaternion::from_slice(q).to_matrix())
@@ -124,9 +124,9 @@ impl<S: Scalar> MovingLink<S> {
     pub fn mount_on_root(&mut self, plan: &Link<S>, root: &Self, q: &[S], v: &[S]) {
         match plan.joint {
             LinkJoint::Floating => {}
-            LinkJoint::Hinge => self.hinge(plan, &root.motion, &Seat::on_root(plan), q, v),
-            LinkJoint::Slide => self.slide(plan, &root.motion, &Seat::on_root(plan), q, v),
-            LinkJoint::Ball => self.ball(plan, &root.motion, &Seat::on_root(plan), q, v),
+            LinkJoint::Revolute => self.hinge(plan, &root.motion, &Seat::on_root(plan), q, v),
+            LinkJoint::Prismatic => self.slide(plan, &root.motion, &Seat::on_root(plan), q, v),
+            LinkJoint::Spherical => self.ball(plan, &root.motion, &Seat::on_root(plan), q, v),
         }
     }
 
@@ -135,17 +135,17 @@ impl<S: Scalar> MovingLink<S> {
     pub fn mount(&mut self, plan: &Link<S>, parent: &Self, q: &[S], v: &[S]) {
         match plan.joint {
             LinkJoint::Floating => {}
-            LinkJoint::Hinge => {
+            LinkJoint::Revolute => {
                 let seat = Seat::on_link(parent, plan);
                 self.axis = seat.hinge();
                 self.hinge(plan, &parent.motion, &seat, q, v);
             }
-            LinkJoint::Slide => {
+            LinkJoint::Prismatic => {
                 let seat = Seat::on_link(parent, plan);
                 self.axis = seat.slide();
                 self.slide(plan, &parent.motion, &seat, q, v);
             }
-            LinkJoint::Ball => self.ball(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
+            LinkJoint::Spherical => self.ball(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
         }
     }
 

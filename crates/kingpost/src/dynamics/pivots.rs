@@ -19,8 +19,8 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
         let (free, at) = (work.articulated_inertia(links, i), plan.velocities);
         let directions = match plan.joint {
             LinkJoint::Floating => unit_twists().to_vec(),
-            LinkJoint::Ball => Ball::new(plan, links.in_root(i)).axes().to_vec(),
-            LinkJoint::Hinge | LinkJoint::Slide => vec![*links.axis(i)],
+            LinkJoint::Spherical => Ball::new(plan, links.in_root(i)).axes().to_vec(),
+            LinkJoint::Revolute | LinkJoint::Prismatic => vec![*links.axis(i)],
         };
         // A floating joint's coordinates list the translation first, its twists the rotation.
         let coordinate = |k: usize| at + if directions.len() == 6 { (k + 3) % 6 } else { k };

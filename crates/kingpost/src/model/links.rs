@@ -51,11 +51,11 @@ pub enum LinkJoint {
     /// Six degrees of freedom against the world.
     Floating,
     /// Rotation about the link's z axis.
-    Hinge,
+    Revolute,
     /// Translation along the link's z axis.
-    Slide,
+    Prismatic,
     /// Rotation about a point.
-    Ball,
+    Spherical,
 }
 
 /// The inertia of a link about its frame's origin, in its axes.
@@ -180,9 +180,9 @@ pub(super) fn lowered<S: Scalar>(
 fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInertia<S>>) -> Link<S> {
     let (joint, placement) = match &node.kind {
         JointKind::Floating(_) => (LinkJoint::Floating, Frame::identity()),
-        JointKind::Revolute(revolute) => (LinkJoint::Hinge, *revolute.placement()),
-        JointKind::Prismatic(prismatic) => (LinkJoint::Slide, *prismatic.placement()),
-        JointKind::Spherical(ball) => (LinkJoint::Ball, *ball.placement()),
+        JointKind::Revolute(revolute) => (LinkJoint::Revolute, *revolute.placement()),
+        JointKind::Prismatic(prismatic) => (LinkJoint::Prismatic, *prismatic.placement()),
+        JointKind::Spherical(ball) => (LinkJoint::Spherical, *ball.placement()),
         JointKind::AxisList(_) | JointKind::Fixed(_) => unreachable!("these are split and fused"),
     };
     let floating = if let JointKind::Floating(floating) = node.kind { floating } else { Floating::default() };

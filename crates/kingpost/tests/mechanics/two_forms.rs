@@ -122,9 +122,9 @@ fn links_on_one_axis_have_it_as_their_z() {
         for (i, plan) in model.plan.iter().enumerate() {
             let (z, axis) = (links.in_root(i).rotation.column(2), links.axis(i));
             match plan.joint {
-                LinkJoint::Hinge => prop_assert!((axis.angular - z).norm() < 1e-15),
-                LinkJoint::Slide => prop_assert!((axis.linear - z).norm() < 1e-15),
-                LinkJoint::Floating | LinkJoint::Ball => prop_assert_eq!(*axis, Twist::zero()),
+                LinkJoint::Revolute => prop_assert!((axis.angular - z).norm() < 1e-15),
+                LinkJoint::Prismatic => prop_assert!((axis.linear - z).norm() < 1e-15),
+                LinkJoint::Floating | LinkJoint::Spherical => prop_assert_eq!(*axis, Twist::zero()),
             }
         }
         Ok(())

@@ -151,7 +151,7 @@ fn articulated_inertia_pass<S: Scalar>(
         let (link, parent) = (&mut rest[0], plan.parent().map(|p| &mut before[p]));
         match plan.joint {
             LinkJoint::Floating => {}
-            LinkJoint::Ball => {
+            LinkJoint::Spherical => {
                 if let Some(parent) = parent {
                     let (inertia, bias) =
                         Ball::new(plan, &moving.in_root).transmitted(&link.inertia(moving), &link.bias, &loads.force);
@@ -159,11 +159,11 @@ fn articulated_inertia_pass<S: Scalar>(
                     parent.bias += bias;
                 }
             }
-            LinkJoint::Hinge | LinkJoint::Slide if plan.mode == Mode::Free => {
+            LinkJoint::Revolute | LinkJoint::Prismatic if plan.mode == Mode::Free => {
                 let (force, rotor) = (loads.force[plan.velocities], model.rotor_inertia[plan.velocities]);
                 link.project_articulated_inertia(moving, force, rotor, parent);
             }
-            LinkJoint::Hinge | LinkJoint::Slide => {
+            LinkJoint::Revolute | LinkJoint::Prismatic => {
                 if let Some(parent) = parent {
                     let (inertia, given) = (link.inertia(moving), moving.axis * given_acceleration(plan, loads));
                     parent.carry(&inertia);
@@ -198,11 +198,11 @@ fn acceleration_pass<S: Scalar>(
                 link.response = root::accelerate(plan.floating, &link.inertia(moving), &net, fall[i]);
                 root::write(&link.response, fall[i], rotation, &mut v_dot[at..]);
             }
-            LinkJoint::Ball => {
+            LinkJoint::Spherical => {
                 let ball = Ball::new(plan, &moving.in_root);
                 link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried(), &loads.force, v_dot);
             }
-            LinkJoint::Hinge | LinkJoint::Slide => {
+            LinkJoint::Revolute | LinkJoint::Prismatic => {
                 let carried = carried();
                 let rate = match plan.mode {
                     Mode::Free => (link.drive - link.gain.dot(&carried)) * link.compliance,

@@ -63,7 +63,7 @@ impl<S: Scalar> Response<S> {
             let Some(parent) = plan.parent() else { continue };
             let (link, bias) = (&work.links[i], self.bias[i]);
             let passed = match plan.joint {
-                LinkJoint::Ball => Ball::new(plan, &moving.in_root).passes(&link.inertia(moving), &bias),
+                LinkJoint::Spherical => Ball::new(plan, &moving.in_root).passes(&link.inertia(moving), &bias),
                 _ if plan.mode == Mode::Free => {
                     let drive = self.force[plan.velocities] - bias.dot(&moving.axis);
                     bias + link.gain * (drive * link.compliance)
@@ -81,11 +81,11 @@ impl<S: Scalar> Response<S> {
                     root::write(&twist, Vector3::zero(), &links.root_in_world(i).rotation, &mut self.rates[at..]);
                     twist
                 }
-                LinkJoint::Ball => {
+                LinkJoint::Spherical => {
                     let ball = Ball::new(plan, &moving.in_root);
                     ball.respond(&link.inertia(moving), bias, &carried, &mut self.rates)
                 }
-                LinkJoint::Hinge | LinkJoint::Slide => {
+                LinkJoint::Revolute | LinkJoint::Prismatic => {
                     let drive = self.force[at] - bias.dot(&moving.axis);
                     let free = (drive - link.gain.dot(&carried)) * link.compliance;
                     self.rates[at] = if plan.mode == Mode::Free { free } else { S::ZERO };

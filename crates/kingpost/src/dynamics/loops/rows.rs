@@ -76,7 +76,7 @@ impl<S: Scalar> Row<S> {
                     wrench.force.norm_squared() * free(plan.floating.hold_translation)
                         + wrench.moment.norm_squared() * free(plan.floating.hold_rotation)
                 }
-                LinkJoint::Ball if plan.mode == Mode::Free => {
+                LinkJoint::Spherical if plan.mode == Mode::Free => {
                     let axes = Ball::new(plan, links.in_root(i)).axes();
                     axes.iter().fold(S::ZERO, |sum, axis| sum + wrench.dot(axis) * wrench.dot(axis))
                 }
