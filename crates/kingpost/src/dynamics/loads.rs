@@ -1,6 +1,6 @@
 //! The loads of forces, drives and water on the dynamics.
 
-use super::{LinkKinematics, Restraint};
+use super::{LinkKinematics, UnilateralConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
@@ -21,7 +21,7 @@ pub struct Loads<S = f64> {
     /// weight.
     pub gravity: Option<Vector3<S>>,
     /// The restraints of elements, each at its own index.
-    pub restraints: Vec<Restraint<S>>,
+    pub restraints: Vec<UnilateralConstraint<S>>,
     /// Power by source.
     pub power: Power<S>,
 }

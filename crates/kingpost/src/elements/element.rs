@@ -1,7 +1,7 @@
 //! The contract of everything that acts on the model or reads it.
 
 use super::{AnyWatcher, Context, Declaration, RegularWaves, ShownWaves};
-use crate::dynamics::{Clock, Kinematics, Loads, Restraint};
+use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
 use crate::scalar::Scalar;
 use crate::world::World;
 use core::any::Any;
@@ -232,7 +232,7 @@ pub trait Holding<S: Scalar = f64> {
     fn holds(&self, modes: &[i64]) -> bool;
 
     /// Writes the constraint at the present positions. It sees no entries of its own.
-    fn restrain(&mut self, at: &Context<'_, S>, held: &mut Restraint<S>);
+    fn restrain(&mut self, at: &Context<'_, S>, held: &mut UnilateralConstraint<S>);
 
     /// Receives the force that it carries, from the solution for the accelerations, N; zero if it does not hold.
     fn carry(&mut self, multiplier: S);

@@ -1,7 +1,7 @@
 //! Warnings of effects of a current on the waves that the loads on a hull neglect.
 
 use super::floating::LoadedHull;
-use crate::elements::hull::{HullVelocity, SlowFrame, WaveExcitation, WaveForceSwitches};
+use crate::elements::hull::{HullVelocity, LowFrequencyFrame, WaveExcitation, WaveForceSwitches};
 use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
 
 /// A warning is given if a current would change the wave lengths or the mean drift by more than this share.
@@ -53,7 +53,7 @@ impl LoadedHull<'_> {
     /// From Aranha's formula for a hull at rest in the current.
     fn drift_warning(&self, waves: &WaveField) -> Option<String> {
         let [x, y] = self.current();
-        let slow = SlowFrame::of(&self.frame());
+        let slow = LowFrequencyFrame::of(&self.frame());
         let [along, across, _] = slow.rotation().transpose_times(self.world.surface_current()).0;
         let parts = WaveForceSwitches { froude_krylov: true, drift: true, drift_damping: true };
         let mut excitation = WaveExcitation::new(self.database, waves, parts);

@@ -4,7 +4,7 @@ use super::Plant;
 use super::between_steps::instant;
 use super::scene::Scene;
 use crate::dynamics::loops::Projection;
-use crate::dynamics::{LinkKinematics, Restraint};
+use crate::dynamics::{LinkKinematics, UnilateralConstraint};
 use crate::elements::{AnyElement, Context, Layout};
 use crate::integrate::Stage;
 use crate::model::Model;
@@ -65,7 +65,7 @@ impl<S: Scalar> Plant<S> {
         work: impl FnOnce(&mut super::LoopSolver<S>, &mut Projection<'_, S>) -> R,
     ) -> R {
         let Self { model, world, links, work: memory, loads, loops, elements, layout, .. } = self;
-        let mut hold = |links: &LinkKinematics<S>, q: &[S], v: &[S], restraints: &mut [Restraint<S>]| {
+        let mut hold = |links: &LinkKinematics<S>, q: &[S], v: &[S], restraints: &mut [UnilateralConstraint<S>]| {
             hold(elements, layout, world, model, links, (q, v), restraints);
         };
         work(loops, &mut Projection { model, links, work: memory, loads, hold: &mut hold })
@@ -180,7 +180,7 @@ fn hold<S: Scalar>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
     motion: (&[S], &[S]),
-    restraints: &mut [Restraint<S>],
+    restraints: &mut [UnilateralConstraint<S>],
 ) {
     let at = Context::at_rest(world, model, links, motion);
     for (&i, restraint) in layout.holding.iter().zip(restraints) {

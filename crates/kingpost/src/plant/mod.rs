@@ -14,7 +14,9 @@ pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
 use crate::dynamics::loops::{LoopFault, LoopSolver};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
-use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, Restraint, energy, forward, inverse::InverseDynamics};
+use crate::dynamics::{
+    Clock, Kinematics, LinkKinematics, Loads, UnilateralConstraint, energy, forward, inverse::InverseDynamics,
+};
 use crate::elements::{AnyElement, EvaluationMode, Layout, Watched};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
@@ -94,7 +96,7 @@ impl<S: Scalar> Plant<S> {
         let layout = Layout::new(&elements, ledger::COUNT);
         let outputs = layout.outputs.iter().map(|(_, output)| output.len()).sum();
         let mut loads = Loads::with_room_for(&model, 2 * (elements.len() + model.constraint_count()));
-        loads.restraints = layout.holding.iter().map(|&i| Restraint::new(&layout.names[i])).collect();
+        loads.restraints = layout.holding.iter().map(|&i| UnilateralConstraint::new(&layout.names[i])).collect();
         Self {
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),

@@ -2,7 +2,7 @@
 
 use super::Row;
 use crate::dynamics::forward::Response;
-use crate::dynamics::{LinkKinematics, Restraint};
+use crate::dynamics::{LinkKinematics, UnilateralConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
@@ -38,7 +38,7 @@ impl<S: Scalar> ConstraintColumn<S> {
     }
 
     /// Takes the restraint of an element.
-    pub fn take_restraint(&mut self, model: &Model<S>, links: &LinkKinematics<S>, held: &Restraint<S>) {
+    pub fn take_restraint(&mut self, model: &Model<S>, links: &LinkKinematics<S>, held: &UnilateralConstraint<S>) {
         (self.residual, self.rate, self.drift) = (held.residual, held.rate, held.drift);
         held.write_on_links(model, links, &mut self.on);
         self.along.clone_from(&held.along);

@@ -9,7 +9,7 @@
 use super::column::ConstraintColumn;
 use super::{LoopSolver, SMALLEST_PIVOT};
 use crate::dynamics::forward::{Workspace, forward_dynamics};
-use crate::dynamics::{LinkKinematics, Loads, Restraint};
+use crate::dynamics::{LinkKinematics, Loads, UnilateralConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 
@@ -64,7 +64,7 @@ pub struct Projection<'a, S> {
 }
 
 /// Writes the active restraints for the kinematics, positions and velocities.
-pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [Restraint<S>]) + 'a;
+pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [UnilateralConstraint<S>]) + 'a;
 
 impl<S: Scalar> LoopSolver<S> {
     /// Takes the diagonal of J M^-1 J^T at this state as the reference of pivots.

@@ -103,7 +103,7 @@ impl<S: Scalar> Hull<S> {
         let seen = axes.inertia_in_body(&added.infinite);
         loads.added_inertia.push((self.frame.body, seen - added.in_body));
         let slow = self.slow_motion(at);
-        let level = self.slow_frame(at).rotation();
+        let level = self.low_frequency_frame(at).rotation();
         let through_water = Twist { linear: level.transpose_times(slow.linear - at.world.surface_current()), ..slow };
         let turned = Twist { linear: slow.angular.cross(through_water.linear), angular: Vector3::zero() };
         let quadratic = self.cross_momentum(&added.slow, &through_water) - added.slow.times(&turned);

@@ -1,6 +1,6 @@
 //! The centre of mass of a ship with all that it carries, and its average position.
 
-use super::place::SlowFrame;
+use super::place::LowFrequencyFrame;
 use crate::elements::{Context, ElementState};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -26,7 +26,7 @@ pub struct CarriedFilter<S> {
 
 impl<S: Scalar> Carried<S> {
     /// The total centre of mass from the hull's, and its rate, along the slow frame's axes; m, m/s.
-    pub fn centre(&self, at: &Context<'_, S>, hull: usize, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+    pub fn centre(&self, at: &Context<'_, S>, hull: usize, slow: &LowFrequencyFrame<S>) -> [[S; 2]; 2] {
         if self.shares.is_empty() {
             return [[S::ZERO; 2]; 2];
         }

@@ -2,7 +2,7 @@
 
 use super::by_heading::ByHeading;
 use super::drift_damping::{RATES, rates};
-use super::place::SlowFrame;
+use super::place::LowFrequencyFrame;
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
 use crate::sea::waves::{WaveField, wave_number};
@@ -35,7 +35,7 @@ pub struct WaveExcitation<S = f64> {
     /// Whether the [`rates`] follow, with which D changes with the hull's velocity.
     by_velocity: bool,
     /// The realisation of the waves, the time and the frame that the last force was computed for.
-    last: Option<(u64, f64, SlowFrame<S>)>,
+    last: Option<(u64, f64, LowFrequencyFrame<S>)>,
     force: [S; 6],
     drift: [S; 6],
     /// Change of the drift with velocity.
@@ -98,7 +98,7 @@ impl<S: Scalar> WaveExcitation<S> {
     }
 
     /// Force (N) and moment (N m) at a time, s.
-    pub fn force(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) -> [S; 6] {
+    pub fn force(&mut self, field: &WaveField<S>, time_s: f64, slow: &LowFrequencyFrame<S>) -> [S; 6] {
         self.update(field, time_s, slow);
         self.force
     }
@@ -108,7 +108,7 @@ impl<S: Scalar> WaveExcitation<S> {
         &mut self,
         field: &WaveField<S>,
         time_s: f64,
-        slow: &SlowFrame<S>,
+        slow: &LowFrequencyFrame<S>,
         velocity: &HullVelocity<S>,
     ) -> [S; 6] {
         self.update(field, time_s, slow);
@@ -141,12 +141,12 @@ impl<S: Scalar> WaveExcitation<S> {
     }
 
     /// Elevation of the incident waves at the slow frame's place, m.
-    pub fn elevation(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) -> S {
+    pub fn elevation(&mut self, field: &WaveField<S>, time_s: f64, slow: &LowFrequencyFrame<S>) -> S {
         self.update(field, time_s, slow);
         self.elevation
     }
 
-    fn update(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) {
+    fn update(&mut self, field: &WaveField<S>, time_s: f64, slow: &LowFrequencyFrame<S>) {
         let key = (field.realisation(), time_s, *slow);
         if self.last == Some(key) {
             return;

@@ -26,7 +26,7 @@ pub use gap::{HullGap, Plan};
 pub use linear_limits::LinearLimits;
 pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};
 pub use mesh_in_waves::MeshInWaves;
-pub use place::{CoefficientFrame, HullFrame, HullMotion, SeaAxes, SlowFrame};
+pub use place::{CoefficientFrame, HullFrame, HullMotion, LowFrequencyFrame, SeaAxes};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
@@ -146,7 +146,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
     /// roll, pitch and yaw the memory begins at zero.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let in_world = self.coefficients.frame(at.model, at.links);
-        let place = SlowFrame::of(&in_world);
+        let place = LowFrequencyFrame::of(&in_world);
         let States { place: of_place, carried, radiation: of_radiation } = States::of_mut(own.states);
         let rates = SeaAxes::of(&self.coefficients, &in_world, &place, [S::ZERO; 2])
             .rates(&at.links.body_twist(at.model, self.frame.body));
@@ -190,7 +190,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         let in_world = self.coefficients.frame(at.model, at.links);
         let (now, of) = (States::of(at.states), States::of_mut(rates));
         let filter = SlowFilter::read(now.place);
-        filter.rates(&SlowFrame::of(&in_world), self.cutoff_rad_s).write(of.place);
+        filter.rates(&LowFrequencyFrame::of(&in_world), self.cutoff_rad_s).write(of.place);
         let slow = filter.frame();
         let (centre, average) = (self.carried.centre(at, self.frame.body, &slow), CarriedFilter::read(now.carried));
         average.rates(centre[0], self.cutoff_rad_s).write(of.carried);
@@ -267,7 +267,8 @@ const MODES: usize = 6;
 
 /// The outputs of a hull, in the order of [`Hull::outputs`](Element::outputs).
 fn outputs(name: &str) -> Vec<Output> {
-    let wrench = |variable, description| Output::wrench(variable, description, "hull", name, VectorFrame::SlowFrame);
+    let wrench =
+        |variable, description| Output::wrench(variable, description, "hull", name, VectorFrame::LowFrequencyFrame);
     vec![
         Output::number(
             "wave_elevation",
@@ -297,7 +298,7 @@ fn outputs(name: &str) -> Vec<Output> {
 
 /// A hull at one moment, for the wave loads.
 struct Seen<S> {
-    slow: SlowFrame<S>,
+    slow: LowFrequencyFrame<S>,
     /// [`Hull::off`].
     off: [[S; 2]; 2],
     axes: SeaAxes<S>,
@@ -336,15 +337,15 @@ impl<S: Scalar> Hull<S> {
     }
 
     /// The average position of the hull; while an equilibrium is sought, its present position.
-    fn slow_frame(&self, at: &Context<'_, S>) -> SlowFrame<S> {
+    fn low_frequency_frame(&self, at: &Context<'_, S>) -> LowFrequencyFrame<S> {
         match at.evaluation {
-            EvaluationMode::Settling => SlowFrame::of(&self.coefficients.frame(at.model, at.links)),
+            EvaluationMode::Settling => LowFrequencyFrame::of(&self.coefficients.frame(at.model, at.links)),
             _ => SlowFilter::read(at.states).frame(),
         }
     }
 
     /// Horizontal deviation of the ship's centre of mass from its mean position relative to the hull, m, and its rate.
-    fn off(&self, at: &Context<'_, S>, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+    fn off(&self, at: &Context<'_, S>, slow: &LowFrequencyFrame<S>) -> [[S; 2]; 2] {
         if at.evaluation == EvaluationMode::Settling {
             return [[S::ZERO; 2]; 2];
         }
@@ -353,21 +354,21 @@ impl<S: Scalar> Hull<S> {
     }
 
     fn seen(&self, at: &Context<'_, S>) -> Seen<S> {
-        let slow = self.slow_frame(at);
+        let slow = self.low_frequency_frame(at);
         let off = self.off(at, &slow);
         let axes = SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), &slow, off[0]);
         Seen { slow, off, axes, twist: at.links.body_twist(at.model, self.frame.body) }
     }
 
     /// The hull's velocity, including the wave-frequency part, which has no mean over the slow changes of the drift.
-    fn velocity(&self, at: &Context<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
+    fn velocity(&self, at: &Context<'_, S>, slow: &LowFrequencyFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
         let [x, y, ..] = self.through_water(at, slow, rates);
         let [u, v, _] = rates.linear.0;
         HullVelocity { through_water: [x, y], over_ground: [u, v] }
     }
 
     /// Rates along the axes of the wave loads, relative to the water.
-    fn through_water(&self, at: &Context<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> [S; 6] {
+    fn through_water(&self, at: &Context<'_, S>, slow: &LowFrequencyFrame<S>, rates: &Twist<S>) -> [S; 6] {
         modes(rates.linear - slow.rotation().transpose_times(at.world.surface_current()), rates.angular)
     }
 }

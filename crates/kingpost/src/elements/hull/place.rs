@@ -64,7 +64,7 @@ impl<S: Scalar> HullFrame<S> {
 ///
 /// Waves taken at the hull's present position would push it along through their phase, which is a second-order effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlowFrame<S = f64> {
+pub struct LowFrequencyFrame<S = f64> {
     /// x and y in the world, m.
     pub position: [S; 2],
     /// Heading, rad, without jumps at a full turn.
@@ -73,7 +73,7 @@ pub struct SlowFrame<S = f64> {
     pub lean: [S; 2],
 }
 
-impl<S: Scalar> SlowFrame<S> {
+impl<S: Scalar> LowFrequencyFrame<S> {
     /// Position, heading and lean of a hull.
     pub fn of(frame: &Frame<S>) -> Self {
         let [x, y, _] = frame.position.0;
@@ -153,7 +153,7 @@ pub struct SeaAxes<S = f64> {
 impl<S: Scalar> SeaAxes<S> {
     /// For a hull with these coefficient axes in the world. `off` is the horizontal deviation of the ship's centre of
     /// mass from its mean position relative to the hull's, m.
-    pub fn of(on: &CoefficientFrame<S>, in_world: &Frame<S>, slow: &SlowFrame<S>, off: [S; 2]) -> Self {
+    pub fn of(on: &CoefficientFrame<S>, in_world: &Frame<S>, slow: &LowFrequencyFrame<S>, off: [S; 2]) -> Self {
         let (leaning, heading) = (slow.leaning(), slow.rotation());
         let (to_data, mean) = (on.in_body.rotation.transpose(), heading * leaning);
         let from_mean = mean.transpose() * in_world.rotation;
@@ -284,10 +284,10 @@ mod tests {
     use super::*;
     use crate::spatial::{Symmetric3, exp};
 
-    fn somewhere() -> (Frame, SlowFrame, Twist) {
+    fn somewhere() -> (Frame, LowFrequencyFrame, Twist) {
         let frame = Frame { rotation: exp(Vector3::new(0.3, -0.4, 0.9)), position: Vector3::new(3.0, -2.0, 0.5) };
         let twist = Twist { angular: Vector3::new(0.2, -0.15, 0.3), linear: Vector3::new(1.0, -0.4, 0.6) };
-        (frame, SlowFrame { position: [1.0, 2.0], heading: 0.7, lean: [0.1, -0.05] }, twist)
+        (frame, LowFrequencyFrame { position: [1.0, 2.0], heading: 0.7, lean: [0.1, -0.05] }, twist)
     }
 
     /// Roll, pitch and yaw by their definition, `R = Rz(yaw) Ry(pitch) Rx(roll)`.
@@ -333,7 +333,7 @@ mod tests {
     fn a_force_follows_the_centre_of_mass_of_the_whole_ship() {
         let (body, _, _) = somewhere();
         let in_world = body.times(&on().in_body);
-        let (slow, off) = (SlowFrame::of(&in_world), [0.7, -0.4]);
+        let (slow, off) = (LowFrequencyFrame::of(&in_world), [0.7, -0.4]);
         let [swung, at_mean] = [off, [0.0; 2]].map(|off| SeaAxes::of(&on(), &in_world, &slow, off));
         let push = Wrench { moment: Vector3::zero(), force: Vector3::new(3.0, -2.0, 0.0) };
         let more = at_mean.wrench_of_body(&(swung.wrench_to_body(&push) - at_mean.wrench_to_body(&push)));
@@ -346,7 +346,7 @@ mod tests {
     fn on_average_the_rates_are_the_twist_at_the_origin() {
         let (body, _, twist) = somewhere();
         let in_world = body.times(&on().in_body);
-        let (slow, at_origin) = (SlowFrame::of(&in_world), on().in_body.twist_to_child(&twist));
+        let (slow, at_origin) = (LowFrequencyFrame::of(&in_world), on().in_body.twist_to_child(&twist));
         let found = SeaAxes::of(&on(), &in_world, &slow, [0.0; 2]).rates(&twist);
         let seen = |v: Vector3| slow.rotation().transpose_times(in_world.rotation * v);
         assert!((found.linear - seen(at_origin.linear)).norm() < 1e-14);
@@ -354,9 +354,9 @@ mod tests {
     }
 
     #[test]
-    fn a_slow_frame_of_a_hull_has_its_attitude() {
+    fn a_low_frequency_frame_of_a_hull_has_its_attitude() {
         let (frame, ..) = somewhere();
-        let slow = SlowFrame::of(&frame);
+        let slow = LowFrequencyFrame::of(&frame);
         let found = slow.rotation() * slow.leaning();
         for k in 0..3 {
             assert!((found.row(k) - frame.rotation.row(k)).norm() < 1e-15, "{found:?}");
@@ -386,7 +386,7 @@ mod tests {
     fn the_added_mass_of_a_listing_hull_stands_level() {
         let (body, _, twist) = somewhere();
         let in_world = body.times(&on().in_body);
-        let axes = SeaAxes::of(&on(), &in_world, &SlowFrame::of(&in_world), [0.0; 2]);
+        let axes = SeaAxes::of(&on(), &in_world, &LowFrequencyFrame::of(&in_world), [0.0; 2]);
         let [listing, along] = [axes.listing(&added(), &on()), axes.inertia_in_body(&added())];
         assert!((listing.quadratic(&twist) - along.quadratic(&twist)).abs() < 1e-13 * along.quadratic(&twist));
     }

@@ -1,6 +1,6 @@
 //! The filter between a hull's position and the position where its first-order loads are computed.
 
-use super::place::SlowFrame;
+use super::place::LowFrequencyFrame;
 use crate::elements::ElementState;
 use crate::scalar::Scalar;
 
@@ -27,7 +27,7 @@ impl<S: Scalar> SlowFilter<S> {
     pub const LEN: usize = COUNT * ORDER;
 
     /// The steady state for a constant velocity (world, m/s) without turning.
-    pub fn steady(place: &SlowFrame<S>, [vx, vy]: [S; 2], cutoff_rad_s: f64) -> Self {
+    pub fn steady(place: &LowFrequencyFrame<S>, [vx, vy]: [S; 2], cutoff_rad_s: f64) -> Self {
         let ([x, y], [roll, pitch]) = (place.position, place.lean);
         let behind = |stage: usize, speed: S| speed * S::constant((stage + 1) as f64 / cutoff_rad_s);
         let stage = |k: usize| [x - behind(k, vx), y - behind(k, vy), place.heading, roll, pitch];
@@ -55,10 +55,10 @@ impl<S: Scalar> SlowFilter<S> {
     }
 
     /// The output.
-    pub fn frame(&self) -> SlowFrame<S> {
+    pub fn frame(&self) -> LowFrequencyFrame<S> {
         let [.., before, last] = &self.stages;
         let [x, y, heading, roll, pitch] = combined(before, last);
-        SlowFrame { position: [x, y], heading, lean: [roll, pitch] }
+        LowFrequencyFrame { position: [x, y], heading, lean: [roll, pitch] }
     }
 
     /// The rate of the output: x and y, world, m/s, and heading, rad/s.
@@ -71,7 +71,7 @@ impl<S: Scalar> SlowFilter<S> {
     }
 
     /// The rates of its states for a hull at `now`.
-    pub fn rates(&self, now: &SlowFrame<S>, cutoff_rad_s: f64) -> Self {
+    pub fn rates(&self, now: &LowFrequencyFrame<S>, cutoff_rad_s: f64) -> Self {
         let slow = self.frame();
         let ([x, y], [roll, pitch]) = (now.position, now.lean);
         let input = [x, y, onward(slow.heading, now.heading), onward(slow.lean[0], roll), pitch];
@@ -101,8 +101,8 @@ mod tests {
     const CUTOFF_RAD_S: f64 = 0.075;
     const STEP_S: f64 = 0.05;
 
-    fn place(motion: f64) -> SlowFrame {
-        SlowFrame { position: [motion, 0.0], heading: motion, lean: [motion, 0.0] }
+    fn place(motion: f64) -> LowFrequencyFrame {
+        LowFrequencyFrame { position: [motion, 0.0], heading: motion, lean: [motion, 0.0] }
     }
 
     /// The states after one RK4 step of a given motion.

@@ -1,6 +1,6 @@
 //! A hull in regular waves, from its database.
 
-use super::{ByHeading, Hull, SeaAxes, SlowFrame, modes};
+use super::{ByHeading, Hull, LowFrequencyFrame, SeaAxes, modes};
 use crate::dynamics::Kinematics;
 use crate::elements::{RegularWaves, WavePlace};
 use crate::scalar::Scalar;
@@ -41,14 +41,14 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
 
     fn place(&self, bodies: &Kinematics<S>) -> WavePlace<S> {
         let frame = self.frame(bodies);
-        let SlowFrame { position, heading, .. } = SlowFrame::of(&frame);
+        let LowFrequencyFrame { position, heading, .. } = LowFrequencyFrame::of(&frame);
         WavePlace { position, height: frame.position[2], heading }
     }
 
     /// Rates along the axes of the wave loads, about the database's origin.
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6] {
         let frame = self.frame(bodies);
-        let axes = SeaAxes::of(&self.hull.coefficients, &frame, &SlowFrame::of(&frame), [S::ZERO; 2]);
+        let axes = SeaAxes::of(&self.hull.coefficients, &frame, &LowFrequencyFrame::of(&frame), [S::ZERO; 2]);
         let rates = axes.rates(&twists[self.hull.frame.body]);
         modes(rates.linear, rates.angular)
     }

@@ -16,7 +16,7 @@ use super::path::{PlacedStation, Wrap};
 use super::release::is_off;
 use super::station::StationMotion;
 use super::{ROUNDING_M, Rope, RopePath, Round, SLACK, Station, TAUT};
-use crate::dynamics::Restraint;
+use crate::dynamics::UnilateralConstraint;
 use crate::elements::ropes::Efficiency;
 use crate::elements::{Context, Holding};
 use crate::model::Attachment;
@@ -103,7 +103,7 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         self.inextensible.is_some() && modes.first() == Some(&TAUT)
     }
 
-    fn restrain(&mut self, at: &Context<'_, S>, held: &mut Restraint<S>) {
+    fn restrain(&mut self, at: &Context<'_, S>, held: &mut UnilateralConstraint<S>) {
         let now = self.laid(at);
         let Self { path, inextensible, drum, .. } = self;
         held.clear();

@@ -6,7 +6,7 @@ use super::flexible::carrier_in_model;
 use super::{FieldError, known};
 use crate::dynamics::forward::Workspace;
 use crate::dynamics::loops::{LoopSolver, Projection, Row};
-use crate::dynamics::{LinkKinematics, Loads, Restraint};
+use crate::dynamics::{LinkKinematics, Loads, UnilateralConstraint};
 use crate::model::{Attachment, Constraint, Loop, Model, RotationAxis};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
@@ -91,7 +91,7 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
     let (mut links, mut work, mut loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
     let mut solver = LoopSolver::new(model, 0);
     // Ropes are placed after the loops are closed.
-    let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [Restraint<S>]| {};
+    let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [UnilateralConstraint<S>]| {};
     let mut on = Projection { model, links: &mut links, work: &mut work, loads: &mut loads, hold };
     solver.begin_at(&mut on, q, v);
     check_start(scenario, model, solver.rows())?;

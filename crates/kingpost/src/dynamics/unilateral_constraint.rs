@@ -11,7 +11,7 @@ use crate::spatial::{Twist, Wrench};
 /// Its row of J is given by the loads of a unit multiplier on the bodies and along coordinates: `phi' = sum W . V + sum
 /// c q'`, by d'Alembert's principle.
 #[derive(Clone, Debug)]
-pub struct Restraint<S = f64> {
+pub struct UnilateralConstraint<S = f64> {
     /// The element that holds.
     pub name: String,
     /// Whether it holds now.
@@ -29,7 +29,7 @@ pub struct Restraint<S = f64> {
     pub along: Vec<(usize, S)>,
 }
 
-impl<S: Scalar> Restraint<S> {
+impl<S: Scalar> UnilateralConstraint<S> {
     /// The restraint of the element with this name; it does not act yet.
     pub fn new(name: &str) -> Self {
         let (name, wrenches, along) = (name.to_owned(), Vec::new(), Vec::new());
