@@ -42,7 +42,7 @@ impl<S: Scalar> InverseDynamics<S> {
                 _ => {
                     let rates = &v_dot[at..][..node.kind.velocity_count()];
                     let columns = bodies.columns[at..].iter().zip(rates);
-                    let turning = bodies.joint_drift[i] + twist.cross(&bodies.joint_twist[i]);
+                    let turning = bodies.joint_bias_acceleration[i] + twist.cross(&bodies.joint_twist[i]);
                     columns.fold(turning, |sum, (column, rate)| *column * *rate + sum)
                 }
             };

@@ -17,7 +17,7 @@ pub struct Kinematics<S = f64> {
     pub joint_twist: Vec<Twist<S>>,
     /// That part's rate, component by component, at constant rates of the joint's coordinates: zero except for joints
     /// with columns that are not constant.
-    pub joint_drift: Vec<Twist<S>>,
+    pub joint_bias_acceleration: Vec<Twist<S>>,
     /// By coordinate of v: the twist per unit rate of the node whose joint owns it.
     pub columns: Vec<Twist<S>>,
 }
@@ -31,7 +31,7 @@ impl<S: Scalar> Kinematics<S> {
             world: vec![Frame::identity(); n],
             twist: vec![Twist::zero(); n],
             joint_twist: vec![Twist::zero(); n],
-            joint_drift: vec![Twist::zero(); n],
+            joint_bias_acceleration: vec![Twist::zero(); n],
             columns: vec![Twist::zero(); tree.velocity_count()],
         }
     }
@@ -55,7 +55,7 @@ impl<S: Scalar> Kinematics<S> {
             self.world[i] = world;
             self.joint_twist[i] = own;
             self.twist[i] = twist;
-            self.joint_drift[i] = combined(&node.kind.column_rates(&columns, v, twist.angular), v);
+            self.joint_bias_acceleration[i] = combined(&node.kind.column_rates(&columns, v, twist.angular), v);
             self.columns[node.velocities..][..columns.len()].copy_from_slice(&columns);
         }
     }

@@ -10,8 +10,8 @@
 //! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
 
 mod ball;
+mod bias_acceleration;
 mod clock;
-mod drift;
 pub mod energy;
 pub mod forward;
 pub mod inverse;

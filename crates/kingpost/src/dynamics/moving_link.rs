@@ -1,10 +1,10 @@
-//! One link of the recursion: its position, its motion, its inertia, and the force of its drift.
+//! One link of the recursion: its position, its motion, its inertia, and the force of its bias acceleration.
 //!
 //! The kernels of the outward pass, one per joint. Each is compiled once for a parent that is the root of the branch,
 //! whose frame is that of the root axes, and once for other parents.
 
 use super::ball::Ball;
-use super::drift::LinkMotion;
+use super::bias_acceleration::LinkMotion;
 use crate::model::joint::Floating;
 use crate::model::{Carrier, Link, LinkJoint, Moments};
 use crate::scalar::Scalar;
@@ -17,11 +17,11 @@ pub(super) struct MovingLink<S> {
     pub in_root: Frame<S>,
     /// Twist about the root's origin per unit rate of the link's own joint, where that has one axis.
     pub axis: Twist<S>,
-    /// Twist and drift.
+    /// Twist and bias acceleration.
     pub motion: LinkMotion<S>,
     /// Inertia about the root's origin; zero if it is not that of a rigid body.
     pub inertia: RigidInertia<S>,
-    /// The wrench for the drift, about the root's origin.
+    /// The wrench for the bias acceleration, about the root's origin.
     pub bias: Wrench<S>,
 }
 
@@ -177,14 +177,14 @@ impl<S: Scalar> MovingLink<S> {
         self.motion = parent.turned(&own, seat.way, arm);
     }
 
-    /// The inertia of a body with its frame at the centre of mass, in root axes, and the force for the drift by Newton
+    /// The inertia of a body with its frame at the centre of mass, in root axes, and the force for its bias acceleration by Newton
     /// and Euler: `f = m a, n = J alpha + omega x J omega`.
     #[inline]
     pub fn take_central(&mut self, mass: S, moments: &Moments<S>) {
-        let LinkMotion { twist, drift } = &self.motion;
+        let LinkMotion { twist, bias_acceleration } = &self.motion;
         let (centre, moments) = (self.in_root.position, moments.rotated(&self.in_root.rotation));
-        let force = drift.linear * mass;
-        let about_centre = moments * drift.angular + twist.angular.cross(moments * twist.angular);
+        let force = bias_acceleration.linear * mass;
+        let about_centre = moments * bias_acceleration.angular + twist.angular.cross(moments * twist.angular);
         self.bias = Wrench { moment: about_centre + centre.cross(force), force };
         self.inertia = RigidInertia::of_centre(mass, centre, &moments);
     }
@@ -192,9 +192,9 @@ impl<S: Scalar> MovingLink<S> {
     /// The same for a floating body, which turns at a steady rate about the origin of its frame.
     #[inline]
     pub fn take_rigid(&mut self, rigid: &RigidInertia<S>) {
-        let LinkMotion { twist, drift } = &self.motion;
+        let LinkMotion { twist, bias_acceleration } = &self.motion;
         let moment = twist.angular.cross(rigid.moments * twist.angular);
-        self.bias = Wrench { moment, force: drift.gradient * rigid.first_moment };
+        self.bias = Wrench { moment, force: bias_acceleration.gradient * rigid.first_moment };
         self.inertia = *rigid;
     }
 
@@ -206,15 +206,16 @@ impl<S: Scalar> MovingLink<S> {
         full
     }
 
-    /// The force for the drift of an inertia in root axes by Kirchhoff's equations, `I a + v x* I v`.
+    /// The force for the bias acceleration of an inertia in root axes by Kirchhoff's equations, `I a + v x* I v`.
     #[inline]
     pub fn kirchhoff(&self, inertia: &SpatialInertia<S>) -> Wrench<S> {
-        inertia.times(&self.spatial_drift()) + self.motion.twist.cross_momentum(&inertia.times(&self.motion.twist))
+        inertia.times(&self.spatial_bias_acceleration())
+            + self.motion.twist.cross_momentum(&inertia.times(&self.motion.twist))
     }
 
     /// The rate of the twist about the root's origin with every coordinate's acceleration at zero.
     #[inline]
-    pub fn spatial_drift(&self) -> Twist<S> {
-        self.motion.spatial_drift(self.in_root.position)
+    pub fn spatial_bias_acceleration(&self) -> Twist<S> {
+        self.motion.spatial_bias_acceleration(self.in_root.position)
     }
 }

@@ -22,7 +22,7 @@ pub struct UnilateralConstraint<S = f64> {
     pub rate: S,
     /// phi'' with zero spatial acceleration of all bodies, where each point x accelerates by omega x x' only, and
     /// constant rates of the coordinates below, m/s^2.
-    pub drift: S,
+    pub bias_acceleration: S,
     /// By body: the wrench of one unit, in body axes about its centre of mass.
     pub wrenches: Vec<(usize, Wrench<S>)>,
     /// By index in v: the load of one unit along a coordinate, with its reaction on the parent.
@@ -33,7 +33,7 @@ impl<S: Scalar> UnilateralConstraint<S> {
     /// The restraint of the element with this name; it does not act yet.
     pub fn new(name: &str) -> Self {
         let (name, wrenches, along) = (name.to_owned(), Vec::new(), Vec::new());
-        Self { name, acts: false, residual: S::ZERO, rate: S::ZERO, drift: S::ZERO, wrenches, along }
+        Self { name, acts: false, residual: S::ZERO, rate: S::ZERO, bias_acceleration: S::ZERO, wrenches, along }
     }
 
     /// Removes its loads on the bodies.

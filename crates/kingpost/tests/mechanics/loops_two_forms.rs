@@ -141,11 +141,11 @@ fn the_second_derivative_of_the_constraints_agrees_with_differences_of_the_first
     for seed in 0..40 {
         let mut case = Case::new(seed);
         case.loads.acceleration.fill(0.0);
-        let drift = case.matrices().j_drift;
+        let rate = case.matrices().j_dot_v;
         let [after, before] = [step, -step].map(|h| case.residuals(h, &case.v).1);
-        for (row, drift) in drift.iter().enumerate() {
+        for (row, rate) in rate.iter().enumerate() {
             let difference = (after[row] - before[row]) / (2.0 * step);
-            assert!((drift - difference).abs() < 1e-6 * drift.abs().max(10.0), "seed {seed}: {drift} {difference}");
+            assert!((rate - difference).abs() < 1e-6 * rate.abs().max(10.0), "seed {seed}: {rate} {difference}");
         }
     }
 }

@@ -12,7 +12,7 @@ pub(super) struct Articulated<S> {
     more: SpatialInertia<S>,
     /// Whether there is any such inertia.
     pub has_more: bool,
-    /// Articulated bias force: the force for the drift, less the loads.
+    /// Articulated bias force: the force for the bias acceleration, less the loads.
     pub bias: Wrench<S>,
     /// Articulated inertia times the joint's axis.
     pub gain: Wrench<S>,
@@ -20,7 +20,7 @@ pub(super) struct Articulated<S> {
     pub compliance: S,
     /// Remaining force along the joint's axis, which accelerates it.
     pub drive: S,
-    /// Acceleration beyond the drift and free fall.
+    /// Acceleration beyond the bias acceleration and free fall.
     pub response: Twist<S>,
 }
 

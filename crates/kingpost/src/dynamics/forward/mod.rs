@@ -4,9 +4,9 @@
 //! with prescribed joints (ch. 9), over the fused links, in the axes of each branch's root. It
 //! solves M* q'' + N* q' = F* (eq. 61) without forming the matrices, and allocates nothing.
 //!
-//! The velocity part of every link's acceleration, its drift, is known from the [`LinkKinematics`]. The force for the
-//! drift (N* q') is added to the loads, and the recursion treats the rest: `a = drift + fall + response`, with the
-//! response linear in q''. Under gravity all links share the acceleration of free fall: relative to it no link has
+//! The velocity part of every link's acceleration, its bias acceleration, is known from the [`LinkKinematics`]. Its force
+//! (N* q') is added to the loads, and the recursion treats the rest: `a = bias + fall + response`, with the response
+//! linear in q''. Under gravity all links share the acceleration of free fall: relative to it no link has
 //! weight.
 
 mod articulated;
@@ -51,7 +51,7 @@ impl<S: Scalar> Workspace<S> {
     #[inline]
     pub fn acceleration(&self, links: &LinkKinematics<S>, link: usize) -> Twist<S> {
         let fall = Twist { angular: Vector3::zero(), linear: self.fall[self.roots[link]] };
-        links.moving()[link].spatial_drift() + fall + self.links[link].response
+        links.moving()[link].spatial_bias_acceleration() + fall + self.links[link].response
     }
 
     /// The wrench that the joint transmits to a link, about the root's origin, root axes.

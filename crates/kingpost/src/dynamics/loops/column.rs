@@ -15,7 +15,7 @@ pub(super) struct ConstraintColumn<S> {
     /// phi', 1/s of it.
     pub rate: S,
     /// phi'' with zero spatial acceleration of all links and zero acceleration of the coordinates below.
-    drift: S,
+    bias_acceleration: S,
     /// By link, about its root's origin in root axes.
     on: Vec<(usize, Wrench<S>)>,
     /// Loads by index in v.
@@ -26,12 +26,12 @@ impl<S: Scalar> ConstraintColumn<S> {
     /// No constraint yet.
     pub fn new() -> Self {
         let (on, along) = Default::default();
-        Self { residual: S::ZERO, rate: S::ZERO, drift: S::ZERO, on, along }
+        Self { residual: S::ZERO, rate: S::ZERO, bias_acceleration: S::ZERO, on, along }
     }
 
     /// Takes a constraint of a loop.
     pub fn take_row(&mut self, row: &Row<S>) {
-        (self.residual, self.rate, self.drift) = (row.residual, row.rate, row.drift);
+        (self.residual, self.rate, self.bias_acceleration) = (row.residual, row.rate, row.bias_acceleration);
         self.on.clear();
         let ends = [(row.second, row.on_second), (row.first, row.on_first)];
         self.on.extend(ends.into_iter().filter_map(|(link, wrench)| Some((link?, wrench))));
@@ -39,7 +39,7 @@ impl<S: Scalar> ConstraintColumn<S> {
 
     /// Takes the restraint of an element.
     pub fn take_restraint(&mut self, model: &Model<S>, links: &LinkKinematics<S>, held: &UnilateralConstraint<S>) {
-        (self.residual, self.rate, self.drift) = (held.residual, held.rate, held.drift);
+        (self.residual, self.rate, self.bias_acceleration) = (held.residual, held.rate, held.bias_acceleration);
         held.write_on_links(model, links, &mut self.on);
         self.along.clone_from(&held.along);
     }
@@ -53,7 +53,7 @@ impl<S: Scalar> ConstraintColumn<S> {
 
     /// phi'' under these accelerations.
     pub fn acceleration(&self, of_links: impl Fn(usize) -> Twist<S>, rates: &[S]) -> S {
-        self.times(of_links, rates) + self.drift
+        self.times(of_links, rates) + self.bias_acceleration
     }
 
     /// Applies `multiplier` times it to the links.

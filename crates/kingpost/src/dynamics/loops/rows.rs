@@ -24,7 +24,7 @@ pub struct Row<S = f64> {
     /// phi', m/s or rad/s.
     pub rate: S,
     /// J' v: phi'' with zero accelerations of the coordinates, m/s^2 or rad/s^2.
-    pub drift: S,
+    pub bias_acceleration: S,
     /// W, about the first attachment in its axes.
     pub wrench: Wrench<S>,
     /// -W in the axes of the first link's root, about the root's origin.
@@ -179,7 +179,7 @@ impl<S: Scalar> Pair<S> {
         Row {
             residual,
             rate: wrench.dot(&self.relative),
-            drift: wrench_rate.dot(&self.relative) - wrench.dot(&carried),
+            bias_acceleration: wrench_rate.dot(&self.relative) - wrench.dot(&carried),
             wrench,
             on_first: -self.first_in_own_root.wrench_to_parent(&wrench),
             on_second: self.first_in_other_root.wrench_to_parent(&wrench),

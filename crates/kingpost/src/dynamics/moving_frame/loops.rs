@@ -17,7 +17,7 @@ pub(super) struct BodiesMotion<'a> {
     pub b: &'a DMatrix<f64>,
     pub x_dot: &'a DVector<f64>,
     /// B' q'.
-    pub x_drift: &'a DVector<f64>,
+    pub x_bias_acceleration: &'a DVector<f64>,
 }
 
 /// J over all coordinates, and J' q': of the loops, then of the active restraints.
@@ -27,9 +27,9 @@ pub(super) fn rows(motion: &BodiesMotion<'_>, restraints: &[UnilateralConstraint
         closed.constraints.iter().map(move |(_, constraint)| row(&first, &second, constraint)).collect::<Vec<_>>()
     });
     let held = restraints.iter().filter(|restraint| restraint.acts).map(|restraint| motion.held(restraint));
-    let (rows, drifts): (Vec<RowDVector<f64>>, Vec<f64>) = constraints.chain(held).unzip();
+    let (rows, bias): (Vec<RowDVector<f64>>, Vec<f64>) = constraints.chain(held).unzip();
     let j = if rows.is_empty() { DMatrix::zeros(0, motion.b.ncols()) } else { DMatrix::from_rows(&rows) };
-    (j, DVector::from_vec(drifts))
+    (j, DVector::from_vec(bias))
 }
 
 /// An attachment in the world.
@@ -64,10 +64,10 @@ impl BodiesMotion<'_> {
         let row = RowDVector::from_iterator(self.b.ncols(), row);
         // The acceleration of a point, less omega x its velocity, is the linear part of the twist's rate.
         let spatial = |body: usize| {
-            let (own, rate) = (in_body(self.x_dot, body), in_body(self.x_drift, body));
+            let (own, rate) = (in_body(self.x_dot, body), in_body(self.x_bias_acceleration, body));
             Twist { linear: rate.linear - own.angular.cross(own.linear), ..rate }
         };
-        (row, restraint.times(spatial, &none) + restraint.drift)
+        (row, restraint.times(spatial, &none) + restraint.bias_acceleration)
     }
 
     fn point(&self, attachment: &Attachment) -> MovingAttachment {
@@ -88,7 +88,7 @@ impl BodiesMotion<'_> {
         let (frame, rotation) = (self.frames[body], self.frames[body].rotation);
         let lever = rotation * attachment.in_body.position;
         let omega = rotation * omega_of(self.x_dot, body);
-        let alpha = rotation * omega_of(self.x_drift, body);
+        let alpha = rotation * omega_of(self.x_bias_acceleration, body);
         let (mut linear, mut angular) = (none.clone(), none);
         for k in 0..self.b.ncols() {
             let entry = |row: usize| Vector3(core::array::from_fn(|i| self.b[(6 * body + row + i, k)]));
@@ -103,7 +103,9 @@ impl BodiesMotion<'_> {
             frame: frame.times(&attachment.in_body),
             velocity: x_dot_of(self.x_dot, body) + omega.cross(lever),
             omega,
-            acceleration: x_dot_of(self.x_drift, body) + alpha.cross(lever) + omega.cross(omega.cross(lever)),
+            acceleration: x_dot_of(self.x_bias_acceleration, body)
+                + alpha.cross(lever)
+                + omega.cross(omega.cross(lever)),
             alpha,
             linear,
             angular,

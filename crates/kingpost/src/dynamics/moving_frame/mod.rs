@@ -10,7 +10,7 @@
 //! | `d` | D (eq. 57), the term of the restricted variation of omega (eqs. 55, 58) |
 //! | `f` | {F} (eq. 59, there {Q}), motors as couples on the child and back on the parent |
 //! | `m_star`, `n_star`, `f_star` | M*, N*, F* (eqs. 60a-60c) |
-//! | `j`, `j_drift` | not in the paper: J and J' q' of closed loops and of inextensible ropes, which border M* |
+//! | `j`, `j_dot_v` | not in the paper: J and J' q' of closed loops and of inextensible ropes, which border M* |
 //!
 //! Rotors add their inertia to the diagonal of M*. For a full 6x6 inertia the block of M turns with the body, so M'
 //! enters in addition to B', and D gets the term of Kirchhoff's equations for linear momentum: both vanish for the
@@ -92,7 +92,7 @@ pub struct MovingFrame {
     /// J of the closed loops over the free coordinates, one row per constraint, followed by those of restraints.
     pub j: DMatrix<f64>,
     /// The part of the loops' phi'' without J q'': J' q', and the terms of prescribed motions.
-    pub j_drift: DVector<f64>,
+    pub j_dot_v: DVector<f64>,
     /// Names of the elements that hold the last rows of J.
     pub held_by: Vec<String>,
 }
@@ -141,12 +141,18 @@ impl MovingFrame {
             + blocks::times(momentum_rate(), &column(&b * given_velocity));
         let f_star = b_free.transpose() * (&f - given.column(0));
         let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
-        let x_drift = &b_dot * &velocity;
-        let motion = loops::BodiesMotion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
-        let (j_all, own_drift) = loops::rows(&motion, &loads.restraints);
+        let x_bias_acceleration = &b_dot * &velocity;
+        let motion = loops::BodiesMotion {
+            model,
+            frames: &frames,
+            b: &b,
+            x_dot: &x_dot,
+            x_bias_acceleration: &x_bias_acceleration,
+        };
+        let (j_all, own_bias_acceleration) = loops::rows(&motion, &loads.restraints);
         let acting = loads.restraints.iter().filter(|restraint| restraint.acts);
         let held_by = acting.map(|restraint| restraint.name.clone()).collect();
-        let (j, j_drift) = (j_all.select_columns(&free), own_drift + &j_all * &given_acceleration);
+        let (j, j_dot_v) = (j_all.select_columns(&free), own_bias_acceleration + &j_all * &given_acceleration);
         Self {
             frames,
             relative,
@@ -164,7 +170,7 @@ impl MovingFrame {
             free,
             given_acceleration,
             j,
-            j_drift,
+            j_dot_v,
             held_by,
         }
     }
@@ -183,9 +189,15 @@ impl MovingFrame {
         for (k, &i) in free.iter().enumerate() {
             m_star[(k, k)] += model.rotor_inertia[i];
         }
-        // J does not depend on the drift.
-        let x_drift = DVector::zeros(x_dot.len());
-        let motion = loops::BodiesMotion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
+        // J does not depend on the bias acceleration.
+        let x_bias_acceleration = DVector::zeros(x_dot.len());
+        let motion = loops::BodiesMotion {
+            model,
+            frames: &frames,
+            b: &b,
+            x_dot: &x_dot,
+            x_bias_acceleration: &x_bias_acceleration,
+        };
         (m_star, loops::rows(&motion, &loads.restraints).0.select_columns(&free))
     }
 
@@ -218,7 +230,7 @@ impl MovingFrame {
         bordered.view_mut((0, 0), (n, n)).copy_from(&self.m_star);
         bordered.view_mut((0, n), (n, m)).copy_from(&self.j.transpose());
         bordered.view_mut((n, 0), (m, n)).copy_from(&self.j);
-        let both = DVector::from_iterator(n + m, right.iter().copied().chain(self.j_drift.iter().map(|drift| -drift)));
+        let both = DVector::from_iterator(n + m, right.iter().copied().chain(self.j_dot_v.iter().map(|rate| -rate)));
         let solution = bordered.lu().solve(&both)?;
         Some((solution.rows(0, n).into_owned(), -solution.rows(n, m).into_owned()))
     }

@@ -109,7 +109,7 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         held.clear();
         held.residual = -now.stretch;
         held.rate = -now.rate;
-        held.drift = inextensible.as_mut().map_or(S::ZERO, |own| now.paid_out.drift - own.drift(path));
+        held.bias_acceleration = inextensible.as_mut().map_or(S::ZERO, |own| now.paid_out.drift - own.drift(path));
         let [first, _] = path.pull(S::ONE, S::ZERO, |station, wrench| {
             held.wrenches.extend(station.on_body(at, wrench));
         });

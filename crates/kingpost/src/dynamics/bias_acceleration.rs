@@ -10,7 +10,7 @@ use crate::spatial::{Matrix3, Twist, Vector3, hat};
 /// The acceleration of a link's points, root axes: `linear + gradient (x - origin)` at x, with the gradient `R'' R^T =
 /// hat(alpha) + hat(omega)^2`, the second derivative of a rotation matrix. It does not depend on linear velocity.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Drift<S> {
+pub(super) struct BiasAcceleration<S> {
     /// Angular acceleration, rad/s^2.
     pub angular: Vector3<S>,
     /// Acceleration of the origin of the link's frame, m/s^2.
@@ -25,15 +25,19 @@ pub(super) struct LinkMotion<S> {
     /// Twist about the root's origin.
     pub twist: Twist<S>,
     /// Its points' acceleration with every coordinate's at zero.
-    pub drift: Drift<S>,
+    pub bias_acceleration: BiasAcceleration<S>,
 }
 
 impl<S: Scalar> LinkMotion<S> {
     /// For a floating link: the acceleration of its origin is that of a coordinate.
     #[inline]
     pub fn floating(twist: Twist<S>) -> Self {
-        let drift = Drift { angular: Vector3::zero(), linear: Vector3::zero(), gradient: centripetal(twist.angular) };
-        Self { twist, drift }
+        let bias_acceleration = BiasAcceleration {
+            angular: Vector3::zero(),
+            linear: Vector3::zero(),
+            gradient: centripetal(twist.angular),
+        };
+        Self { twist, bias_acceleration }
     }
 
     /// For a link that turns relative to this one with the twist `own`, about a pivot that moves with both: `way` is
@@ -43,10 +47,10 @@ impl<S: Scalar> LinkMotion<S> {
     #[inline]
     pub fn turned(&self, own: &Twist<S>, way: Vector3<S>, arm: Vector3<S>) -> Self {
         let twist = self.twist + *own;
-        let angular = self.drift.angular + self.twist.angular.cross(own.angular);
+        let angular = self.bias_acceleration.angular + self.twist.angular.cross(own.angular);
         let gradient = hat(angular) + centripetal(twist.angular);
-        let linear = self.drift.linear + self.drift.gradient * way + gradient * arm;
-        Self { twist, drift: Drift { angular, linear, gradient } }
+        let linear = self.bias_acceleration.linear + self.bias_acceleration.gradient * way + gradient * arm;
+        Self { twist, bias_acceleration: BiasAcceleration { angular, linear, gradient } }
     }
 
     /// For a link that slides on this one at a velocity; `way` is the vector from this one's origin to the link's.
@@ -56,14 +60,14 @@ impl<S: Scalar> LinkMotion<S> {
     pub fn slid(&self, sliding: Vector3<S>, way: Vector3<S>) -> Self {
         let own = Twist { angular: Vector3::zero(), linear: sliding };
         let coriolis = self.twist.angular.cross(sliding) * S::constant(2.0);
-        let linear = self.drift.linear + self.drift.gradient * way + coriolis;
-        Self { twist: self.twist + own, drift: Drift { linear, ..self.drift } }
+        let linear = self.bias_acceleration.linear + self.bias_acceleration.gradient * way + coriolis;
+        Self { twist: self.twist + own, bias_acceleration: BiasAcceleration { linear, ..self.bias_acceleration } }
     }
 
-    /// The drift as the rate of the link's twist about the root's origin; the link's own origin is given.
+    /// The bias acceleration as the rate of the link's twist about the root's origin; the link's own origin is given.
     #[inline]
-    pub fn spatial_drift(&self, origin: Vector3<S>) -> Twist<S> {
-        let Drift { angular, linear, gradient } = &self.drift;
+    pub fn spatial_bias_acceleration(&self, origin: Vector3<S>) -> Twist<S> {
+        let BiasAcceleration { angular, linear, gradient } = &self.bias_acceleration;
         Twist { angular: *angular, linear: *linear - *gradient * origin - self.twist.angular.cross(self.twist.linear) }
     }
 }
@@ -91,10 +95,13 @@ mod tests {
             (0..steps).fold(Matrix3::identity(), |r, k| exp((omega + alpha * (dt * (f64::from(k) + 0.5))) * dt) * r)
         };
         let second = (turned(h) + turned(-h) - Matrix3::identity().scaled(2.0)).scaled(1.0 / (h * h));
-        let motion = LinkMotion { drift: Drift { angular: alpha, ..Drift::default() }, ..LinkMotion::default() };
+        let motion = LinkMotion {
+            bias_acceleration: BiasAcceleration { angular: alpha, ..BiasAcceleration::default() },
+            ..LinkMotion::default()
+        };
         let own = Twist { angular: omega, linear: Vector3::zero() };
-        let drift = motion.turned(&own, Vector3::zero(), Vector3::zero()).drift;
+        let bias_acceleration = motion.turned(&own, Vector3::zero(), Vector3::zero()).bias_acceleration;
         // Second order in h, and rounding over h^2.
-        assert!((drift.gradient - second).0.iter().flatten().all(|x: &f64| x.abs() < 5e-6));
+        assert!((bias_acceleration.gradient - second).0.iter().flatten().all(|x: &f64| x.abs() < 5e-6));
     }
 }
