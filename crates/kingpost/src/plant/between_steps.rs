@@ -1,6 +1,6 @@
 //! The actions of elements between two steps: begin, sample, watch and respond to events.
 
-use super::scene::Scene;
+use super::element_contexts::ElementContexts;
 use super::{Plant, Totals};
 use crate::elements::{AnyElement, Context, Element, Own, Steer, Watched};
 use crate::integrate::{Interval, Stage};
@@ -119,8 +119,8 @@ impl<S: Scalar> Plant<S> {
             self.set_input(self.layout.steers[steer].inputs[k], *value, time_s, state);
         }
         let Self { model, world, links, layout, evaluation, elements, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, instant(time_s, state));
-        elements[element].at_end(scene.with_ends(element), values);
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, instant(time_s, state));
+        elements[element].at_end(contexts.with_ends(element), values);
         for (&input, value) in layout.steers[steer].inputs.iter().zip(values) {
             state.d[layout.end_of(input)] = *value;
         }
@@ -143,7 +143,8 @@ impl<S: Scalar> Plant<S> {
         let Self { model, world, links, layout, evaluation, elements, outputs, .. } = self;
         let at = instant(time_s, state);
         outputs.clear();
-        elements[element].outputs(Scene::new(layout, world, model, links, *evaluation, at).of(element), outputs);
+        elements[element]
+            .outputs(ElementContexts::new(layout, world, model, links, *evaluation, at).of(element), outputs);
         for wire in layout.wires.iter().filter(|wire| wire.element == element) {
             state.d[wire.input] = outputs[wire.output];
             state.d[layout.end_of(wire.input)] = outputs[wire.output];
@@ -155,11 +156,11 @@ impl<S: Scalar> Plant<S> {
         self.load_restraints(at);
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, layout, evaluation, elements, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
         let mut rest = values;
         for of_one in layout.watched.chunk_by(|one, next| one.element == next.element) {
             let (own, others) = rest.split_at_mut(of_one.len());
-            elements[of_one[0].element].event_indicators(scene.of(of_one[0].element), own);
+            elements[of_one[0].element].event_indicators(contexts.of(of_one[0].element), own);
             rest = others;
         }
     }
@@ -209,9 +210,9 @@ impl<S: Scalar> Plant<S> {
         seen.copy_from(state);
         let at = instant(time_s, seen);
         let State { v, s, d, m, .. } = state;
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
         let mut own = layout.own(element, s, d, m);
-        change(&mut *elements[element], scene.with_ends(element), &mut own, v);
+        change(&mut *elements[element], contexts.with_ends(element), &mut own, v);
         let is_it = |event| move |watched: &&Watched| (watched.element, watched.event) == (element, event);
         also.extend(own.also.and_then(|event| layout.watched.iter().find(is_it(event))));
     }

@@ -2,7 +2,7 @@
 
 use super::Plant;
 use super::between_steps::instant;
-use super::scene::Scene;
+use super::element_contexts::ElementContexts;
 use crate::dynamics::loops::Projection;
 use crate::dynamics::{LinkKinematics, UnilateralConstraint};
 use crate::elements::{AnyElement, Context, Layout};
@@ -36,9 +36,9 @@ impl<S: Scalar> Plant<S> {
             return;
         }
         let Self { model, world, links, elements, layout, evaluation, loads, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
         for (&i, restraint) in layout.holding.iter().zip(&mut loads.restraints) {
-            let at = scene.of(i);
+            let at = contexts.of(i);
             let Some(holding) = elements[i].holding_mut() else { continue };
             restraint.acts = holding.holds(at.modes);
             if restraint.acts {

@@ -1,15 +1,15 @@
 //! The right-hand side: model, world and elements combined for an integrator.
 
 mod between_steps;
+mod element_contexts;
 mod holding;
 mod observation;
-mod scene;
 mod sea;
 mod settling;
 mod tangent;
 
+use element_contexts::ElementContexts;
 pub use observation::{Observation, ObservedPart, Totals};
-use scene::Scene;
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
 use crate::dynamics::loops::{LoopFault, LoopSolver};
@@ -147,14 +147,14 @@ impl<S: Scalar> Plant<S> {
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, elements, layout, evaluation, loads, prescribed_rates, .. } = self;
         loads.clear_but_accelerations();
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
         for (i, element) in elements.iter_mut().enumerate() {
-            element.loads(scene.of(i), loads);
+            element.loads(contexts.of(i), loads);
         }
         // At rest prescribed motions are held.
         if *evaluation == EvaluationMode::Running {
             for &i in &layout.prescribing {
-                elements[i].prescribe(world, scene.shared.clock, prescribed_rates, &mut loads.acceleration);
+                elements[i].prescribe(world, contexts.shared.clock, prescribed_rates, &mut loads.acceleration);
             }
         } else {
             loads.acceleration.fill(S::ZERO);
@@ -195,9 +195,9 @@ impl<S: Scalar> Plant<S> {
             }
         };
         let Self { model, world, links, bodies, inverse, loops, elements, layout, evaluation, outputs, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
         outputs.clear();
-        let mut show = |i: usize| elements[i].outputs(scene.of(i), outputs);
+        let mut show = |i: usize| elements[i].outputs(contexts.of(i), outputs);
         match extent {
             ObservedPart::Everything => (0..layout.names.len()).for_each(show),
             ObservedPart::MotionAnd(some) => some.iter().for_each(|&i| show(i)),
@@ -218,9 +218,9 @@ impl<S: Scalar> Plant<S> {
     pub fn draw(&mut self, at: Stage<'_, S>, points: &mut Vec<S>) {
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, elements, layout, evaluation, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
         for (i, element) in elements.iter_mut().enumerate() {
-            element.draw(scene.of(i), points);
+            element.draw(contexts.of(i), points);
         }
     }
 
@@ -274,8 +274,8 @@ impl<S: Scalar> Plant<S> {
         let Self { model, world, elements, layout, evaluation, links, bodies, .. } = self;
         let centre = ledger::reference_point(model, at.q);
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
-        let stored = elements.iter_mut().enumerate().map(|(i, element)| element.potential_energy(scene.of(i)));
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
+        let stored = elements.iter_mut().enumerate().map(|(i, element)| element.potential_energy(contexts.of(i)));
         Totals {
             kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, at.v),
             potential_energy: stored.fold(S::ZERO, |sum, energy| sum + energy),
@@ -289,11 +289,11 @@ impl<S: Scalar> Plant<S> {
         let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
         if !of_elements.is_empty() {
             let Self { model, world, elements, layout, evaluation, links, .. } = self;
-            let mut scene = Scene::new(layout, world, model, links, *evaluation, at);
+            let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
             for (i, element) in elements.iter_mut().enumerate() {
                 let own = layout.shares[i].states.clone();
                 if !own.is_empty() {
-                    element.rates(scene.of(i), &mut of_elements[own]);
+                    element.rates(contexts.of(i), &mut of_elements[own]);
                 }
             }
         }

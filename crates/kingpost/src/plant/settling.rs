@@ -1,7 +1,7 @@
 //! The actions of elements while an equilibrium is sought.
 
 use super::Plant;
-use super::scene::Scene;
+use super::element_contexts::ElementContexts;
 use crate::elements::EvaluationMode;
 use crate::integrate::{Interval, Stage};
 use crate::scalar::Scalar;
@@ -31,11 +31,11 @@ impl<S: Scalar> Plant<S> {
     pub fn take_over(&mut self, q: &[S], v: &[S], s: &[S]) -> S {
         self.links.update(&self.model, q, v);
         let Self { model, world, links, layout, evaluation, elements, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *evaluation, at_rest(q, v, s));
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at_rest(q, v, s));
         let off = elements
             .iter_mut()
             .enumerate()
-            .filter_map(|(i, element)| element.settling_mut().map(|settling| settling.take_over(scene.of(i))));
+            .filter_map(|(i, element)| element.settling_mut().map(|settling| settling.take_over(contexts.of(i))));
         let off = off.fold(S::ZERO, |most, off| most.select_less(off, || off, || most));
         let trims: Vec<Vec<f64>> =
             self.trims().iter().map(|trim| trim.iter().map(|entry| entry.value()).collect()).collect();
@@ -50,11 +50,11 @@ impl<S: Scalar> Plant<S> {
     pub fn overloaded(&mut self, q: &[S], v: &[S], s: &[S]) -> Option<(String, S)> {
         self.links.update(&self.model, q, v);
         let at = at_rest(q, v, s);
-        let mut scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.evaluation, at);
-        let mut used =
-            self.elements.iter().enumerate().filter_map(|(i, element)| {
-                Some((element.name().to_owned(), element.settling()?.utilisation(scene.of(i))))
-            });
+        let mut contexts =
+            ElementContexts::new(&self.layout, &self.world, &self.model, &self.links, self.evaluation, at);
+        let mut used = self.elements.iter().enumerate().filter_map(|(i, element)| {
+            Some((element.name().to_owned(), element.settling()?.utilisation(contexts.of(i))))
+        });
         used.find(|(_, utilisation)| !utilisation.all(|utilisation| utilisation <= 1.0))
     }
 }

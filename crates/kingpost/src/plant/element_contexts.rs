@@ -8,7 +8,7 @@ use crate::world::World;
 
 /// A stage with its kinematics, which gives each element its own context.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a, S> {
+pub struct ElementContexts<'a, S> {
     /// The places of all entries.
     pub layout: &'a Layout,
     /// The part that all elements share.
@@ -21,8 +21,8 @@ pub struct Scene<'a, S> {
     own: Option<Context<'a, S>>,
 }
 
-impl<'a, S: Copy> Scene<'a, S> {
-    /// The scene at a stage.
+impl<'a, S: Copy> ElementContexts<'a, S> {
+    /// The contexts at a stage.
     pub fn new(
         layout: &'a Layout,
         world: &'a World<S>,
