@@ -7,7 +7,7 @@ use thiserror::Error;
 
 /// The places of one element's entries.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Share {
+pub struct StateSlices {
     /// In the states of all elements, which follow the ledger's in s.
     pub states: Range<usize>,
     /// Its entries in d.
@@ -95,7 +95,7 @@ pub struct Layout {
     /// Number of entries of s before those of the elements.
     pub ledger: usize,
     /// The places of each element's entries.
-    pub shares: Vec<Share>,
+    pub slices: Vec<StateSlices>,
     /// Names of the elements.
     pub names: Vec<String>,
     /// The table of inputs with their first values.
@@ -152,7 +152,7 @@ impl Layout {
             let name = elements[element].name();
             let full = |own: &String| format!("{name}.{own}");
             let own = [declared.states.len(), declared.numbers.len(), declared.modes.len()];
-            layout.shares.push(Share {
+            layout.slices.push(StateSlices {
                 has_own: !declared.inputs.is_empty() || own.iter().any(|count| *count > 0),
                 states: range(layout.states.len(), declared.states.len()),
                 inputs: range(input, declared.inputs.len()),
@@ -223,7 +223,7 @@ impl Layout {
     /// The outputs of the elements that sample.
     pub fn signals(&self) -> Vec<Signal> {
         let mut signals = Vec::new();
-        for (element, _) in self.shares.iter().enumerate().filter(|(_, share)| share.period_s.is_some()) {
+        for (element, _) in self.slices.iter().enumerate().filter(|(_, share)| share.period_s.is_some()) {
             let outputs = self.outputs.iter().filter(|(of, _)| *of == element);
             let own = outputs.flat_map(|(_, output)| output.columns().zip(output.units.iter().cycle()));
             signals.extend(own.enumerate().map(|(output, (name, unit))| Signal { name, unit, element, output }));
@@ -260,13 +260,13 @@ impl Layout {
 
     /// The place of an element's states in s.
     pub fn states_of(&self, element: usize) -> Range<usize> {
-        let Range { start, end } = self.shares[element].states;
+        let Range { start, end } = self.slices[element].states;
         self.ledger + start..self.ledger + end
     }
 
     /// An element's own entries in the whole state.
     pub fn own<'a, S>(&self, element: usize, s: &'a mut [S], d: &'a mut [S], m: &'a mut [i64]) -> Own<'a, S> {
-        let Share { numbers, modes, .. } = &self.shares[element];
+        let StateSlices { numbers, modes, .. } = &self.slices[element];
         let (numbers, modes) = (&mut d[numbers.clone()], &mut m[modes.clone()]);
         Own { states: &mut s[self.states_of(element)], numbers, modes, also: None }
     }

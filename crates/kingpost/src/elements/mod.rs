@@ -78,7 +78,7 @@ pub use input_shaper::{InputShaper, ShaperKind, Swing, shaper_taps};
 pub use joint_damping::JointDamping;
 pub use joint_spring::JointSpring;
 pub use joint_stop::{JointStop, StopSide, hunt_crossley};
-pub use layout::{Layout, Share, Signal, Steer, UnknownSignal, Watched, Wire};
+pub use layout::{Layout, Signal, StateSlices, Steer, UnknownSignal, Watched, Wire};
 pub use lines::{CatenaryLine, SpringLine};
 pub use mean_heading::MeanHeading;
 pub use motion_reference_unit::{HeaveFilter, MotionReferenceUnit};

@@ -44,7 +44,7 @@ impl<S: Scalar> Plant<S> {
             return;
         }
         state.d[input] = value;
-        let Some(owner) = self.layout.shares.iter().position(|share| share.inputs.contains(&input)) else { return };
+        let Some(owner) = self.layout.slices.iter().position(|share| share.inputs.contains(&input)) else { return };
         let modes = state.m.clone();
         self.change(owner, time_s, state, |element, at, own, _| element.renew(at, own));
         if state.m != modes {
@@ -72,7 +72,7 @@ impl<S: Scalar> Plant<S> {
     /// The next time after `after_s` at which a law changes form or an element samples, s; infinite if there is none.
     pub fn next_edge_s(&self, after_s: f64, modes: &[i64]) -> f64 {
         let of = |(i, element): (usize, &AnyElement<S>)| {
-            let share = &self.layout.shares[i];
+            let share = &self.layout.slices[i];
             let tick = share
                 .period_s
                 .map_or(f64::INFINITY, |period| period * (libm::floor(after_s / period + TICK_SLACK) + 1.0));
@@ -86,7 +86,7 @@ impl<S: Scalar> Plant<S> {
     /// updated right after it.
     pub fn sample(&mut self, time_s: f64, state: &mut State<S>) {
         for i in 0..self.elements.len() {
-            let Some(period_s) = self.layout.shares[i].period_s else { continue };
+            let Some(period_s) = self.layout.slices[i].period_s else { continue };
             let ticks = time_s / period_s;
             if (ticks - libm::round(ticks)).abs() <= TICK_SLACK {
                 self.change(i, time_s, state, |element, at, own, _| element.sample(at, own));

@@ -1,7 +1,7 @@
 //! The contexts of all elements at a stage.
 
 use crate::dynamics::{Clock, LinkKinematics};
-use crate::elements::{Context, EvaluationMode, Layout, Share};
+use crate::elements::{Context, EvaluationMode, Layout, StateSlices};
 use crate::integrate::Stage;
 use crate::model::Model;
 use crate::world::World;
@@ -43,7 +43,7 @@ impl<'a, S: Copy> ElementContexts<'a, S> {
     /// The context of one element.
     #[inline]
     pub fn of(&mut self, element: usize) -> &Context<'a, S> {
-        let Share { states, inputs, numbers, modes, has_own, .. } = &self.layout.shares[element];
+        let StateSlices { states, inputs, numbers, modes, has_own, .. } = &self.layout.slices[element];
         if !has_own {
             return &self.shared;
         }
@@ -57,11 +57,11 @@ impl<'a, S: Copy> ElementContexts<'a, S> {
 
     /// Gives an element its context with the values that its inputs reach at the end of the step; loads do not need them.
     pub fn with_ends(&mut self, element: usize) -> &Context<'a, S> {
-        let ends = self.layout.ends_of(self.layout.shares[element].inputs.clone());
+        let ends = self.layout.ends_of(self.layout.slices[element].inputs.clone());
         let ends = self.discrete.get(ends).unwrap_or_default();
         self.of(element);
         match &mut self.own {
-            Some(own) if self.layout.shares[element].has_own => {
+            Some(own) if self.layout.slices[element].has_own => {
                 own.inputs_at_end = ends;
                 own
             }

@@ -109,7 +109,7 @@ impl<S: Scalar> Plant<S> {
         let acting = self.layout.holding.iter().zip(&self.loads.restraints).filter(|(_, restraint)| restraint.acts);
         let least = acting.zip(carried).min_by(|(_, a), (_, b)| a.value().total_cmp(&b.value()));
         let Some(((&element, _), _)) = least.filter(|(_, carried)| carried.value() < 0.0) else { return false };
-        let modes = self.layout.shares[element].modes.clone();
+        let modes = self.layout.slices[element].modes.clone();
         if let Some(holding) = self.elements[element].holding_mut() {
             holding.let_go(&mut state.m[modes]);
         }
@@ -119,7 +119,7 @@ impl<S: Scalar> Plant<S> {
     /// While an equilibrium is sought: elements that held go on, and elements that have come taut begin to hold.
     pub fn keep_hold(&mut self, before: &[i64], state: &mut State<S>) {
         for &i in &self.layout.holding {
-            let modes = self.layout.shares[i].modes.clone();
+            let modes = self.layout.slices[i].modes.clone();
             if self.elements[i].holding().is_some_and(|holding| holding.holds(&before[modes.clone()])) {
                 state.m[modes.clone()].copy_from_slice(&before[modes]);
             }

@@ -291,7 +291,7 @@ impl<S: Scalar> Plant<S> {
             let Self { model, world, elements, layout, evaluation, links, .. } = self;
             let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
             for (i, element) in elements.iter_mut().enumerate() {
-                let own = layout.shares[i].states.clone();
+                let own = layout.slices[i].states.clone();
                 if !own.is_empty() {
                     element.rates(contexts.of(i), &mut of_elements[own]);
                 }

@@ -104,8 +104,8 @@ impl Simulation {
         let layout = self.plant.layout();
         let mut at = input;
         // Each controller stands before the next: there are no circles.
-        while let Some(steer) = layout.steers.iter().find(|steer| layout.shares[steer.element].inputs.contains(&at)) {
-            let first = layout.shares[steer.element].inputs.start;
+        while let Some(steer) = layout.steers.iter().find(|steer| layout.slices[steer.element].inputs.contains(&at)) {
+            let first = layout.slices[steer.element].inputs.start;
             let passed = self.plant.elements()[steer.element].passes_to(at - first)?;
             at = *steer.inputs.get(passed)?;
         }
@@ -119,7 +119,7 @@ impl Simulation {
         let signals = layout.signals();
         let of = |column: &String| {
             let signal = signals.iter().find(|signal| signal.name == *column)?;
-            let share = &layout.shares[signal.element];
+            let share = &layout.slices[signal.element];
             let steps = self.whole_steps(share.period_s?);
             Some(Sensed { steps, age: share.delay_samples as u64 * steps + steps.saturating_sub(every) / 2 })
         };

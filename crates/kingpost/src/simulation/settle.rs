@@ -263,7 +263,7 @@ impl Simulation {
     /// Entries of s that stay: a user has moved these elements there.
     fn kept_states(&self) -> Vec<(usize, f64)> {
         let layout = self.plant.layout();
-        let kept = (0..layout.shares.len()).filter(|&element| layout.shares[element].keeps_states);
+        let kept = (0..layout.slices.len()).filter(|&element| layout.slices[element].keeps_states);
         kept.flat_map(|element| layout.states_of(element)).map(|i| (i, self.state.s[i])).collect()
     }
 

@@ -19,7 +19,7 @@ impl<S: Scalar> Simulation<S> {
 
     /// Whether the element that has an input may change its modes with it; such inputs cannot differ between lanes.
     pub(crate) fn switches_modes(&self, input: usize) -> bool {
-        let mut shares = self.plant.layout().shares.iter();
+        let mut shares = self.plant.layout().slices.iter();
         shares.any(|share| share.inputs.contains(&input) && !share.modes.is_empty())
     }
 }
