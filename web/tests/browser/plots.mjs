@@ -150,8 +150,8 @@ const spectra = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((v
     await setPlot(page, 1, { lines: ["water.wave_elevation"], kind: "spectrum" });
     const notes = page.locator("[data-testid=plot-1] > .plot-notes");
     await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution"));
-    // Segments of 128 records of 0.1 s that overlap by half: 2 pi / 12.8 s.
-    assert.match(await notes.textContent(), /Hann window: 15 segments of the records from 0 to 104 s, resolution 0\.491 rad\/s/);
+    // Eight parts would have 128 records of 0.1 s, less than three periods of the waves: 256 that overlap by half, 2 pi / 25.6 s.
+    assert.match(await notes.textContent(), /Hann window: 7 segments of the records from 0 to 104 s, resolution 0\.245 rad\/s/);
     await page.getByTestId("choose-1").click();
     await page.getByTestId("plot-parts").selectOption("2");
     await page.getByTestId("picker-done").click();
