@@ -213,7 +213,7 @@ pub enum VectorFrame {
     /// The axes of a closed loop's first attachment.
     Loop,
     /// Level axes that turn slowly with the hull.
-    LowFrequencyFrame,
+    SlowFrame,
     /// Level axes that turn with the hull's heading.
     Heading,
     /// Not a vector.

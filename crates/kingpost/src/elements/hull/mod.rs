@@ -267,8 +267,7 @@ const MODES: usize = 6;
 
 /// The outputs of a hull, in the order of [`Hull::outputs`](Element::outputs).
 fn outputs(name: &str) -> Vec<Output> {
-    let wrench =
-        |variable, description| Output::wrench(variable, description, "hull", name, VectorFrame::LowFrequencyFrame);
+    let wrench = |variable, description| Output::wrench(variable, description, "hull", name, VectorFrame::SlowFrame);
     vec![
         Output::number(
             "wave_elevation",
