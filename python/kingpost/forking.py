@@ -12,7 +12,7 @@ import threading
 from functools import cached_property
 
 LOCKED = sys.version_info < (3, 12)
-"""Whether this Python's cached properties have a lock: later ones have none."""
+"""Tells whether cached properties of this version of Python have a lock; from 3.12 on they have none."""
 
 
 def renew_locks() -> None:

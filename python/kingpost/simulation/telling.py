@@ -33,7 +33,7 @@ def _kind(words: str) -> str:
 
 
 def _fits(pattern: str | re.Pattern[str] | None, text: str) -> bool:
-    """Whether a filter's pattern, of which Python's first ones are plain names, matches."""
+    """Match a filter's pattern: none, a compiled expression or, in Python's own filters, a plain name."""
     return pattern is None or (pattern == text if isinstance(pattern, str) else bool(pattern.match(text)))
 
 
