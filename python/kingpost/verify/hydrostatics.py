@@ -38,6 +38,17 @@ def barge(
     return scenario({"hull": hull, **(more or {})}, acting)
 
 
+def hanging(mass_kg: float, top_m: float, rope_m: float) -> dict[str, Any]:
+    """A point load on a rope of this length from a point at this height over the keel of `barge`."""
+    hinge = {
+        "first_axis": [1, 0, 0],
+        "second_axis": [0, 1, 0],
+        "position_m": [0, 0, top_m],
+        "child_position_m": [0, 0, rope_m],
+    }
+    return {"parent": "hull", "mass_kg": mass_kg, "shape": {"point": {}}, "joint": {"universal": hinge}}
+
+
 def _afloat(*arguments: Any, **options: Any) -> dict[str, Any]:
     return barge(*arguments, **options).hydrostatics["hulls"][0]
 
@@ -173,14 +184,7 @@ def box_loll() -> Compared:
 )
 def hanging_load() -> Compared:
     load, rope, top = 1e4, 8.0, 15.0
-    hinge = {
-        "first_axis": [1, 0, 0],
-        "second_axis": [0, 1, 0],
-        "position_m": [0, 0, top],
-        "child_position_m": [0, 0, rope],
-    }
-    hanging = {"parent": "hull", "mass_kg": load, "shape": {"point": {}}, "joint": {"universal": hinge}}
-    found = _afloat(2.0, MASS - load, more={"load": hanging}, hydrostatics="mesh")
+    found = _afloat(2.0, MASS - load, more={"load": hanging(load, top, rope)}, hydrostatics="mesh")
     kg = ((MASS - load) * 2.0 + load * (top - rope)) / MASS
     return Compared(found["metacentric_height_m"][0], DRAUGHT / 2 + BM - kg - load * rope / MASS)
 

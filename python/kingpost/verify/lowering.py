@@ -11,7 +11,7 @@ import numpy as np
 from ..analysis.splash_zone import splash_zone
 from ..scenario import Scenario
 from ..simulation.simulate import Simulation, run
-from .hydrostatics import BM, DRAUGHT, MASS, RHO, barge
+from .hydrostatics import BM, DRAUGHT, MASS, RHO, barge, hanging
 from .models import GRAVITY, G, scenario, settings, slider, value
 from .rows import Compared, check, worst
 
@@ -188,19 +188,16 @@ def deep_equilibrium() -> Compared:
 )
 def submerged_hanging_load() -> Compared:
     load, volume, rope, top = 2e4, 6.0, 20.0, 9.0
-    hinge = {
-        "first_axis": [1, 0, 0],
-        "second_axis": [0, 1, 0],
-        "position_m": [0, 0, top],
-        "child_position_m": [0, 0, rope],
-    }
-    hanging = {"parent": "hull", "mass_kg": load, "shape": {"point": {}}, "joint": {"universal": hinge}}
     edge = volume ** (1 / 3)
     cube = {"box": {"length_m": edge, "width_m": edge, "height_m": edge}}
     water = {"submerged": {"body": "load", "shape": cube}}
     in_water = load - RHO * volume
     hull = barge(
-        2.0, MASS - in_water, more={"load": hanging}, forces={"wet": water}, hydrostatics="mesh"
+        2.0,
+        MASS - in_water,
+        more={"load": hanging(load, top, rope)},
+        forces={"wet": water},
+        hydrostatics="mesh",
     ).hydrostatics
     points = [point for point in hull["hulls"][0]["righting_arm"]["points"] if 0 < point["heel_rad"] < 0.25]
     kg = ((MASS - in_water) * 2.0 + in_water * top) / MASS
