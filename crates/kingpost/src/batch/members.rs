@@ -69,15 +69,14 @@ impl Members {
         let parsed = Parsed::new(text, file).map_err(|error| BatchError::Variant { run: 0, error })?;
         let first = Member::new(parsed.clone(), 0, first, files)?;
         let columns = channels_of(&first.setup).iter().map(|channel| channel.columns.len()).sum();
-        let too_much =
-            |found: f64| BatchError::Memory { runs: variants.len(), found: found as u64, allowed: most_bytes };
         let (built, taken) = (AtomicU64::new(1), AtomicU64::new(bytes(&first.setup, columns) as u64));
         let member = |(run, variant): (usize, &Variant)| {
             let member = Member::new(parsed.clone(), run, variant, files)?;
             let own = bytes(&member.setup, columns) as u64;
             let (count, sum) = (built.fetch_add(1, Relaxed) + 1, taken.fetch_add(own, Relaxed) + own);
             if sum > most_bytes {
-                return Err(too_much(sum as f64 / count as f64 * variants.len() as f64));
+                let found = (sum as f64 / count as f64 * variants.len() as f64) as u64;
+                return Err(BatchError::Memory { runs: variants.len(), found, allowed: most_bytes });
             }
             Ok(member)
         };

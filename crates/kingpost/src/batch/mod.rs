@@ -51,7 +51,7 @@ pub enum BatchError {
     Memory {
         /// How many runs there are.
         runs: usize,
-        /// Bytes of all rows and models; where the models alone exceed what is allowed, an estimate by the first ones.
+        /// Bytes of all rows and models; before all are built, those of the models alone, or an estimate by the first ones.
         found: u64,
         /// Bytes that are allowed.
         allowed: u64,

@@ -229,7 +229,7 @@ pub struct Event {
     pub crossing: Crossing,
 }
 
-/// Which change of sign of an indicator is an event.
+/// Change of sign of an indicator that is an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// From negative to positive.

@@ -62,7 +62,7 @@ impl Tangent {
         }
     }
 
-    /// As [`Plant::set_evaluation_mode`].
+    /// Sets the purpose of the evaluations: [`Plant::set_evaluation_mode`].
     pub fn set_evaluation_mode(&mut self, evaluation: EvaluationMode) {
         self.plant.set_evaluation_mode(evaluation);
     }

@@ -100,8 +100,8 @@ impl<S: Scalar> AddedMassOf<S> {
 }
 
 impl<S: Scalar> Slamming<S> {
-    /// 1/2 rho C_S A_S w^2 along the surface's normal, at the solid's centre, while the surface cuts the solid and it sinks with the speed
-    /// w (DNV-RP-N103, *Modelling and analysis of marine operations*, sec. 4.3.5).
+    /// Force 1/2 rho C_S A_S w^2 along the surface's normal, at the solid's centre, while the surface cuts the solid and
+    /// it sinks with the speed w (DNV-RP-N103, *Modelling and analysis of marine operations*, sec. 4.3.5).
     pub(super) fn force(&self, density: S, solid: &Solid<S>, now: &Immersion<S>) -> Wrench<S> {
         let speed = now.sinking_speed();
         let pressure = density * S::constant(0.5) * speed.select_below(0.0, || S::ZERO, || speed * speed);

@@ -81,14 +81,13 @@ impl<S: Scalar> WavesAtPoints<S> {
         let height = field.height(point[2], elevation);
         let weight = S::constant(field.water().gravity_m_s2 * field.water().density_kg_m3);
         // At the still water level there is no decay, and over Wheeler's and the vertical method's crests neither.
-        let (at_level, extrapolated) = (height.z.all(|z| z >= 0.0), field.stretching() == Stretching::Extrapolated);
-        let head = match () {
-            () if extrapolated => self.extrapolated_head_m(field, height),
-            () if at_level => elevation,
-            () => {
-                let head = self.head_m(field, height.z);
-                height.z.select_below(0.0, || head, || elevation)
-            }
+        let head = if field.stretching() == Stretching::Extrapolated {
+            self.extrapolated_head_m(field, height)
+        } else if height.z.all(|z| z >= 0.0) {
+            elevation
+        } else {
+            let head = self.head_m(field, height.z);
+            height.z.select_below(0.0, || head, || elevation)
         };
         [elevation, field.stretching().pressure(point[2], weight, head * weight)]
     }
