@@ -1,7 +1,7 @@
 import "uplot/dist/uPlot.min.css";
-import { AheadLine } from "./ahead/line";
-import { openAhead } from "./ahead/open";
-import { Aside } from "./app/aside";
+import { ForecastLine } from "./forecast/line";
+import { openForecast } from "./forecast/open";
+import { BackgroundEngine } from "./app/background_engine";
 import { isCalm } from "./app/calm";
 import { runClock } from "./app/clock";
 import { galleryFolder } from "./app/gallery";
@@ -98,22 +98,22 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
   new Settings(session);
   new Readouts(session);
   showPace(session);
-  const aside = new Aside(startClient);
-  new Floating(session, aside);
+  const background = new BackgroundEngine(startClient);
+  new Floating(session, background);
   new Instruments(session);
   new Transport(session);
   new Scrubber(session);
   announce(session);
-  const scene = createScene(session, aside);
-  const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
-  new EquationsPanel(session, aside, (what) => scene.highlight(what));
+  const scene = createScene(session, background);
+  const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown)]);
+  new EquationsPanel(session, background, (what) => scene.highlight(what));
   const startSweep = () => new Worker(new URL("./physics/worker.ts", import.meta.url), { type: "module", name: language });
-  const physics = new PhysicsPanel(session, aside, new Periods(startSweep, galleryFolder(document.baseURI)));
-  const ahead = openAhead(session, aside, galleryFolder(document.baseURI));
-  new AheadLine(ahead);
-  ahead.onChange(() => {
-    plots.foresee(ahead.outlook);
-    scene.foresee(ahead.outlook);
+  const physics = new PhysicsPanel(session, background, new Periods(startSweep, galleryFolder(document.baseURI)));
+  const forecast = openForecast(session, background, galleryFolder(document.baseURI));
+  new ForecastLine(forecast);
+  forecast.onChange(() => {
+    plots.foresee(forecast.outlook);
+    scene.foresee(forecast.outlook);
   });
   runClock(session, () => {
     const isNew = [scene.draw(), plots.draw()].includes(true);

@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { expectedAmplitudes } from "../src/ahead/sea";
+import { expectedAmplitudes } from "../src/forecast/sea";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { readModel } from "../src/engine/engine";
 import type { Hydrostatics, InputInfo } from "../src/engine/engine";

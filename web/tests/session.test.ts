@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { Aside } from "../src/app/aside";
+import { BackgroundEngine } from "../src/app/background_engine";
 import { Session } from "../src/app/session";
 import { faultOfControl } from "../src/app/faults";
 import type { EngineClient } from "../src/engine/client";
@@ -166,11 +166,11 @@ describe("the session", () => {
     const asked: unknown[][] = [];
     const note = (name: string) => (...of: unknown[]) => Promise.resolve(void asked.push([name, ...of]));
     const hydrostatics = async () => ({ hulls: [], warnings: [] });
-    const aside = new Aside(() => ({ open: note("open"), restore: note("restore"), hydrostatics }) as unknown as EngineClient);
+    const background = new BackgroundEngine(() => ({ open: note("open"), restore: note("restore"), hydrostatics }) as unknown as EngineClient);
     await session.step();
-    await aside.hydrostatics(session);
+    await background.hydrostatics(session);
     await session.step();
-    const [dropped, newest] = [aside.hydrostatics(session), aside.hydrostatics(session)];
+    const [dropped, newest] = [background.hydrostatics(session), background.hydrostatics(session)];
     expect([await dropped, await newest]).toEqual([null, { hulls: [], warnings: [] }]);
     expect(asked).toEqual([
       ["open", "good", "good.yaml", {}, null],

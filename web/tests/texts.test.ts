@@ -116,9 +116,9 @@ const CODE = /\n|<svg|^\(|^[.#]\w|px |\\quad|:\/\/|^--|^item-when|^(Enter|Escape
 const HIDDEN = ["class", "style", "d"];
 /** What else reads as words and is for programs, or stands in files of data as other programs write them. */
 const FOR_PROGRAMS = [
-  "ahead/futures.ts: no start is known",
-  "app/aside.ts: equations for §",
-  "app/aside.ts: hydrostatics for §",
+  "forecast/futures.ts: no start is known",
+  "app/background_engine.ts: equations for §",
+  "app/background_engine.ts: hydrostatics for §",
   "app/format.ts: § cm",
   "app/format.ts: § ms",
   "app/gallery.ts: scenario: found §, allowed: §",

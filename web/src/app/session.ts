@@ -1,31 +1,111 @@
-import type { Fault } from "../engine/engine";
+import type { Change } from "../engine/changes";
+import type { EngineClient } from "../engine/client";
+import type { Fault, Value, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import type { Frame } from "../engine/messages";
-import type { Run } from "./run";
+import type { Listener, Run, Source, Status } from "./run";
 import { faultOfSaving, savedFile, type SavedFile } from "./saved";
+import { Opening, type Player } from "./session/opening";
+import { Rewinding } from "./session/rewinding";
+import { SessionState } from "./session/state";
 import { Steering } from "./session/steering";
 
 export type { Listener, Run, Status } from "./run";
 
-/** The state of the page: scenario, values, state of the run, and the moment that is shown. */
-export class Session extends Steering {
+/** Plays the scenario that is open: opens and resets it, runs it, goes back in it, and sets its values and inputs. */
+export class Session implements Player {
   /** Simulated time over wall time; infinite for as fast as possible. */
   speed = 1;
+  private readonly state = new SessionState();
+  private readonly opening: Opening;
+  private readonly rewinding: Rewinding;
+  private readonly steering: Steering;
   private advancing = false;
   /** Time at which a run at full speed pauses. */
   private until_s = Infinity;
 
+  constructor(private readonly client: EngineClient) {
+    this.opening = new Opening(this.state, client, this);
+    this.rewinding = new Rewinding(this.state, this.opening);
+    this.steering = new Steering(this.state, this.opening, this.rewinding);
+  }
+
+  get run(): Run | null {
+    return this.state.run;
+  }
+
+  get source(): Source | null {
+    return this.state.source;
+  }
+
+  get status(): Status {
+    return this.state.status;
+  }
+
+  /** The last fault, until it is dismissed or something opens. */
+  get fault(): Fault | null {
+    return this.state.fault;
+  }
+
+  /** The moment that is shown. */
+  get shown(): SessionState["shown"] {
+    return this.state.shown;
+  }
+
+  /** The values of the controls. */
+  get values(): SessionState["values"] {
+    return this.state.values;
+  }
+
+  listen(listener: Listener): void {
+    this.state.listen(listener);
+  }
+
+  report(fault: Fault): void {
+    this.state.report(fault);
+  }
+
+  dismissFault(): void {
+    this.state.dismissFault();
+  }
+
+  /** Reports that there is nothing to open. */
+  beEmpty(fault: Fault): void {
+    this.state.become("empty");
+    this.state.report(fault);
+  }
+
+  /** Opens another scenario; if it cannot be read, the present run stays. */
+  open(source: Source, overrides: Values): Promise<boolean> {
+    return this.opening.open(source, overrides);
+  }
+
+  /** Resets the run, with the values of the controls. */
+  reset(): Promise<void> {
+    return this.opening.reset();
+  }
+
+  /** Resets the run; a running run goes on. */
+  restart(): void {
+    this.opening.restart();
+  }
+
+  /** Whether something that was asked of the engine, or waits for its turn, is not done. */
+  get isWaiting(): boolean {
+    return this.opening.isWaiting;
+  }
+
   /** Whether it runs, or will run when the present reset is done. */
   get isGoing(): boolean {
-    return this.status === "running" || this.status === "stepping" || this.due === "start";
+    return this.status === "running" || this.status === "stepping" || this.opening.due === "start";
   }
 
   /** Starts the run; from an earlier moment it branches. */
   start(): void {
     this.until_s = Infinity;
-    if (this.shown.isBack) void this.branch();
-    if (this.turns.isBusy) this.intend("start");
-    else if (this.status === "idle" || this.status === "paused") this.become("running");
+    if (this.shown.isBack) void this.rewinding.branch();
+    if (this.opening.turns.isBusy) this.opening.intend("start");
+    else if (this.status === "idle" || this.status === "paused") this.state.become("running");
   }
 
   /** Runs at full speed to a time, and pauses there. */
@@ -35,22 +115,29 @@ export class Session extends Steering {
   }
 
   pause(): void {
-    if (this.due) this.intend(null);
-    if (this.status === "running" || this.status === "stepping") this.become("paused");
+    if (this.opening.due) this.opening.intend(null);
+    if (this.status === "running" || this.status === "stepping") this.state.become("paused");
+  }
+
+  /** Pauses, and shows the recorded moment nearest to a time. */
+  scrub(time_s: number): void {
+    if (this.rewinding.isUnderWay) return;
+    this.pause();
+    this.state.look(time_s);
   }
 
   /** Advances by one recording interval. */
   async step(): Promise<void> {
     if (!this.run || this.status === "stepping" || (this.status === "stopped" && !this.shown.isBack)) return;
-    if (this.shown.isBack) void this.branch();
-    if (this.turns.isBusy) return this.intend("step");
-    this.become("paused");
+    if (this.shown.isBack) void this.rewinding.branch();
+    if (this.opening.turns.isBusy) return this.opening.intend("step");
+    this.state.become("paused");
     let frame = await this.take(this.client.step());
-    if (frame?.isPart && this.status === "paused") this.become("stepping");
+    if (frame?.isPart && this.status === "paused") this.state.become("stepping");
     // A pause or a reset may come before the answer.
     const isOn = () => this.status === "stepping";
     while (frame?.isPart && isOn()) frame = await this.take(this.client.step());
-    if (isOn()) this.become("paused");
+    if (isOn()) this.state.become("paused");
   }
 
   /** One frame of a run, `wall_s` after the previous one; sends no request while it waits for an answer. */
@@ -71,13 +158,13 @@ export class Session extends Steering {
   private async take(answer: Promise<Frame | null>): Promise<Frame | null> {
     const run = this.run;
     try {
-      const frame = await this.asked(answer);
+      const frame = await this.opening.asked(answer);
       if (!frame || !run || run !== this.run) return null;
       this.show(run, frame);
       return frame;
     } catch (fault) {
       if (run === this.run && !isOfEngine(fault)) {
-        this.become("stopped");
+        this.state.become("stopped");
         this.report(fault as Fault);
       }
       return null;
@@ -85,43 +172,72 @@ export class Session extends Steering {
   }
 
   private show(run: Run, frame: Frame): void {
-    if (frame.changes.length > 0) this.follow(run, frame.changes);
+    if (frame.changes.length > 0) this.steering.follow(run, frame.changes);
     this.shown.recording?.add(frame, this.values.inForce);
-    this.emit((listener) => listener.advanced?.(run, frame));
-    if (!this.shown.isBack) this.tellMoment();
+    this.state.emit((listener) => listener.advanced?.(run, frame));
+    if (!this.shown.isBack) this.state.tellMoment();
     if (!frame.fault) return;
-    this.become("stopped");
+    this.state.become("stopped");
     this.report(frame.fault);
+  }
+
+  /** Sets a value. At the start it acts at once; during a run a live value acts at once, and any other waits for the reset. */
+  set(name: string, value: Value): void {
+    this.steering.set(name, value);
+  }
+
+  /** The value that a control shows. */
+  value(name: string): Value | undefined {
+    return this.values.shown(name);
+  }
+
+  /** Names of the values that wait for a reset. */
+  pending(): string[] {
+    return this.values.pending();
+  }
+
+  /** Sets an input from the moment that is shown. */
+  setInput(name: string, value: number): Promise<void> {
+    return this.steering.setInput(name, value);
+  }
+
+  /** The value of an input, or the value that was just sent. */
+  input(name: string): number {
+    return this.steering.input(name);
+  }
+
+  /** Drops values and inputs that wait to be sent: they are not meant for another run. */
+  dropSteering(): void {
+    this.steering.drop();
+  }
+
+  /** The changes of the present run so far. */
+  changes(): Promise<readonly Change[]> {
+    return this.opening.asked(this.client.changes());
   }
 
   /** The state of the present run, for another engine. */
   snapshot(): Promise<Uint8Array> {
-    return this.asked(this.client.snapshot());
+    return this.opening.asked(this.client.snapshot());
   }
 
   /** The present run as a scenario file; null, with a report, if that is impossible. */
   async save(): Promise<SavedFile | null> {
     try {
       const { source } = this;
-      const replay = await this.asked(this.client.replay());
+      const replay = await this.opening.asked(this.client.replay());
       return source && savedFile(source.file, replay, this.pending());
     } catch (fault) {
-      this.reportOfRun(faultOfSaving(fault as Fault));
+      this.state.reportOfRun(faultOfSaving(fault as Fault));
       return null;
     }
   }
 
   /** The present run as a scenario in JSON, for exported files; null if that is impossible. */
   async resolved(): Promise<string | null> {
-    return this.asked(this.client.replay()).then(
+    return this.opening.asked(this.client.replay()).then(
       ({ scenario }) => scenario,
       () => null,
     );
-  }
-
-  /** Reports that there is nothing to open. */
-  beEmpty(fault: Fault): void {
-    this.become("empty");
-    this.report(fault);
   }
 }

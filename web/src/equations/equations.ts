@@ -1,4 +1,4 @@
-import type { Aside } from "../app/aside";
+import type { BackgroundEngine } from "../app/background_engine";
 import type { Run, Session } from "../app/session";
 import type { Equations as Found } from "../engine/engine";
 import { texts } from "../texts";
@@ -41,7 +41,7 @@ export class EquationsPanel {
 
   constructor(
     private readonly session: Session,
-    private readonly aside: Aside,
+    private readonly background: BackgroundEngine,
     private readonly highlight: (what: Highlight | null) => void,
   ) {
     this.polhode = new Polhode(session);
@@ -95,7 +95,7 @@ export class EquationsPanel {
     await new Promise((resolve) => setTimeout(resolve, wait_ms));
     this.asked_ms = performance.now();
     const time_s = this.session.shown.time_s;
-    const found = await this.aside.equations(this.session).catch(() => null);
+    const found = await this.background.equations(this.session).catch(() => null);
     this.isAsking = false;
     if (!found || this.session.run !== run) return;
     this.found = found;

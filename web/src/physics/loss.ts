@@ -1,4 +1,4 @@
-import type { Aside } from "../app/aside";
+import type { BackgroundEngine } from "../app/background_engine";
 import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
 import { asFault } from "../engine/engine";
@@ -45,7 +45,7 @@ export class LossLesson {
 
   constructor(
     private readonly session: Session,
-    private readonly aside: Aside,
+    private readonly background: BackgroundEngine,
   ) {
     const intro = make("p", { class: "muted" }, texts.loss.intro);
     this.element.append(intro, this.body);
@@ -86,7 +86,7 @@ export class LossLesson {
 
   /** A failure becomes a warning like the engine's own. */
   private afloat(without: readonly string[]): Promise<Hydrostatics | null> {
-    return this.aside.hydrostaticsAtStart(this.session, without, "loss").catch((thrown) => ({ hulls: [], warnings: [asFault(thrown).message] }));
+    return this.background.hydrostaticsAtStart(this.session, without, "loss").catch((thrown) => ({ hulls: [], warnings: [asFault(thrown).message] }));
   }
 
   private build(): void {

@@ -1,4 +1,4 @@
-import type { ScenarioOf } from "../ahead/messages";
+import type { ScenarioOf } from "../forecast/messages";
 import type { Fault } from "../engine/engine";
 import type { ModesAt } from "./modes";
 import type { SeaSpectrum } from "./sea_spectrum";

@@ -1,4 +1,4 @@
-import type { Aside } from "../app/aside";
+import type { BackgroundEngine } from "../app/background_engine";
 import type { Run, Session } from "../app/session";
 import { texts } from "../texts";
 import { byId, make } from "../ui/dom";
@@ -24,10 +24,10 @@ export class PhysicsPanel {
 
   constructor(
     private readonly session: Session,
-    aside: Aside,
+    background: BackgroundEngine,
     periods: Periods,
   ) {
-    this.lessons = { loss: new LossLesson(session, aside), resonance: new ResonanceLesson(session, periods) };
+    this.lessons = { loss: new LossLesson(session, background), resonance: new ResonanceLesson(session, periods) };
     const choice = make("div", { class: "segmented lesson-choice", role: "group", "aria-label": texts.physics.lesson });
     for (const [key, name] of Object.entries(texts.physics.lessons) as [keyof typeof this.lessons, string][]) {
       const button = make("button", { type: "button", "aria-pressed": String(key === this.chosen), "data-testid": `show-lesson-${key}` }, name);

@@ -1,4 +1,4 @@
-import type { EngineInSeas } from "../ahead/sea";
+import type { EngineInSeas } from "../forecast/sea";
 
 /** The regular waves that make up a sea: rad/s and m. */
 export interface Waves {

@@ -1,4 +1,4 @@
-import { expectedAmplitudes } from "../ahead/sea";
+import { expectedAmplitudes } from "../forecast/sea";
 import { asFault } from "../engine/engine";
 import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
 import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";

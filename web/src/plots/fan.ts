@@ -1,5 +1,5 @@
 import type uPlot from "uplot";
-import type { Outlook } from "../ahead/outlook";
+import type { Outlook } from "../forecast/outlook";
 import { texts } from "../texts";
 import type { Places } from "./stretch";
 
@@ -37,8 +37,8 @@ export class Fan {
   rows(write: (value: number, line: number) => string): string[][] {
     const last = this.times.length - 1;
     const told = Array.from({ length: TOLD }, (_, i) => Math.round((last * (i + 1)) / TOLD));
-    const band = (fan: Float64Array[], i: number, k: number) => texts.ahead.band(write(fan[0][k], i), write(fan[fan.length - 1][k], i));
-    return last < TOLD ? [] : told.map((k) => [texts.ahead.foreseen(write(this.times[k], -1)), ...this.fans.map((fan, i) => band(fan, i, k))]);
+    const band = (fan: Float64Array[], i: number, k: number) => texts.forecast.band(write(fan[0][k], i), write(fan[fan.length - 1][k], i));
+    return last < TOLD ? [] : told.map((k) => [texts.forecast.foreseen(write(this.times[k], -1)), ...this.fans.map((fan, i) => band(fan, i, k))]);
   }
 
   /** Each in the colour of its line, on the scale of its axis. */

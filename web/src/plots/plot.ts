@@ -1,4 +1,4 @@
-import type { Outlook } from "../ahead/outlook";
+import type { Outlook } from "../forecast/outlook";
 import type { Shown } from "../app/recording/shown";
 import type { Run } from "../app/session";
 import { texts } from "../texts";

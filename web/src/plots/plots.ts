@@ -1,5 +1,5 @@
-import type { Outlook } from "../ahead/outlook";
-import type { Aside } from "../app/aside";
+import type { Outlook } from "../forecast/outlook";
+import type { BackgroundEngine } from "../app/background_engine";
 import { Calm } from "../app/calm";
 import { onPalette } from "../app/palette";
 import type { Run, Session } from "../app/session";
@@ -38,7 +38,7 @@ export class Plots {
 
   constructor(
     private readonly session: Session,
-    private readonly aside: Aside,
+    private readonly background: BackgroundEngine,
     tools: HTMLElement[],
   ) {
     this.dialog = new ViewDialog(() => this.show(), () => this.reset());
@@ -209,7 +209,7 @@ export class Plots {
     this.armsAsked_ms = performance.now();
     if (!this.needsArms) return;
     const time_s = shown.recording!.now.time_s;
-    const found = await this.aside.hydrostatics(this.session, "plots").catch(() => null);
+    const found = await this.background.hydrostatics(this.session, "plots").catch(() => null);
     if (this.session.run !== run || !found) return;
     this.arms = { found, time_s };
     this.touch();

@@ -1,5 +1,5 @@
 import { afloat } from "../app/afloat";
-import type { Aside } from "../app/aside";
+import type { BackgroundEngine } from "../app/background_engine";
 import { Calm } from "../app/calm";
 import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
@@ -19,7 +19,7 @@ export class Floating {
 
   constructor(
     private readonly session: Session,
-    private readonly aside: Aside,
+    private readonly background: BackgroundEngine,
   ) {
     session.listen({
       opened: (run, frame) => {
@@ -50,7 +50,7 @@ export class Floating {
 
   private async ask(): Promise<void> {
     const { run } = this.session;
-    const found = await this.aside.hydrostatics(this.session).catch(() => null);
+    const found = await this.background.hydrostatics(this.session).catch(() => null);
     if (this.session.run === run && found) this.showAtRest(found);
   }
 

@@ -1,6 +1,6 @@
-import { swarmOf } from "../ahead/swarm";
-import type { Outlook } from "../ahead/outlook";
-import type { Aside } from "../app/aside";
+import { swarmOf } from "../forecast/swarm";
+import type { Outlook } from "../forecast/outlook";
+import type { BackgroundEngine } from "../app/background_engine";
 import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
@@ -25,7 +25,7 @@ export interface Scene {
 }
 
 /** Connects the 3D picture to the run and to its buttons; without WebGL it shows a message, and the rest works. */
-export function createScene(session: Session, aside: Aside): Scene {
+export function createScene(session: Session, background: BackgroundEngine): Scene {
   let view: View;
   try {
     view = new View(byId<HTMLCanvasElement>("canvas"));
@@ -36,7 +36,7 @@ export function createScene(session: Session, aside: Aside): Scene {
     return { draw: () => false, highlight() {}, foresee() {}, picture: () => null };
   }
   showLosses(byId("canvas"), view);
-  const watched = new Watched(session, aside, view);
+  const watched = new Watched(session, background, view);
   const tools = new Tools(view, watched);
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({

@@ -7,42 +7,43 @@ import { Recording } from "../recording/recording";
 import { runOf } from "../run";
 import type { Source } from "../run";
 import { Turns } from "../turns";
-import { SetValues } from "../values";
-import { Told } from "./told";
+import type { SessionState } from "./state";
+
+/** What an opening asks of the session. */
+export interface Player {
+  /** Whether it runs, or will run when the present reset is done. */
+  readonly isGoing: boolean;
+  start(): void;
+  pause(): void;
+  step(): Promise<void>;
+  /** Messages already sent to the engine are not meant for another run. */
+  dropSteering(): void;
+}
 
 /** Opens scenarios, resets the present run, and starts it again if its engine has died. */
-export abstract class Opening extends Told {
-  readonly values = new SetValues();
-  /** The scenario that Reset opens. */
-  source: Source | null = null;
+export class Opening {
   /** Number of pending openings and resets. */
-  protected readonly turns = new Turns(() => this.goOn());
+  readonly turns = new Turns(() => this.goOn());
   /** A request during an opening or reset, to be carried out after it. */
-  protected due: "start" | "step" | null = null;
+  due: "start" | "step" | null = null;
   private resetDue = false;
   private isRecovering = false;
 
-  constructor(protected readonly client: EngineClient) {
-    super();
-  }
+  constructor(
+    private readonly state: SessionState,
+    readonly client: EngineClient,
+    private readonly player: Player,
+  ) {}
 
   /** Whether something that was asked of the engine, or waits for its turn, is not done. */
   get isWaiting(): boolean {
     return this.turns.isBusy || this.client.isAsked;
   }
 
-  /** Whether it runs, or will run when the present reset is done. */
-  abstract get isGoing(): boolean;
-  abstract start(): void;
-  abstract pause(): void;
-  abstract step(): Promise<void>;
-  /** Messages already sent to the engine are not meant for another run. */
-  protected abstract dropSteering(): void;
-
   /** Opens another scenario; if it cannot be read, the present run stays. */
   open(source: Source, overrides: Values): Promise<boolean> {
-    this.pause();
-    this.dropSteering();
+    this.player.pause();
+    this.player.dropSteering();
     return this.turns.take(async () => {
       try {
         this.accept(await this.read(source, overrides), { ...overrides }, source);
@@ -59,43 +60,43 @@ export abstract class Opening extends Told {
   private async read({ text, file, opened, changes }: Source, overrides: Values): Promise<Opened> {
     const answer = () => this.client.open(text, file, overrides, opened ?? null, changes);
     return answer().catch((fault: Fault) => {
-      if (!this.run || !isOfEngine(fault)) throw fault;
+      if (!this.state.run || !isOfEngine(fault)) throw fault;
       return answer();
     });
   }
 
   /** Remembers a scenario that could not be loaded, so that Reset tries again. */
   private refuseOpening(source: Source, overrides: Values, fault: Fault): void {
-    if (!this.run) {
-      if (isOfEngine(fault) || fault.kind === "network") [this.source, this.values.wanted] = [source, { ...overrides }];
-      this.become("empty");
+    if (!this.state.run) {
+      if (isOfEngine(fault) || fault.kind === "network") [this.state.source, this.state.values.wanted] = [source, { ...overrides }];
+      this.state.become("empty");
     } else if (isOfEngine(fault)) void this.recover(fault);
-    this.report(fault);
+    this.state.report(fault);
   }
 
   /** Resets the run, with the values of the controls. */
   reset(): Promise<void> {
-    this.pause();
+    this.player.pause();
     return this.reopen();
   }
 
   /** Like a reset, but a running run goes on. */
   restart(): void {
-    const { isGoing } = this;
+    const { isGoing } = this.player;
     void this.reset();
-    if (isGoing) this.start();
+    if (isGoing) this.player.start();
   }
 
   /** Several calls at once count as one. */
-  protected async reopen(): Promise<void> {
+  async reopen(): Promise<void> {
     if (this.resetDue) return;
     this.resetDue = true;
     await this.turns.take(async () => {
       this.resetDue = false;
-      if (!this.source) return;
-      const overrides = { ...this.values.forStart() };
+      if (!this.state.source) return;
+      const overrides = { ...this.state.values.forStart() };
       try {
-        this.accept(await this.read(this.source, overrides), overrides, this.run ? null : this.source);
+        this.accept(await this.read(this.state.source, overrides), overrides, this.state.run ? null : this.state.source);
       } catch (fault) {
         this.refuse(overrides, fault as Fault);
       }
@@ -104,34 +105,34 @@ export abstract class Opening extends Told {
 
   private accept(opened: Opened, overrides: Values, source: Source | null): void {
     const run = runOf(opened);
-    this.run = run;
-    this.values.begin(opened, overrides);
+    this.state.run = run;
+    this.state.values.begin(opened, overrides);
     const interval_s = Math.max(run.model.record_every_s, run.model.step_s);
-    this.shown.begin(new Recording(run.columns, interval_s, opened.frame, this.values.inForce));
+    this.state.shown.begin(new Recording(run.columns, interval_s, opened.frame, this.state.values.inForce));
     if (source) {
-      this.source = source;
-      this.values.wanted = { ...overrides };
+      this.state.source = source;
+      this.state.values.wanted = { ...overrides };
     }
-    this.dismissFault();
-    this.emit((listener) => listener.opened?.(run, opened.frame, source !== null));
-    this.become("idle");
-    this.emit((listener) => listener.valuesChanged?.());
+    this.state.dismissFault();
+    this.state.emit((listener) => listener.opened?.(run, opened.frame, source !== null));
+    this.state.become("idle");
+    this.state.emit((listener) => listener.valuesChanged?.());
   }
 
   /** The engine has refused a value: the controls go back to the values of the present run. */
   private refuse(tried: Values, fault: Fault): void {
     if (this.due) this.intend(null);
     if (isOfEngine(fault)) {
-      this.become(this.run ? "stopped" : "empty");
-      return this.report(fault);
+      this.state.become(this.state.run ? "stopped" : "empty");
+      return this.state.report(fault);
     }
-    this.values.giveUp(tried);
-    this.report(faultOfControl(fault, this.run?.model.parameters ?? []));
-    this.emit((listener) => listener.valuesChanged?.());
+    this.state.values.giveUp(tried);
+    this.state.report(faultOfControl(fault, this.state.run?.model.parameters ?? []));
+    this.state.emit((listener) => listener.valuesChanged?.());
   }
 
   /** The engine's answer to a request about the present run; if the engine has died, the run starts again in another one. */
-  protected async asked<T>(answer: Promise<T>): Promise<T> {
+  async asked<T>(answer: Promise<T>): Promise<T> {
     return answer.catch((fault: unknown) => {
       if (isOfEngine(fault)) void this.recover(fault as Fault);
       throw fault;
@@ -141,25 +142,25 @@ export abstract class Opening extends Told {
   private async recover(fault: Fault): Promise<void> {
     if (this.isRecovering) return;
     this.isRecovering = true;
-    this.pause();
-    this.dropSteering();
-    const { run } = this;
+    this.player.pause();
+    this.player.dropSteering();
+    const { run } = this.state;
     await this.reopen();
     // Values that waited for a reset may have been refused.
-    if (run === this.run && this.status !== "stopped") await this.reopen();
+    if (run === this.state.run && this.state.status !== "stopped") await this.reopen();
     this.isRecovering = false;
-    if (run !== this.run) this.report(faultOfLostRun(fault));
+    if (run !== this.state.run) this.state.report(faultOfLostRun(fault));
   }
 
-  protected intend(due: "start" | "step" | null): void {
+  intend(due: "start" | "step" | null): void {
     this.due = due;
-    this.emit((listener) => listener.statusChanged?.(this.status));
+    this.state.emit((listener) => listener.statusChanged?.(this.state.status));
   }
 
   private goOn(): void {
     const { due } = this;
     if (due) this.intend(null);
-    if (due === "start") this.start();
-    if (due === "step") void this.step();
+    if (due === "start") this.player.start();
+    if (due === "step") void this.player.step();
   }
 }

@@ -1,6 +1,6 @@
 /** Every text that a person reads, by the area of the page that shows it. */
 export * from "./about";
-export * from "./ahead";
+export * from "./forecast";
 export * from "./controls";
 export * from "./equations";
 export * from "./exports";

@@ -1,4 +1,4 @@
-import type { Aside } from "../../app/aside";
+import type { BackgroundEngine } from "../../app/background_engine";
 import { Calm } from "../../app/calm";
 import type { Moment } from "../../app/recording/recording";
 import type { Session } from "../../app/session";
@@ -25,7 +25,7 @@ export class Watched {
 
   constructor(
     private readonly session: Session,
-    private readonly aside: Aside,
+    private readonly background: BackgroundEngine,
     private readonly view: View,
   ) {
     session.listen({
@@ -73,17 +73,17 @@ export class Watched {
   }
 
   private async ask(): Promise<void> {
-    const { session, view, aside } = this;
+    const { session, view, background } = this;
     const { run } = session;
     const { on } = view.overlays;
     if (!run) return;
     if (on.has("axes")) {
       const { moment } = session.shown;
-      const equations = await aside.equations(session, "picture").catch(() => null);
+      const equations = await background.equations(session, "picture").catch(() => null);
       if (equations && moment && session.run === run) view.overlays.hearEquations(run, equations, moment.poses);
     }
     if (on.has("buoyancy") && run.model.hulls.length > 0) {
-      const found = await aside.hydrostatics(session, "picture").catch(() => null);
+      const found = await background.hydrostatics(session, "picture").catch(() => null);
       if (found && session.run === run) view.overlays.hearHydrostatics(found);
     }
     this.refresh();

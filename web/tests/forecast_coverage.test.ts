@@ -1,9 +1,9 @@
 import { expect, it } from "vitest";
-import { Futures } from "../src/ahead/futures";
-import { Outlook } from "../src/ahead/outlook";
-import { pastOf } from "../src/ahead/past";
-import { judgedColumns, scoreOf } from "../src/ahead/score";
-import type { EngineInSeas } from "../src/ahead/sea";
+import { Futures } from "../src/forecast/futures";
+import { Outlook } from "../src/forecast/outlook";
+import { pastOf } from "../src/forecast/past";
+import { judgedColumns, scoreOf } from "../src/forecast/score";
+import type { EngineInSeas } from "../src/forecast/sea";
 import { Recording } from "../src/app/recording/recording";
 import { Columns } from "../src/engine/columns";
 import { readModel } from "../src/engine/engine";
@@ -13,9 +13,9 @@ import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { filesOf, initEngine, read } from "./gallery";
 import { isThorough } from "./lane.mjs";
 
-// docs/afloat.md has the figure of 200 windows: KINGPOST_LANE=thorough AHEAD_WINDOWS=200 AHEAD_FUTURES=64 npx vitest run tests/ahead_coverage.test.ts
-const WINDOWS = Number(process.env.AHEAD_WINDOWS ?? 8);
-const FUTURES = Number(process.env.AHEAD_FUTURES ?? 32);
+// docs/afloat.md has the figure of 200 windows: KINGPOST_LANE=thorough FORECAST_WINDOWS=200 FORECAST_FUTURES=64 npx vitest run tests/forecast_coverage.test.ts
+const WINDOWS = Number(process.env.FORECAST_WINDOWS ?? 8);
+const FUTURES = Number(process.env.FORECAST_FUTURES ?? 32);
 /** The run is past the ramp of its waves, and past the turn of its crane. */
 const FIRST_S = 160;
 const WINDOWS_OF_A_SEED = 8;

@@ -1,6 +1,6 @@
 import type { Texts } from "../index";
 
-export const ahead: Texts["ahead"] = {
+export const forecast: Texts["forecast"] = {
   button: "Se framover",
   help: "Hva som kan skje det neste minuttet, med spakene som de er: forløp i sjøer som stemmer med målingene. Båndene i grafene holder 90 og 50 % av forløpene; punktene i bildet er steder der lasten kan være, fra snart til sent.",
   looking: "Ser framover…",

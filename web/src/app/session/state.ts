@@ -2,12 +2,16 @@ import type { Fault } from "../../engine/engine";
 import { isOfEngine } from "../../engine/faults";
 import { Listeners } from "../listeners";
 import { Shown } from "../recording/shown";
-import type { Listener, Run, Status } from "../run";
+import type { Listener, Run, Source, Status } from "../run";
+import { SetValues } from "../values";
 
-/** The present run: its state, the moment that is shown, its faults, and its listeners. */
-export class Told {
+/** The state of the page: the run, the moment that is shown, the values of the controls, the last fault; and its listeners. */
+export class SessionState {
   run: Run | null = null;
+  /** The scenario that Reset opens. */
+  source: Source | null = null;
   readonly shown = new Shown();
+  readonly values = new SetValues();
   status: Status = "loading";
   /** The last fault, until it is dismissed or something opens. */
   fault: Fault | null = null;
@@ -26,7 +30,7 @@ export class Told {
   }
 
   /** A dead engine is reported after the run has started again. */
-  protected reportOfRun(fault: Fault): void {
+  reportOfRun(fault: Fault): void {
     if (!isOfEngine(fault)) this.report(fault);
   }
 
@@ -35,24 +39,24 @@ export class Told {
     this.emit((listener) => listener.faulted?.(fault));
   }
 
-  protected become(status: Status): void {
+  become(status: Status): void {
     if (this.status === status) return;
     this.status = status;
     this.emit((listener) => listener.statusChanged?.(status));
   }
 
-  protected look(time_s: number): void {
+  look(time_s: number): void {
     this.shown.moveTo(time_s);
     this.tellMoment();
   }
 
-  protected tellMoment(): void {
+  tellMoment(): void {
     const { run, shown } = this;
     const { moment } = shown;
     if (run && moment) this.emit((listener) => listener.moved?.(run, moment));
   }
 
-  protected emit(message: (listener: Listener) => void): void {
+  emit(message: (listener: Listener) => void): void {
     this.listeners.tell(message);
   }
 }

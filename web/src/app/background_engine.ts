@@ -4,7 +4,7 @@ import { rewind } from "./recording/rewind";
 import type { Session } from "./session";
 
 /** A second engine for computations that take longer than a frame. */
-export class Aside {
+export class BackgroundEngine {
   private client: EngineClient | null = null;
   /** What is open there: a source and its values, as handed to the run. */
   private held: { source: unknown; overrides: unknown } | null = null;

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { Ahead, FUTURES } from "../src/ahead/ahead";
-import type { Future, ScenarioOf, Start } from "../src/ahead/messages";
-import { Aside } from "../src/app/aside";
+import { Forecast, FUTURES } from "../src/forecast/forecast";
+import type { Future, ScenarioOf, Start } from "../src/forecast/messages";
+import { BackgroundEngine } from "../src/app/background_engine";
 import { isCalm } from "../src/app/calm";
 import { Session } from "../src/app/session";
 import type { EngineClient } from "../src/engine/client";
@@ -61,10 +61,10 @@ class Still {
 /** Waits until nothing that was asked for is left to do. */
 const calm = () => until(() => expect(isCalm()).toBe(true));
 
-describe("looking ahead", { timeout: 60_000 }, () => {
+describe("looking forecast", { timeout: 60_000 }, () => {
   let session: Session;
   let foreseers: Still;
-  let ahead: Ahead;
+  let forecast: Forecast;
 
   async function stepTo(time_s: number): Promise<void> {
     while (session.shown.time_s < time_s - 1e-9) await session.step();
@@ -73,7 +73,7 @@ describe("looking ahead", { timeout: 60_000 }, () => {
   beforeEach(async () => {
     session = new Session(client());
     foreseers = new Still();
-    ahead = new Ahead(session, new Aside(client), foreseers, "");
+    forecast = new Forecast(session, new BackgroundEngine(client), foreseers, "");
     await session.open({ text, file: "dp.yaml" }, { waves: true });
   });
 
@@ -81,53 +81,53 @@ describe("looking ahead", { timeout: 60_000 }, () => {
     await stepTo(2);
     await calm();
     expect(foreseers.asked).toEqual([]);
-    ahead.switch(true);
-    await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(2, 9));
+    forecast.switch(true);
+    await until(() => expect(forecast.outlook?.start_s).toBeCloseTo(2, 9));
     expect(foreseers.asked.map(({ seeds }) => seeds.length)).toEqual([FUTURES]);
     const { past } = foreseers.asked[0].start;
     expect([past.time_s[0], past.time_s.at(-1)!.toFixed(9)]).toEqual([0, "2.000000000"]);
     expect(past.x_m.every(Number.isFinite)).toBe(true);
     session.scrub(1);
-    await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(1, 9));
+    await until(() => expect(forecast.outlook?.start_s).toBeCloseTo(1, 9));
     expect(foreseers.asked[1].start.past.time_s.at(-1)).toBeCloseTo(1, 9);
   });
 
   it("takes a live parameter as it was set, and begins anew where one is", async () => {
     const live = session.run!.model.parameters.find((parameter) => parameter.live && parameter.kind === "number")!;
     await stepTo(1);
-    ahead.switch(true);
-    await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(1, 9));
+    forecast.switch(true);
+    await until(() => expect(forecast.outlook?.start_s).toBeCloseTo(1, 9));
     const value = Number(live.value) === live.range![0] ? live.range![1] : live.range![0];
     session.set(live.name, value);
     await until(() => expect(session.pending()).toEqual([]));
     await stepTo(1.5);
-    await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));
-    expect(ahead.fault).toBeNull();
+    await until(() => expect(forecast.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));
+    expect(forecast.fault).toBeNull();
     expect(foreseers.asked.at(-1)!.scenario.overrides[live.name]).toBe(value);
   });
 
   it("judges each whole minute once, but for one in which a hand set something", async () => {
     await stepTo(61);
-    ahead.switch(true);
-    await until(() => expect(ahead.record.newest.minutes).toBe(1));
-    const { held, of } = ahead.record.newest;
+    forecast.switch(true);
+    await until(() => expect(forecast.record.newest.minutes).toBe(1));
+    const { held, of } = forecast.record.newest;
     expect(of).toBeGreaterThan(100);
     // In waves nothing stands still.
     expect(held / of).toBeLessThan(0.5);
     await stepTo(61.5);
     await until(() => expect(foreseers.asked.map(({ seeds }) => seeds.length)).toEqual([FUTURES, 32, FUTURES]));
-    ahead.switch(false);
-    expect(ahead.outlook).toBeNull();
+    forecast.switch(false);
+    expect(forecast.outlook).toBeNull();
     const live = session.run!.model.parameters.find((parameter) => parameter.live && parameter.kind === "number")!;
     session.set(live.name, live.range![0]);
     await until(() => expect(session.pending()).toEqual([]));
     await stepTo(120.5);
-    ahead.switch(true);
-    await until(() => expect(ahead.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));
+    forecast.switch(true);
+    await until(() => expect(forecast.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));
     await calm();
-    expect(ahead.record.newest.minutes).toBe(1);
+    expect(forecast.record.newest.minutes).toBe(1);
     // Another run has another record.
     await session.reset();
-    expect(ahead.record.newest.minutes).toBe(0);
+    expect(forecast.record.newest.minutes).toBe(0);
   });
 });

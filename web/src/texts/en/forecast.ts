@@ -1,4 +1,4 @@
-export const ahead = {
+export const forecast = {
   button: "Look ahead",
   help: "What may happen in the next minute, with the levers as they are: futures in seas that agree with the measurements. The bands in the plots contain 90 and 50 % of the futures; the points in the picture are places of the load, from soon to late.",
   looking: "Looking ahead…",

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { FromForeseer, Future } from "../src/ahead/messages";
-import { Foreseers } from "../src/ahead/pool";
+import type { FromForeseer, Future } from "../src/forecast/messages";
+import { Foreseers } from "../src/forecast/pool";
 
 /** Workers that do what they are told when they are let. */
 class FakeWorker {

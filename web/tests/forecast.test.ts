@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { Conditioned } from "../src/ahead/conditioned";
-import { Outlook } from "../src/ahead/outlook";
-import { fanOf, LEVELS, quantile } from "../src/ahead/quantiles";
-import { Random } from "../src/ahead/random";
-import { TrackRecord } from "../src/ahead/score";
+import { Conditioned } from "../src/forecast/conditioned";
+import { Outlook } from "../src/forecast/outlook";
+import { fanOf, LEVELS, quantile } from "../src/forecast/quantiles";
+import { Random } from "../src/forecast/random";
+import { TrackRecord } from "../src/forecast/score";
 import { Fan } from "../src/plots/fan";
 import { bits } from "./gallery";
 

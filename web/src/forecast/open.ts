@@ -1,19 +1,19 @@
-import type { Aside } from "../app/aside";
+import type { BackgroundEngine } from "../app/background_engine";
 import type { Session } from "../app/session";
 import { fetched, said } from "../engine/network";
 import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";
 import { language } from "../texts";
-import { Ahead } from "./ahead";
+import { Forecast } from "./forecast";
 import { Foreseers } from "./pool";
 
 /** Number of engines in addition to that of the run: with more than two cores, one core is left for the run and the page. */
 const MOST_WORKERS = 6;
 
-export function openAhead(session: Session, aside: Aside, folder: string): Ahead {
+export function openForecast(session: Session, background: BackgroundEngine, folder: string): Forecast {
   const cores = navigator.hardwareConcurrency || 2;
   const count = Math.max(1, Math.min(MOST_WORKERS, cores > 2 ? cores - 1 : cores));
   const startWorker = () => new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: language });
-  return new Ahead(session, aside, new Foreseers(startWorker, loadModule, count), folder);
+  return new Forecast(session, background, new Foreseers(startWorker, loadModule, count), folder);
 }
 
 /** Compiled once and shared by the workers. */

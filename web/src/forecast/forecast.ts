@@ -1,4 +1,4 @@
-import type { Aside } from "../app/aside";
+import type { BackgroundEngine } from "../app/background_engine";
 import { Calm } from "../app/calm";
 import type { Recording } from "../app/recording/recording";
 import type { Run, Session } from "../app/session";
@@ -21,7 +21,7 @@ const AGAIN_MS = 5000;
 const CALM_MS = 200;
 
 /** Computes futures of the moment that is shown, while it is switched on: at a pause, and every few seconds of a run. */
-export class Ahead {
+export class Forecast {
   isOn = false;
   outlook: Outlook | null = null;
   readonly record = new TrackRecord();
@@ -33,7 +33,7 @@ export class Ahead {
 
   constructor(
     private readonly session: Session,
-    private readonly aside: Pick<Aside, "snapshot">,
+    private readonly background: Pick<BackgroundEngine, "snapshot">,
     private readonly foreseers: Pick<Foreseers, "look" | "cancel">,
     private readonly folder: string,
   ) {
@@ -95,7 +95,7 @@ export class Ahead {
   private async foresee(run: Run, recording: Recording): Promise<boolean> {
     const { session } = this;
     const [now_s, values] = [session.shown.time_s, session.values.inForce];
-    const snapshot = await this.aside.snapshot(session);
+    const snapshot = await this.background.snapshot(session);
     if (!snapshot || !this.isOn || run !== session.run) return false;
     const outlook = new Outlook(run.model.sea?.wave_components ? FUTURES : 1, run.columns.width);
     const start = this.startOf(run, recording, snapshot, now_s);
