@@ -130,9 +130,9 @@ def swing_left(**parameters: object) -> float:
     return float(np.hypot(*angles.where(recorded.time >= 97 + 18, drop=True).values.T).max())
 
 
-def test_tagger_lines_leave_at_most_one_percent_of_the_uncontrolled_swing_without_going_slack() -> None:
+def test_tugger_lines_leave_at_most_one_percent_of_the_uncontrolled_swing_without_going_slack() -> None:
     """Source: the target of this project, 1 %; measured 0.52 %, about the mean of the last period."""
-    recorded = kingpost.run(GALLERY, tagger_lines=True)
+    recorded = kingpost.run(GALLERY, tugger_lines=True)
     angles = recorded["joint_position"].sel(coordinate=["pendant.first", "pendant.second"])
     last = angles.where(recorded.time > float(recorded.time[-1]) - 9, drop=True).mean("time")
     swing = np.hypot(*(angles - last).where(recorded.time >= 97 + 18, drop=True).values.T)
@@ -140,9 +140,9 @@ def test_tagger_lines_leave_at_most_one_percent_of_the_uncontrolled_swing_withou
     assert 1e3 < float(recorded["winch_tension"].min()) < float(recorded["winch_tension"].max()) < 20e3
 
 
-def test_gains_for_a_load_without_tagger_lines_are_warned_of_with_them() -> None:
+def test_gains_for_a_load_without_tugger_lines_are_warned_of_with_them() -> None:
     with pytest.warns(kingpost.KingpostWarning, match="oscillation of luff .* grows"):
-        kingpost.run(GALLERY, {"simulation.duration_s": 1}, tagger_lines=True, feedback=True)
+        kingpost.run(GALLERY, {"simulation.duration_s": 1}, tugger_lines=True, feedback=True)
 
 
 def test_the_gallerys_slew_leaves_at_most_one_percent_of_the_uncontrolled_swing() -> None:

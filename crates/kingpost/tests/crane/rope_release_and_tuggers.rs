@@ -330,7 +330,7 @@ fn friction_of_its_sheaves_is_the_winchs_to_carry_and_becomes_heat() {
 /// A load of 2 t on a rod of 20 m, between two level lines of 1000 m along its swing.
 const SWING: &str = "
 version: 1
-title: Tagger lines that damp a swing
+title: Tugger lines that damp a swing
 simulation: {step_s: 0.01, duration_s: 60}
 bodies:
   load:
@@ -344,7 +344,7 @@ forces:
 ";
 
 #[test]
-fn two_tagger_lines_along_a_swing_damp_it_by_their_damping_over_the_mass() {
+fn two_tugger_lines_along_a_swing_damp_it_by_their_damping_over_the_mass() {
     // m x'' + 2 c x' + (m g / l + f) x = 0. The lines' constant tensions cancel along the swing; as the load rises they pull
     // it up and down by T / 1000 m, of second order.
     let (mass, damping): (f64, f64) = (2000.0, 2.0 * 150.0);
@@ -365,7 +365,7 @@ fn two_tagger_lines_along_a_swing_damp_it_by_their_damping_over_the_mass() {
 }
 
 #[test]
-fn a_tagger_line_pulls_between_nothing_and_its_largest_tension() {
+fn a_tugger_line_pulls_between_nothing_and_its_largest_tension() {
     for (rate, expected) in [(0.01, 5150.0), (0.2, 7000.0), (-0.5, 0.0)] {
         let text = SWING.replace("damping_N_s_per_m: 150", "damping_N_s_per_m: 15000, largest_tension_N: 7000");
         let text = text.replace("initial_angle_rad: 0.001", &format!("initial_rate_rad_s: {}", rate / 20.0));
