@@ -32,8 +32,9 @@ def gradient(
 ) -> xarray.Dataset:
     """Run a scenario with the derivatives of every result along parameters.
 
-    The whole run is computed with dual numbers. So these are the derivatives of the computed numbers, exact
-    to rounding, for this scheme and step. Four names cost about one run of dual numbers.
+    The whole run is computed with dual numbers. Between events these are the derivatives of the computed
+    numbers, exact to rounding, for this scheme and step; through an event, which moves in time, those of the
+    motion, within the scheme's error there. Four names cost about one run of dual numbers.
 
     Parameters
     ----------

@@ -195,29 +195,27 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Lets the elements respond to their events, in the order of their declaration.
+    /// Lets the elements respond to their events, in the order of their declaration. Events of one time share the motion before
+    /// them: all their delays are found before the first response.
     fn answer(&mut self, interval: Interval, time_s: f64) -> Result<(), RunError> {
-        for i in 0..self.watch.before.len() {
+        let end_s = time_s + self.settings.step_s;
+        let after = Interval { start_s: time_s, end_s: self.next_edge_s(time_s, end_s).min(end_s) };
+        let (mut present, mut reached) = (interval, S::ZERO);
+        for (i, delay) in self.delays(interval, time_s) {
             let watched = self.plant.layout().watched[i];
-            let Watch { before, now, .. } = &self.watch;
-            if !watched.crossing.happened(before[i].value(), now[i].value()) {
-                continue;
-            }
             let element = self.plant.layout().names[watched.element].clone();
             self.watch.in_step += 1;
             if self.watch.in_step > MOST_EVENTS {
                 return Err(RunError::TooManyEvents { time_s, element, what: watched.what, allowed: MOST_EVENTS });
             }
-            let delay = self.delay(interval, time_s, i);
-            self.drift(interval, time_s, delay);
+            self.drift(present, time_s, delay - reached);
+            (present, reached) = (after, delay);
             self.plant.handle_event(watched, time_s, &mut self.state);
-            let end_s = time_s + self.settings.step_s;
-            let after = Interval { start_s: time_s, end_s: self.next_edge_s(time_s, end_s).min(end_s) };
-            self.drift(after, time_s, -delay);
             let record = EventRecord { time_s, element, what: Cow::Borrowed(watched.what) };
             self.watch.note(self.state.steps, record);
             self.note_brought_about(time_s, self.state.steps);
         }
+        self.drift(after, time_s, -reached);
         Ok(())
     }
 
@@ -234,25 +232,33 @@ impl<S: Scalar> Simulation<S> {
 /// moves the state by `f dt` up to the event and by `-f+ dt` from there (the saltation matrix: Leine & Nijmeijer,
 /// *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2).
 impl<S: Scalar> Simulation<S> {
-    /// dt of an indicator at the present state: its value is 0, it carries the derivatives.
-    fn delay(&mut self, interval: Interval, time_s: f64, indicator: usize) -> S {
+    /// The indicators that have crossed, in the order of their declaration, and dt of each: its value is 0, it carries the
+    /// derivatives.
+    fn delays(&mut self, interval: Interval, time_s: f64) -> Vec<(usize, S)> {
+        let watched = &self.plant.layout().watched;
+        let pairs = watched.iter().zip(self.watch.before.iter().zip(&self.watch.now)).enumerate();
+        let crossed = pairs.filter(|(_, (watched, (low, now)))| watched.crossing.happened(low.value(), now.value()));
+        let crossed: Vec<usize> = crossed.map(|(i, _)| i).collect();
         if !S::HAS_DERIVATIVES {
-            return S::ZERO;
+            return crossed.into_iter().map(|i| (i, S::ZERO)).collect();
         }
         let by_s = RATE_STEP * self.settings.step_s;
-        // The caller goes through all indicators: evaluating neighbouring times must not change the others.
         let now = self.watch.now.clone();
-        self.watch.start.copy_from(&self.state);
-        let mut at = |by_s: f64| {
-            self.drift(interval, time_s, S::constant(by_s));
-            self.look(interval, time_s);
-            self.state.copy_from(&self.watch.start);
-            self.watch.now[indicator].value()
+        let (behind, ahead) = (self.indicators_at(interval, time_s, -by_s), self.indicators_at(interval, time_s, by_s));
+        let delay = |i: usize| {
+            let rate = (ahead[i].value() - behind[i].value()) / (2.0 * by_s);
+            (i, (S::constant(now[i].value()) - now[i]) / S::constant(rate))
         };
-        let rate = (at(by_s) - at(-by_s)) / (2.0 * by_s);
-        let g = now[indicator];
-        self.watch.now = now;
-        (S::constant(g.value()) - g) / S::constant(rate)
+        crossed.into_iter().map(delay).collect()
+    }
+
+    /// The indicators where the state has moved along its present rates for a time.
+    fn indicators_at(&mut self, interval: Interval, time_s: f64, by_s: f64) -> Vec<S> {
+        self.watch.start.copy_from(&self.state);
+        self.drift(interval, time_s, S::constant(by_s));
+        self.look(interval, time_s);
+        self.state.copy_from(&self.watch.start);
+        self.watch.now.clone()
     }
 
     /// Moves the state along its rates at a time, to first order.
