@@ -1,6 +1,6 @@
 //! The contract of everything that acts on the model or reads it.
 
-use super::{AnyWatcher, Context, Declaration, RegularWaves, ShownWaves};
+use super::{AnyWatcher, Context, Declaration, PresentSupport, RegularWaves, ShownWaves, Support};
 use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
 use crate::scalar::Scalar;
 use crate::world::World;
@@ -129,15 +129,14 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         Vec::new()
     }
 
-    /// The pairs of bodies of which one may carry the other through it; `None` is the world.
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
+    /// What it carries, ties, keeps in place or afloat, in any positions.
+    fn supports(&self) -> Vec<Support> {
         Vec::new()
     }
 
-    /// The two bodies of which one may hold the other in surge, sway and yaw through it; `None` among them is the
-    /// world.
-    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
-        None
+    /// What it carries at these positions, at rest.
+    fn present_supports(&mut self, _at: &Context<'_, S>) -> Vec<PresentSupport<S>> {
+        Vec::new()
     }
 
     /// How it responds to regular waves about rest; `None` if waves do not act on it.
@@ -172,11 +171,6 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Whether it depends on the waves that it was built with: in another sea, the body that it moves would jump.
     fn keeps_waves(&self) -> bool {
         false
-    }
-
-    /// The floating body that it keeps afloat. If that body lies on its side at rest, it has capsized.
-    fn keeps_afloat(&self) -> Option<usize> {
-        None
     }
 }
 

@@ -1,6 +1,6 @@
 //! A linear spring along one axis of a joint.
 
-use super::{Context, Element};
+use super::{Context, Element, Support};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -27,5 +27,9 @@ impl<S: Scalar> Element<S> for JointSpring<S> {
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let stretch = at.q[self.position] - self.rest;
         self.stiffness * stretch * stretch * S::constant(0.5)
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Coordinate(self.coordinate)]
     }
 }

@@ -2,7 +2,7 @@
 
 use super::dynamic_positioning::Planar;
 use super::hull::HullFrame;
-use super::{Components, Context, Declaration, Element, Output, VectorFrame};
+use super::{Components, Context, Declaration, Element, Output, Support, VectorFrame};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, Wrench};
@@ -97,8 +97,8 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
         }
     }
 
-    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
-        Some([Some(self.place.body), None])
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Station([Some(self.place.body), None])]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::hull::HullFrame;
 use super::submerged::Waters;
-use super::{Components, Context, Declaration, Element, Output, ShownWaves, VectorFrame};
+use super::{Components, Context, Declaration, Element, Output, ShownWaves, Support, VectorFrame};
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -85,8 +85,8 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
         Some("the response leaves out the waves at the trailing edge of a fin; a run has them")
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        vec![[Some(self.place.body), None]]
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Carries([Some(self.place.body), None])]
     }
 }
 

@@ -2,10 +2,7 @@
 //! on her deck: their weight acts where they are.
 
 use crate::dynamics::{Kinematics, LinkKinematics};
-use crate::elements::drives::{
-    Brake, ControlledDrive, Cylinder, Motor, Oscillation, PrescribedMotion, Servo, WaveMotion,
-};
-use crate::elements::{CatenaryLine, Contact, Context, Hull, JointSpring, Rope, SpringLine, Submerged, of_kind};
+use crate::elements::{BodyPair, Context, PresentSupport, Support};
 use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
@@ -38,6 +35,7 @@ pub struct HangingLoad {
 }
 
 /// The bodies and coordinates that something keeps from swinging.
+#[derive(Default)]
 pub(super) struct Restraints {
     coordinates: Vec<usize>,
     bodies: Vec<usize>,
@@ -48,43 +46,47 @@ pub(super) struct Restraints {
     /// Hulls in the water.
     wet: Vec<usize>,
     /// Bodies that touch each other.
-    touching: Vec<[Option<usize>; 2]>,
+    touching: Vec<BodyPair>,
     /// The water that lifted objects displace, by body.
     displaced: Vec<(usize, Weight)>,
 }
 
 impl Restraints {
-    pub(super) fn of(setup: &Setup) -> Self {
-        let elements = &setup.elements;
-        let by_springs = of_kind(elements).map(|spring: &JointSpring| spring.coordinate);
-        let by_motors = of_kind(elements).map(|motor: &Motor| motor.coordinate);
-        let by_servos = of_kind(elements).map(|servo: &Servo| servo.coordinate);
-        let by_controlled = of_kind(elements).map(|drive: &ControlledDrive| drive.coordinate);
-        let by_brakes = of_kind(elements).map(|brake: &Brake| brake.friction.coordinate);
-        let oscillating = of_kind(elements).map(|motion: &Oscillation| motion.coordinate);
-        let prescribed = of_kind(elements).map(|motion: &PrescribedMotion| motion.coordinate).chain(oscillating);
-        let with_waves = of_kind(elements).flat_map(WaveMotion::<f64>::coordinates);
-        let driven =
-            by_motors.chain(by_servos).chain(by_controlled).chain(by_brakes).chain(prescribed).chain(with_waves);
-        let loops = setup.model.loops.iter().map(|closed| [&closed.first, &closed.second]);
-        let cylinders = of_kind(elements).map(|cylinder: &Cylinder| [&cylinder.first, &cylinder.second]);
-        let lines = of_kind(elements).map(|line: &SpringLine| (line.name.clone(), [line.first, line.second]));
-        let legs = taut(setup).into_iter().flat_map(|rope: &Rope| {
-            rope.path.stations().windows(2).map(|ends| (rope.name.clone(), [ends[0].centre, ends[1].centre]))
-        });
-        let lines: Vec<(String, [Attachment; 2])> = lines.chain(legs).collect();
-        let moored = of_kind(elements).filter_map(|line: &CatenaryLine| line.fairlead.body);
-        let ends = loops.chain(cylinders).flatten().filter_map(|end: &Attachment| end.body);
-        let tied: Vec<usize> = ends.chain(moored).collect();
-        let of_lines = lines.iter().flat_map(|(_, ends)| ends).filter_map(|end| end.body);
-        Self {
-            coordinates: by_springs.chain(driven).collect(),
-            bodies: tied.iter().copied().chain(of_lines).collect(),
-            wet: of_kind(elements).map(|hull: &Hull| hull.frame.body).collect(),
-            lines,
-            tied,
-            touching: touching(setup),
-            displaced: displaced(setup),
+    /// Those of a setup in its positions.
+    pub(super) fn of(mut setup: Setup) -> Self {
+        let loops = setup.model.loops.iter().flat_map(|closed| [closed.first.body, closed.second.body]);
+        let mut found = Self { tied: loops.flatten().collect(), ..Self::default() };
+        let Setup { model, world, elements, q, v, .. } = &mut setup;
+        let mut links = LinkKinematics::new(model);
+        links.update(model, q, v);
+        let at = Context::at_rest(world, model, &links, (q, v));
+        for element in elements {
+            element.supports().into_iter().for_each(|support| found.add(support));
+            let present = element.present_supports(&at);
+            present.into_iter().for_each(|support| found.add_present(element.name(), support));
+        }
+        let of_lines = found.lines.iter().flat_map(|(_, ends)| ends).filter_map(|end| end.body);
+        found.bodies = found.tied.iter().copied().chain(of_lines).collect();
+        found
+    }
+
+    fn add(&mut self, support: Support) {
+        match support {
+            Support::Coordinate(coordinate) => self.coordinates.push(coordinate),
+            Support::Tie(body) => self.tied.push(body),
+            Support::Afloat(body) => self.wet.push(body),
+            Support::Carries(_) | Support::Station(_) => {}
+        }
+    }
+
+    fn add_present(&mut self, name: &str, support: PresentSupport) {
+        match support {
+            PresentSupport::Line(ends) => self.lines.push((name.to_owned(), ends)),
+            PresentSupport::Contact(pair) => self.touching.push(pair),
+            PresentSupport::Displaced { body, mass, centre } if mass > 0.0 => {
+                self.displaced.push((body, Weight { mass, centre }));
+            }
+            PresentSupport::Displaced { .. } => {}
         }
     }
 
@@ -244,40 +246,6 @@ fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
     };
     let roots = (0..model.bodies.len()).filter(is_free);
     roots.map(|root| model.carried(root)).filter(stands).flatten().collect()
-}
-
-/// The water that lifted objects displace in the setup's position.
-fn displaced(setup: &Setup) -> Vec<(usize, Weight)> {
-    at_rest(setup, |at| {
-        let of = |solid: &Submerged| {
-            let (mass, centre) = solid.clone().displaced(at);
-            (solid.place.body, Weight { mass, centre })
-        };
-        of_kind(&setup.elements).map(of).filter(|(_, water)| water.mass > 0.0).collect()
-    })
-}
-
-/// The bodies of the contacts that touch in the setup's position.
-fn touching(setup: &Setup) -> Vec<[Option<usize>; 2]> {
-    at_rest(setup, |at| {
-        let contacts = of_kind(&setup.elements).filter(|contact: &&Contact| contact.depth(at) > 0.0);
-        contacts.map(|contact| contact.sides.each_ref().map(|side| side.body)).collect()
-    })
-}
-
-/// The ropes that pull in the setup's position: a slack one carries nothing.
-fn taut(setup: &Setup) -> Vec<&Rope> {
-    at_rest(setup, |at| {
-        let pulls = |rope: &&Rope| (*rope).clone().tension_here(at) > 0.0;
-        of_kind(&setup.elements).filter(pulls).collect()
-    })
-}
-
-fn at_rest<R>(setup: &Setup, see: impl FnOnce(&Context<'_>) -> R) -> R {
-    let Setup { model, world, q, v, .. } = setup;
-    let mut links = LinkKinematics::new(model);
-    links.update(model, q, v);
-    see(&Context::at_rest(world, model, &links, (q, v)))
 }
 
 /// Smaller shares are rounding.

@@ -148,7 +148,7 @@ impl Scenario {
         }
         let (model, world) = (setup.model.clone(), &setup.world);
         let liquids = &Liquids::of(&setup.elements);
-        let restraints_at = |q: &[f64]| Restraints::of(&Setup { q: q.to_vec(), ..setup.clone() });
+        let restraints_at = |q: &[f64]| Restraints::of(Setup { q: q.to_vec(), ..setup.clone() });
         let (now, restraints) = (kinematics(&model, &simulation.state().q), &restraints_at(&simulation.state().q));
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {

@@ -1,15 +1,12 @@
 //! Connections of bodies to the world, through other bodies.
 
-use crate::elements::AnyElement;
+use crate::elements::{AnyElement, BodyPair};
 use crate::model::{JointKind, Model};
 
-/// A pair of bodies of which one may hold the other; `None` is the world.
-pub type Tie = [Option<usize>; 2];
-
 /// For each body whether joints, closed loops and these ties connect it to the world, directly or through other bodies.
-pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = Tie>) -> Vec<bool> {
+pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = BodyPair>) -> Vec<bool> {
     let loops = model.loops.iter().map(|closed| [closed.first.body, closed.second.body]);
-    let ties: Vec<Tie> = joints(model).chain(loops).chain(ties).collect();
+    let ties: Vec<BodyPair> = joints(model).chain(loops).chain(ties).collect();
     let mut tied = vec![false; model.bodies.len()];
     loop {
         let before = tied.clone();
@@ -26,11 +23,16 @@ pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = Tie>) -> Vec<
 }
 
 /// The ties that hold bodies in surge, sway and yaw.
-pub fn stations(elements: &[AnyElement]) -> impl Iterator<Item = Tie> + '_ {
-    elements.iter().filter_map(|element| element.station_keeping())
+pub fn stations(elements: &[AnyElement]) -> impl Iterator<Item = BodyPair> + '_ {
+    elements.iter().flat_map(|element| element.supports()).filter_map(|support| support.station())
 }
 
-fn joints(model: &Model) -> impl Iterator<Item = Tie> + '_ {
+/// The ties by which one body may carry the other.
+pub fn carrying(elements: &[AnyElement]) -> impl Iterator<Item = BodyPair> + '_ {
+    elements.iter().flat_map(|element| element.supports()).filter_map(|support| support.carries())
+}
+
+fn joints(model: &Model) -> impl Iterator<Item = BodyPair> + '_ {
     let joined = (0..model.bodies.len()).filter(|&body| !floats_freely(model, body));
     joined.map(|body| [Some(body), model.tree.nodes[body].parent])
 }

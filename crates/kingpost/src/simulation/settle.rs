@@ -252,7 +252,8 @@ impl Simulation {
         let Self { plant, state, .. } = self;
         let mut at = Kinematics::new(&plant.model.tree);
         at.update(&plant.model.tree, &state.q, &state.v);
-        plant.elements().iter().filter_map(|element| element.keeps_afloat()).find_map(|body| {
+        let mut afloat = plant.elements().iter().flat_map(|element| element.supports()).filter_map(|own| own.afloat());
+        afloat.find_map(|body| {
             let upwards = at.world[body].rotation.column(2)[2];
             let lean_deg = libm::acos(upwards.clamp(-1.0, 1.0)).to_degrees();
             let hull = plant.model.bodies[body].name.clone();

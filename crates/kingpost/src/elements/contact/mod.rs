@@ -15,7 +15,8 @@ pub use spot::Spot;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own, VectorFrame,
+    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own,
+    PresentSupport, Support, VectorFrame,
 };
 use crate::model::Attachment;
 use crate::scalar::Scalar;
@@ -270,7 +271,12 @@ impl<S: Scalar> Element<S> for Contact<S> {
         vec![Box::new(Depth::new(&self.name, self.tolerance.value()))]
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        vec![self.sides.each_ref().map(|side| side.body)]
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Carries(self.sides.each_ref().map(|side| side.body))]
+    }
+
+    fn present_supports(&mut self, at: &Context<'_, S>) -> Vec<PresentSupport<S>> {
+        let touches = self.depth(at).value() > 0.0;
+        touches.then(|| PresentSupport::Contact(self.sides.each_ref().map(|side| side.body))).into_iter().collect()
     }
 }

@@ -1,7 +1,7 @@
 //! A brake: dry friction whose share of its capacity a lever sets.
 
 use crate::dynamics::Loads;
-use crate::elements::{Context, CoulombFriction, Declaration, Element, Input};
+use crate::elements::{Context, CoulombFriction, Declaration, Element, Input, Support};
 use crate::scalar::Scalar;
 
 /// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released) to 1 (set). Its
@@ -25,5 +25,9 @@ impl<S: Scalar> Element<S> for Brake<S> {
         let applied = at.inputs.first().copied().unwrap_or(S::ONE);
         let friction = self.friction.friction * applied;
         CoulombFriction { friction, ..self.friction }.apply(at.v, loads);
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Coordinate(self.friction.coordinate)]
     }
 }

@@ -1,7 +1,9 @@
 //! A drive that follows a set-point within its limits: a winch, a slewing gear, a luffing drive.
 
 use crate::dynamics::Loads;
-use crate::elements::{Context, Declaration, Element, ElementState, EvaluationMode, Input, Output, Own, Settling};
+use crate::elements::{
+    Context, Declaration, Element, ElementState, EvaluationMode, Input, Output, Own, Settling, Support,
+};
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
 
@@ -157,6 +159,10 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         let driving = power.select_below(0.0, || S::ZERO, || power);
         let driving = self.limits.power.map_or(S::ZERO, |limit| driving / limit);
         out.extend([effort.given, reference, power, used, running, driving]);
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Coordinate(self.coordinate)]
     }
 }
 

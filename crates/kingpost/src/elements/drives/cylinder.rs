@@ -4,7 +4,7 @@ use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::{
     Context, Declaration, DrawnLine, Element, ElementState, EvaluationMode, Input, LineStyle, Output, Own, Settling,
-    hunt_crossley,
+    Support, hunt_crossley,
 };
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
@@ -147,12 +147,10 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         }
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        vec![[self.first.body, self.second.body]]
-    }
-
-    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
-        Some([self.first.body, self.second.body])
+    fn supports(&self) -> Vec<Support> {
+        let ends = [self.first.body, self.second.body];
+        let ties = ends.into_iter().flatten().map(Support::Tie);
+        [Support::Carries(ends), Support::Station(ends)].into_iter().chain(ties).collect()
     }
 
     fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::Profile;
 use crate::dynamics::Loads;
-use crate::elements::{Context, Declaration, Element, Input};
+use crate::elements::{Context, Declaration, Element, Input, Support};
 use crate::scalar::Scalar;
 
 /// A torque or force history on one coordinate.
@@ -34,5 +34,9 @@ impl<S: Scalar> Element<S> for Motor<S> {
 
     fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
         self.profile.next_edge_s(after_s)
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Coordinate(self.coordinate)]
     }
 }

@@ -1,7 +1,7 @@
 //! A prescribed oscillation of a coordinate.
 
 use crate::dynamics::Clock;
-use crate::elements::{Declaration, Element};
+use crate::elements::{Declaration, Element, Support};
 use crate::scalar::Scalar;
 use crate::sea::waves::ramp;
 use crate::world::World;
@@ -38,6 +38,10 @@ impl<S: Scalar> Element<S> for Oscillation<S> {
 
     fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
         if after_s < self.ramp_s { self.ramp_s } else { f64::INFINITY }
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Coordinate(self.coordinate)]
     }
 }
 

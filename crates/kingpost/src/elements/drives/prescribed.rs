@@ -2,7 +2,7 @@
 
 use super::Profile;
 use crate::dynamics::Clock;
-use crate::elements::{Declaration, Element};
+use crate::elements::{Declaration, Element, Support};
 use crate::scalar::Scalar;
 use crate::world::World;
 
@@ -29,6 +29,10 @@ impl<S: Scalar> Element<S> for PrescribedMotion<S> {
 
     fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
         self.profile.next_edge_s(after_s)
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Coordinate(self.coordinate)]
     }
 }
 

@@ -1,7 +1,7 @@
 //! A position servo: it holds a joint, a crane's boom for example, up to its limit.
 
 use crate::dynamics::Loads;
-use crate::elements::{Context, Declaration, Element, Input};
+use crate::elements::{Context, Declaration, Element, Input, Support};
 use crate::scalar::Scalar;
 
 /// `tau = k (target + offset - q) - c v`, clipped to the limit.
@@ -36,5 +36,9 @@ impl<S: Scalar> Element<S> for Servo<S> {
         let effort = wanted.clipped(-self.limit, self.limit);
         loads.force[self.coordinate] += effort;
         loads.power.drives += effort * rate;
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Coordinate(self.coordinate)]
     }
 }

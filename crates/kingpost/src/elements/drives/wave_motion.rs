@@ -1,7 +1,7 @@
 //! A body that moves with the waves by response amplitude operators.
 
 use crate::dynamics::Clock;
-use crate::elements::{Declaration, Element};
+use crate::elements::{Declaration, Element, Support};
 use crate::scalar::Scalar;
 use crate::world::World;
 use core::f64::consts::TAU;
@@ -42,6 +42,10 @@ impl<S: Scalar> Element<S> for WaveMotion<S> {
         let motion = self.at(world, clock.time_s);
         rates[self.coordinates()].copy_from_slice(&motion.rates);
         accelerations[self.coordinates()].copy_from_slice(&motion.accelerations);
+    }
+
+    fn supports(&self) -> Vec<Support> {
+        self.coordinates().map(Support::Coordinate).collect()
     }
 }
 

@@ -13,7 +13,8 @@ pub use wave_filter::WaveFilter;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
 use crate::elements::{
-    Components, Context, Declaration, Element, ElementState, EvaluationMode, Output, Own, Settling, VectorFrame,
+    Components, Context, Declaration, Element, ElementState, EvaluationMode, Output, Own, Settling, Support,
+    VectorFrame,
 };
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -147,8 +148,8 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         out.extend(of_thrusters().map(|(thruster, thrust)| thruster.utilisation(thrust)));
     }
 
-    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
-        Some([Some(self.place.body), None])
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Station([Some(self.place.body), None])]
     }
 
     fn settling(&self) -> Option<&dyn Settling<S>> {

@@ -31,7 +31,8 @@ pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
 use super::{
-    AnyWatcher, Context, Declaration, Element, EvaluationMode, Output, Own, RegularWaves, ShownWaves, VectorFrame,
+    AnyWatcher, Context, Declaration, Element, EvaluationMode, Output, Own, RegularWaves, ShownWaves, Support,
+    VectorFrame,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -234,8 +235,8 @@ impl<S: Scalar> Element<S> for Hull<S> {
         out.push(self.water_kinetic_energy(at));
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        vec![[Some(self.frame.body), None]]
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Carries([Some(self.frame.body), None]), Support::Afloat(self.frame.body)]
     }
 
     fn watchers(&self) -> Vec<AnyWatcher> {
@@ -253,10 +254,6 @@ impl<S: Scalar> Element<S> for Hull<S> {
         let forces = (0..MODES).map(|mode| (ELEVATIONS + mode, ShownWaves::Force(mode)));
         let drift = (0..MODES).map(|mode| (ELEVATIONS + MODES + mode, ShownWaves::NotLinear));
         [(0, elevation)].into_iter().chain(forces).chain(drift).collect()
-    }
-
-    fn keeps_afloat(&self) -> Option<usize> {
-        Some(self.frame.body)
     }
 }
 

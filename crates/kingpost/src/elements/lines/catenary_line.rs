@@ -3,7 +3,7 @@
 use super::catenary::{Catenary, EndForce, Span};
 use super::{declaration, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Context, Declaration, Element};
+use crate::elements::{Context, Declaration, Element, Support};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -64,12 +64,10 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         }
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        vec![[self.fairlead.body, None]]
-    }
-
-    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
-        Some([self.fairlead.body, None])
+    fn supports(&self) -> Vec<Support> {
+        let ends = [self.fairlead.body, None];
+        let ties = self.fairlead.body.map(Support::Tie);
+        [Support::Carries(ends), Support::Station(ends)].into_iter().chain(ties).collect()
     }
 
     /// Energy of its weight and stretch, J.

@@ -2,7 +2,7 @@
 
 use super::{declaration, place, pull_at, shares, velocity};
 use crate::dynamics::Loads;
-use crate::elements::{Context, Declaration, Element, hunt_crossley};
+use crate::elements::{Context, Declaration, Element, PresentSupport, Support, hunt_crossley};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -74,12 +74,13 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         }
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        vec![[self.first.body, self.second.body]]
+    fn supports(&self) -> Vec<Support> {
+        let ends = [self.first.body, self.second.body];
+        vec![Support::Carries(ends), Support::Station(ends)]
     }
 
-    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
-        Some([self.first.body, self.second.body])
+    fn present_supports(&mut self, _at: &Context<'_, S>) -> Vec<PresentSupport<S>> {
+        vec![PresentSupport::Line([self.first, self.second])]
     }
 
     /// Energy stored, J.

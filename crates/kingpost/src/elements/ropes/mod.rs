@@ -22,6 +22,7 @@ pub use weight::RopeWeight;
 use crate::dynamics::Loads;
 use crate::elements::{
     AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, Event, Holding, LineStyle, Output, Own,
+    PresentSupport, Support,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -284,8 +285,18 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        self.path.attached_bodies()
+    fn supports(&self) -> Vec<Support> {
+        let legs = self.path.attached_bodies();
+        let station = legs.iter().find(|[first, second]| first != second).copied().map(Support::Station);
+        legs.into_iter().map(Support::Carries).chain(station).collect()
+    }
+
+    fn present_supports(&mut self, at: &Context<'_, S>) -> Vec<PresentSupport<S>> {
+        if self.tension_here(at).value() <= 0.0 {
+            return Vec::new();
+        }
+        let legs = self.path.stations().windows(2);
+        legs.map(|ends| PresentSupport::Line([ends[0].centre, ends[1].centre])).collect()
     }
 
     fn holding(&self) -> Option<&dyn Holding<S>> {
@@ -294,9 +305,5 @@ impl<S: Scalar> Element<S> for Rope<S> {
 
     fn holding_mut(&mut self) -> Option<&mut dyn Holding<S>> {
         self.inextensible.is_some().then_some(self)
-    }
-
-    fn station_keeping(&self) -> Option<[Option<usize>; 2]> {
-        self.attached_bodies().into_iter().find(|[first, second]| first != second)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::RopePath;
 use crate::dynamics::Loads;
-use crate::elements::{Context, Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Output};
+use crate::elements::{Context, Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Output, Support};
 use crate::scalar::Scalar;
 
 /// A line over a [`RopePath`] whose winch, at its first end, pays out and hauls in so that the tension T at its last
@@ -82,8 +82,8 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
         points.extend(self.path.straights().flatten().flat_map(|point| point.0));
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        self.path.attached_bodies()
+    fn supports(&self) -> Vec<Support> {
+        self.path.attached_bodies().into_iter().map(Support::Carries).collect()
     }
 }
 

@@ -12,8 +12,8 @@ pub use loads::{AddedMassOf, Drag, Slamming, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
-    Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own, ShownWaves,
-    VectorFrame,
+    Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own,
+    PresentSupport, ShownWaves, Support, VectorFrame,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -197,8 +197,13 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         Some("the response leaves out wave loads and drag on its submerged part; a run has them")
     }
 
-    fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
-        vec![[Some(self.place.body), None]]
+    fn supports(&self) -> Vec<Support> {
+        vec![Support::Carries([Some(self.place.body), None])]
+    }
+
+    fn present_supports(&mut self, at: &Context<'_, S>) -> Vec<PresentSupport<S>> {
+        let (mass, centre) = self.displaced(at);
+        vec![PresentSupport::Displaced { body: self.place.body, mass, centre }]
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::FieldError;
 use crate::elements::hull::Hydrostatics;
-use crate::elements::{AnyElement, Hull, of_kind};
+use crate::elements::{AnyElement, Hull, Support, of_kind};
 use crate::model::Model;
 use crate::scenario::schema::Scenario;
 use crate::scenario::ties::floats_freely;
@@ -78,13 +78,14 @@ impl FloatingGroups {
     fn of(model: &Model, elements: &[AnyElement]) -> Self {
         let roots: Vec<Option<usize>> = (0..model.bodies.len()).map(|body| floating_root(model, body)).collect();
         let root = |end: Option<usize>| end.and_then(|body| roots[body]);
-        let hulls: Vec<usize> = elements.iter().filter_map(|element| element.keeps_afloat()).collect();
+        let supports: Vec<Vec<Support>> = elements.iter().map(|element| element.supports()).collect();
+        let hulls: Vec<usize> = supports.iter().flatten().filter_map(Support::afloat).collect();
         let has_hull = |of: usize| hulls.iter().any(|hull| roots[*hull] == Some(of));
         let (mut group, mut held) = (roots.clone(), Vec::new());
         let loops = model.loops.iter().map(|closed| ([closed.first.body, closed.second.body], false));
-        let by_elements = elements.iter().filter(|element| element.keeps_afloat().is_none()).flat_map(|element| {
-            let is_mooring = element.station_keeping().is_some();
-            element.attached_bodies().into_iter().map(move |tie| (tie, is_mooring))
+        let by_elements = supports.iter().filter(|own| !own.iter().any(|own| own.afloat().is_some())).flat_map(|own| {
+            let is_mooring = own.iter().any(|own| own.station().is_some());
+            own.iter().filter_map(Support::carries).map(move |tie| (tie, is_mooring))
         });
         for (tie, is_mooring) in loops.chain(by_elements) {
             match tie.map(root) {

@@ -44,7 +44,7 @@ fn check_ten_metres<S: Quantity>(given: &schema::Wind<S>) -> Result<(), FieldErr
 pub fn anemometers<S: Quantity>(world: &World<S>, model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<AnyElement<S>> {
     let Some(wind) = &world.wind else { return Vec::new() };
     let mut bodies: Vec<Option<usize>> = Vec::new();
-    for body in elements.iter().filter_map(|element| element.keeps_afloat()) {
+    for body in elements.iter().flat_map(|element| element.supports()).filter_map(|support| support.afloat()) {
         if !bodies.contains(&Some(body)) {
             bodies.push(Some(body));
         }

@@ -6,7 +6,7 @@ use crate::elements::{AnyElement, Hull, of_kind, significant};
 use crate::model::Model;
 use crate::scenario::build::wave_motion::other_unit;
 use crate::scenario::schema::{Joint, Scenario};
-use crate::scenario::ties::{floats_freely, tied_to_the_world};
+use crate::scenario::ties::{carrying, floats_freely, tied_to_the_world};
 use crate::sea::database::Database;
 use crate::sea::raos::OtherUnit;
 use crate::simulation::{GrowingMode, Setup, Simulation};
@@ -100,6 +100,6 @@ fn falling(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<usize> 
     if world.gravity == 0.0 {
         return Vec::new();
     }
-    let carried = tied_to_the_world(model, elements.iter().flat_map(|element| element.attached_bodies()));
+    let carried = tied_to_the_world(model, carrying(elements));
     (0..model.bodies.len()).filter(|&body| floats_freely(model, body) && !carried[body]).collect()
 }
