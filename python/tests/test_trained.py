@@ -16,17 +16,17 @@ from kingpost.learn import (
     ShipCraneVectorEnv,
     Training,
     anti_sway,
-    contenders,
+    benchmarks,
     read_policy,
     score,
     train,
     trained,
 )
 from kingpost.learn.__main__ import main
-from kingpost.learn.contenders import CALM
+from kingpost.learn.benchmarks import CALM
+from kingpost.learn.cem_mpc import cem_mpc
 from kingpost.learn.cross_entropy import CrossEntropy, Sampling
 from kingpost.learn.episodes import Episodes
-from kingpost.learn.sampled import sampled
 
 ENVIRONMENT = "Kingpost/AntiSway-v0"
 FEW = Training(generations=2, pairs=2, episodes=2, hidden=(4,), seed=5)
@@ -68,7 +68,7 @@ def test_the_policy_is_within_ten_percent_of_predictive_control(policy) -> None:
     learned = score(anti_sway(), lambda task: policy, **given).mean()
     assert (
         learned
-        > 1.1 * score(anti_sway(), contenders(ENVIRONMENT)["predictive (`kingpost.mpc`)"], **given).mean()
+        > 1.1 * score(anti_sway(), benchmarks(ENVIRONMENT)["predictive (`kingpost.mpc`)"], **given).mean()
     )
 
 
@@ -120,7 +120,7 @@ def test_the_page_has_every_controller_and_the_scores_that_are_measured_now(envi
     page = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
     of_task = page.split(f"**{environment}**")[1].split("\n**")[0]
     rows = dict(line.strip("| ").split(" | ", 1) for line in of_task.splitlines() if line.startswith("| "))
-    for name, make in contenders(environment).items():
+    for name, make in benchmarks(environment).items():
         assert name in rows
         if "predictive" not in name and name != "do nothing":
             sums = score(IDS[environment](), make)
@@ -141,7 +141,7 @@ def test_plans_by_sampling_beat_the_policy_that_they_begin_with_where_the_base_m
     """Source: the plan of zeros, the policy itself, is among the candidates, and the model is the engine."""
     task = replace(anti_sway(on_a_ship=True), duration_s=16.0)
     few = Sampling(horizon_s=4, guided_s=4, candidates=12, elites=4, iterations=2, every_s=1.0)
-    with_plans = score(task, lambda task: sampled(task, few), 2)
+    with_plans = score(task, lambda task: cem_mpc(task, few), 2)
     alone = score(task, lambda _: trained(ENVIRONMENT), 2)
     assert (with_plans > alone + 1.0).all(), f"{with_plans} against {alone}"
 
@@ -179,7 +179,7 @@ def test_plans_beat_the_policy_on_a_ship_whose_waves_they_do_not_know() -> None:
     """Source: measured over 16 episodes of 40 s (docs/learning.md); here two of 20 s."""
     task = replace(anti_sway(at_sea=True), duration_s=20.0)
     few = Sampling(horizon_s=4, guided_s=4, candidates=12, elites=4, iterations=2, every_s=1.0)
-    with_plans = score(task, lambda task: sampled(task, few, CALM), 2)
+    with_plans = score(task, lambda task: cem_mpc(task, few, CALM), 2)
     alone = score(task, lambda _: trained(ENVIRONMENT), 2)
     assert with_plans.mean() > alone.mean() + 1.0, f"{with_plans} against {alone}"
 

@@ -11,7 +11,7 @@ from kingpost.learn import (
     ShipCraneVectorEnv,
     anti_sway,
     anti_sway_at_sea,
-    contenders,
+    benchmarks,
     score,
     trained,
 )
@@ -52,7 +52,7 @@ def test_on_seas_that_nobody_used_it_beats_what_does_not_learn_and_the_policy_of
 def test_on_seas_that_nobody_used_it_is_better_than_linear_predictive_control(policy) -> None:
     """Four episodes, because each plan is a quadratic program."""
     few = {"episodes": 4, "seed": 70_000}
-    predictive = contenders(ENVIRONMENT)["predictive (`kingpost.mpc`)"]
+    predictive = benchmarks(ENVIRONMENT)["predictive (`kingpost.mpc`)"]
     assert (
         score(anti_sway_at_sea(), policy.of, **few).mean()
         > score(anti_sway_at_sea(), predictive, **few).mean()

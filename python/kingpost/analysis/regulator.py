@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario
 from ..simulation.linear import RATE
+from ..simulation.python_warnings import emit_warnings
 from ..simulation.simulate import Simulation
-from ..simulation.telling import tell
 from .riccati import (
     NO_REST,
     SMALLEST_SHARE,
@@ -240,7 +240,7 @@ def lqr(
         raise KingpostError(f"period_s: found {period_s}, allowed: a number greater than 0, or None")
     check_reach(a, b, chosen)
     unmoved = tuple(_slow(value, about) for value, about in unreached(a, b, chosen) if _is_slow(value))
-    tell(unmoved)
+    emit_warnings(unmoved)
     gains, cost = solve(a, b, q, r, period_s)
     closed = closed_loop(a, b, gains, period_s)
     if not closed[0].real < -(SMALLEST_SHARE**0.5) * abs(closed).max():

@@ -13,8 +13,8 @@ from .. import output, results
 from ..errors import KingpostError
 from ..lettering import as_written
 from ..scenario import Overrides, Scenario, as_scenario
+from ..simulation.python_warnings import record_warnings
 from ..simulation.simulate import Simulation
-from ..simulation.telling import note_warnings
 
 if TYPE_CHECKING:
     import pandas
@@ -188,7 +188,7 @@ def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str
     attributes = results.attributes(simulation.scenario, "about rest in still water")
     attributes["reference_m"] = found["reference_m"]
     attributes["heading_rad"] = found["heading_rad"]
-    note_warnings(attributes, [*simulation.scenario.model["warnings"], *found["warnings"]])
+    record_warnings(attributes, [*simulation.scenario.model["warnings"], *found["warnings"]])
     rad_s = {"units": "rad/s", "long_name": "angular frequency"}
     rad = {"units": "rad", "long_name": "direction that the waves go to, from x counter-clockwise"}
     metre = {"units": "m", "long_name": "place of a point at rest, world"}

@@ -20,8 +20,8 @@ import numpy as np
 from .. import results
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario
+from ..simulation.python_warnings import record_warnings
 from ..simulation.simulate import Simulation
-from ..simulation.telling import note_warnings
 from .response import frequencies_that_all_cover
 from .statistics import EULER
 from .wave_response import REASONS, as_simulation, matching
@@ -181,7 +181,7 @@ def spectral_response(
     attributes["duration_s"] = duration_s
     about_model = simulation.scenario.model["warnings"]
     of_slack = [f"{found.columns[k]}: {SLACK}; without it, {least[k]:.3g} {found.units[k]}" for k in slack]
-    note_warnings(attributes, [*about_model, *found.warnings, *beyond_the_data(found, systems), *of_slack])
+    record_warnings(attributes, [*about_model, *found.warnings, *beyond_the_data(found, systems), *of_slack])
     return xarray.Dataset(variables, coordinates, attributes)
 
 

@@ -13,9 +13,9 @@ from ..errors import KingpostError
 from ..given import lists, number
 from ..scenario import Overrides, Scenario, as_scenario
 from ..simulation.linear import Equilibrium
+from ..simulation.python_warnings import record_warnings
 from ..simulation.records import State
 from ..simulation.simulate import Simulation
-from ..simulation.telling import note_warnings
 from .eigenmodes import FREE, Mode, eigenmodes
 from .tracking import tracks
 
@@ -249,7 +249,7 @@ def _dataset(
         **{results.unit_coordinate(name): units for name in ("shape", "shape_imaginary")},
     }
     attributes = results.attributes(scenario, points[-1].status)
-    note_warnings(
+    record_warnings(
         attributes, [*scenario.model["warnings"], *(point.warning for point in points if point.warning)]
     )
     return xarray.Dataset(variables, coordinates, attributes)

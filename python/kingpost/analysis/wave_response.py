@@ -13,8 +13,8 @@ import numpy as np
 from .. import results
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario
+from ..simulation.python_warnings import record_warnings
 from ..simulation.simulate import Simulation
-from ..simulation.telling import note_warnings
 from .response import DIRECTIONS_DEG, PHASE, frequencies_that_all_cover, onto_ends, within_one_turn
 
 if TYPE_CHECKING:
@@ -171,5 +171,5 @@ def _dataset(simulation: Simulation, found: dict[str, Any]) -> xarray.Dataset:
     attributes["heading_rad"] = found["heading_rad"]
     attributes["resonances_rad_s"] = [one["frequency_rad_s"] for one in found["resonances"]]
     attributes["resonance_decays_per_s"] = [one["decay_per_s"] for one in found["resonances"]]
-    note_warnings(attributes, [*simulation.scenario.model["warnings"], *found["warnings"]])
+    record_warnings(attributes, [*simulation.scenario.model["warnings"], *found["warnings"]])
     return xarray.Dataset(variables, coordinates, attributes)

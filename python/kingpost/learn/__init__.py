@@ -9,14 +9,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ..errors import KingpostError
-from .acting import Policy
 from .agents import Agent
 from .baselines import BASELINES
-from .carried import trained
-from .contenders import contenders
+from .benchmarks import benchmarks
 from .environment import ShipCraneEnv
 from .evolution import Training, train
 from .network import NeuralPolicy, read_policy
+from .policies import Policy
+from .pretrained import trained
 from .registered import IDS, register
 from .scores import score
 from .task import Action, Observation, Task
@@ -56,7 +56,7 @@ __all__ = [
     "Training",
     "anti_sway",
     "anti_sway_at_sea",
-    "contenders",
+    "benchmarks",
     "heave_compensation",
     "landing",
     "read_policy",

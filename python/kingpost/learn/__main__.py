@@ -6,8 +6,8 @@ import argparse
 from dataclasses import asdict, replace
 from pathlib import Path
 
-from .carried import FILES, trained
 from .evolution import Training, train
+from .pretrained import FILES, trained
 from .registered import IDS
 from .scores import score, table
 

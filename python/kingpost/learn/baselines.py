@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .acting import Policy, do_nothing, in_units, limited
 from .landing_baselines import QuietMoment, constant_lowering, deck_following, slow_near_deck
+from .policies import Policy, do_nothing, in_units, limited
 from .task import Task
 
 SWING_PERIOD_S = 9.0

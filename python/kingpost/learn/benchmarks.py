@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from .acting import Policy
 from .baselines import BASELINES
-from .carried import FILES, trained
+from .cem_mpc import cem_mpc
 from .model_based import linear_quadratic, predictive
-from .sampled import sampled
+from .policies import Policy
+from .pretrained import FILES, trained
 from .task import Task
 
 BY_SAMPLING = "predictive, by sampling around the policy"
@@ -17,7 +17,7 @@ LINEAR: dict[str, Callable[[Task], Policy]] = {
     "predictive (`kingpost.mpc`)": predictive,
 }
 BY_MODEL: dict[str, dict[str, Callable[[Task], Policy]]] = {
-    "Kingpost/AntiSway-v0": LINEAR | {BY_SAMPLING: sampled},
+    "Kingpost/AntiSway-v0": LINEAR | {BY_SAMPLING: cem_mpc},
     "Kingpost/AntiSwayAtSea-v0": LINEAR,
 }
 FIXED_BASE = "Kingpost/AntiSway-v0"
@@ -28,15 +28,15 @@ CALM = {"significant_height_m": 0.001}
 
 
 def _in_calm_water(task: Task) -> Policy:
-    return sampled(task, foreseen=CALM)
+    return cem_mpc(task, foreseen=CALM)
 
 
-def contenders(environment: str, at_sea: bool = False) -> dict[str, Callable[[Task], Policy]]:
+def benchmarks(environment: str, at_sea: bool = False) -> dict[str, Callable[[Task], Policy]]:
     """All controllers of an environment by name, with those for a ship in a sea.
 
-    >>> list(contenders("Kingpost/AntiSway-v0"))[-1]
+    >>> list(benchmarks("Kingpost/AntiSway-v0"))[-1]
     'trained policy'
-    >>> [name for name in contenders("Kingpost/AntiSway-v0", at_sea=True) if "calm" in name]
+    >>> [name for name in benchmarks("Kingpost/AntiSway-v0", at_sea=True) if "calm" in name]
     ['predictive, by sampling around the policy, as if the water were calm from now on']
     """
     found = BASELINES[environment] | BY_MODEL.get(environment, {})

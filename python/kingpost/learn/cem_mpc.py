@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from .acting import Policy, in_units
-from .carried import trained
 from .cross_entropy import CrossEntropy, Sampling
 from .episodes import Episodes
+from .policies import Policy, in_units
+from .pretrained import trained
 from .task import Task
 from .tasks.anti_sway import target
 
@@ -39,7 +39,7 @@ class _Sampled:
         return [target(float(slew), float(luff)) for slew, luff in zip(slews, luffs, strict=True)]
 
 
-def sampled(task: Task, plans: Sampling | None = None, foreseen: Mapping[str, Any] | None = None) -> Policy:
+def cem_mpc(task: Task, plans: Sampling | None = None, foreseen: Mapping[str, Any] | None = None) -> Policy:
     """Plans by the cross-entropy method that improve the trained policy: the engine's copies are the model.
 
     Parameters
@@ -53,7 +53,7 @@ def sampled(task: Task, plans: Sampling | None = None, foreseen: Mapping[str, An
 
     >>> from kingpost.learn import anti_sway
     >>> few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=4, elites=2, iterations=1)
-    >>> sampled(anti_sway(), few)(np.zeros((1, 12))).shape
+    >>> cem_mpc(anti_sway(), few)(np.zeros((1, 12))).shape
     (1, 2)
     """
     return _Sampled(task, Sampling() if plans is None else plans, foreseen)

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import KingpostError
-from .acting import Policy, do_nothing
 from .episodes import Episodes
+from .policies import Policy, do_nothing
 from .task import Task
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .acting import Policy, in_units, limited
+from .policies import Policy, in_units, limited
 from .task import Task
 
 DRUM_M = 0.15

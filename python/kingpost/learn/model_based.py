@@ -9,7 +9,7 @@ import numpy as np
 
 from ..analysis.predictive import PredictiveRegulator, mpc
 from ..simulation.simulate import Simulation
-from .acting import Policy, in_units
+from .policies import Policy, in_units
 from .task import Task
 
 PERIOD_S = 0.2

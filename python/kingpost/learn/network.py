@@ -15,7 +15,7 @@ import numpy as np
 from ..errors import KingpostError
 from ..output import write_text
 from ..reading import text_of
-from .acting import Policy
+from .policies import Policy
 from .task import LARGEST_OBSERVATION, Task
 
 DIGITS = 6

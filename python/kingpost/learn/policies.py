@@ -1,4 +1,4 @@
-"""What classical controllers share: observations in their units, speeds as actions."""
+"""Policies: actions from observations in their units."""
 
 from __future__ import annotations
 

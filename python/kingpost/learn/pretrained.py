@@ -7,7 +7,7 @@ from pathlib import Path
 from ..errors import KingpostError
 from .network import NeuralPolicy, read_policy
 
-POLICIES = Path(__file__).parent / "policies"
+POLICIES = Path(__file__).parent / "weights"
 FILES = {
     "Kingpost/AntiSway-v0": "anti_sway.json",
     "Kingpost/AntiSwayAtSea-v0": "anti_sway_at_sea.json",

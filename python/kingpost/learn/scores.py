@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .acting import Policy
-from .contenders import contenders
+from .benchmarks import benchmarks
+from .policies import Policy
 from .registered import IDS
 from .task import Task
 from .tasks import anti_sway
@@ -65,10 +65,10 @@ def cases() -> dict[str, tuple[Task, dict[str, Callable[[Task], Policy]]]]:
     """What is scored: titles with the task and its controllers."""
     found = {}
     for name, task in IDS.items():
-        found[name] = (task(), contenders(name))
+        found[name] = (task(), benchmarks(name))
         if task is anti_sway:
-            found[f"{name}, on_a_ship=True"] = (anti_sway(on_a_ship=True), contenders(name))
-            found[f"{name}, at_sea=True"] = (anti_sway(at_sea=True), contenders(name, at_sea=True))
+            found[f"{name}, on_a_ship=True"] = (anti_sway(on_a_ship=True), benchmarks(name))
+            found[f"{name}, at_sea=True"] = (anti_sway(at_sea=True), benchmarks(name, at_sea=True))
     return found
 
 

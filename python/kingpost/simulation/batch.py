@@ -16,8 +16,8 @@ from ..errors import KingpostError
 from ..given import lists
 from ..scenario import Overrides, Scenario, as_scenario
 from .outcomes import in_words, with_partings
+from .python_warnings import emit_warnings
 from .simulate import Progress, Simulation
-from .telling import tell
 
 if TYPE_CHECKING:
     import xarray
@@ -137,7 +137,7 @@ class Batch:
         found.attrs["warnings"] = json.dumps(warnings)
         found.attrs["limits"] = json.dumps(limits)
         found.attrs["model_warnings"] = json.dumps(known)
-        tell([*known, *self._came_of(limits, warnings)])
+        emit_warnings([*known, *self._came_of(limits, warnings)])
         along = {name: ("run", np.array(values)) for name, values in self.parameters.items()}
         about = {"run": np.arange(len(status)), "status": ("run", np.array(status, str))}
         return found.assign_coords({**about, **along})

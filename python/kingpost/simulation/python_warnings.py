@@ -50,14 +50,14 @@ def _action(words: str, module: str, line: int) -> str:
     return "default"
 
 
-def tell(words: Iterable[str]) -> None:
+def emit_warnings(words: Iterable[str]) -> None:
     """Raise each as a warning that points to the line that called the package.
 
     Where Python shows a warning once for a line, its default, one that differs in numbers only is the same.
 
     >>> with warnings.catch_warnings(record=True) as told:
     ...     warnings.simplefilter("always")
-    ...     tell(["ship: it heeled to 21.00 deg, at 4 s"])
+    ...     emit_warnings(["ship: it heeled to 21.00 deg, at 4 s"])
     >>> told[0].category.__name__, str(told[0].message)
     ('KingpostWarning', 'ship: it heeled to 21.00 deg, at 4 s')
     """
@@ -74,17 +74,17 @@ def tell(words: Iterable[str]) -> None:
         warnings.warn(one, KingpostWarning, stacklevel=level)
 
 
-def note_warnings(attributes: dict[str, Any], words: Iterable[str]) -> None:
+def record_warnings(attributes: dict[str, Any], words: Iterable[str]) -> None:
     """Store warnings of an analysis in its attribute ``warning``, each once, and raise each as a warning.
 
     >>> attributes = {}
     >>> with warnings.catch_warnings(record=True) as told:
     ...     warnings.simplefilter("always")
-    ...     note_warnings(attributes, ["a list of 4.7 deg", "a list of 4.7 deg"])
+    ...     record_warnings(attributes, ["a list of 4.7 deg", "a list of 4.7 deg"])
     >>> attributes, len(told)
     ({'warning': 'a list of 4.7 deg'}, 1)
     """
     each = list(dict.fromkeys(words))
     if each:
         attributes["warning"] = "; ".join(each)
-        tell(each)
+        emit_warnings(each)

@@ -24,8 +24,8 @@ from ..scenario import Overrides, Scenario, as_scenario, load
 from .equations import Equations
 from .observed import Observed
 from .outcomes import every_warning
+from .python_warnings import emit_warnings
 from .records import Input, State
-from .telling import tell
 
 if TYPE_CHECKING:
     import xarray
@@ -145,7 +145,7 @@ class Simulation(Observed, Equations):
         results.attrs["limits"] = json.dumps([asdict(limit) for limit in self.limits])
         results.attrs["model_warnings"] = json.dumps(known)
         self.results = results
-        tell(every_warning(results.attrs))
+        emit_warnings(every_warning(results.attrs))
         if error is not None:
             error.results = results
             raise error
