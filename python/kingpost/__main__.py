@@ -2,6 +2,6 @@
 
 import sys
 
-from .cli import main
+from kingpost_command import main
 
 sys.exit(main())

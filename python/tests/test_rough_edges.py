@@ -3,9 +3,11 @@ braces, pages whose lines do not run."""
 
 import re
 import signal
+import sys
 from pathlib import Path
 
 import kingpost
+import kingpost_command
 import numpy as np
 import pytest
 from kingpost import output
@@ -125,6 +127,18 @@ def test_a_misspelt_column_gets_the_nearest_of_the_scenario(capsys) -> None:
 def test_a_column_in_place_of_a_file_of_results_gets_its_option(capsys) -> None:
     assert main(["statistics", "ship.roll"]) == 2
     assert capsys.readouterr().err.endswith("writes them; columns follow --channels\n")
+
+
+def test_an_interrupt_while_libraries_are_imported_is_one_line(monkeypatch, capsys) -> None:
+    class Interrupt:
+        def find_spec(self, name: str, *_: object) -> None:
+            if name == "kingpost.cli":
+                raise KeyboardInterrupt
+
+    monkeypatch.delitem(sys.modules, "kingpost.cli")
+    monkeypatch.setattr(sys, "meta_path", [Interrupt(), *sys.meta_path])
+    assert kingpost_command.main() == 130
+    assert capsys.readouterr().err == "error: interrupted\n"
 
 
 @pytest.mark.parametrize("end", ["SIGINT", "SIGTERM"])
