@@ -20,7 +20,7 @@ APP := web/dist/index.html
 NODE_MODULES := web/node_modules/.package-lock.json
 GALLERY := $(wildcard scenarios/*.yaml scenarios/parts/*.yaml scenarios/hydro/*.json)
 sources = $(shell find $(1) -type f -not -path '*/pkg/*' -not -path '*/__pycache__/*' 2>/dev/null)
-ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml)
+ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml crates/kingpost-derive)
 
 # Two lanes of tests. The default one compiles the engine once, by the profile `proof`, for its own tests and for Python. The
 # thorough one runs Python's tests on the wheel's engine, and the engine's own with checks of overflow and debug assertions.

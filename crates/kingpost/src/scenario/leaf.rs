@@ -3,18 +3,14 @@
 
 use std::fmt::{self, Debug, Display};
 
-use serde::de::{DeserializeOwned, Error, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
 use super::error::FieldError;
 use crate::scalar::{Dual, LANES, Lanes, Scalar};
 
 /// A continuous number of a scenario. The types of a scenario are generic over it; numbers that decide the structure of
 /// a run (steps, seeds, switching times, grids of tables) are plain.
 ///
-/// A leaf is read from a number. [`Lanes`] and [`Dual`] are also read from a list of their parts, which no file
-/// contains: see [`super::together`].
-pub trait Leaf: Copy + Debug + Default + PartialEq + DeserializeOwned + 'static {
+/// Files are read over `f64`; [`OverScalar`](super::over::OverScalar) converts what was read.
+pub trait Leaf: Copy + Debug + Default + PartialEq + 'static {
     /// A default from the source code.
     fn literal(value: f64) -> Self;
     /// A value that is outside its range, if there is one.
@@ -23,7 +19,7 @@ pub trait Leaf: Copy + Debug + Default + PartialEq + DeserializeOwned + 'static 
 
 /// The scalar of the JSON Schema: the plain number.
 #[cfg(feature = "schema")]
-pub trait Described: Leaf + Serialize + schemars::JsonSchema {}
+pub trait Described: Leaf + serde::Serialize + schemars::JsonSchema {}
 
 #[cfg(feature = "schema")]
 impl Described for f64 {}
@@ -156,83 +152,5 @@ impl Display for Lanes {
 impl<const N: usize> Display for Dual<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Display::fmt(&self.value, f)
-    }
-}
-
-/// Reads the parts of a number: the number itself, or the entries of a list.
-struct NumberVisitor;
-
-impl<'de> Visitor<'de> for NumberVisitor {
-    type Value = Vec<f64>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("f64")
-    }
-    fn visit_i64<E>(self, value: i64) -> Result<Vec<f64>, E> {
-        Ok(vec![value as f64])
-    }
-    fn visit_u64<E>(self, value: u64) -> Result<Vec<f64>, E> {
-        Ok(vec![value as f64])
-    }
-    fn visit_f64<E>(self, value: f64) -> Result<Vec<f64>, E> {
-        Ok(vec![value])
-    }
-    fn visit_seq<A: SeqAccess<'de>>(self, mut access: A) -> Result<Vec<f64>, A::Error> {
-        let mut parts = Vec::with_capacity(access.size_hint().unwrap_or(LANES));
-        while let Some(part) = access.next_element()? {
-            parts.push(part);
-        }
-        Ok(parts)
-    }
-}
-
-/// A number, or a list with one part for each lane.
-impl<'de> Deserialize<'de> for Lanes {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let parts = deserializer.deserialize_any(NumberVisitor)?;
-        match (parts.as_slice(), <[f64; LANES]>::try_from(parts.as_slice())) {
-            (_, Ok(lanes)) => Ok(Self::new(lanes)),
-            ([value], _) => Ok(Self::constant(*value)),
-            _ => Err(D::Error::invalid_length(parts.len(), &"a number for each lane")),
-        }
-    }
-}
-
-/// A number, or a list of its value and its derivatives.
-impl<'de, const N: usize> Deserialize<'de> for Dual<N> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let parts = deserializer.deserialize_any(NumberVisitor)?;
-        let wrong = || D::Error::invalid_length(parts.len(), &"a value and its derivatives");
-        let (value, derivative) = parts.split_first().ok_or_else(wrong)?;
-        match <[f64; N]>::try_from(derivative) {
-            Ok(derivative) => Ok(Self { value: *value, derivative }),
-            Err(_) if derivative.is_empty() => Ok(Self::constant(*value)),
-            Err(_) => Err(wrong()),
-        }
-    }
-}
-
-/// A leaf without a value: a scenario over it is only its structure.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Blank;
-
-impl Leaf for Blank {
-    fn literal(_: f64) -> Self {
-        Self
-    }
-    fn outside(self, _: impl Fn(f64) -> bool) -> Option<f64> {
-        None
-    }
-}
-
-impl Serialize for Blank {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_unit()
-    }
-}
-
-impl<'de> Deserialize<'de> for Blank {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(NumberVisitor).map(|_| Self)
     }
 }

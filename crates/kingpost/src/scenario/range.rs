@@ -7,6 +7,7 @@ use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::leaf::Leaf;
+use super::over::{Numbers, OverScalar};
 use super::wording::{DIRECTION, FRACTION, NON_NEGATIVE, POSITIVE, PROBABILITY};
 
 macro_rules! ranged_number {
@@ -52,13 +53,20 @@ macro_rules! ranged_number {
             }
         }
 
+        impl<S> OverScalar<S> for $name {
+            type Over = $name<S>;
+            fn over(&self, numbers: &mut dyn Numbers<S>) -> $name<S> {
+                $name(self.0.over(numbers))
+            }
+        }
+
         impl<S: fmt::Display> fmt::Display for $name<S> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 self.0.fmt(f)
             }
         }
 
-        impl<'de, S: Leaf> Deserialize<'de> for $name<S> {
+        impl<'de, S: Leaf + Deserialize<'de>> Deserialize<'de> for $name<S> {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 let value = S::deserialize(deserializer)?;
                 match value.outside(Self::inside) {
@@ -142,7 +150,14 @@ impl Direction {
     }
 }
 
-impl<'de, S: Leaf> Deserialize<'de> for Direction<S> {
+impl<S> OverScalar<S> for Direction {
+    type Over = Direction<S>;
+    fn over(&self, numbers: &mut dyn Numbers<S>) -> Direction<S> {
+        Direction(self.0.over(numbers))
+    }
+}
+
+impl<'de, S: Leaf + Deserialize<'de>> Deserialize<'de> for Direction<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let components = <[S; 3]>::deserialize(deserializer)?;
         Self::new(components).ok_or_else(|| D::Error::invalid_value(Unexpected::Seq, &DIRECTION))

@@ -1,26 +1,32 @@
-//! A scenario over another scalar: with derivatives, or several scenarios in lanes.
-//!
-//! A resolved scenario is written out, and some numbers in it become lists of parts: one for each lane, or the value
-//! and its derivatives. The types read it back. A plain field refuses a list.
+//! A scenario over another scalar: with derivatives, or several scenarios in lanes. [`OverScalar`] converts its numbers.
 
+mod derivatives;
 #[cfg(not(target_family = "wasm"))]
-mod side_by_side;
+mod lanes;
 mod structure;
 
 #[cfg(not(target_family = "wasm"))]
-pub(crate) use side_by_side::side_by_side;
+pub(crate) use lanes::side_by_side;
 
-use serde::Deserialize;
 use serde_json::Value;
 
 use super::build::assemble;
-use super::error::{FieldError, ScenarioError};
-use super::leaf::{Leaf, Quantity};
+use super::error::ScenarioError;
+use super::leaf::Quantity;
+use super::over::{Numbers, OverScalar};
 use super::schema::Scenario;
-use super::tree::segments;
-use super::{units, wording};
 use crate::plant::{DIRECTIONS, Number};
 use crate::simulation::Setup;
+use derivatives::NumberTangents;
+
+/// Makes each number a constant.
+struct Constants;
+
+impl<S: Quantity> Numbers<S> for Constants {
+    fn number(&mut self, value: f64) -> S {
+        S::literal(value)
+    }
+}
 
 impl Scenario {
     /// The setup of a simulation over another scalar, with all numbers constant.
@@ -33,8 +39,7 @@ impl Scenario {
 
     /// The same; `alone` is the scenario's own setup.
     pub(crate) fn setup_over_with<S: Quantity>(&self, alone: &Setup) -> Result<Setup<S>, ScenarioError> {
-        let scenario = self.over::<S>(&self.written()).map_err(|error| untyped(&error))?;
-        Ok(assemble(&scenario, &vec![alone; S::SCENARIOS])?)
+        Ok(assemble(&self.over(&mut Constants), &vec![alone; S::SCENARIOS])?)
     }
 
     /// The setup of a simulation with derivatives along parameters: direction k is the parameter, or the path of a
@@ -65,19 +70,10 @@ impl Scenario {
     /// The same; `alone` is the scenario's own setup.
     pub(crate) fn setup_along_with(&self, alone: &Setup, names: &[&str]) -> Result<Setup<Number>, ScenarioError> {
         assert!(names.len() <= DIRECTIONS, "at most as many names as directions");
-        let (mut written, mut seeds) = (self.written(), Vec::new());
-        for (direction, name) in names.iter().enumerate() {
-            for path in self.paths_of(name) {
-                let (path, factor) = units::si_path(&segments(&path));
-                let dotted = path.join(".");
-                let seeded = seeds.iter().any(|(known, _)| *known == dotted);
-                seed(&mut written, &path, seeded, (direction, factor))
-                    .ok_or_else(|| FieldError::new(*name, wording::NO_NUMBER, wording::CONTINUOUS))?;
-                seeds.push((dotted, *name));
-            }
-        }
-        let scenario = self.over(&written).map_err(|error| self.refused_by_types(&seeds, &error))?;
-        Ok(assemble(&scenario, &[alone]).map_err(|error| refused(&seeds, error))?)
+        let mut tangents = NumberTangents::of(self, names);
+        let scenario = self.over(&mut tangents);
+        tangents.check(self)?;
+        Ok(assemble(&scenario, &[alone]).map_err(|error| tangents.refused(error))?)
     }
 
     /// The paths that a parameter writes; for any other name, the name itself.
@@ -90,51 +86,4 @@ impl Scenario {
     pub(super) fn written(&self) -> Value {
         serde_json::to_value(self).unwrap_or_default()
     }
-
-    /// The scenario over another scalar. Its error has no path: a reader that keeps one would have the compiler make all
-    /// types over once more for each scalar.
-    pub(super) fn over<S: Leaf>(&self, written: &Value) -> Result<Scenario<S>, serde_json::Error> {
-        Ok(Scenario { files: self.files.clone(), ..Scenario::deserialize(written)? })
-    }
-
-    /// The error of a plain field with derivatives, reported for the name that gave them.
-    fn refused_by_types(&self, seeds: &[(String, &str)], error: &serde_json::Error) -> FieldError {
-        let is_plain = |path: &str| {
-            let mut written = self.written();
-            seed(&mut written, &segments(path), false, (0, 1.0));
-            self.over::<Number>(&written).is_err()
-        };
-        match seeds.iter().find(|(path, _)| is_plain(path)) {
-            Some((_, name)) => FieldError::new(*name, wording::NO_DERIVATIVE, wording::CONTINUOUS),
-            None => untyped(error),
-        }
-    }
-}
-
-pub(super) fn untyped(error: &serde_json::Error) -> FieldError {
-    FieldError::new("", error, wording::REQUIRED)
-}
-
-/// An error of a field with derivatives, reported for the name that gave them; other errors unchanged.
-fn refused(seeds: &[(String, &str)], error: FieldError) -> FieldError {
-    let seeded = seeds.iter().find(|(path, _)| *path == error.field);
-    let within = || seeds.iter().find(|(path, _)| !error.field.is_empty() && path.starts_with(&error.field));
-    match seeded.or_else(within) {
-        Some((_, name)) => FieldError::new(*name, wording::NO_DERIVATIVE, wording::CONTINUOUS),
-        None => error,
-    }
-}
-
-/// Gives the number at a path derivatives, unless it has them, and adds the derivative along a direction. `None` if
-/// there is no number.
-fn seed(written: &mut Value, path: &[String], seeded: bool, (direction, factor): (usize, f64)) -> Option<()> {
-    let slot = written.pointer_mut(&format!("/{}", path.join("/")))?;
-    if !seeded {
-        let value = slot.is_number().then(|| slot.take())?;
-        let parts = core::iter::once(value).chain((0..DIRECTIONS).map(|_| Value::from(0.0)));
-        *slot = parts.collect();
-    }
-    let derivative = slot.as_array_mut()?.get_mut(1 + direction)?;
-    *derivative = Value::from(derivative.as_f64()? + factor);
-    Some(())
 }

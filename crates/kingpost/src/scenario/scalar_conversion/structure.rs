@@ -1,13 +1,33 @@
 //! The structure of a scenario: everything except its continuous numbers.
 
-use super::super::leaf::Blank;
+use super::super::over::{Numbers, OverScalar};
 use super::super::schema::Scenario;
+
+/// Writes 0 for each number, and keeps the numbers in their order.
+#[derive(Default)]
+struct Blanks {
+    numbers: Vec<f64>,
+}
+
+impl Numbers<f64> for Blanks {
+    fn number(&mut self, value: f64) -> f64 {
+        self.numbers.push(value);
+        0.0
+    }
+}
 
 impl Scenario {
     /// The scenario without its continuous numbers, as text. Runs with the same structure can run in lanes, and one can
     /// continue as the other.
     pub(crate) fn structure(&self) -> String {
-        let blank = self.over::<Blank>(&self.written()).ok();
-        blank.and_then(|blank| serde_json::to_string(&blank).ok()).unwrap_or_default()
+        serde_json::to_string(&self.over(&mut Blanks::default())).unwrap_or_default()
+    }
+
+    /// Its continuous numbers, in the order of their declarations.
+    #[cfg(not(target_family = "wasm"))]
+    pub(super) fn numbers(&self) -> Vec<f64> {
+        let mut blanks = Blanks::default();
+        self.over(&mut blanks);
+        blanks.numbers
     }
 }

@@ -1,6 +1,7 @@
 //! Axes of joints: their initial values, how their motion is set, and the forces in them.
 
-use serde::{Deserialize, Deserializer, Serialize};
+use kingpost_derive::fields;
+use serde::{Deserialize, Deserializer};
 
 use super::gas_spring::GasSpring;
 use super::histories::{
@@ -10,13 +11,7 @@ use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
 /// One axis that a joint turns about.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AngleAxis", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
 pub struct AngleAxis<S = f64> {
     /// Angle at the start, rad.
     pub initial_angle_rad: S,
@@ -25,16 +20,12 @@ pub struct AngleAxis<S = f64> {
     /// Free, held or prescribed.
     pub mode: RevoluteMode<S>,
     /// Viscous damping moment per rate, N m s.
-    #[serde(rename = "damping_N_m_s")]
     pub damping_n_m_s: NonNegative<S>,
     /// Dry friction.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<AngleFriction<S>>,
     /// A spring.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub spring: Option<AngleSpring<S>>,
     /// Stops at the ends of the travel.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<AngleLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
     pub rotor_inertia_kg_m2: NonNegative<S>,
@@ -59,13 +50,7 @@ impl<S: Leaf> Default for AngleAxis<S> {
 }
 
 /// One axis that a joint slides along.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LengthAxis", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
 pub struct LengthAxis<S = f64> {
     /// Extension at the start, m.
     pub initial_extension_m: S,
@@ -74,19 +59,14 @@ pub struct LengthAxis<S = f64> {
     /// Free, held or prescribed.
     pub mode: PrismaticMode<S>,
     /// Viscous damping force per speed, N s/m.
-    #[serde(rename = "damping_N_s_m")]
     pub damping_n_s_m: NonNegative<S>,
     /// Dry friction.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<LengthFriction<S>>,
     /// A spring.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub spring: Option<LengthSpring<S>>,
     /// A gas spring, which pushes towards larger extensions.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub gas_spring: Option<GasSpring<S>>,
     /// Stops at the ends of the travel.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<LengthLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
     pub rotor_inertia_kg_m2: NonNegative<S>,
@@ -122,18 +102,13 @@ pub(super) fn slow<S: Leaf>() -> Positive<S> {
 }
 
 /// A number that may be left out; a field that is written must have a value.
-fn present<'de, D: Deserializer<'de>, S: Leaf>(deserializer: D) -> Result<Option<S>, D::Error> {
+fn present<'de, D: Deserializer<'de>, S: Deserialize<'de>>(deserializer: D) -> Result<Option<S>, D::Error> {
     S::deserialize(deserializer).map(Some)
 }
 
 /// How the angle about an axis is set.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RevoluteMode", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Default)]
 pub enum RevoluteMode<S = f64> {
     /// The dynamics do.
     #[default]
@@ -149,13 +124,7 @@ pub enum RevoluteMode<S = f64> {
 }
 
 /// A rate of turning as a given function of time.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PrescribedRate", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PrescribedRate<S = f64> {
     /// Full rate, rad/s.
     pub rate_rad_s: S,
@@ -163,21 +132,14 @@ pub struct PrescribedRate<S = f64> {
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<RatePulse>,
     /// The times and shares of the history `list`; a rate cannot jump.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub list: Option<HistoryList<S>>,
 }
 
 /// How the extension along an axis is set.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PrismaticMode", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Default)]
 pub enum PrismaticMode<S = f64> {
     /// The dynamics do.
     #[default]
@@ -193,13 +155,7 @@ pub enum PrismaticMode<S = f64> {
 }
 
 /// A speed of sliding as a given function of time.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PrescribedSpeed", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PrescribedSpeed<S = f64> {
     /// Full speed, m/s.
     pub speed_m_s: S,
@@ -207,24 +163,15 @@ pub struct PrescribedSpeed<S = f64> {
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<RatePulse>,
     /// The times and shares of the history `list`; a rate cannot jump.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub list: Option<HistoryList<S>>,
 }
 
 /// Dry friction against turning, `torque rate / sqrt(rate^2 + smoothing^2)`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AngleFriction", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AngleFriction<S = f64> {
     /// Its torque, N m.
-    #[serde(rename = "torque_N_m")]
     pub torque_n_m: NonNegative<S>,
     /// Rate scale over which the friction changes sign smoothly, rad/s. A joint that should stick creeps more slowly
     /// than this.
@@ -233,16 +180,9 @@ pub struct AngleFriction<S = f64> {
 }
 
 /// Dry friction against sliding, `force speed / sqrt(speed^2 + smoothing^2)`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LengthFriction", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LengthFriction<S = f64> {
     /// Its force, N.
-    #[serde(rename = "force_N")]
     pub force_n: NonNegative<S>,
     /// Speed scale over which the friction changes sign smoothly, m/s. A joint that should stick creeps more slowly
     /// than this.
@@ -251,16 +191,9 @@ pub struct LengthFriction<S = f64> {
 }
 
 /// A linear spring about an axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AngleSpring", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AngleSpring<S = f64> {
     /// Moment per angle, N m/rad.
-    #[serde(rename = "stiffness_N_m_per_rad")]
     pub stiffness_n_m_per_rad: NonNegative<S>,
     /// Angle at which the spring has no moment, rad.
     #[serde(default)]
@@ -268,16 +201,9 @@ pub struct AngleSpring<S = f64> {
 }
 
 /// A linear spring along an axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LengthSpring", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LengthSpring<S = f64> {
     /// Force per extension, N/m.
-    #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: NonNegative<S>,
     /// Extension at which the spring has no force, m.
     #[serde(default)]
@@ -285,24 +211,17 @@ pub struct LengthSpring<S = f64> {
 }
 
 /// Stops. At a depth d beyond a limit a stop pushes back with `stiffness d (1 + dissipation d')`; it never pulls.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AngleLimits", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AngleLimits<S = f64> {
     /// Smallest angle, rad; none when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
+    #[serde(deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub lower_rad: Option<S>,
     /// Largest angle, rad; none when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
+    #[serde(deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub upper_rad: Option<S>,
     /// Moment per angle beyond a limit, N m/rad.
-    #[serde(rename = "stiffness_N_m_per_rad")]
     pub stiffness_n_m_per_rad: Positive<S>,
     /// Energy loss of the stop, s/rad: after an impact at a small rate u the axis leaves at about `u (1 - 2/3
     /// dissipation u)`.
@@ -311,24 +230,17 @@ pub struct AngleLimits<S = f64> {
 }
 
 /// Stops. At a depth d beyond a limit a stop pushes back with `stiffness d (1 + dissipation d')`; it never pulls.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LengthLimits", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LengthLimits<S = f64> {
     /// Smallest extension, m; none when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
+    #[serde(deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub lower_m: Option<S>,
     /// Largest extension, m; none when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
+    #[serde(deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub upper_m: Option<S>,
     /// Force per extension beyond a limit, N/m.
-    #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: Positive<S>,
     /// Energy loss of the stop, s/m: after an impact at a small speed u the axis leaves at about `u (1 - 2/3
     /// dissipation u)`.

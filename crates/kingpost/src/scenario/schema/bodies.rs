@@ -1,19 +1,13 @@
 //! Bodies: mass, shape, inertia, named points.
 
 use indexmap::IndexMap;
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Colour, Flexible, Joint, Name, NonNegative, Positive, WORLD, yes};
 use crate::scenario::leaf::Leaf;
 
 /// A rigid body. Its geometry is written in a drawing frame of its own; the shape is centred on the centre of mass.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Body", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Body<S = f64> {
     /// `false` leaves out this body and every body below it in the tree.
     #[serde(default = "yes")]
@@ -24,16 +18,12 @@ pub struct Body<S = f64> {
     /// Mass, kg.
     pub mass_kg: Positive<S>,
     /// Colour in the views, `#rrggbb`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
     /// The solid that is drawn, and whose inertia the body has unless `inertia` is given.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<Shape<S>>,
     /// The inertia in numbers; it replaces the shape's inertia.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inertia: Option<Inertia<S>>,
     /// Makes this body a beam that bends, twists and shears.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flexible: Option<Flexible<S>>,
     /// The centre of mass in the drawing frame, m.
     #[serde(default)]
@@ -53,26 +43,14 @@ impl<S: Leaf> Body<S> {
 }
 
 /// A named point of a body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Point", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Point<S = f64> {
     /// Position in the body's drawing frame, m.
     pub position_m: [S; 3],
 }
 
 /// A homogeneous solid, or a point mass.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Shape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Shape<S = f64> {
     /// A solid box.
     Box(BoxShape<S>),
@@ -85,13 +63,7 @@ pub enum Shape<S = f64> {
 }
 
 /// A solid box, its edges along the body's axes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "BoxShape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct BoxShape<S = f64> {
     /// Extent along x, m.
     pub length_m: Positive<S>,
@@ -102,13 +74,7 @@ pub struct BoxShape<S = f64> {
 }
 
 /// A solid circular cylinder.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CylinderShape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct CylinderShape<S = f64> {
     /// Radius, m.
     pub radius_m: Positive<S>,
@@ -120,28 +86,20 @@ pub struct CylinderShape<S = f64> {
 }
 
 /// A solid sphere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SphereShape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SphereShape<S = f64> {
     /// Radius, m.
     pub radius_m: Positive<S>,
 }
 
 /// A point mass: no extent, no inertia of its own.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
+#[derive(Default)]
 pub struct PointShape {}
 
 /// One of the body's axes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum PrincipalAxis {
     /// Forward.
     X,
@@ -153,13 +111,7 @@ pub enum PrincipalAxis {
 }
 
 /// Inertia in numbers, about the centre of mass in body axes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Inertia", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Inertia<S = f64> {
     /// Moments and products of inertia.
     Tensor(InertiaTensor<S>),
@@ -168,13 +120,7 @@ pub enum Inertia<S = f64> {
 }
 
 /// Moments and products of inertia about the centre of mass in body axes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "InertiaTensor", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct InertiaTensor<S = f64> {
     /// Ixx, Iyy, Izz, kg m^2. None may exceed the sum of the other two.
     pub moments_kg_m2: [NonNegative<S>; 3],
@@ -184,13 +130,7 @@ pub struct InertiaTensor<S = f64> {
 }
 
 /// Radii of gyration about the centre of mass; the body's axes are its principal axes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RadiiOfGyration", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct RadiiOfGyration<S = f64> {
     /// kx, ky, kz, m.
     pub radii_m: [NonNegative<S>; 3],

@@ -1,19 +1,12 @@
 //! Clearances and air gaps of points.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{BoxShape, ContactPlane, CylinderShape, Name, SphereShape, yes};
-use crate::scenario::leaf::Leaf;
 
 /// The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
 /// solid. It is only measured: no force keeps the two apart.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Clearance", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Clearance<S = f64> {
     /// Whether the clearance is measured.
     #[serde(default = "yes")]
@@ -25,18 +18,11 @@ pub struct Clearance<S = f64> {
 }
 
 /// A point on a body, by its name or its position, or a point in the world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "OwnPoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct OwnPoint<S = f64> {
     /// The body, or `world`.
     pub body: Name,
     /// The name of one of the body's `points`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<Name>,
     /// The point in the body's drawing frame, m; measured from the named point if one is given.
     #[serde(default)]
@@ -44,18 +30,11 @@ pub struct OwnPoint<S = f64> {
 }
 
 /// A point, or a solid with its place on its body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ClearanceFrom", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct ClearanceFrom<S = f64> {
     /// The body, or `world`.
     pub body: Name,
     /// The name of one of the body's `points`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<Name>,
     /// The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; measured from the
     /// named point if one is given.
@@ -65,18 +44,11 @@ pub struct ClearanceFrom<S = f64> {
     #[serde(default)]
     pub orientation_rad: [S; 3],
     /// The solid; without it, the distance is to the point.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<ClearanceShape<S>>,
 }
 
 /// The solid that a point stays clear of.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ClearanceShape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum ClearanceShape<S = f64> {
     /// The body's own `shape`, centred on its centre of mass; give no position then.
     Own,
@@ -92,13 +64,7 @@ pub enum ClearanceShape<S = f64> {
 
 /// The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results;
 /// above the still water where there are no waves. Negative under water.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AirGap", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AirGap<S = f64> {
     /// Whether the clearance is measured.
     #[serde(default = "yes")]
@@ -106,7 +72,6 @@ pub struct AirGap<S = f64> {
     /// The body, or `world`.
     pub body: Name,
     /// The name of one of the body's `points`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<Name>,
     /// The point in the body's drawing frame, m; measured from the named point if one is given.
     #[serde(default)]

@@ -1,18 +1,12 @@
 //! Contact of a load with a deck, a quay, the seabed, another vessel.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{BoxShape, CylinderShape, Direction, Fraction, Name, NonNegative, Positive, SphereShape, yes};
 use crate::scenario::leaf::Leaf;
 
 /// Contact of a load with a surface: a normal force pushes the load out, and friction holds it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Contact", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Contact<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -22,7 +16,6 @@ pub struct Contact<S = f64> {
     /// The surface that the load touches: a deck, a quay, the seabed, a bumper.
     pub surface: ContactSurface<S>,
     /// Stiffness of each contact point, N/m: a box that stands on four corners has four times this stiffness.
-    #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: Positive<S>,
     /// Coefficient of restitution, from 0.1 to 1: rebound speed over impact speed, at `restitution_speed_m_s`. It is
     /// higher for slower impacts.
@@ -34,7 +27,6 @@ pub struct Contact<S = f64> {
     /// Coulomb's coefficient of friction; 0 for a smooth surface.
     pub friction_coefficient: NonNegative<S>,
     /// Tangential stiffness of each contact point while friction holds it, N/m; without it, `stiffness_N_per_m`.
-    #[serde(default, rename = "friction_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
     pub friction_stiffness_n_per_m: Option<Positive<S>>,
     /// Largest penetration, m: a deeper one is an error at the start and a warning during the run.
     #[serde(default = "tolerance::<S>")]
@@ -42,13 +34,7 @@ pub struct Contact<S = f64> {
 }
 
 /// The shape that touches, with its place on its body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ContactLoad", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct ContactLoad<S = f64> {
     /// The body.
     pub body: Name,
@@ -63,13 +49,7 @@ pub struct ContactLoad<S = f64> {
 }
 
 /// The shape of a load.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LoadShape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum LoadShape<S = f64> {
     /// A box: its corners touch, and corners of the surface touch its faces.
     Box(BoxShape<S>),
@@ -82,26 +62,14 @@ pub enum LoadShape<S = f64> {
 }
 
 /// Points that touch.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ContactPoints", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct ContactPoints<S = f64> {
     /// Positions from the shape's centre, in its axes, m; at most 64.
     pub positions_m: Vec<[S; 3]>,
 }
 
 /// The surface, with its place on its body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ContactSurface", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct ContactSurface<S = f64> {
     /// The body, or `world`.
     pub body: Name,
@@ -116,13 +84,7 @@ pub struct ContactSurface<S = f64> {
 }
 
 /// The shape of a surface.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SurfaceShape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum SurfaceShape<S = f64> {
     /// An infinite plane: the seabed, a quay, a deck whose edge no load reaches.
     Plane(ContactPlane<S>),
@@ -133,13 +95,7 @@ pub enum SurfaceShape<S = f64> {
 }
 
 /// A plane.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ContactPlane", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct ContactPlane<S = f64> {
     /// The outward normal, in the surface's axes, of any length except 0.
     #[serde(default = "up::<S>")]

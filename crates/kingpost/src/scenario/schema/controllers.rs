@@ -1,6 +1,6 @@
 //! Controllers: each stands before an input, takes its command and sets it.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{
     CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive, Selector,
@@ -10,13 +10,7 @@ use crate::scenario::leaf::Leaf;
 
 /// What stands between a command, of a user or of the operation, and an input. Its own command is an input with its name.
 /// A controller may stand before another.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Controller", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Controller<S = f64> {
     /// Shapes a command so that it leaves no swing.
     InputShaper(InputShaper<S>),
@@ -80,13 +74,7 @@ fn joint_targets<'a>(kind: &'static str, joints: &'a [CompensationDrive]) -> imp
 
 /// Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
 /// is zero.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "InputShaper", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct InputShaper<S = f64> {
     /// Whether the shaper acts; if not, its command passes.
     #[serde(default = "yes")]
@@ -107,9 +95,8 @@ pub struct InputShaper<S = f64> {
 }
 
 /// The impulses of an input shaper.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum ShaperKind {
     /// The command passes.
     None,
@@ -124,13 +111,7 @@ pub enum ShaperKind {
 
 /// Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
 /// reads, K and K_I the gains.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "StateFeedback", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct StateFeedback<S = f64> {
     /// Whether the controller acts; if not, its commands pass.
     #[serde(default = "yes")]
@@ -140,18 +121,11 @@ pub struct StateFeedback<S = f64> {
     /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
     pub steers: Vec<FeedbackSteer<S>>,
     /// Time between two samples, s: a whole number of steps; without it, one step.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub period_s: Option<Positive>,
 }
 
 /// A column that is fed back.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "FeedbackRead", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct FeedbackRead<S = f64> {
     /// The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
     /// `slewing.position`.
@@ -160,18 +134,11 @@ pub struct FeedbackRead<S = f64> {
     #[serde(default)]
     pub reference: S,
     /// The input in `steers` whose command is added to the reference; both have the same unit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub follows: Option<SignalName>,
 }
 
 /// An input that a feedback sets.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "FeedbackSteer", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct FeedbackSteer<S = f64> {
     /// The input.
     pub to: SignalName,
@@ -181,10 +148,8 @@ pub struct FeedbackSteer<S = f64> {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub integral_gains: Vec<S>,
     /// The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lower: Option<S>,
     /// The largest.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<S>,
 }
 

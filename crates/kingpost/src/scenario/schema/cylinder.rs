@@ -1,19 +1,13 @@
 //! A hydraulic cylinder.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
 /// A hydraulic cylinder between two pins: a force `stiffness (target length - length) - damping rate` along the line
 /// between them, limited to what it can push and pull. The target length changes no faster than the speed limit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Cylinder", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Cylinder<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -32,19 +26,15 @@ pub struct Cylinder<S = f64> {
     /// Largest rate of the target length, m/s.
     pub speed_limit_m_s: Positive<S>,
     /// Largest force outwards, N.
-    #[serde(rename = "push_limit_N")]
     pub push_limit_n: NonNegative<S>,
     /// Largest force inwards, N.
-    #[serde(rename = "pull_limit_N")]
     pub pull_limit_n: NonNegative<S>,
     /// Force per length, N/m.
-    #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: NonNegative<S>,
     /// Force per speed, N s/m.
-    #[serde(rename = "damping_N_s_per_m")]
     pub damping_n_s_per_m: NonNegative<S>,
     /// Stiffness of the stops at both ends of the stroke, N/m.
-    #[serde(default = "stop_stiffness::<S>", rename = "stop_stiffness_N_per_m")]
+    #[serde(default = "stop_stiffness::<S>")]
     pub stop_stiffness_n_per_m: NonNegative<S>,
     /// Dissipation of the stops, s/m: at a speed u into a stop its force is 1 + dissipation u times that of its spring.
     #[serde(default = "stop_dissipation::<S>")]
@@ -62,13 +52,7 @@ fn stop_dissipation<S: Leaf>() -> NonNegative<S> {
 }
 
 /// A point on a body, or in the world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Pin", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Pin<S = f64> {
     /// The body, or `world`.
     pub body: Name,
@@ -78,13 +62,8 @@ pub struct Pin<S = f64> {
 }
 
 /// The target length of a cylinder.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CylinderTarget", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub enum CylinderTarget<S = f64> {
     /// Keeps the length that it has at the start.
     #[default]
@@ -96,13 +75,8 @@ pub enum CylinderTarget<S = f64> {
 }
 
 /// A length to go to.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "TargetLength", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub struct TargetLength<S = f64> {
     /// Length between the pins, m.
     pub length_m: Positive<S>,

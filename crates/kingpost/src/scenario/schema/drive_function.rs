@@ -1,19 +1,12 @@
 //! Commands that are functions of time.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{NonNegative, Positive, SignalName, yes};
-use crate::scenario::leaf::Leaf;
 
 /// Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
 /// these commands, so that a load stays where it should.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "DriveFunction", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct DriveFunction<S = f64> {
     /// Whether the function is added; if not, the command passes.
     #[serde(default = "yes")]
@@ -26,7 +19,6 @@ pub struct DriveFunction<S = f64> {
     pub command: Vec<S>,
     /// The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
     /// the first time and the last after the last.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub period_s: Option<Positive>,
     /// Time in which the curve grows from 0 to its full size at the start of a run, in the same way as waves in the `ramp_s` of the sea, s;
     /// 0: it has its full size at once.

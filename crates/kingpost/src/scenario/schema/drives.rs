@@ -1,20 +1,13 @@
 //! Drives: what acts between two bodies, mostly in the joint that connects them.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::axes::slow;
 use super::histories::{History, HistoryList};
 use super::{ControlledDrive, CoordinateName, Cylinder, LinearControlledDrive, NonNegative, Positive, yes};
-use crate::scenario::leaf::Leaf;
 
 /// Forces between two bodies, mostly in the joint that connects them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Drive", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Drive<S = f64> {
     /// A torque about an axis.
     Motor(Motor<S>),
@@ -38,9 +31,7 @@ pub enum Drive<S = f64> {
 
 /// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
 /// with a `reverse_s` from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Pulse {
     /// When it begins, s.
     #[serde(default)]
@@ -55,13 +46,7 @@ pub struct Pulse {
 }
 
 /// A torque in a revolute joint; the reaction acts on the parent.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Motor", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Motor<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -69,27 +54,18 @@ pub struct Motor<S = f64> {
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
     pub joint: CoordinateName,
     /// Full torque, positive about the joint's axis, N m.
-    #[serde(rename = "torque_N_m")]
     pub torque_n_m: S,
     /// How the torque varies over time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<Pulse>,
     /// The times and shares of the history `list`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub list: Option<HistoryList<S>>,
 }
 
 /// A force in a prismatic joint; the reaction acts on the parent.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LinearMotor", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LinearMotor<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -97,27 +73,18 @@ pub struct LinearMotor<S = f64> {
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
     pub joint: CoordinateName,
     /// Full force, positive along the joint's axis, N.
-    #[serde(rename = "force_N")]
     pub force_n: S,
     /// How the force varies over time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<Pulse>,
     /// The times and shares of the history `list`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub list: Option<HistoryList<S>>,
 }
 
 /// A torque `stiffness (target - angle) - damping rate` in a revolute joint, clipped at the torque limit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Servo", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Servo<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -127,24 +94,15 @@ pub struct Servo<S = f64> {
     /// The angle to hold, rad.
     pub target_rad: S,
     /// Torque per angle, N m/rad.
-    #[serde(rename = "stiffness_N_m_per_rad")]
     pub stiffness_n_m_per_rad: NonNegative<S>,
     /// Torque per rate, N m s/rad.
-    #[serde(rename = "damping_N_m_s_per_rad")]
     pub damping_n_m_s_per_rad: NonNegative<S>,
     /// Largest torque, N m.
-    #[serde(rename = "torque_limit_N_m")]
     pub torque_limit_n_m: NonNegative<S>,
 }
 
 /// A force `stiffness (target - extension) - damping speed` in a prismatic joint, clipped at the force limit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LinearServo", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LinearServo<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -154,20 +112,16 @@ pub struct LinearServo<S = f64> {
     /// The extension to hold, m.
     pub target_m: S,
     /// Force per extension, N/m.
-    #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: NonNegative<S>,
     /// Force per speed, N s/m.
-    #[serde(rename = "damping_N_s_per_m")]
     pub damping_n_s_per_m: NonNegative<S>,
     /// Largest force, N.
-    #[serde(rename = "force_limit_N")]
     pub force_limit_n: NonNegative<S>,
 }
 
 /// How far a brake is set.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum BrakeState {
     /// At its full capacity.
     #[default]
@@ -179,13 +133,7 @@ pub enum BrakeState {
 }
 
 /// Dry friction about an axis, `torque rate / sqrt(rate^2 + smoothing^2)` when set.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Brake", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Brake<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -193,7 +141,6 @@ pub struct Brake<S = f64> {
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
     pub joint: CoordinateName,
     /// Capacity: the torque that it can hold, N m.
-    #[serde(rename = "torque_N_m")]
     pub torque_n_m: NonNegative<S>,
     /// Rate scale over which its torque changes sign smoothly, rad/s. A joint that it holds creeps more slowly than
     /// this.
@@ -205,13 +152,7 @@ pub struct Brake<S = f64> {
 }
 
 /// Dry friction along an axis, `force speed / sqrt(speed^2 + smoothing^2)` when set.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LinearBrake", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LinearBrake<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -219,7 +160,6 @@ pub struct LinearBrake<S = f64> {
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
     pub joint: CoordinateName,
     /// Capacity: the force that it can hold, N.
-    #[serde(rename = "force_N")]
     pub force_n: NonNegative<S>,
     /// Speed scale over which its force changes sign smoothly, m/s. A joint that it holds creeps more slowly than this.
     #[serde(default = "slow::<S>")]

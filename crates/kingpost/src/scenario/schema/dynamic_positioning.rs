@@ -1,19 +1,13 @@
 //! Dynamic positioning: thrusters that keep a ship in its place.
 
 use indexmap::IndexMap;
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
 /// A controller that holds a point of a ship at a position, and the ship on a heading, with thrusters.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "DynamicPositioning", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct DynamicPositioning<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -29,27 +23,20 @@ pub struct DynamicPositioning<S = f64> {
     /// The controller's gains.
     pub gains: PositioningGains<S>,
     /// The filter that keeps the thrusters from responding to every wave; without it they respond.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wave_filter: Option<WaveFilter<S>>,
     /// What is reduced when a thruster is at its limit.
     #[serde(default)]
     pub priority: ThrustPriority,
     /// Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
     /// this time constant. Without it sqrt(K_d / K_i), for surge, sway and yaw each.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub anti_windup_time_s: Option<Positive<S>>,
     /// The thrusters by name.
     pub thrusters: IndexMap<Name, Thruster<S>>,
 }
 
 /// A place and a heading.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "StationTarget", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
+#[derive(Copy, Default)]
 pub struct StationTarget<S = f64> {
     /// x in the world, m.
     pub x_m: S,
@@ -60,13 +47,7 @@ pub struct StationTarget<S = f64> {
 }
 
 /// Gains of surge, sway and yaw.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PositioningGains", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum PositioningGains<S = f64> {
     /// From the natural period and the damping ratio of the controlled ship.
     NaturalPeriods(Box<NaturalPeriods<S>>),
@@ -75,13 +56,7 @@ pub enum PositioningGains<S = f64> {
 }
 
 /// K_p = m omega^2, K_d = 2 zeta omega m, K_i = K_p / T_i with omega = 2 pi / period.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "NaturalPeriods", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct NaturalPeriods<S = f64> {
     /// Along the ship.
     pub surge: TranslationTuning<S>,
@@ -95,13 +70,8 @@ pub struct NaturalPeriods<S = f64> {
 }
 
 /// The response in surge or sway.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "TranslationTuning", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub struct TranslationTuning<S = f64> {
     /// Mass with the low-frequency added mass, kg.
     pub mass_kg: Positive<S>,
@@ -111,18 +81,12 @@ pub struct TranslationTuning<S = f64> {
     #[serde(default = "damping_ratio::<S>")]
     pub damping_ratio: Positive<S>,
     /// T_i, s; without it 10 / omega.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub integral_time_s: Option<Positive<S>>,
 }
 
 /// The response in yaw.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RotationTuning", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub struct RotationTuning<S = f64> {
     /// Moment of inertia about the vertical with the added one, kg m^2.
     pub inertia_kg_m2: Positive<S>,
@@ -132,7 +96,6 @@ pub struct RotationTuning<S = f64> {
     #[serde(default = "damping_ratio::<S>")]
     pub damping_ratio: Positive<S>,
     /// T_i, s; without it 10 / omega.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub integral_time_s: Option<Positive<S>>,
 }
 
@@ -141,43 +104,27 @@ fn damping_ratio<S: Leaf>() -> Positive<S> {
 }
 
 /// Gains as numbers: of surge and sway, and of yaw.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "StatedGains", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct StatedGains<S = f64> {
     /// Force per error, N/m.
-    #[serde(rename = "stiffness_N_per_m")]
     pub stiffness_n_per_m: [Positive<S>; 2],
     /// Force per velocity, N s/m.
-    #[serde(rename = "damping_N_s_per_m")]
     pub damping_n_s_per_m: [NonNegative<S>; 2],
     /// Rate of the force per error, N/(m s).
-    #[serde(default, rename = "integral_N_per_m_s")]
+    #[serde(default)]
     pub integral_n_per_m_s: [NonNegative<S>; 2],
     /// Moment per error, N m/rad.
-    #[serde(rename = "yaw_stiffness_N_m_per_rad")]
     pub yaw_stiffness_n_m_per_rad: Positive<S>,
     /// Moment per rate, N m s/rad.
-    #[serde(rename = "yaw_damping_N_m_s_per_rad")]
     pub yaw_damping_n_m_s_per_rad: NonNegative<S>,
     /// Rate of the moment per error, N m/(rad s).
-    #[serde(default, rename = "yaw_integral_N_m_per_rad_s")]
+    #[serde(default)]
     pub yaw_integral_n_m_per_rad_s: NonNegative<S>,
 }
 
 /// Notch filters and then a low-pass filter on the proportional and derivative part of the controller; the integrals
 /// are not filtered.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "WaveFilter", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct WaveFilter<S = f64> {
     /// Periods of the notches, s: the waves' peak period, or several periods around it.
     #[serde(default)]
@@ -186,7 +133,6 @@ pub struct WaveFilter<S = f64> {
     #[serde(default = "notch_ratio::<S>")]
     pub notch_damping_ratio: NonNegative<S>,
     /// Period of the low pass of second order, s; without it there is none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cutoff_period_s: Option<Positive<S>>,
     /// Damping ratio of the low pass.
     #[serde(default = "butterworth::<S>")]
@@ -202,9 +148,8 @@ fn butterworth<S: Leaf>() -> Positive<S> {
 }
 
 /// What is reduced when a thruster is at its limit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum ThrustPriority {
     /// The force is reduced and keeps its direction; the yaw moment is given first.
     #[default]
@@ -214,13 +159,7 @@ pub enum ThrustPriority {
 }
 
 /// A thruster.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Thruster", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Thruster<S = f64> {
     /// A propeller in a tunnel through the hull, with the same thrust both ways.
     Tunnel(TunnelThruster<S>),
@@ -231,13 +170,7 @@ pub enum Thruster<S = f64> {
 }
 
 /// A propeller in a tunnel.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "TunnelThruster", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct TunnelThruster<S = f64> {
     /// Whether the thruster runs.
     #[serde(default = "yes")]
@@ -248,7 +181,6 @@ pub struct TunnelThruster<S = f64> {
     #[serde(default = "athwartships::<S>")]
     pub direction_rad: S,
     /// Largest thrust, both ways, N.
-    #[serde(rename = "max_thrust_N")]
     pub max_thrust_n: Positive<S>,
     /// Time constant with which the thrust follows its command, s.
     pub time_constant_s: Positive<S>,
@@ -258,13 +190,7 @@ pub struct TunnelThruster<S = f64> {
 }
 
 /// A propeller on a fixed shaft.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "MainPropeller", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct MainPropeller<S = f64> {
     /// Whether the thruster runs.
     #[serde(default = "yes")]
@@ -275,10 +201,8 @@ pub struct MainPropeller<S = f64> {
     #[serde(default)]
     pub direction_rad: S,
     /// Largest thrust ahead, N.
-    #[serde(rename = "max_thrust_N")]
     pub max_thrust_n: Positive<S>,
     /// Largest thrust astern, N.
-    #[serde(rename = "max_astern_thrust_N")]
     pub max_astern_thrust_n: Positive<S>,
     /// Time constant with which the thrust follows its command, s.
     pub time_constant_s: Positive<S>,
@@ -288,13 +212,7 @@ pub struct MainPropeller<S = f64> {
 }
 
 /// A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AzimuthThruster", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AzimuthThruster<S = f64> {
     /// Whether the thruster runs.
     #[serde(default = "yes")]
@@ -302,7 +220,6 @@ pub struct AzimuthThruster<S = f64> {
     /// Where it acts, in the body's drawing frame, m.
     pub position_m: [S; 3],
     /// Largest thrust in any direction, N.
-    #[serde(rename = "max_thrust_N")]
     pub max_thrust_n: Positive<S>,
     /// Time constant with which both components of the thrust follow their commands, s.
     pub time_constant_s: Positive<S>,

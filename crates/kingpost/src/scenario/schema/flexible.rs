@@ -1,6 +1,6 @@
 //! Flexible bodies: beams of rigid segments with elastic joints between them.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
@@ -11,18 +11,11 @@ use crate::scenario::leaf::Leaf;
 /// The beam is cut into pieces with an elastic joint in the middle of each. The body keeps its name for the first half
 /// piece, with the body's joint; the segments after it are `boom.1`, `boom.2`, and so on. A child of the body is
 /// attached to the segment at its `position_m`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Flexible", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Flexible<S = f64> {
     /// Number of elastic joints along the beam, from 1 to 64.
     pub segments: u64,
     /// Young's modulus, Pa.
-    #[serde(rename = "youngs_modulus_Pa")]
     pub youngs_modulus_pa: Positive<S>,
     /// Poisson's ratio, between -1 and 0.5; the shear modulus is E / (2 (1 + nu)).
     #[serde(default = "steel::<S>")]
@@ -30,10 +23,8 @@ pub struct Flexible<S = f64> {
     /// The cross-section.
     pub section: Section<S>,
     /// Length, m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length_m: Option<Positive<S>>,
     /// Damping in proportion to the stiffness; none when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub damping: Option<FlexibleDamping<S>>,
 }
 
@@ -42,13 +33,7 @@ fn steel<S: Leaf>() -> S {
 }
 
 /// A beam's cross-section: y to port, z up.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Section", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Section<S = f64> {
     /// A round tube or bar.
     CircularTube(CircularTube<S>),
@@ -59,13 +44,7 @@ pub enum Section<S = f64> {
 }
 
 /// A round tube; a solid bar if the wall is half of the diameter.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CircularTube", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct CircularTube<S = f64> {
     /// Outer diameter, m.
     pub outer_diameter_m: Positive<S>,
@@ -74,13 +53,7 @@ pub struct CircularTube<S = f64> {
 }
 
 /// A rectangular tube with walls of one thickness.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RectangularTube", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct RectangularTube<S = f64> {
     /// Outer extent along y, m.
     pub width_m: Positive<S>,
@@ -91,13 +64,7 @@ pub struct RectangularTube<S = f64> {
 }
 
 /// A cross-section by its numbers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "GeneralSection", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct GeneralSection<S = f64> {
     /// Area, m^2.
     pub area_m2: Positive<S>,
@@ -106,18 +73,11 @@ pub struct GeneralSection<S = f64> {
     /// Torsion constant, m^4.
     pub torsion_constant_m4: Positive<S>,
     /// Shear areas for forces along y and along z, m^2; without them the beam does not shear.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_areas_m2: Option<[Positive<S>; 2]>,
 }
 
 /// Damping in proportion to the stiffness: each elastic joint's moment is K (angle + time rate).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "FlexibleDamping", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum FlexibleDamping<S = f64> {
     /// From the damping ratio of a mode of a given frequency.
     Ratio(DampingRatio<S>),
@@ -126,29 +86,16 @@ pub enum FlexibleDamping<S = f64> {
 }
 
 /// The damping ratio of a mode; those of other modes are in proportion to their frequencies.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "DampingRatio", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct DampingRatio<S = f64> {
     /// Damping over critical damping.
     pub ratio: NonNegative<S>,
     /// Frequency of the mode, Hz.
-    #[serde(rename = "frequency_Hz")]
     pub frequency_hz: Positive<S>,
 }
 
 /// Damping over stiffness.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "StiffnessTime", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct StiffnessTime<S = f64> {
     /// s.
     pub time_s: NonNegative<S>,

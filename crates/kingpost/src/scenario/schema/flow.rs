@@ -1,18 +1,12 @@
 //! Wind, current, and their loads by coefficients.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Gusts, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
 /// The wind: uniform at each height, steady or with gusts.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Wind", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Wind<S = f64> {
     /// Mean speed at the reference height, m/s.
     pub speed_m_s: NonNegative<S>,
@@ -25,7 +19,6 @@ pub struct Wind<S = f64> {
     #[serde(default)]
     pub profile: WindProfile<S>,
     /// Variation of the speed about its mean; without it, the wind is steady.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gusts: Option<Gusts<S>>,
     /// Density of the air, kg/m^3.
     #[serde(default = "air::<S>")]
@@ -41,13 +34,8 @@ fn air<S: Leaf>() -> Positive<S> {
 }
 
 /// Speed of the wind over height.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "WindProfile", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub enum WindProfile<S = f64> {
     /// The same at all heights.
     Uniform,
@@ -66,13 +54,8 @@ impl<S: Leaf> Default for WindProfile<S> {
 }
 
 /// U(z) = U (z / z_reference)^exponent; of a current U(z) = U ((h + z) / h)^exponent, with h the water's depth.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PowerLaw", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
+#[derive(Copy)]
 pub struct PowerLaw<S = f64> {
     /// 1/7 unless given.
     pub exponent: NonNegative<S>,
@@ -85,26 +68,16 @@ impl<S: Leaf> Default for PowerLaw<S> {
 }
 
 /// U(z) = U ln(z / roughness) / ln(z_reference / roughness).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Logarithmic", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub struct Logarithmic<S = f64> {
     /// Height at which the mean wind is zero by this law, m: 0.0001 to 0.01 at sea.
     pub roughness_m: Positive<S>,
 }
 
 /// Speed of the current over depth.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CurrentProfile", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Default)]
 pub enum CurrentProfile<S = f64> {
     /// The same at all depths.
     #[default]
@@ -116,13 +89,7 @@ pub enum CurrentProfile<S = f64> {
 }
 
 /// The current at given depths. Its components are linear between depths and constant below the last.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CurrentTable", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct CurrentTable<S = f64> {
     /// Depths under the still water, m, from 0 on, increasing.
     pub depths_m: Vec<f64>,
@@ -133,13 +100,8 @@ pub struct CurrentTable<S = f64> {
 }
 
 /// Which speed of a current profile a load uses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CurrentSpeed", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub enum CurrentSpeed<S = f64> {
     /// The root mean square over the draught, as drag needs it.
     #[default]
@@ -151,26 +113,15 @@ pub enum CurrentSpeed<S = f64> {
 }
 
 /// A depth.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CurrentAtDepth", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub struct CurrentAtDepth<S = f64> {
     /// Under the still water, m.
     pub depth_m: NonNegative<S>,
 }
 
 /// The wind on a body by coefficients of its relative velocity.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "WindLoad", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct WindLoad<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -189,13 +140,7 @@ pub struct WindLoad<S = f64> {
 
 /// The current on a body by coefficients of its relative velocity. It damps surge, sway and yaw too: add no other
 /// damping for the current.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CurrentLoad", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct CurrentLoad<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -206,7 +151,6 @@ pub struct CurrentLoad<S = f64> {
     #[serde(default)]
     pub position_m: [S; 3],
     /// Draught over which a current profile is averaged, m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub draught_m: Option<Positive<S>>,
     /// Which speed of a current profile is used.
     #[serde(default)]
@@ -217,13 +161,7 @@ pub struct CurrentLoad<S = f64> {
 
 /// C_x, C_y, C_n in F_x = rho/2 V^2 A_x C_x, F_y = rho/2 V^2 A_y C_y, M_z = rho/2 V^2 A_y L C_n, in the body's axes, with V the
 /// relative velocity; a smooth curve through the points.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "FlowCoefficients", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct FlowCoefficients<S = f64> {
     /// Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
     /// from ahead, as in OCIMF.

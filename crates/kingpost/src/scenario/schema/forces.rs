@@ -1,6 +1,6 @@
 //! Forces that act on the bodies from outside.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{
     CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Hydrodynamics, Name, NonNegative, Rope,
@@ -9,13 +9,7 @@ use super::{
 use crate::scenario::leaf::Leaf;
 
 /// Forces that act on the bodies from outside.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Force", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Force<S = f64> {
     /// Weight, downwards along the world's z axis.
     Gravity(Gravity<S>),
@@ -56,13 +50,7 @@ pub enum Force<S = f64> {
 }
 
 /// Weight of every body, downwards along the world's z axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Gravity", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
 pub struct Gravity<S = f64> {
     /// Whether the element acts.
     pub enabled: bool,
@@ -77,9 +65,8 @@ impl<S: Leaf> Default for Gravity<S> {
 }
 
 /// What the velocity is measured against where the sea has a current.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum DampedAgainst {
     /// The water at its surface: for friction and eddies of the hull.
     #[default]
@@ -90,13 +77,7 @@ pub enum DampedAgainst {
 }
 
 /// A force and a moment against a body's velocity and angular velocity, each in body axes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ViscousDamping", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct ViscousDamping<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -108,28 +89,20 @@ pub struct ViscousDamping<S = f64> {
     pub relative_to: DampedAgainst,
     /// The point where the force acts and whose velocity is used, in the body's drawing frame, m; without it, the
     /// centre of mass.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_m: Option<[S; 3]>,
     /// Force per velocity of the point along x, y, z of the body, N s/m.
-    #[serde(default, rename = "linear_N_s_m")]
+    #[serde(default)]
     pub linear_n_s_m: [NonNegative<S>; 3],
     /// Moment per roll, pitch, yaw rate, N m s.
-    #[serde(default, rename = "angular_N_m_s")]
+    #[serde(default)]
     pub angular_n_m_s: [NonNegative<S>; 3],
     /// A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
     /// x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub matrix: Option<Box<[[S; 6]; 6]>>,
 }
 
 /// A force -c |v| v and a moment -c |omega| omega, component by component in body axes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "QuadraticDamping", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct QuadraticDamping<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -143,9 +116,9 @@ pub struct QuadraticDamping<S = f64> {
     #[serde(default)]
     pub position_m: [S; 3],
     /// Force per square of velocity along x, y, z of the body, N s^2/m^2.
-    #[serde(default, rename = "linear_N_s2_m2")]
+    #[serde(default)]
     pub linear_n_s2_m2: [NonNegative<S>; 3],
     /// Moment per square of the roll, pitch, yaw rate, N m s^2.
-    #[serde(default, rename = "angular_N_m_s2")]
+    #[serde(default)]
     pub angular_n_m_s2: [NonNegative<S>; 3],
 }

@@ -1,6 +1,6 @@
 //! Tanks that are open to the sea, and the pumps of their air.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
@@ -8,13 +8,7 @@ use crate::scenario::leaf::Leaf;
 /// A tank with vertical walls and an opening to the sea in its bottom. The water in it is a body of its own, with the tank's
 /// name, whose level is a degree of freedom: the body that carries the tank must not contain its mass. The hull's data are
 /// for the closed hull.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "FreeFloodingTank", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct FreeFloodingTank<S = f64> {
     /// Whether the opening is open; if not, the water is frozen at `level_m`, its mass stays, and the pump has no effect.
     #[serde(default = "yes")]
@@ -47,7 +41,6 @@ pub struct FreeFloodingTank<S = f64> {
     pub initial_rise_m: S,
     /// A pump that sets the pressure of the air above the water: an input with the tank's name, from -1 to 1, which presses
     /// the water out if positive and sucks it in if negative. Without a pump the tank is open to the atmosphere.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub air_pump: Option<AirPump<S>>,
 }
 
@@ -56,16 +49,9 @@ fn no_rise<S: Leaf>() -> S {
 }
 
 /// A pump that follows the commanded pressure of the air with a first-order lag, as far as its flow allows.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AirPump", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AirPump<S = f64> {
     /// Largest pressure above and below that of the atmosphere, Pa: below 101325.
-    #[serde(rename = "pressure_limit_Pa")]
     pub pressure_limit_pa: Positive<S>,
     /// Largest flow, either way, of air at the pressure of the atmosphere, m^3/s.
     pub flow_limit_m3_s: Positive<S>,

@@ -1,26 +1,19 @@
 //! Gas springs of sliding axes.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::Positive;
 use crate::scenario::leaf::Leaf;
 
 /// A cylinder with gas, and the vessels connected to it, which push an axis towards larger extensions: `p V^n` is constant.
 /// The axis needs a lower limit at which gas is left. Its outputs are `gas_spring_pressure` (Pa) and `gas_spring_force` (N).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "GasSpring", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct GasSpring<S = f64> {
     /// Area of the piston, m^2.
     pub piston_area_m2: Positive<S>,
     /// Volume of all the gas, that of connected vessels included, at `at_extension_m`, m^3.
     pub gas_volume_m3: Positive<S>,
     /// Absolute pressure of the gas at `at_extension_m`, Pa.
-    #[serde(rename = "pressure_Pa")]
     pub pressure_pa: Positive<S>,
     /// Extension at which the gas has this volume and pressure, m.
     #[serde(default)]
@@ -29,7 +22,7 @@ pub struct GasSpring<S = f64> {
     #[serde(default = "adiabatic::<S>")]
     pub polytropic_exponent: Positive<S>,
     /// Absolute pressure on the other side of the piston, Pa: that of the atmosphere by default.
-    #[serde(rename = "outside_pressure_Pa", default = "atmosphere::<S>")]
+    #[serde(default = "atmosphere::<S>")]
     pub outside_pressure_pa: Positive<S>,
 }
 

@@ -1,19 +1,13 @@
 //! Gusts of the wind.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{NonNegative, Positive, WaveAmplitudes};
 use crate::scenario::leaf::Leaf;
 
 /// Gusts: variation of the wind speed about its mean, drawn from a spectrum with the run's seed. They act along the
 /// mean wind and on the whole ship at once.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Gusts", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
 pub struct Gusts<S = f64> {
     /// Whether they blow.
     pub enabled: bool,
@@ -24,10 +18,8 @@ pub struct Gusts<S = f64> {
     /// Whether the amplitudes are random or those of the spectrum.
     pub amplitudes: WaveAmplitudes,
     /// Lowest frequency, Hz: slower gusts are left out. 1/3600 unless given, for a mean over one hour.
-    #[serde(rename = "lowest_Hz")]
     pub lowest_hz: Positive,
     /// Highest frequency, Hz: faster gusts, which are smaller than a ship, are left out.
-    #[serde(rename = "highest_Hz")]
     pub highest_hz: Positive,
     /// Time over which the gusts grow from zero at the start, s.
     pub ramp_s: NonNegative,
@@ -48,13 +40,8 @@ impl<S: Leaf> Default for Gusts<S> {
 }
 
 /// The spectrum of the gusts, for the mean wind at the height of the load.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "GustSpectrum", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub enum GustSpectrum<S = f64> {
     /// The spectrum of the Norwegian Petroleum Directorate, in ISO 19901-1 and API RP 2MET.
     #[default]
@@ -66,13 +53,8 @@ pub enum GustSpectrum<S = f64> {
 }
 
 /// S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3), f_p = c U / z, sigma by API RP 2A at the height z.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ApiGusts", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
+#[derive(Copy)]
 pub struct ApiGusts<S = f64> {
     /// c: 0.01 to 0.1, 0.025 unless given.
     pub peak_coefficient: Positive<S>,
@@ -85,13 +67,8 @@ impl<S: Leaf> Default for ApiGusts<S> {
 }
 
 /// S = 4 sigma^2 (L / U) / (1 + 6 f L / U)^(5/3), sigma = I U.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "KaimalGusts", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub struct KaimalGusts<S = f64> {
     /// I: standard deviation of the speed over the mean speed.
     pub turbulence_intensity: Positive<S>,

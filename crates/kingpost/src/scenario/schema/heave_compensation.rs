@@ -1,6 +1,6 @@
 //! Active heave compensation.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Fraction, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
@@ -8,13 +8,7 @@ use crate::scenario::leaf::Leaf;
 /// Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
 /// input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
 /// `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "HeaveCompensation", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct HeaveCompensation<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -29,7 +23,6 @@ pub struct HeaveCompensation<S = f64> {
     pub drive: Name,
     /// The motion reference unit or inertial unit that it measures the tip's motion by; without it, it knows that motion exactly and
     /// at once.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.
     pub period_s: Positive,
@@ -40,19 +33,12 @@ pub struct HeaveCompensation<S = f64> {
     #[serde(default = "gain::<S>")]
     pub position_gain_per_s: NonNegative<S>,
     /// Prediction over all delays; without it, it commands the velocity that it has measured.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prediction: Option<HeavePrediction<S>>,
 }
 
 /// Prediction of the ship's motion over the delay of the sensor, the time for which a command is held, and the response
 /// of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "HeavePrediction", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct HeavePrediction<S = f64> {
     /// Shortest period of the tip's motion, s; at least four times period_s.
     #[serde(default = "shortest")]
@@ -68,7 +54,6 @@ pub struct HeavePrediction<S = f64> {
     #[serde(default)]
     pub extra_delay_s: NonNegative<S>,
     /// Time constant of the drive's response, which it inverts, s; without it, the response_time_s of each drive.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive_response_s: Option<NonNegative<S>>,
 }
 

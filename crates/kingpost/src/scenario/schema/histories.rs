@@ -1,14 +1,12 @@
 //! Histories of strengths and rates over time, and motions given by their distance.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{NonNegative, Positive};
-use crate::scenario::leaf::Leaf;
 
 /// How a drive's strength varies over time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum History {
     /// Full strength from the start on.
     #[default]
@@ -23,13 +21,7 @@ pub enum History {
 
 /// Shares of the full strength at given times, linear between them: 0 before the first time, the last share after the
 /// last.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "HistoryList", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct HistoryList<S = f64> {
     /// Times in increasing order, s. The same time twice is a jump: a motor may have one, a prescribed rate may not.
     pub time_s: Vec<NonNegative>,
@@ -40,9 +32,7 @@ pub struct HistoryList<S = f64> {
 /// Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
 /// `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back
 /// to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct RatePulse {
     /// When it begins, s.
     #[serde(default)]
@@ -58,13 +48,7 @@ pub struct RatePulse {
 
 /// Turning by an angle, from rest to rest: the rate goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
 /// ramps it is `angle / (duration_s - ramp_s)`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AngleTravel", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AngleTravel<S = f64> {
     /// How far it turns, positive about the axis, rad.
     pub angle_rad: S,
@@ -79,13 +63,7 @@ pub struct AngleTravel<S = f64> {
 
 /// Sliding by a length, from rest to rest: the speed goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
 /// ramps it is `length / (duration_s - ramp_s)`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LengthTravel", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LengthTravel<S = f64> {
     /// How far it slides, positive along the axis, m.
     pub length_m: S,
@@ -99,13 +77,7 @@ pub struct LengthTravel<S = f64> {
 }
 
 /// An oscillation about the initial angle, `A sin(2 pi t / T + phase)`. It grows smoothly from rest in `ramp_s`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AngleOscillation", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct AngleOscillation<S = f64> {
     /// A, rad.
     pub amplitude_rad: S,
@@ -119,13 +91,7 @@ pub struct AngleOscillation<S = f64> {
 }
 
 /// An oscillation about the initial extension, `A sin(2 pi t / T + phase)`. It grows smoothly from rest in `ramp_s`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LengthOscillation", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LengthOscillation<S = f64> {
     /// A, m.
     pub amplitude_m: S,

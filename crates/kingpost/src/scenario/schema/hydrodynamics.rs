@@ -1,19 +1,12 @@
 //! The water on a hull.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, Positive, yes};
-use crate::scenario::leaf::Leaf;
 
 /// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
 /// It does not contain weight: `gravity` acts on every body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Hydrodynamics", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Hydrodynamics<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -66,9 +59,8 @@ fn slow_motion_cutoff() -> Positive {
 }
 
 /// How buoyancy is computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum Hydrostatics {
     /// From the waterplane at the database's draught, to second order in the motions.
     #[default]

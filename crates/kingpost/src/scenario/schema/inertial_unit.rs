@@ -1,21 +1,14 @@
 //! An inertial unit and its filter.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{AccelerationErrors, AngleErrors, DropOuts, Name, Positive, RateErrors, yes};
-use crate::scenario::leaf::Leaf;
 
 /// Finds the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state Kalman filter. Its
 /// outputs are those of a motion reference unit with horizontal motion, and `measured_specific_force.x`, `.y`, `.z` (m/s^2,
 /// body axes): the acceleration less that of gravity. Without a receiver it finds the motion about the mean place. It begins
 /// as after a long time at rest.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "InertialUnit", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct InertialUnit<S = f64> {
     /// Whether the sensor measures.
     #[serde(default = "yes")]
@@ -31,30 +24,24 @@ pub struct InertialUnit<S = f64> {
     #[serde(default)]
     pub delay_samples: usize,
     /// Errors of each accelerometer; without them all are exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub acceleration_errors: Option<AccelerationErrors<S>>,
     /// Errors of each gyroscope; without them all are exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate_errors: Option<RateErrors<S>>,
     /// Errors of the gyrocompass; without them it is exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heading_errors: Option<AngleErrors<S>>,
     /// A satellite receiver on the same body that helps: with it, the displacement is that from the start, however slow.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub receiver: Option<Name>,
     /// What the filter assumes.
     #[serde(default)]
     pub filter: InertialFilter,
     /// Failures of the connection to the unit; without them it always works.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drop_outs: Option<DropOuts>,
 }
 
 /// What the filter of an inertial unit assumes of its instruments and of the motion. The instruments' noise need not be the true
 /// one. Derivatives do not go through these numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
+#[derive(Copy)]
 pub struct InertialFilter {
     /// Standard deviation of the noise of an accelerometer in a sample, m/s^2.
     pub acceleration_noise_m_s2: Positive,

@@ -1,13 +1,12 @@
 //! The schemes that step the state, and their settings.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use crate::scenario::range::{Fraction, NonNegative, Positive};
 
 /// The scheme that steps the state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum Integrator {
     /// Explicit Euler with the start-of-step angular velocity in Rodrigues' formula, as in the paper; order 1.
     ForwardEuler,
@@ -31,9 +30,8 @@ pub enum Integrator {
 }
 
 /// Tolerances of the dormand_prince integrator.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
+#[derive(Copy)]
 pub struct DormandPrinceSettings {
     /// Error that a step may make in each coordinate, rad or m, and in each rate, rad/s or m/s.
     pub absolute_tolerance: Positive,
@@ -54,9 +52,8 @@ impl Default for DormandPrinceSettings {
 }
 
 /// The weights of the newmark integrator. It is stable at any step where 2 beta >= gamma >= 1/2.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
+#[derive(Copy)]
 pub struct NewmarkSettings {
     /// Weight of the acceleration at the end of the step in the position, from 0 to 0.5.
     pub beta: Fraction,
@@ -72,9 +69,8 @@ impl Default for NewmarkSettings {
 }
 
 /// How much the generalized_alpha integrator damps.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
+#[derive(Copy)]
 pub struct GeneralizedAlphaSettings {
     /// Factor by which one step reduces oscillations much faster than the step: from 0, all removed, to 1, no damping.
     pub rho_infinity: Fraction,

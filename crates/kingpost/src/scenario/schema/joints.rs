@@ -1,6 +1,6 @@
 //! Joints: how a body moves relative to its parent.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::axes::one;
 use super::gas_spring::GasSpring;
@@ -13,13 +13,7 @@ use super::{
 use crate::scenario::leaf::Leaf;
 
 /// How a body moves relative to its parent.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Joint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Joint<S = f64> {
     /// Free in the world, in six degrees; translation and rotation can be held.
     Floating(FloatingJoint<S>),
@@ -113,16 +107,10 @@ pub struct JointPlace<S = f64> {
 }
 
 /// A body that moves freely in the world. Its parent is the world.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "FloatingJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
+#[derive(Default)]
 pub struct FloatingJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// Holds the centre of mass where it is.
     pub hold_translation: bool,
@@ -133,13 +121,8 @@ pub struct FloatingJoint<S = f64> {
 }
 
 /// Where a floating body is and how it moves at the start.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "InitialMotion", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
+#[derive(Default)]
 pub struct InitialMotion<S = f64> {
     /// Position of the centre of mass in the world, m.
     pub position_m: [S; 3],
@@ -152,16 +135,9 @@ pub struct InitialMotion<S = f64> {
 }
 
 /// A hinge.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RevoluteJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct RevoluteJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis in this body's axes, of any length except 0.
     pub axis: Direction<S>,
@@ -181,16 +157,13 @@ pub struct RevoluteJoint<S = f64> {
     #[serde(default)]
     pub initial_rate_rad_s: S,
     /// Viscous damping moment per rate, N m s.
-    #[serde(default, rename = "damping_N_m_s")]
+    #[serde(default)]
     pub damping_n_m_s: NonNegative<S>,
     /// Dry friction.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<AngleFriction<S>>,
     /// A spring.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<AngleSpring<S>>,
     /// Stops at the ends of the travel.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limits: Option<AngleLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
     #[serde(default)]
@@ -221,16 +194,9 @@ impl<S: Leaf> RevoluteJoint<S> {
 }
 
 /// A slide.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PrismaticJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PrismaticJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis in this body's axes, of any length except 0.
     pub axis: Direction<S>,
@@ -250,19 +216,15 @@ pub struct PrismaticJoint<S = f64> {
     #[serde(default)]
     pub initial_speed_m_s: S,
     /// Viscous damping force per speed, N s/m.
-    #[serde(default, rename = "damping_N_s_m")]
+    #[serde(default)]
     pub damping_n_s_m: NonNegative<S>,
     /// Dry friction.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<LengthFriction<S>>,
     /// A spring.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spring: Option<LengthSpring<S>>,
     /// A gas spring, which pushes towards larger extensions.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gas_spring: Option<GasSpring<S>>,
     /// Stops at the ends of the travel.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limits: Option<LengthLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
     #[serde(default)]
@@ -294,16 +256,10 @@ impl<S: Leaf> PrismaticJoint<S> {
 }
 
 /// No motion relative to the parent.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "FixedJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
+#[derive(Default)]
 pub struct FixedJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The joint in the parent's drawing frame, m.
     pub position_m: [S; 3],

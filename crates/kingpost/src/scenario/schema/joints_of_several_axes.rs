@@ -1,21 +1,13 @@
 //! Joints of several axes, and the spherical joint.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{AngleAxis, Direction, LengthAxis, Name, NonNegative};
-use crate::scenario::leaf::Leaf;
 
 /// Turns about and slides along one axis. Its coordinates are `rotation` and `translation`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CylindricalJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct CylindricalJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis in this body's axes, of any length except 0.
     pub axis: Direction<S>,
@@ -39,16 +31,9 @@ pub struct CylindricalJoint<S = f64> {
 
 /// Turns about an axis fixed in the parent, then about an axis fixed in this body. Its coordinates are `first` and
 /// `second`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "UniversalJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct UniversalJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis fixed in the parent, given in this body's axes at angle 0, of any length except 0.
     pub first_axis: Direction<S>,
@@ -73,16 +58,9 @@ pub struct UniversalJoint<S = f64> {
 }
 
 /// Slides in a plane fixed in the parent and turns about its normal. Its coordinates are `x`, `y` and `rotation`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PlanarJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PlanarJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The plane's normal in this body's axes, of any length except 0.
     pub normal: Direction<S>,
@@ -112,16 +90,10 @@ pub struct PlanarJoint<S = f64> {
 
 /// Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity relative to the parent in this body's
 /// axes.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SphericalJoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Default)]
 pub struct SphericalJoint<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
@@ -141,7 +113,7 @@ pub struct SphericalJoint<S = f64> {
     #[serde(default)]
     pub initial_angular_velocity_rad_s: [S; 3],
     /// Viscous damping moment per angular velocity, N m s.
-    #[serde(default, rename = "damping_N_m_s")]
+    #[serde(default)]
     pub damping_n_m_s: NonNegative<S>,
     /// Holds the orientation relative to the parent.
     #[serde(default)]

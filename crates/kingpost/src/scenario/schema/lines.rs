@@ -1,19 +1,12 @@
 //! Mooring lines and hawsers.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{NonNegative, Pin, Positive, yes};
-use crate::scenario::leaf::Leaf;
 
 /// A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring when
 /// it is longer than its unstretched length.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SpringLine", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SpringLine<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -25,7 +18,6 @@ pub struct SpringLine<S = f64> {
     /// Length without tension, m.
     pub unstretched_length_m: Positive<S>,
     /// EA: tension per strain, N.
-    #[serde(rename = "axial_stiffness_N")]
     pub axial_stiffness_n: Positive<S>,
     /// Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never less than 0.
     #[serde(default)]
@@ -34,13 +26,7 @@ pub struct SpringLine<S = f64> {
 
 /// A mooring line from a fairlead to an anchor: quasi-static, an elastic catenary at every moment. It has no inertia,
 /// no drag and no seabed friction.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CatenaryLine", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct CatenaryLine<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -52,10 +38,8 @@ pub struct CatenaryLine<S = f64> {
     /// Length without tension, m.
     pub unstretched_length_m: Positive<S>,
     /// Weight in water per unstretched length, N/m.
-    #[serde(rename = "weight_in_water_N_per_m")]
     pub weight_in_water_n_per_m: Positive<S>,
     /// EA: tension per strain, N.
-    #[serde(rename = "axial_stiffness_N")]
     pub axial_stiffness_n: Positive<S>,
     /// Whether the line can lie on a flat seabed at the anchor's depth. Without it the line hangs freely.
     #[serde(default = "yes")]

@@ -1,19 +1,13 @@
 //! Closed loops: constraints between two bodies in addition to their joints.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
 /// A joint that closes a loop, written as constraints between the two bodies that it connects. Give only constraints
 /// that the other joints do not already impose: a four-bar linkage in the x-z plane needs x and z.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Loop", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Loop<S = f64> {
     /// Whether the loop holds.
     #[serde(default = "yes")]
@@ -36,13 +30,7 @@ fn start_gap() -> NonNegative {
 }
 
 /// A point with axes on a body, or in the world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Attachment", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Attachment<S = f64> {
     /// The body, or `world`.
     pub body: Name,
@@ -55,13 +43,8 @@ pub struct Attachment<S = f64> {
 }
 
 /// One equation between the two attachments.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Constraint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub enum Constraint<S = f64> {
     /// The second stays at x = 0 in the axes of the first.
     X,
@@ -80,13 +63,8 @@ pub enum Constraint<S = f64> {
 }
 
 /// A distance to keep.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Distance", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy)]
 pub struct Distance<S = f64> {
     /// Length of the rod, m.
     pub length_m: Positive<S>,

@@ -2,6 +2,7 @@
 //! come from here. SI units and radians; the unit of a quantity is in its name. No flattened or untagged enums: with
 //! them serde loses the place of an error.
 
+use kingpost_derive::fields;
 mod axes;
 mod bodies;
 mod clearances;
@@ -48,9 +49,6 @@ mod u_tank;
 mod waves;
 
 use indexmap::IndexMap;
-use serde::{Deserialize, Serialize};
-
-use super::leaf::Leaf;
 
 pub use super::named_files::NamedFiles;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
@@ -127,13 +125,7 @@ pub use waves::{
 };
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Scenario", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Scenario<S = f64> {
     /// The version of the file format: 1.
     pub version: Version,
@@ -159,10 +151,8 @@ pub struct Scenario<S = f64> {
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub loops: IndexMap<Name, Loop<S>>,
     /// The water, its depth and its waves.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sea: Option<Sea<S>>,
     /// The wind.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wind: Option<Wind<S>>,
     /// Forces on the bodies from outside, by name.
     #[serde(default)]
@@ -180,7 +170,6 @@ pub struct Scenario<S = f64> {
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub wires: IndexMap<Name, Wire>,
     /// The timeline that moves levers and set-points.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operation: Option<Operation<S>>,
     /// Limits on columns of the results, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
@@ -196,9 +185,7 @@ pub struct Scenario<S = f64> {
 pub const LIVE_SETTINGS: [&str; 1] = ["simulation.integrator"];
 
 /// Time stepping and recording.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
 pub struct SimulationSettings {
     /// The scheme that steps the state.
     pub integrator: Integrator,
@@ -244,9 +231,8 @@ impl Default for SimulationSettings {
 }
 
 /// The form in which the equations of motion are solved. The first two give the same motion.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum EquationForm {
     /// The recursion: fast.
     #[default]

@@ -1,6 +1,6 @@
 //! Compensation of a ship's motion in several axes.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Fraction, HeavePrediction, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
@@ -10,13 +10,7 @@ use crate::scenario::leaf::Leaf;
 /// inputs `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s at the
 /// load, positive: down) ask for. Its outputs are `compensation_offset` (m), `compensation_ship_velocity` (m/s) and
 /// `compensation_utilisation`. The set-points of its drives do not count.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ThreeAxisCompensation", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct ThreeAxisCompensation<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -32,7 +26,6 @@ pub struct ThreeAxisCompensation<S = f64> {
     pub joints: Vec<CompensationDrive>,
     /// The motion reference unit with horizontal motion, or the inertial unit, that it measures the tip's motion by; without it,
     /// it knows that motion exactly and at once.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.
     pub period_s: Positive,
@@ -47,20 +40,13 @@ pub struct ThreeAxisCompensation<S = f64> {
     #[serde(default = "damped_below::<S>")]
     pub damped_below_m_s: NonNegative<S>,
     /// Prediction over all delays; without it, it commands the velocity that it has measured.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prediction: Option<HeavePrediction<S>>,
 }
 
 /// A platform below a crane's pedestal that stays level and at its height by three or more driven joints. Its lever is an
 /// input with its name, from 0 (off) to 1 (on). Its outputs are `platform_offset` (sines of the tilt, and m) and
 /// `compensation_utilisation`. The set-points of its drives do not count.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PlatformCompensation", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PlatformCompensation<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -77,7 +63,6 @@ pub struct PlatformCompensation<S = f64> {
     pub joints: Vec<CompensationDrive>,
     /// The motion reference unit or inertial unit, on the ship, that it measures the motion by; without it, it knows the motion
     /// exactly and at once.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.
     pub period_s: Positive,
@@ -88,14 +73,11 @@ pub struct PlatformCompensation<S = f64> {
     #[serde(default = "gain::<S>")]
     pub position_gain_per_s: NonNegative<S>,
     /// Prediction over all delays; without it, it commands the velocities that it has measured.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prediction: Option<HeavePrediction<S>>,
 }
 
 /// A drive that a compensation commands.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct CompensationDrive {
     /// The controlled drive, with a speed as its set-point.
     pub drive: Name,

@@ -1,21 +1,18 @@
 //! Parts: other files that a scenario includes.
 
 use indexmap::IndexMap;
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 use serde_json::Value;
 
 use super::Name;
 
 /// A part and where it is mounted. Bodies that the part's file attaches to the world are attached to the mounting.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Mounting {
     /// The name of a part in the gallery, or the path of a YAML or JSON file from this file's folder.
     pub part: String,
     /// Prefix of the names of the part's bodies, joints, forces, drives, loops and parameters, followed by `_`; without
     /// it, the name of this entry. An empty prefix leaves the names as they are.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prefix: Option<String>,
     /// The body that the part is mounted on, or `world`.
     #[serde(default = "Name::world")]

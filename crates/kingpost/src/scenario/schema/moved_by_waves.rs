@@ -1,28 +1,19 @@
 //! Ships of which only the RAOs are known.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::Name;
-use crate::scenario::leaf::Leaf;
 
 /// A body that moves with the waves by displacement RAOs, whatever forces act on it. Its parent is the world. Its
 /// coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes relative to their mean
 /// place.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "MovedByWaves", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct MovedByWaves<S = f64> {
     /// Name of the joint; without it, the body's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The file of the RAOs: CSV whose column names state the conventions, or OrcaFlex's YAML with one vessel type.
     pub raos: String,
     /// Whether port and starboard are alike, for a CSV file with waves from 0 to 180 degrees only.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub symmetric: Option<bool>,
     /// The origin of the file's vessel axes in this body's drawing frame, m.
     #[serde(default)]

@@ -1,19 +1,12 @@
 //! An operation as a timeline, and limits on the results.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{NonNegative, Positive, SignalName, yes};
-use crate::scenario::leaf::Leaf;
 
 /// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
 /// move the inputs that it sets.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Operation", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Operation<S = f64> {
     /// Whether the operation runs; if not, the user sets the inputs.
     #[serde(default = "yes")]
@@ -23,13 +16,7 @@ pub struct Operation<S = f64> {
 }
 
 /// A step of an operation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "OperationStep", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct OperationStep<S = f64> {
     /// What the step does: "lift off".
     pub name: String,
@@ -37,21 +24,13 @@ pub struct OperationStep<S = f64> {
     #[serde(default = "none::<S>", skip_serializing_if = "Vec::is_empty")]
     pub set: Vec<InputMove<S>>,
     /// The condition that ends the step; without it, the step ends with its last move.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until: Option<Condition>,
     /// The longest time that the step may take, s. Then the run ends and reports what the step waited for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_out_s: Option<Positive>,
 }
 
 /// Moves an input: a lever, a brake, or the offset of a drive's set-point.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "InputMove", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct InputMove<S = f64> {
     /// The input, mostly by the name of its drive.
     pub input: SignalName,
@@ -59,7 +38,6 @@ pub struct InputMove<S = f64> {
     pub to: S,
     /// Unit of `to`: the input's SI unit (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN instead; without it,
     /// the SI unit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     /// When the move begins, s after the start of the step.
     #[serde(default)]
@@ -70,9 +48,7 @@ pub struct InputMove<S = f64> {
 }
 
 /// The condition that ends a step of an operation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
 pub enum Condition {
     /// The step has lasted this long, s.
     AfterS(NonNegative),
@@ -85,27 +61,20 @@ pub enum Condition {
 }
 
 /// A range of a column of the results: above a bound, below one, or both.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct ColumnRange {
     /// The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
     pub column: String,
     /// The value is above this.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub above: Option<f64>,
     /// The value is below this.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub below: Option<f64>,
     /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
 }
 
 /// A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Limit {
     /// Whether the limit counts.
     #[serde(default = "yes")]
@@ -113,16 +82,12 @@ pub struct Limit {
     /// The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
     pub column: String,
     /// The largest value that is allowed.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_most: Option<f64>,
     /// The smallest value that is allowed.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at_least: Option<f64>,
     /// The largest absolute value that is allowed.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<NonNegative>,
     /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     /// Time from which the limit applies, s; without it, from the start.
     #[serde(default)]

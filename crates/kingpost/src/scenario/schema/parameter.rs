@@ -1,5 +1,6 @@
 //! Parameters of a scenario, each with the fields that it sets.
 
+use kingpost_derive::fields;
 use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -9,9 +10,7 @@ use super::Name;
 use crate::scenario::wording::PARAMETER_VALUE;
 
 /// A parameter that a user can change. Command line, Python and the app set the fields in `writes` by its name.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Parameter {
     /// The name by which it is set; it may not be the name of a field at the top of the file.
     pub name: Name,
@@ -22,13 +21,10 @@ pub struct Parameter {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub unit: String,
     /// The default value; without it, the value of the first field in `writes`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub default: Option<ParameterValue>,
     /// Least and largest value of a number.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub range: Option<[f64; 2]>,
     /// The texts allowed.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub choices: Option<Vec<String>>,
     /// Whether it can change during a run; if not, it takes effect at the next reset.
     #[serde(default)]

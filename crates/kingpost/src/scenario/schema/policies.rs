@@ -1,6 +1,6 @@
 //! Controllers that learned what they do, and the choice between controllers.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, Positive, SignalName, yes};
 use crate::scenario::leaf::Leaf;
@@ -8,13 +8,7 @@ use crate::scenario::leaf::Leaf;
 /// Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
 /// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
 /// upper (a = 1).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Policy", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Policy<S = f64> {
     /// Whether the controller acts; if not, its commands pass.
     #[serde(default = "yes")]
@@ -26,18 +20,11 @@ pub struct Policy<S = f64> {
     /// The layers, the first one first.
     pub layers: Vec<PolicyLayer<S>>,
     /// Time between two samples, s: a whole number of steps; without it, one step.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub period_s: Option<Positive>,
 }
 
 /// A number that a policy sees.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PolicyRead", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PolicyRead<S = f64> {
     /// The column of the results, or a state of a drive as the linear analysis names it.
     pub column: String,
@@ -53,41 +40,25 @@ pub struct PolicyRead<S = f64> {
 }
 
 /// A column that is added to another.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct AlsoRead {
     /// The column.
     pub column: String,
 }
 
 /// An input that a policy sets.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PolicySteer", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PolicySteer<S = f64> {
     /// The input.
     pub to: SignalName,
     /// Its value at -1, in its SI unit; without it, the smallest that it can have.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lower: Option<S>,
     /// Its value at 1; without it, the largest.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub upper: Option<S>,
 }
 
 /// A layer of a policy: tanh(W x + b).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PolicyLayer", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PolicyLayer<S = f64> {
     /// W: a row for each output, a number for each input.
     pub weights: Vec<Vec<S>>,
@@ -97,9 +68,7 @@ pub struct PolicyLayer<S = f64> {
 
 /// Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
 /// branch, `name.branch.input`; those of the branches that are not selected go nowhere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Selector {
     /// The branch that passes.
     pub selected: Name,
@@ -110,9 +79,7 @@ pub struct Selector {
 }
 
 /// An input that a selector sets.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct SelectorTarget {
     /// The input.
     pub to: SignalName,

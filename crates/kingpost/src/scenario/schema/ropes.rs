@@ -1,6 +1,6 @@
 //! Ropes over sheaves, and the drums that they are wound on.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{CoordinateName, Direction, Fraction, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
@@ -8,13 +8,7 @@ use crate::scenario::leaf::Leaf;
 /// A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls when its path is longer
 /// than the rope, else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its
 /// peak tension at that moment must not be used for design.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Rope", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Rope<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -23,14 +17,11 @@ pub struct Rope<S = f64> {
     /// ends at a point.
     pub path: Vec<RopeStation<S>>,
     /// Unstretched length of the rope on its path at the start, m; without it, the rope is just taut at the start.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unstretched_length_m: Option<Positive<S>>,
     /// EA: tension per strain, N; without it, the rope itself does not stretch.
-    #[serde(default, rename = "axial_stiffness_N", skip_serializing_if = "Option::is_none")]
     pub axial_stiffness_n: Option<Positive<S>>,
     /// Stiffness in series with the rope, of the crane's boom and foundation for example, N/m; without it, they are
     /// rigid.
-    #[serde(default, rename = "series_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
     pub series_stiffness_n_per_m: Option<Positive<S>>,
     /// Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' in addition to k e. For wire ropes it is 0.01
     /// to 0.02 s.
@@ -38,21 +29,17 @@ pub struct Rope<S = f64> {
     pub damping_time_s: NonNegative<S>,
     /// Its mass, kg/m. It acts as weight only, without inertia, and the legs stay straight; without it, the rope has no
     /// weight.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_kg_per_m: Option<Positive<S>>,
     /// Diameter of the circle that displaces as much water as the rope, below the still water line, m; without it, the
     /// rope has no buoyancy.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub diameter_m: Option<Positive<S>>,
     /// Tension at which the rope parts, N; without it, the rope never parts.
-    #[serde(default, rename = "breaking_load_N", skip_serializing_if = "Option::is_none")]
     pub breaking_load_n: Option<Positive<S>>,
     /// The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
     /// at rest in air.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub carries: Vec<CarriedByRope<S>>,
     /// The crane's load chart for this rope; without it, the load is not checked.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_chart: Option<LoadChart<S>>,
     /// Whether it can be released: it then has an input in [0, 1] with the rope's name. At 0.5 the load is lost. Below 0.5
     /// the rope is hooked on again, as soon as its path is shorter than the rope.
@@ -66,13 +53,7 @@ pub struct Rope<S = f64> {
 /// The load chart of a crane: rated loads over the radius, the distance from the slewing axis to the point where the
 /// rope leaves the crane. The results have `load_radius` (m), `rated_load` and `hook_load` (kg) and `load_utilisation`,
 /// hook load over rated load; a run warns when the utilisation exceeds 1 or the radius is outside the chart.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LoadChart", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LoadChart<S = f64> {
     /// The revolute joint about which the crane slews.
     pub joint: CoordinateName,
@@ -84,30 +65,17 @@ pub struct LoadChart<S = f64> {
 }
 
 /// A body that hangs on a rope.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "CarriedByRope", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct CarriedByRope<S = f64> {
     /// The body: the load, the hook block.
     pub body: Name,
     /// Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
     /// the rope. For each of n slings at an angle b to the horizontal it is 1 / (n sin b).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub share: Option<Positive<S>>,
 }
 
 /// A line with a constant-tension winch: a tugger line or a tag line. The winch stands at its first end.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "TuggerLine", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct TuggerLine<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -115,25 +83,17 @@ pub struct TuggerLine<S = f64> {
     /// The points and sheaves of its path, from the winch to the load: it begins and ends at a point.
     pub path: Vec<RopeStation<S>>,
     /// Its tension at the load while its length stays, N.
-    #[serde(rename = "tension_N")]
     pub tension_n: NonNegative<S>,
     /// By how much its tension is higher while it pays out, and lower while it hauls in, per rate of its length, N s/m. It
     /// damps a swing.
-    #[serde(default, rename = "damping_N_s_per_m")]
+    #[serde(default)]
     pub damping_n_s_per_m: NonNegative<S>,
     /// Its largest tension at the load, N: at least `tension_N`. Without it, there is none; it never pushes.
-    #[serde(default, rename = "largest_tension_N", skip_serializing_if = "Option::is_none")]
     pub largest_tension_n: Option<Positive<S>>,
 }
 
 /// A place on a rope's path.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RopeStation", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum RopeStation<S = f64> {
     /// A point where the rope ends, or through which it runs freely.
     Point(RopePoint<S>),
@@ -144,13 +104,7 @@ pub enum RopeStation<S = f64> {
 }
 
 /// A point on a rope's path.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RopePoint", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct RopePoint<S = f64> {
     /// The body, or `world`.
     pub body: Name,
@@ -164,13 +118,7 @@ pub struct RopePoint<S = f64> {
 }
 
 /// A sheave that a rope runs over.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Sheave", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Sheave<S = f64> {
     /// The body, or `world`.
     pub body: Name,
@@ -192,20 +140,13 @@ pub struct Sheave<S = f64> {
 }
 
 /// A drum that a rope is wound on.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RopeDrum", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct RopeDrum<S = f64> {
     /// The revolute joint about which the drum turns, on the body that carries it.
     pub joint: CoordinateName,
     /// Radius to the middle of the rope that is paid out at the start, m.
     pub radius_m: Positive<S>,
     /// The layers of rope on the drum; without them the radius is constant.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layers: Option<DrumLayers<S>>,
     /// The sign of the joint's rate that pays out rope. It decides on which side the rope leaves the drum.
     #[serde(default)]
@@ -219,13 +160,7 @@ pub struct RopeDrum<S = f64> {
 }
 
 /// Layers of rope on a drum: its radius falls by the height of a layer for every layer of turns.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "DrumLayers", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct DrumLayers<S = f64> {
     /// Turns of rope side by side.
     pub turns_per_layer: Positive<S>,
@@ -238,9 +173,8 @@ pub struct DrumLayers<S = f64> {
 }
 
 /// The sign of a drum joint's rate that pays out rope.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum PaysOut {
     /// Positive rates.
     #[default]

@@ -1,24 +1,17 @@
 //! The sea: the water, its depth, its waves.
 
 use indexmap::IndexMap;
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{CurrentProfile, Name, NonNegative, Positive, Waves};
 use crate::scenario::leaf::Leaf;
 
 /// The water, its waves and its current.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Sea", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
 pub struct Sea<S = f64> {
     /// Density of the water, kg/m^3.
     pub density_kg_m3: Positive<S>,
     /// Depth of the still water, m; without it, infinite.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub depth_m: Option<Positive<S>>,
     /// The wave systems by name: wind sea, swell.
     pub waves: IndexMap<Name, Waves<S>>,
@@ -48,9 +41,8 @@ impl<S: Leaf> Default for Sea<S> {
 }
 
 /// Method by which the kinematics of linear waves continue from the still water level to the moving surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum Stretching {
     /// No motion and no dynamic pressure of the water above the still water level.
     None,

@@ -1,15 +1,13 @@
 //! Errors of sensors: noise, bias, resolution, drop-outs.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{NonNegative, Positive};
-use crate::scenario::leaf::Leaf;
 
 /// Failures of a sensor, drawn from the run's seed. While it fails, its outputs keep their last values and its
 /// `sensor_status` is 0; the table of events has the beginning and the end of each.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
+#[derive(Copy)]
 pub struct DropOuts {
     /// Mean time from the end of one to the next, s; at least the sensor's period.
     pub mean_interval_s: Positive,
@@ -18,13 +16,8 @@ pub struct DropOuts {
 }
 
 /// Errors of a measured angle.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AngleErrors", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub struct AngleErrors<S = f64> {
     /// Standard deviation of its white noise in a sample, rad: the density per root hertz over the root of twice the
     /// period.
@@ -39,13 +32,8 @@ pub struct AngleErrors<S = f64> {
 }
 
 /// Errors of a measured length or height.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LengthErrors", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub struct LengthErrors<S = f64> {
     /// Standard deviation of its white noise in a sample, m: the density per root hertz over the root of twice the
     /// period.
@@ -60,13 +48,8 @@ pub struct LengthErrors<S = f64> {
 }
 
 /// Errors of a measured speed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SpeedErrors", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub struct SpeedErrors<S = f64> {
     /// Standard deviation of its white noise in a sample, m/s: the density per root hertz over the root of twice the
     /// period.
@@ -81,13 +64,8 @@ pub struct SpeedErrors<S = f64> {
 }
 
 /// Errors of a measured acceleration.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "AccelerationErrors", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub struct AccelerationErrors<S = f64> {
     /// Standard deviation of its white noise in a sample, m/s^2: the density per root hertz over the root of twice the
     /// period.
@@ -102,13 +80,8 @@ pub struct AccelerationErrors<S = f64> {
 }
 
 /// Errors of a measured angular velocity.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RateErrors", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub struct RateErrors<S = f64> {
     /// Standard deviation of its white noise in a sample, rad/s: the density per root hertz over the root of twice the
     /// period.
@@ -123,22 +96,17 @@ pub struct RateErrors<S = f64> {
 }
 
 /// Errors of a measured force.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "ForceErrors", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
+#[derive(Copy, Default)]
 pub struct ForceErrors<S = f64> {
     /// Standard deviation of its white noise in a sample, N: the density per root hertz over the root of twice the
     /// period.
-    #[serde(default, rename = "noise_N")]
+    #[serde(default)]
     pub noise_n: NonNegative<S>,
     /// Constant error, N.
-    #[serde(default, rename = "bias_N")]
+    #[serde(default)]
     pub bias_n: S,
     /// Smallest step, N; 0 is none. Derivatives do not go through it.
-    #[serde(default, rename = "resolution_N")]
+    #[serde(default)]
     pub resolution_n: NonNegative,
 }

@@ -1,6 +1,6 @@
 //! Sensors, and the wires from their outputs to inputs.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{
     AirGap, AngleErrors, Clearance, DropOuts, Encoder, InertialUnit, LengthErrors, LinearEncoder, LoadCell, Name,
@@ -9,13 +9,7 @@ use super::{
 use crate::scenario::leaf::Leaf;
 
 /// Sensors. Clearances and air gaps are measured in every row of the results, the others at their own interval.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Sensor", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Sensor<S = f64> {
     /// Roll, pitch, heave, heave rate and angular velocity at a point of a body.
     MotionReferenceUnit(Box<MotionReferenceUnit<S>>),
@@ -42,13 +36,7 @@ pub enum Sensor<S = f64> {
 /// `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples; with horizontal motion also
 /// `measured_x`, `measured_y` (m, along the world's axes, relative to the start), `measured_x_velocity`,
 /// `measured_y_velocity` (m/s) and `measured_yaw` (rad).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "MotionReferenceUnit", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct MotionReferenceUnit<S = f64> {
     /// Whether the sensor measures.
     #[serde(default = "yes")]
@@ -68,34 +56,22 @@ pub struct MotionReferenceUnit<S = f64> {
     #[serde(default)]
     pub horizontal_motion: bool,
     /// The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heave_filter: Option<HeaveFilter<S>>,
     /// Errors of roll and pitch each; without them both are exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub angle_errors: Option<AngleErrors<S>>,
     /// Errors of heave, after its filter.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heave_errors: Option<LengthErrors<S>>,
     /// Errors of the heave rate, after its filter.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heave_rate_errors: Option<SpeedErrors<S>>,
     /// Errors of each component of the angular velocity.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate_errors: Option<RateErrors<S>>,
     /// Its failures; without them it always works.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drop_outs: Option<DropOuts>,
 }
 
 /// A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead. With a
 /// satellite receiver it removes nothing.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "HeaveFilter", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct HeaveFilter<S = f64> {
     /// Cut-off period, s.
     pub cutoff_period_s: Positive<S>,
@@ -103,7 +79,6 @@ pub struct HeaveFilter<S = f64> {
     #[serde(default = "damping_ratio::<S>")]
     pub damping_ratio: Positive<S>,
     /// A satellite receiver on the same body, whose positions give back the motion that the filter removes.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub receiver: Option<Name>,
 }
 
@@ -112,9 +87,7 @@ fn damping_ratio<S: Leaf>() -> Positive<S> {
 }
 
 /// A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Wire {
     /// Whether it connects them; if not, the user sets the input.
     #[serde(default = "yes")]

@@ -1,18 +1,11 @@
 //! Sensors of a crane that sample: encoders, load cells, satellite receivers.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{AngleErrors, CoordinateName, DropOuts, ForceErrors, LengthErrors, Name, Positive, yes};
-use crate::scenario::leaf::Leaf;
 
 /// Measures the angle of a joint: `measured_angle`, rad.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Encoder", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Encoder<S = f64> {
     /// Whether the sensor measures.
     #[serde(default = "yes")]
@@ -25,21 +18,13 @@ pub struct Encoder<S = f64> {
     #[serde(default)]
     pub delay_samples: usize,
     /// Its errors; without them it is exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<AngleErrors<S>>,
     /// Its failures; without them it always works.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drop_outs: Option<DropOuts>,
 }
 
 /// Measures the extension of a joint: `measured_extension`, m.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LinearEncoder", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LinearEncoder<S = f64> {
     /// Whether the sensor measures.
     #[serde(default = "yes")]
@@ -52,22 +37,14 @@ pub struct LinearEncoder<S = f64> {
     #[serde(default)]
     pub delay_samples: usize,
     /// Its errors; without them it is exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<LengthErrors<S>>,
     /// Its failures; without them it always works.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drop_outs: Option<DropOuts>,
 }
 
 /// Measures the tension of a rope: `measured_tension`, N. It samples at the start of the first step at or after each
 /// multiple of its period.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "LoadCell", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct LoadCell<S = f64> {
     /// Whether the sensor measures.
     #[serde(default = "yes")]
@@ -83,17 +60,14 @@ pub struct LoadCell<S = f64> {
     #[serde(default)]
     pub delay_samples: usize,
     /// Its errors; without them it is exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub errors: Option<ForceErrors<S>>,
     /// Its failures; without them it always works.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drop_outs: Option<DropOuts>,
 }
 
 /// An end of a rope.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum RopeEnd {
     /// The last: the hook.
     #[default]
@@ -103,13 +77,7 @@ pub enum RopeEnd {
 }
 
 /// Measures where its antenna is: `measured_position.x`, `.y`, `.z`, m in the world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SatelliteReceiver", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SatelliteReceiver<S = f64> {
     /// Whether the sensor measures.
     #[serde(default = "yes")]
@@ -125,12 +93,9 @@ pub struct SatelliteReceiver<S = f64> {
     #[serde(default)]
     pub delay_samples: usize,
     /// Errors along x and y each; without them both are exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizontal_errors: Option<LengthErrors<S>>,
     /// Errors of the height; without them it is exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vertical_errors: Option<LengthErrors<S>>,
     /// Its failures; without them it always works.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drop_outs: Option<DropOuts>,
 }

@@ -1,21 +1,14 @@
 //! Tanks with a free surface.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Fraction, Name, Positive, yes};
-use crate::scenario::leaf::Leaf;
 
 /// The free surface of a liquid in a box whose sides are along the body's axes. The body's `mass_kg`,
 /// `centre_of_mass_m` and inertia must contain the liquid, as if it were frozen with the body upright. This force adds
 /// the effect of the liquid's shift. The surface is taken as always level, so the liquid's natural period must be well
 /// below those of the body in roll and pitch.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SlackTank", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SlackTank<S = f64> {
     /// Whether the surface is free; if not, the liquid stays as if it were frozen.
     #[serde(default = "yes")]
@@ -33,6 +26,5 @@ pub struct SlackTank<S = f64> {
     /// Share of the volume that is liquid. An empty tank, 0, and a full one, 1, have no free surface.
     pub filling: Fraction<S>,
     /// Density of the liquid, kg/m^3; without it, the sea's density.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub density_kg_m3: Option<Positive<S>>,
 }

@@ -1,6 +1,6 @@
 //! A soft hold: it keeps a ship near its position where no mooring is modelled.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, NonNegative, Positive, StationTarget, yes};
 use crate::scenario::leaf::Leaf;
@@ -11,13 +11,7 @@ use crate::scenario::leaf::Leaf;
 ///
 /// Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` where m is that mass (for yaw the moment of inertia) plus
 /// the added mass at zero frequency.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SoftHold", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SoftHold<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -33,7 +27,6 @@ pub struct SoftHold<S = f64> {
     pub damping_ratios: [NonNegative<S>; 3],
     /// Position at which the origin of the body's drawing frame is held, and the heading; without it, those at the
     /// start.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target: Option<StationTarget<S>>,
 }
 

@@ -1,19 +1,13 @@
 //! The water on a lifted object.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{BoxShape, CylinderShape, Fraction, Name, NonNegative, Positive, SphereShape, yes};
 use crate::scenario::leaf::Leaf;
 
 /// The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,
 /// slamming, and added mass that grows with immersion. A long or composed body may have several.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Submerged", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Submerged<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
@@ -21,40 +15,29 @@ pub struct Submerged<S = f64> {
     /// The body.
     pub body: Name,
     /// Centre of the solid in the body's drawing frame, m; without it, the centre of mass.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_m: Option<[S; 3]>,
     /// The solid that the surface of the sea cuts; its axes are the body's.
     pub shape: SubmergedShape<S>,
     /// V: volume of water that the whole object displaces, m^3, if it is less than the solid's volume, as for a frame.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub displaced_volume_m3: Option<Positive<S>>,
     /// Its added mass.
     #[serde(default)]
     pub added_mass: SubmergedAddedMass<S>,
     /// Slamming by a coefficient; without it, by the added mass that grows.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slamming: Option<SubmergedSlamming<S>>,
     /// Drag.
     #[serde(default)]
     pub drag: SubmergedDrag<S>,
     /// Drag of the wind on the dry part.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wind: Option<SubmergedWind<S>>,
     /// Water inside, which enters and drains through holes.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub entrained_water: Option<EntrainedWater<S>>,
 }
 
 /// Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes
 /// in its floor and open at the top. It enters and drains by Torricelli's law. The object carries the water that stands
 /// higher than the sea.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "EntrainedWater", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct EntrainedWater<S = f64> {
     /// Volume of water that it holds when full, m^3; not part of the displaced volume.
     pub volume_m3: Positive<S>,
@@ -66,7 +49,6 @@ pub struct EntrainedWater<S = f64> {
     #[serde(default = "sharp_edges::<S>")]
     pub discharge_coefficient: Fraction<S>,
     /// Share of the volume that is water at the start; without it, the level of the sea.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_filling: Option<Fraction<S>>,
 }
 
@@ -75,13 +57,7 @@ fn sharp_edges<S: Leaf>() -> Fraction<S> {
 }
 
 /// A plain solid.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SubmergedShape", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum SubmergedShape<S = f64> {
     /// A box.
     Box(BoxShape<S>),
@@ -92,25 +68,17 @@ pub enum SubmergedShape<S = f64> {
 }
 
 /// Added mass rho C_A V_R by axis, of the whole object under water; `growth` gives it for partial immersion.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SubmergedAddedMass", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
 pub struct SubmergedAddedMass<S = f64> {
     /// C_A along x, y and z of the body (DNV-RP-N103, appendix A).
     pub coefficients: [NonNegative<S>; 3],
     /// V_R that the coefficients refer to, m^3; without it, the volume of the solid.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub reference_volume_m3: Option<Positive<S>>,
     /// Added moments of inertia about x, y and z through the solid's centre, kg m^2.
     pub moments_kg_m2: [NonNegative<S>; 3],
     /// Open area over total area of the plates, from 0 to 0.5: it reduces the coefficients.
     pub perforation: Fraction<S>,
     /// How the added mass grows with immersion; without it, in proportion to the share of the volume under water.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub growth: Option<SubmergedGrowth<S>>,
 }
 
@@ -129,13 +97,7 @@ impl<S: Leaf> Default for SubmergedAddedMass<S> {
 
 /// Added mass over immersion: a smooth curve through points over the share of the volume that is under water, which may be
 /// given by depths of the upright object.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SubmergedGrowth", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SubmergedGrowth<S = f64> {
     /// Shares of the volume, from 0 to 1, increasing; shares or depths.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -149,39 +111,24 @@ pub struct SubmergedGrowth<S = f64> {
 
 /// Slamming 1/2 rho C_S A_S w^2 against the surface, at the solid's centre, while the surface cuts the solid and its
 /// centre sinks through it with the speed w. It replaces the force of the added mass that grows, whose coefficient is 2 / (rho A_S) dA/dh.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SubmergedSlamming", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SubmergedSlamming<S = f64> {
     /// C_S; by DNV-RP-N103, sec. 4.3.5, at least 3 for smooth circular cylinders and 5 otherwise, unless tests or theory
     /// give another.
     pub coefficient: NonNegative<S>,
     /// A_S that the coefficient refers to, m^2; without it, the solid's shadow along z.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub area_m2: Option<Positive<S>>,
 }
 
 /// Drag s (1/2 rho C_D A_p |u_r| + c) u_r by axis, where s is the share of the volume under water and u_r the velocity
 /// of the water relative to the centre of that share.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SubmergedDrag", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+#[fields(default)]
 pub struct SubmergedDrag<S = f64> {
     /// C_D along x, y and z of the body, in oscillating flow (DNV-RP-N103, appendix B).
     pub coefficients: [NonNegative<S>; 3],
     /// A_p across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub areas_m2: Option<[Positive<S>; 3]>,
     /// c along x, y and z of the body, N s/m.
-    #[serde(rename = "linear_N_s_m")]
     pub linear_n_s_m: [NonNegative<S>; 3],
 }
 
@@ -193,18 +140,11 @@ impl<S: Leaf> Default for SubmergedDrag<S> {
 }
 
 /// Drag of the wind on the share of the volume that is dry.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SubmergedWind", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SubmergedWind<S = f64> {
     /// C_D along x, y and z of the body.
     pub coefficients: [NonNegative<S>; 3],
     /// Areas across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub areas_m2: Option<[Positive<S>; 3]>,
     /// Height above the still water at which the wind speed is taken, m.
     #[serde(default = "ten_metres::<S>")]

@@ -1,20 +1,13 @@
 //! A swing estimator and its filter.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{DropOuts, Name, Positive, RateErrors, yes};
-use crate::scenario::leaf::Leaf;
 
 /// Finds how a load or a hook swings from gyroscopes on it, by an error-state Kalman filter which knows that it swings about
 /// the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes). A
 /// constant inclination fades from its results. It begins as after a long time at rest.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "SwingEstimator", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct SwingEstimator<S = f64> {
     /// Whether the sensor measures.
     #[serde(default = "yes")]
@@ -27,20 +20,17 @@ pub struct SwingEstimator<S = f64> {
     #[serde(default)]
     pub delay_samples: usize,
     /// Errors of each gyroscope; without them all are exact.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate_errors: Option<RateErrors<S>>,
     /// What the filter assumes.
     #[serde(default)]
     pub filter: SwingFilter,
     /// Failures of the connection to the sensor; without them it always works.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drop_outs: Option<DropOuts>,
 }
 
 /// What the filter of a swing estimator assumes of its gyroscopes and of the swing. Derivatives do not go through these numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
+#[derive(Copy)]
 pub struct SwingFilter {
     /// Standard deviation of the noise of a gyroscope in a sample, rad/s.
     pub rate_noise_rad_s: Positive,

@@ -1,20 +1,13 @@
 //! The trailing edge of a fin.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, Positive, yes};
-use crate::scenario::leaf::Leaf;
 
 /// The trailing edge of a fin that swims: the water leaves it with the sideways momentum that the fin gave it, which
 /// drives the fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge
 /// is along z. The added mass of the fin is that of its `submerged`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "TrailingEdge", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct TrailingEdge<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]

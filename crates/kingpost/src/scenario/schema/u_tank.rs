@@ -1,6 +1,6 @@
 //! U-tanks: anti-roll and anti-heeling tanks.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
@@ -8,13 +8,7 @@ use crate::scenario::leaf::Leaf;
 /// Two columns of liquid at the sides of a ship and a duct between them, all of rectangular sections. The liquid is a
 /// body of its own, with the tank's name, whose flow is a degree of freedom: the body that carries the tank must not
 /// contain its mass.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "UTank", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct UTank<S = f64> {
     /// Whether the liquid flows; if not, it is frozen, and its mass stays.
     #[serde(default = "yes")]
@@ -36,10 +30,8 @@ pub struct UTank<S = f64> {
     /// Inner height of the duct, m.
     pub duct_height_m: Positive<S>,
     /// Inner length of the duct along the body's x axis, m; without it, that of the columns.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub duct_length_m: Option<Positive<S>>,
     /// Density of the liquid, kg/m^3; without it, the sea's density.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub density_kg_m3: Option<Positive<S>>,
     /// Linear damping over the critical damping of the liquid in a ship at rest.
     #[serde(default)]
@@ -51,7 +43,6 @@ pub struct UTank<S = f64> {
     #[serde(default = "no_rise::<S>")]
     pub initial_rise_m: S,
     /// A pump in the duct: an input with the tank's name, from -1 to 1, positive towards port.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pump: Option<UTankPump<S>>,
 }
 
@@ -61,16 +52,9 @@ fn no_rise<S: Leaf>() -> S {
 
 /// A reversible pump whose pressure falls linearly with the flow that it drives. Its largest power is a quarter of the
 /// product of its limits.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "UTankPump", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct UTankPump<S = f64> {
     /// Pressure at no flow, Pa.
-    #[serde(rename = "pressure_limit_Pa")]
     pub pressure_limit_pa: Positive<S>,
     /// Flow at no pressure, m^3/s.
     pub flow_limit_m3_s: Positive<S>,

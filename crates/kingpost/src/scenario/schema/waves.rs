@@ -1,19 +1,13 @@
 //! Wave systems.
 
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 
 use super::{Positive, yes};
 use crate::scenario::leaf::Leaf;
 
 /// One wave system of the sea. Directions are those towards which the waves travel, from the world's x axis towards y:
 /// 180 degrees is a head sea for a ship at heading 0.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Waves", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+#[fields]
 pub enum Waves<S = f64> {
     /// One regular wave.
     Regular(RegularWave<S>),
@@ -32,13 +26,7 @@ pub enum Waves<S = f64> {
 }
 
 /// A regular wave.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "RegularWave", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct RegularWave<S = f64> {
     /// Whether the sea has these waves.
     #[serde(default = "yes")]
@@ -56,13 +44,7 @@ pub struct RegularWave<S = f64> {
 }
 
 /// A sea by the JONSWAP spectrum, scaled to the significant height numerically.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "Jonswap", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct Jonswap<S = f64> {
     /// Whether the sea has these waves.
     #[serde(default = "yes")]
@@ -88,13 +70,7 @@ fn gamma() -> Positive {
 }
 
 /// A sea by significant height and peak period: the Pierson-Moskowitz spectrum, or Torsethaugen's.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(
-    feature = "schema",
-    derive(schemars::JsonSchema),
-    schemars(rename = "PiersonMoskowitz", bound = "S: crate::scenario::leaf::Described")
-)]
-#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+#[fields]
 pub struct PiersonMoskowitz<S = f64> {
     /// Whether the sea has these waves.
     #[serde(default = "yes")]
@@ -112,9 +88,7 @@ pub struct PiersonMoskowitz<S = f64> {
 }
 
 /// A sea of two parts, each with a spectrum of three parameters.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct OchiHubble {
     /// Whether the sea has these waves.
     #[serde(default = "yes")]
@@ -132,9 +106,7 @@ pub struct OchiHubble {
 }
 
 /// A part of Ochi and Hubble's sea.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct OchiHubblePart {
     /// Significant wave height of the part, m.
     pub significant_height_m: Positive,
@@ -145,9 +117,7 @@ pub struct OchiHubblePart {
 }
 
 /// A sea whose spectrum is given as a table.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct SpectrumTable {
     /// Whether the sea has these waves.
     #[serde(default = "yes")]
@@ -165,9 +135,7 @@ pub struct SpectrumTable {
 
 /// Waves measured at one point. The record does not contain their direction: give it. The sea repeats after the
 /// record's length; the mean elevation is removed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct ElevationRecord {
     /// Whether the sea has these waves.
     #[serde(default = "yes")]
@@ -181,17 +149,13 @@ pub struct ElevationRecord {
     #[serde(default)]
     pub direction_rad: f64,
     /// Waves below this frequency are left out, rad/s; without it, none are.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lowest_rad_s: Option<Positive>,
     /// Waves above this frequency are left out, rad/s; without it, those above half the sampling frequency.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub highest_rad_s: Option<Positive>,
 }
 
 /// Settings of one realisation of a spectrum. Its random numbers come from the run's seed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
 pub struct WaveRealisation {
     /// Number of components.
     pub components: usize,
@@ -199,13 +163,10 @@ pub struct WaveRealisation {
     pub amplitudes: WaveAmplitudes,
     /// s of the spreading function cos^(2 s)(angle / 2), with the angle from the mean direction; without it, the sea is
     /// long-crested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub spreading_exponent: Option<Positive>,
     /// Waves below this frequency are left out with their energy, rad/s; without it, none are.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub lowest_rad_s: Option<Positive>,
     /// Waves above this frequency are left out with their energy, rad/s; without it, none are.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub highest_rad_s: Option<Positive>,
 }
 
@@ -222,9 +183,8 @@ impl Default for WaveRealisation {
 }
 
 /// Amplitudes of the components.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Default, Eq)]
 pub enum WaveAmplitudes {
     /// Those of the spectrum: every realisation has its significant height.
     #[default]

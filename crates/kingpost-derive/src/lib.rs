@@ -1,0 +1,115 @@
+//! `#[fields]`: the declaration of a type of the scenario file, from which its reader, its writer, its JSON Schema and
+//! its conversion to other scalars come.
+//!
+//! A type of the file is generic over its continuous numbers, `struct Rope<S = f64>`, or has none, `struct Pulse`.
+
+mod naming;
+mod over;
+
+use proc_macro::TokenStream;
+use proc_macro2::TokenStream as Tokens;
+use quote::quote;
+use syn::parse::Parser;
+use syn::{Attribute, Data, DeriveInput, Error, Field, Fields, GenericParam, Ident, Result, Type, parse_macro_input};
+
+use naming::{SerdeNames, name_in_files};
+
+/// Declares a type of the scenario file.
+///
+/// - The type is read and written by serde, refuses unknown fields and has a JSON Schema (feature `schema`). The variants of an
+///   enum are written in snake case.
+/// - A field that is an `Option` may be left out, and is not written where it is `None`.
+/// - A unit at the end of a field's name is written as it is in SI: `force_n` is `force_N` in a file.
+/// - A type over scalars `S` is converted from plain numbers to other scalars, number by number (`OverScalar`).
+///
+/// `#[fields(default)]` takes fields that are left out from the type's `Default`.
+#[proc_macro_attribute]
+pub fn fields(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    let item = parse_macro_input!(item as DeriveInput);
+    declared(arguments.into(), item).unwrap_or_else(Error::into_compile_error).into()
+}
+
+fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
+    let all_default = has_default(arguments)?;
+    let over_scalars = item.generics.params.iter().any(|parameter| matches!(parameter, GenericParam::Type(_)));
+    match &mut item.data {
+        Data::Struct(data) => data.fields.iter_mut().try_for_each(|field| declare_field(field, all_default))?,
+        Data::Enum(data) => {
+            let fields = data.variants.iter_mut().filter(|variant| matches!(variant.fields, Fields::Named(_)));
+            fields.flat_map(|variant| variant.fields.iter_mut()).try_for_each(|field| declare_field(field, false))?;
+        }
+        Data::Union(_) => return Err(Error::new_spanned(&item.ident, "a struct or an enum")),
+    }
+    let attributes = attributes_of(&item, all_default, over_scalars);
+    let conversion = over_scalars.then(|| over::conversion(&item)).transpose()?;
+    Ok(quote! {
+        #attributes
+        #item
+        #conversion
+    })
+}
+
+/// Whether the arguments say that the type has a default for each of its fields.
+fn has_default(arguments: Tokens) -> Result<bool> {
+    let mut found = false;
+    let parser = syn::meta::parser(|meta| {
+        found = meta.path.is_ident("default");
+        if found { Ok(()) } else { Err(meta.error("`default`, or nothing")) }
+    });
+    parser.parse2(arguments)?;
+    Ok(found)
+}
+
+fn attributes_of(item: &DeriveInput, all_default: bool, over_scalars: bool) -> Tokens {
+    let shape = match item.data {
+        Data::Enum(_) => quote!(rename_all = "snake_case",),
+        _ if all_default => quote!(deny_unknown_fields, default,),
+        _ => quote!(deny_unknown_fields,),
+    };
+    let bound = over_scalars
+        .then(|| quote!(bound(deserialize = "S: crate::scenario::leaf::Leaf + serde::de::DeserializeOwned")));
+    let name = item.ident.to_string();
+    let schema = over_scalars
+        .then(|| quote!(#[cfg_attr(feature = "schema", schemars(rename = #name, bound = "S: crate::scenario::leaf::Described"))]));
+    quote! {
+        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+        #schema
+        #[serde(#shape #bound)]
+    }
+}
+
+/// Adds to a field what its name and its type say.
+fn declare_field(field: &mut Field, all_default: bool) -> Result<()> {
+    let Some(name) = &field.ident else { return Ok(()) };
+    let stated = SerdeNames::of(&field.attrs)?;
+    let mut added: Vec<Tokens> = Vec::new();
+    let in_files = name_in_files(&name.to_string());
+    if stated.rename.is_none() && *name != in_files {
+        added.push(quote!(rename = #in_files));
+    }
+    if is_option(&field.ty) && !stated.skipped {
+        if !all_default {
+            added.push(quote!(default));
+        }
+        added.push(quote!(skip_serializing_if = "Option::is_none"));
+    }
+    if !added.is_empty() {
+        let attribute: Attribute = syn::parse_quote!(#[serde(#(#added),*)]);
+        field.attrs.push(attribute);
+    }
+    Ok(())
+}
+
+fn is_option(kind: &Type) -> bool {
+    matches!(kind, Type::Path(kind) if kind.path.segments.last().is_some_and(|last| last.ident == "Option"))
+}
+
+/// Whether the tokens of a type name the scalar.
+fn names_scalar(tokens: Tokens, scalar: &Ident) -> bool {
+    tokens.into_iter().any(|token| match token {
+        proc_macro2::TokenTree::Ident(ident) => ident == *scalar,
+        proc_macro2::TokenTree::Group(group) => names_scalar(group.stream(), scalar),
+        _ => false,
+    })
+}

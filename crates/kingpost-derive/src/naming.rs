@@ -1,0 +1,52 @@
+//! Names of fields and variants in a file.
+
+use syn::{Attribute, LitStr, Result, Token};
+
+/// Units that are written with capitals, in lower case and as they are written.
+const CAPITAL_UNITS: [(&str, &str); 4] = [("n", "N"), ("pa", "Pa"), ("w", "W"), ("hz", "Hz")];
+
+/// What a field's serde attributes say.
+#[derive(Default)]
+pub struct SerdeNames {
+    /// Its name in a file.
+    pub rename: Option<String>,
+    /// Whether it is left out of what is written under a condition, or always.
+    pub skipped: bool,
+}
+
+impl SerdeNames {
+    pub fn of(attributes: &[Attribute]) -> Result<Self> {
+        let mut found = Self::default();
+        for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("serde")) {
+            attribute.parse_nested_meta(|meta| {
+                found.skipped |= meta.path.is_ident("skip") || meta.path.is_ident("skip_serializing_if");
+                if meta.input.peek(Token![=]) {
+                    let value: LitStr = meta.value()?.parse()?;
+                    if meta.path.is_ident("rename") {
+                        found.rename = Some(value.value());
+                    }
+                }
+                Ok(())
+            })?;
+        }
+        Ok(found)
+    }
+}
+
+/// The name of a field in a file: its units with their capitals.
+pub fn name_in_files(name: &str) -> String {
+    let capital = |part| CAPITAL_UNITS.iter().find(|(lower, _)| *lower == part).map_or(part, |(_, unit)| *unit);
+    name.split('_').map(capital).collect::<Vec<_>>().join("_")
+}
+
+/// The name of a variant in a file: snake case, by serde's rule.
+pub fn snake_case(variant: &str) -> String {
+    let mut name = String::new();
+    for (at, letter) in variant.char_indices() {
+        if letter.is_uppercase() && at > 0 {
+            name.push('_');
+        }
+        name.push(letter.to_ascii_lowercase());
+    }
+    name
+}
