@@ -5,6 +5,7 @@
 
 mod naming;
 mod over;
+mod reader;
 
 use proc_macro::TokenStream;
 use proc_macro2::TokenStream as Tokens;
@@ -16,9 +17,11 @@ use naming::{SerdeNames, name_in_files};
 
 /// Declares a type of the scenario file.
 ///
-/// - The type is read and written by serde, refuses unknown fields and has a JSON Schema (feature `schema`). The variants of an
-///   enum are written in snake case.
-/// - A field that is an `Option` may be left out, and is not written where it is `None`.
+/// - The type is read from the tree of a file (`FromNode`), which refuses unknown fields, is written by serde, and has a JSON Schema
+///   (feature `schema`). The variants of an enum are written in snake case.
+/// - A field that is an `Option` may be left out, and is not written where it is `None`; with `#[not_null]` it has a value where
+///   it is written.
+/// - The defaults of other fields are those of serde's attributes.
 /// - A unit at the end of a field's name is written as it is in SI: `force_n` is `force_N` in a file.
 /// - A type over scalars `S` is converted from plain numbers to other scalars, number by number (`OverScalar`).
 ///
@@ -42,11 +45,21 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
     }
     let attributes = attributes_of(&item, all_default, over_scalars);
     let conversion = over_scalars.then(|| over::conversion(&item)).transpose()?;
+    let reader = reader::reader(&item, all_default)?;
+    drop_own_attributes(&mut item);
     Ok(quote! {
         #attributes
         #item
         #conversion
+        #reader
     })
+}
+
+/// Removes the attributes that only this crate knows.
+fn drop_own_attributes(item: &mut DeriveInput) {
+    if let Data::Struct(data) = &mut item.data {
+        data.fields.iter_mut().for_each(|field| field.attrs.retain(|attribute| !attribute.path().is_ident("not_null")));
+    }
 }
 
 /// Whether the arguments say that the type has a default for each of its fields.
@@ -66,16 +79,14 @@ fn attributes_of(item: &DeriveInput, all_default: bool, over_scalars: bool) -> T
         _ if all_default => quote!(deny_unknown_fields, default,),
         _ => quote!(deny_unknown_fields,),
     };
-    let bound = over_scalars
-        .then(|| quote!(bound(deserialize = "S: crate::scenario::leaf::Leaf + serde::de::DeserializeOwned")));
     let name = item.ident.to_string();
     let schema = over_scalars
         .then(|| quote!(#[cfg_attr(feature = "schema", schemars(rename = #name, bound = "S: crate::scenario::leaf::Described"))]));
     quote! {
-        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
         #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         #schema
-        #[serde(#shape #bound)]
+        #[serde(#shape)]
     }
 }
 

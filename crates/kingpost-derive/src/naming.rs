@@ -1,6 +1,6 @@
 //! Names of fields and variants in a file.
 
-use syn::{Attribute, LitStr, Result, Token};
+use syn::{Attribute, ExprPath, LitStr, Result, Token};
 
 /// Units that are written with capitals, in lower case and as they are written.
 const CAPITAL_UNITS: [(&str, &str); 4] = [("n", "N"), ("pa", "Pa"), ("w", "W"), ("hz", "Hz")];
@@ -12,6 +12,10 @@ pub struct SerdeNames {
     pub rename: Option<String>,
     /// Whether it is left out of what is written under a condition, or always.
     pub skipped: bool,
+    /// Whether it is in no file.
+    pub absent: bool,
+    /// Whether it has a default, and by which function.
+    pub default: Option<Option<ExprPath>>,
 }
 
 impl SerdeNames {
@@ -19,12 +23,14 @@ impl SerdeNames {
         let mut found = Self::default();
         for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("serde")) {
             attribute.parse_nested_meta(|meta| {
+                found.absent |= meta.path.is_ident("skip");
                 found.skipped |= meta.path.is_ident("skip") || meta.path.is_ident("skip_serializing_if");
-                if meta.input.peek(Token![=]) {
-                    let value: LitStr = meta.value()?.parse()?;
-                    if meta.path.is_ident("rename") {
-                        found.rename = Some(value.value());
-                    }
+                let value: Option<LitStr> = meta.input.peek(Token![=]).then(|| meta.value()?.parse()).transpose()?;
+                if meta.path.is_ident("rename") {
+                    found.rename = value.as_ref().map(LitStr::value);
+                }
+                if meta.path.is_ident("default") {
+                    found.default = Some(value.as_ref().map(LitStr::parse).transpose()?);
                 }
                 Ok(())
             })?;

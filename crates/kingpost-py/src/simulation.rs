@@ -6,7 +6,7 @@ use crate::scenario::{Scenario, hydrostatics};
 use kingpost::analysis::{self, Linearizer};
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
 use kingpost::scenario::BuiltScenario;
-use kingpost::scenario::build::SeaWaves;
+use kingpost::scenario::build::read_sea_waves;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -323,9 +323,10 @@ impl Simulation {
     /// The energy of wave systems, as JSON; asked: a list of `sea.waves`, frequencies in rad/s, a number of directions.
     fn sea_spectra_json(&self, asked_json: &str) -> PyResult<String> {
         self.with(|held| {
-            let (seas, frequencies, directions): (Vec<SeaWaves>, Vec<f64>, usize) =
+            let (seas, frequencies, directions): (Vec<serde_json::Value>, Vec<f64>, usize) =
                 serde_json::from_str(asked_json).map_err(errors::input)?;
-            let each = seas.iter().map(|waves| held.built.scenario().sea_spectra(waves, &frequencies, directions));
+            let of = |waves| held.built.scenario().sea_spectra(&read_sea_waves(waves)?, &frequencies, directions);
+            let each = seas.iter().map(of);
             let found = each.collect::<Result<Vec<_>, _>>().map_err(errors::scenario)?;
             serde_json::to_string(&found).map_err(errors::input)
         })

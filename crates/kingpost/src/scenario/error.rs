@@ -82,7 +82,7 @@ const SET: &str = "--set ";
 
 /// Where a value comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum SourcePlace {
+pub(crate) enum SourcePlace {
     /// The file.
     File {
         /// From 1.

@@ -23,14 +23,14 @@ mod part_names;
 mod parts;
 pub mod range;
 pub(crate) mod read;
+pub(crate) mod reading;
 mod replay;
 mod scalar_conversion;
 pub mod schema;
 pub mod study;
 pub mod text;
 mod ties;
-mod tree;
-mod typed;
+pub(crate) mod tree;
 mod units;
 pub mod wording;
 

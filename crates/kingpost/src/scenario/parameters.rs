@@ -4,9 +4,15 @@ use indexmap::IndexMap;
 use serde_json::Value;
 
 use super::error::{Fault, SourcePlace};
-use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
+use super::reading::FromNode;
+use super::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
 use super::tree::{Content, Field, ScenarioNode, segments, value_child};
 use super::{conversion, field_search, units, wording};
+
+/// Whether a name is a field at the top of a scenario: no parameter may have it.
+fn is_top_field(name: &str) -> bool {
+    Scenario::<f64>::FIELDS.contains(&name)
+}
 
 /// A value that is set by name: of a parameter, or of a field by its dotted path.
 pub(super) struct Override<'a> {
@@ -63,7 +69,7 @@ pub(super) fn apply(
             None if is_definition(name) => {
                 return Err(Fault::new(place, *name, wording::found(value), wording::SET_BY_NAME));
             }
-            None if name.contains('.') || schema::is_top_field(name) => {
+            None if name.contains('.') || is_top_field(name) => {
                 target.write(name, value, place, place)?;
             }
             None => {
@@ -107,7 +113,7 @@ impl Definition<'_> {
     /// The kind of the parameter, once its definition is sound.
     fn check(&self, target: &OverrideTarget<'_>) -> Result<ParameterKind, Fault> {
         let parameter = self.parameter;
-        if schema::is_top_field(&parameter.name) {
+        if is_top_field(&parameter.name) {
             let found = format!("{}, a field of the scenario", parameter.name);
             return Err(self.fault(target, "name", found, wording::OWN_NAME));
         }
@@ -329,5 +335,18 @@ impl Scenario {
             in_unit(super::tree::value_at(&whole, &path)?, factor)
         };
         self.parameters.iter().map(|parameter| (parameter, value(parameter))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_top_field;
+
+    #[test]
+    fn a_field_at_the_top_is_known_and_no_other_name() {
+        for name in ["version", "title", "parameters", "simulation", "bodies", "forces", "operation", "limits"] {
+            assert!(is_top_field(name), "{name}");
+        }
+        assert!(!is_top_field("files") && !is_top_field("crane_x_m") && !is_top_field(""));
     }
 }

@@ -3,11 +3,12 @@
 use std::fmt;
 use std::ops::Deref;
 
-use serde::de::{Error, Unexpected};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::Serialize;
 
 use super::leaf::Leaf;
 use super::over::{Numbers, OverScalar};
+use super::reading::{FromNode, ReadFault};
+use super::tree::ScenarioNode;
 use super::wording::{DIRECTION, FRACTION, NON_NEGATIVE, POSITIVE, PROBABILITY};
 
 macro_rules! ranged_number {
@@ -66,13 +67,13 @@ macro_rules! ranged_number {
             }
         }
 
-        impl<'de, S: Leaf + Deserialize<'de>> Deserialize<'de> for $name<S> {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let value = S::deserialize(deserializer)?;
-                match value.outside(Self::inside) {
-                    None => Ok(Self(value)),
-                    Some(value) => Err(D::Error::invalid_value(Unexpected::Float(value), &$allowed)),
-                }
+        impl FromNode for $name {
+            fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+                let number = f64::read(node).ok().filter(|number| Self::inside(*number));
+                number.map(Self).ok_or_else(|| ReadFault::at(node, $allowed))
+            }
+            fn allowed() -> String {
+                $allowed.to_owned()
             }
         }
 
@@ -157,10 +158,12 @@ impl<S> OverScalar<S> for Direction {
     }
 }
 
-impl<'de, S: Leaf + Deserialize<'de>> Deserialize<'de> for Direction<S> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let components = <[S; 3]>::deserialize(deserializer)?;
-        Self::new(components).ok_or_else(|| D::Error::invalid_value(Unexpected::Seq, &DIRECTION))
+impl FromNode for Direction {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        Self::new(<[f64; 3]>::read(node)?).ok_or_else(|| ReadFault::at(node, DIRECTION))
+    }
+    fn allowed() -> String {
+        <[f64; 3]>::allowed()
     }
 }
 

@@ -7,12 +7,11 @@ use super::files::Files;
 use super::parameters::{self, Override, OverrideTarget};
 use super::schema::{Parameter, Scenario};
 use super::tree::{ScenarioNode, segments};
-use super::typed::{check_version, typed};
 #[cfg(not(target_family = "wasm"))]
 use crate::plant::Number;
 use crate::simulation::{Setup, Simulation};
 
-use super::{conversion, parse, parts, wording};
+use super::{conversion, parse, parts, reading, wording};
 
 /// Reads a scenario from YAML or JSON.
 ///
@@ -114,6 +113,18 @@ impl<'a> Parsed<'a> {
     }
 }
 
+/// Checks the version before anything else: another version may have other fields.
+pub(super) fn check_version(tree: &ScenarioNode) -> Result<(), Fault> {
+    match tree.field("version").map(|field| &field.node) {
+        None => Err(Fault::new(&tree.place, "version", wording::NOTHING, wording::VERSION)),
+        Some(node) if node.to_value().as_f64() == Some(1.0) => Ok(()),
+        Some(node) => {
+            let found = wording::found(&node.to_value());
+            Err(Fault::new(&node.place, "version", found, wording::VERSION))
+        }
+    }
+}
+
 fn from_outside(overrides: &[(String, Value)]) -> Vec<Override<'_>> {
     overrides.iter().map(Override::from_outside).collect()
 }
@@ -169,7 +180,7 @@ fn resolved(tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scena
 
 impl AsWritten {
     fn of(tree: &ScenarioNode) -> Result<Self, Fault> {
-        let scenario = typed(tree)?;
+        let scenario: Scenario = reading::read(tree)?;
         if tree.field("bodies").is_none() {
             return Err(Fault::new(&tree.place, "bodies", wording::NOTHING, wording::FIELDS));
         }
@@ -180,7 +191,7 @@ impl AsWritten {
     /// The scenario of its tree with parameters and overrides in place.
     fn resolved(&self, tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
         parameters::apply(OverrideTarget { tree, whole: &self.whole }, &self.parameters, overrides)?;
-        let mut scenario = typed(tree)?;
+        let mut scenario: Scenario = reading::read(tree)?;
         for parameter in &mut scenario.parameters {
             parameter.default = None;
         }

@@ -4,9 +4,10 @@ use std::borrow::Borrow;
 use std::fmt;
 use std::ops::Deref;
 
-use serde::de::{Error, Unexpected};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::Serialize;
 
+use super::reading::{FromName, FromNode, ReadFault};
+use super::tree::ScenarioNode;
 use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, VERSION};
 
 /// The name that stands for the inertial frame; no body may carry it.
@@ -63,14 +64,13 @@ macro_rules! formed_text {
             }
         }
 
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let text = String::deserialize(deserializer)?;
-                if $test(&text) {
-                    Ok(Self(text))
-                } else {
-                    Err(D::Error::invalid_value(Unexpected::Str(&text), &$allowed))
-                }
+        impl FromNode for $name {
+            fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+                let text = String::read(node).ok().filter(|text| $test(text));
+                text.map(Self).ok_or_else(|| ReadFault::at(node, $allowed))
+            }
+            fn allowed() -> String {
+                $allowed.to_owned()
             }
         }
 
@@ -123,6 +123,12 @@ formed_text!(
     Colour, COLOUR, is_colour, "^#[0-9a-fA-F]{6}$"
 );
 
+impl FromName for Name {
+    fn from_name(name: &str) -> Result<Self, &'static str> {
+        Self::new(name).ok_or(NAME)
+    }
+}
+
 impl Name {
     /// The inertial frame.
     pub fn world() -> Self {
@@ -140,12 +146,15 @@ impl Serialize for Version {
     }
 }
 
-impl<'de> Deserialize<'de> for Version {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match f64::deserialize(deserializer)? {
-            1.0 => Ok(Self),
-            other => Err(D::Error::invalid_value(Unexpected::Float(other), &VERSION)),
+impl FromNode for Version {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        match f64::read(node) {
+            Ok(1.0) => Ok(Self),
+            _ => Err(ReadFault::at(node, VERSION)),
         }
+    }
+    fn allowed() -> String {
+        VERSION.to_owned()
     }
 }
 

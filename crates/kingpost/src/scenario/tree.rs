@@ -7,16 +7,16 @@ use super::error::SourcePlace;
 
 /// A value, its place, and how it was written.
 #[derive(Clone, Debug)]
-pub(super) struct ScenarioNode {
-    pub(super) place: SourcePlace,
-    pub(super) content: Content,
+pub(crate) struct ScenarioNode {
+    pub(crate) place: SourcePlace,
+    pub(crate) content: Content,
     /// The number as written, if a unit alias has changed it.
-    pub(super) written: Option<Value>,
+    pub(crate) written: Option<Value>,
 }
 
 /// The content of a node.
 #[derive(Clone, Debug)]
-pub(super) enum Content {
+pub(crate) enum Content {
     /// Null, a boolean, a number or a text.
     Scalar(Value),
     /// Entries by index.
@@ -27,20 +27,20 @@ pub(super) enum Content {
 
 /// A field of a node.
 #[derive(Clone, Debug)]
-pub(super) struct Field {
-    pub(super) name_place: SourcePlace,
+pub(crate) struct Field {
+    pub(crate) name_place: SourcePlace,
     /// The name as written, if a unit alias has changed it.
-    pub(super) written: Option<String>,
-    pub(super) node: ScenarioNode,
+    pub(crate) written: Option<String>,
+    pub(crate) node: ScenarioNode,
 }
 
 impl ScenarioNode {
-    pub(super) fn new(place: SourcePlace, content: Content) -> Self {
+    pub(crate) fn new(place: SourcePlace, content: Content) -> Self {
         Self { place, content, written: None }
     }
 
     /// The tree of a value that comes from one place.
-    pub(super) fn from_value(value: &Value, place: &SourcePlace) -> Self {
+    pub(crate) fn from_value(value: &Value, place: &SourcePlace) -> Self {
         let content = match value {
             Value::Array(entries) => {
                 Content::List(entries.iter().map(|entry| Self::from_value(entry, place)).collect())
@@ -57,7 +57,7 @@ impl ScenarioNode {
     }
 
     /// The value without places.
-    pub(super) fn to_value(&self) -> Value {
+    pub(crate) fn to_value(&self) -> Value {
         match &self.content {
             Content::Scalar(value) => value.clone(),
             Content::List(entries) => entries.iter().map(Self::to_value).collect(),
@@ -68,12 +68,12 @@ impl ScenarioNode {
     }
 
     /// The value as written, for an error's words.
-    pub(super) fn written_value(&self) -> Value {
+    pub(crate) fn written_value(&self) -> Value {
         self.written.clone().unwrap_or_else(|| self.to_value())
     }
 
     /// The field of this name.
-    pub(super) fn field(&self, name: &str) -> Option<&Field> {
+    pub(crate) fn field(&self, name: &str) -> Option<&Field> {
         match &self.content {
             Content::Fields(fields) => fields.get(name),
             _ => None,
@@ -81,7 +81,7 @@ impl ScenarioNode {
     }
 
     /// The names of the fields.
-    pub(super) fn names(&self) -> Vec<&str> {
+    pub(crate) fn names(&self) -> Vec<&str> {
         match &self.content {
             Content::Fields(fields) => fields.keys().map(String::as_str).collect(),
             _ => Vec::new(),
@@ -97,12 +97,12 @@ impl ScenarioNode {
     }
 
     /// The node at a path, if there is one.
-    pub(super) fn at(&self, path: &[String]) -> Option<&Self> {
+    pub(crate) fn at(&self, path: &[String]) -> Option<&Self> {
         path.iter().try_fold(self, |node, segment| node.child(segment))
     }
 
     /// The place of a path; where the path has none of its own, that of its nearest ancestor.
-    pub(super) fn place_of(&self, path: &[String]) -> SourcePlace {
+    pub(crate) fn place_of(&self, path: &[String]) -> SourcePlace {
         let mut node = self;
         for segment in path {
             match node.child(segment) {
@@ -114,42 +114,30 @@ impl ScenarioNode {
     }
 
     /// Where the name of the field at a path stands, to report a field that is not allowed there.
-    pub(super) fn name_place_of(&self, path: &[String]) -> SourcePlace {
+    pub(crate) fn name_place_of(&self, path: &[String]) -> SourcePlace {
         let field = path.split_last().and_then(|(last, parents)| self.at(parents)?.field(last));
         field.map_or_else(|| self.place_of(path), |field| field.name_place.clone())
-    }
-
-    /// The dotted path with each name as written.
-    pub(super) fn written_path(&self, path: &[String]) -> String {
-        let mut node = Some(self);
-        let mut written = Vec::with_capacity(path.len());
-        for segment in path {
-            let field = node.and_then(|node| node.field(segment));
-            written.push(field.and_then(|field| field.written.as_ref()).unwrap_or(segment).as_str());
-            node = node.and_then(|node| node.child(segment));
-        }
-        written.join(".")
     }
 }
 
 impl Field {
-    pub(super) fn new(name_place: SourcePlace, node: ScenarioNode) -> Self {
+    pub(crate) fn new(name_place: SourcePlace, node: ScenarioNode) -> Self {
         Self { name_place, written: None, node }
     }
 }
 
 /// The segments of a dotted path.
-pub(super) fn segments(path: &str) -> Vec<String> {
+pub(crate) fn segments(path: &str) -> Vec<String> {
     path.split('.').map(str::to_owned).collect()
 }
 
 /// The value at a path.
-pub(super) fn value_at<'a>(value: &'a Value, path: &[String]) -> Option<&'a Value> {
+pub(crate) fn value_at<'a>(value: &'a Value, path: &[String]) -> Option<&'a Value> {
     path.iter().try_fold(value, |value, segment| value_child(value, segment))
 }
 
 /// The value one segment down.
-pub(super) fn value_child<'a>(value: &'a Value, segment: &str) -> Option<&'a Value> {
+pub(crate) fn value_child<'a>(value: &'a Value, segment: &str) -> Option<&'a Value> {
     match value {
         Value::Array(entries) => entries.get(segment.parse::<usize>().ok()?),
         Value::Object(fields) => fields.get(segment),

@@ -32,8 +32,10 @@ pub(super) const FINITE: &str = "a finite number";
 pub(super) const PLAIN_SPACE: &str = "a plain space (U+0020)";
 pub(super) const BOOLEAN: &str = "true or false";
 pub(super) const NUMBER: &str = "a number";
+pub(super) const WHOLE: &str = "a whole number not less than 0";
 pub(super) const TEXT: &str = "a text";
-pub(super) const FIELDS: &str = "named fields";
+pub(super) const LIST: &str = "a list";
+pub(crate) const FIELDS: &str = "named fields";
 pub(super) const SCENARIO: &str = "a scenario in YAML or JSON, which begins with version: 1";
 pub(super) const STUDY: &str = "a study in YAML or JSON, which begins with version: 1";
 pub(super) const UNKNOWN_FIELD: &str = "an unknown field";
@@ -110,7 +112,7 @@ pub(super) fn beginning(text: &str, longest: usize) -> String {
 }
 
 /// `a`, `a or b`, `one of a, b, c`.
-pub(super) fn one_of(names: &[&str]) -> String {
+pub(crate) fn one_of(names: &[&str]) -> String {
     let shown: Vec<String> = names.iter().map(|name| beginning(name, LONGEST_NAME)).collect();
     match shown.as_slice() {
         [] => "no fields".to_owned(),
@@ -128,28 +130,9 @@ pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     }
 }
 
-/// What serde expected, in our words: `expected` is the part of its message after "expected".
-pub(super) fn allowed(expected: &str) -> String {
-    let array = expected.strip_prefix("an array of length ");
-    match expected {
-        "f64" => NUMBER.to_owned(),
-        "u32" | "u64" | "usize" => "a whole number not less than 0".to_owned(),
-        "a boolean" => BOOLEAN.to_owned(),
-        "a string" => TEXT.to_owned(),
-        "a map" => FIELDS.to_owned(),
-        "a sequence" => "a list".to_owned(),
-        "fewer elements in array" => "a shorter list".to_owned(),
-        "string or map" => "the name of a kind, or a kind with its fields".to_owned(),
-        "map with a single key" => "exactly one kind with its fields".to_owned(),
-        _ if array.is_some() => format!("a list of {} numbers", array.unwrap_or_default()),
-        _ if expected.starts_with("struct ") => FIELDS.to_owned(),
-        _ => expected.to_owned(),
-    }
-}
-
-/// The names in backquotes of a serde message.
-pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
-    message.split('`').skip(1).step_by(2).collect()
+/// What a list of so many numbers allows.
+pub(super) fn list_of_numbers(count: usize) -> String {
+    format!("a list of {count} numbers")
 }
 
 /// The name most similar to `written`, also with other unit aliases, if one is similar enough.

@@ -58,7 +58,7 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::{MOST_DENSE, SchemeName, Settings, Setup, Simulation};
 use crate::spatial::Frame;
 use crate::world::World;
-pub use sea_spectra::{SeaSpectrum, SeaWaves};
+pub use sea_spectra::{SeaSpectrum, SeaWaves, read_sea_waves};
 
 /// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;

@@ -3,14 +3,26 @@
 use super::FieldError;
 use super::still_water::{gravity, water_of};
 use super::waves::{SystemField, of_spectrum, record, regular};
-use crate::scenario::ScenarioError;
+use crate::scenario::error::SourcePlace;
 use crate::scenario::schema::{Name, Scenario, Waves};
+use crate::scenario::tree::ScenarioNode;
+use crate::scenario::{ScenarioError, reading};
 use crate::sea::waves::{Water, WaveComponent};
 use indexmap::IndexMap;
 use serde::Serialize;
+use serde_json::Value;
 
 /// The wave systems of a sea by name, as a scenario has them.
 pub type SeaWaves = IndexMap<Name, Waves>;
+
+/// Reads wave systems from a value, as `sea.waves` of a file.
+///
+/// # Errors
+/// What is wrong there.
+pub fn read_sea_waves(value: &Value) -> Result<SeaWaves, ScenarioError> {
+    let tree = ScenarioNode::from_value(value, &SourcePlace::START);
+    reading::read(&tree).map_err(|fault| ScenarioError::from(fault.error))
+}
 
 /// The energy of one wave system.
 #[derive(Clone, Debug, PartialEq, Serialize)]

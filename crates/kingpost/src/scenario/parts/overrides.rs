@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 
 use super::super::error::{Fault, SourcePlace};
 use super::super::parameters::{Override, OverrideTarget};
+use super::super::reading;
 use super::super::schema::{Mounting, Name, Scenario};
 use super::super::tree::{Content, Field, ScenarioNode, segments};
-use super::super::typed::typed;
 use super::super::{conversion, units, wording};
 use super::{put, take};
 
@@ -32,7 +32,7 @@ pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>
                     return Err(fault);
                 }
                 in_probe(parts, |probe| {
-                    let whole = serde_json::to_value(Mountings::of(&typed(probe)?)).unwrap_or_default();
+                    let whole = serde_json::to_value(Mountings::of(&reading::read(probe)?)).unwrap_or_default();
                     OverrideTarget { tree: probe, whole: &whole }.write(set.name, set.value, &set.place, &set.place)
                 })?;
             }
@@ -91,7 +91,7 @@ fn to_si(parts: &mut Field) -> Result<(), Fault> {
 
 /// The mountings by their names.
 pub fn typed_mountings(parts: &mut Field) -> Result<IndexMap<Name, Mounting>, Fault> {
-    in_probe(parts, |probe| Ok(typed(probe)?.parts))
+    in_probe(parts, |probe| Ok(reading::read::<Scenario>(probe)?.parts))
 }
 
 /// Runs `work` on a scenario that has these parts and nothing else.

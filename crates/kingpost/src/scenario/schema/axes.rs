@@ -1,14 +1,12 @@
 //! Axes of joints: their initial values, how their motion is set, and the forces in them.
 
-use kingpost_derive::fields;
-use serde::{Deserialize, Deserializer};
-
 use super::gas_spring::GasSpring;
 use super::histories::{
     AngleOscillation, AngleTravel, History, HistoryList, LengthOscillation, LengthTravel, RatePulse,
 };
 use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
+use kingpost_derive::fields;
 
 /// One axis that a joint turns about.
 #[fields(default)]
@@ -99,11 +97,6 @@ pub(super) fn one<S: Leaf>() -> Positive<S> {
 /// The default of a smoothing speed.
 pub(super) fn slow<S: Leaf>() -> Positive<S> {
     Positive::literal(0.01)
-}
-
-/// A number that may be left out; a field that is written must have a value.
-fn present<'de, D: Deserializer<'de>, S: Deserialize<'de>>(deserializer: D) -> Result<Option<S>, D::Error> {
-    S::deserialize(deserializer).map(Some)
 }
 
 /// How the angle about an axis is set.
@@ -214,11 +207,11 @@ pub struct LengthSpring<S = f64> {
 #[fields]
 pub struct AngleLimits<S = f64> {
     /// Smallest angle, rad; none when absent.
-    #[serde(deserialize_with = "present")]
+    #[not_null]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub lower_rad: Option<S>,
     /// Largest angle, rad; none when absent.
-    #[serde(deserialize_with = "present")]
+    #[not_null]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub upper_rad: Option<S>,
     /// Moment per angle beyond a limit, N m/rad.
@@ -233,11 +226,11 @@ pub struct AngleLimits<S = f64> {
 #[fields]
 pub struct LengthLimits<S = f64> {
     /// Smallest extension, m; none when absent.
-    #[serde(deserialize_with = "present")]
+    #[not_null]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub lower_m: Option<S>,
     /// Largest extension, m; none when absent.
-    #[serde(deserialize_with = "present")]
+    #[not_null]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
     pub upper_m: Option<S>,
     /// Force per extension beyond a limit, N/m.

@@ -43,7 +43,6 @@ mod slack_tank;
 mod soft_hold;
 mod submerged;
 mod swing_estimator;
-mod top;
 mod trailing_edge;
 mod u_tank;
 mod waves;
@@ -116,7 +115,6 @@ pub use submerged::{
     EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
 };
 pub use swing_estimator::{SwingEstimator, SwingFilter};
-pub(super) use top::is_top_field;
 pub use trailing_edge::TrailingEdge;
 pub use u_tank::{UTank, UTankPump};
 pub use waves::{

@@ -1,12 +1,12 @@
 //! Parameters of a scenario, each with the fields that it sets.
 
 use kingpost_derive::fields;
-use std::fmt;
-
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 use serde_json::{Number, Value};
 
 use super::Name;
+use crate::scenario::reading::{FromNode, ReadFault};
+use crate::scenario::tree::ScenarioNode;
 use crate::scenario::wording::PARAMETER_VALUE;
 
 /// A parameter that a user can change. Command line, Python and the app set the fields in `writes` by its name.
@@ -94,34 +94,15 @@ impl Serialize for ParameterValue {
     }
 }
 
-struct ParameterValueVisitor;
-
-impl serde::de::Visitor<'_> for ParameterValueVisitor {
-    type Value = ParameterValue;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(PARAMETER_VALUE)
+impl FromNode for ParameterValue {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        let boolean = || bool::read(node).map(Self::Boolean);
+        let number = |_| f64::read(node).map(Self::Number);
+        let text = |_| String::read(node).map(Self::Text);
+        boolean().or_else(number).or_else(text).map_err(|_| ReadFault::at(node, PARAMETER_VALUE))
     }
-    fn visit_bool<E>(self, value: bool) -> Result<ParameterValue, E> {
-        Ok(ParameterValue::Boolean(value))
-    }
-    fn visit_i64<E>(self, value: i64) -> Result<ParameterValue, E> {
-        Ok(ParameterValue::Number(value as f64))
-    }
-    fn visit_u64<E>(self, value: u64) -> Result<ParameterValue, E> {
-        Ok(ParameterValue::Number(value as f64))
-    }
-    fn visit_f64<E>(self, value: f64) -> Result<ParameterValue, E> {
-        Ok(ParameterValue::Number(value))
-    }
-    fn visit_str<E>(self, value: &str) -> Result<ParameterValue, E> {
-        Ok(ParameterValue::Text(value.to_owned()))
-    }
-}
-
-impl<'de> Deserialize<'de> for ParameterValue {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ParameterValueVisitor)
+    fn allowed() -> String {
+        PARAMETER_VALUE.to_owned()
     }
 }
 

@@ -4,14 +4,15 @@
 mod check;
 
 use indexmap::IndexMap;
-use serde::{Deserialize, Serialize};
+use kingpost_derive::fields;
 use serde_json::Value;
 
 use super::error::{Fault, ScenarioError, SourcePlace};
 use super::range::{NonNegative, Positive, Probability};
+use super::read::check_version;
+use super::reading::read as read_types;
 use super::schema::{Limit, Name, ParameterValue, Version};
 use super::tree::{Content, ScenarioNode};
-use super::typed::{check_version, typed_as};
 use super::{parse, wording};
 
 /// Runs of one study: more is a mistake.
@@ -22,9 +23,7 @@ pub const MOST_SEEDS: u64 = 100_000;
 pub const MOST_PEAKS: u64 = 1_000;
 
 /// Many runs of one scenario: every case of the axes with every seed, and what is kept of each run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Study {
     /// The version of the file format: 1.
     pub version: Version,
@@ -43,7 +42,6 @@ pub struct Study {
     #[serde(default)]
     pub axes: IndexMap<String, StudyAxis>,
     /// How axes `latin_hypercube` are drawn.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub samples: Option<Samples>,
     /// The seeds of every case, the same in all.
     #[serde(default)]
@@ -55,22 +53,18 @@ pub struct Study {
     #[serde(default)]
     pub record: Vec<String>,
     /// Cycles that are counted for fatigue.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rainflow: Option<Rainflow>,
     /// The largest independent peaks of each run that are kept.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub peaks: Option<Peaks>,
     /// Limits, over those of the scenario: one of the same name replaces it.
     #[serde(default)]
     pub limits: IndexMap<Name, Limit>,
     /// How long the operation lasts that extremes are of, s. Without it: as long as a run without its start.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub operation_s: Option<Positive>,
     /// Probability, chosen by the user, with which a limit may be exceeded in the operation.
     #[serde(default = "acceptance")]
     pub acceptance: Probability,
     /// A scatter table, a file beside the study: how often which sea occurs.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scatter: Option<String>,
     /// Which axis sets which quantity of the sea. Without it, the axes that write these fields of the sea set them.
     #[serde(default)]
@@ -78,9 +72,8 @@ pub struct Study {
 }
 
 /// The values of an axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Axis"))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[cfg_attr(feature = "schema", schemars(rename = "Axis"))]
 pub enum StudyAxis {
     /// These values.
     Values(Vec<ParameterValue>),
@@ -93,9 +86,7 @@ pub enum StudyAxis {
 }
 
 /// Numbers at even distances, the first and the last included.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct EvenRange {
     /// The first.
     pub from: f64,
@@ -106,9 +97,8 @@ pub struct EvenRange {
 }
 
 /// An interval that numbers are drawn from.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Interval"))]
-#[serde(deny_unknown_fields)]
+#[fields]
+#[cfg_attr(feature = "schema", schemars(rename = "Interval"))]
 pub struct DrawnInterval {
     /// Its lower end.
     pub from: f64,
@@ -117,9 +107,8 @@ pub struct DrawnInterval {
 }
 
 /// What an axis takes from the scatter table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
+#[fields]
+#[derive(Copy, Eq)]
 pub enum ScatterQuantity {
     /// The significant wave height, m.
     SignificantHeight,
@@ -128,9 +117,7 @@ pub enum ScatterQuantity {
 }
 
 /// How axes `latin_hypercube` are drawn.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Samples {
     /// How many samples.
     pub count: u64,
@@ -140,9 +127,7 @@ pub struct Samples {
 }
 
 /// The seeds of every case.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
 pub struct Seeds {
     /// The first.
     pub first: u64,
@@ -158,9 +143,7 @@ impl Default for Seeds {
 
 /// Cycles that are counted by rainflow (ASTM E1049), and sums of their ranges to a power: the damage of an S-N curve of that
 /// slope, but for its constant.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Rainflow {
     /// Columns, `*` as in `record`.
     pub columns: Vec<String>,
@@ -169,9 +152,7 @@ pub struct Rainflow {
 }
 
 /// The largest independent peaks: of those between two up-crossings of the mean the largest.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[fields]
 pub struct Peaks {
     /// Columns, `*` as in `record`.
     pub columns: Vec<String>,
@@ -181,18 +162,15 @@ pub struct Peaks {
 }
 
 /// Which axis sets which quantity of the sea.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SeaAxes"))]
-#[serde(deny_unknown_fields, default)]
+#[fields(default)]
+#[derive(Default)]
+#[cfg_attr(feature = "schema", schemars(rename = "SeaAxes"))]
 pub struct StudySea {
     /// The axis of the significant wave height, m.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub significant_height: Option<String>,
     /// The axis of the peak period, s.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_period: Option<String>,
     /// The axis of the direction.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<String>,
 }
 
@@ -229,7 +207,7 @@ pub fn read(text: &str, file: &str) -> Result<(Study, Places), ScenarioError> {
     let typed = || {
         let tree = parse::parse_as(text, wording::STUDY)?;
         check_version(&tree)?;
-        let study: Study = typed_as(&tree)?;
+        let study: Study = read_types(&tree)?;
         check::all(&study).map_err(|(path, error)| Fault { place: tree.place_of(&path), error })?;
         let mut places = Places::new();
         list_places(&tree, "", &mut places);

@@ -1,0 +1,121 @@
+//! The reading of a type from a node of a file's tree.
+
+use proc_macro2::TokenStream as Tokens;
+use quote::{format_ident, quote};
+use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Result};
+
+use crate::naming::{SerdeNames, snake_case};
+
+/// The implementation of `FromNode`; fields that are left out are those of the type's `Default` if `all_default`.
+pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
+    let name = &item.ident;
+    let scalar = item.generics.type_params().next().map(|parameter| {
+        let scalar = &parameter.ident;
+        quote!(type #scalar = f64;)
+    });
+    let (body, allowed, fields) = match &item.data {
+        Data::Struct(data) => {
+            let read = |(k, field)| read_field(k, field);
+            let fields: Vec<Read<'_>> = data.fields.iter().enumerate().map(read).collect::<Result<_>>()?;
+            let names = fields.iter().filter(|field| !field.stated.absent).map(Read::name);
+            let names = quote!(const FIELDS: &'static [&'static str] = &[#(#names),*];);
+            (of_fields(&fields, all_default), quote!(crate::scenario::wording::FIELDS.to_owned()), Some(names))
+        }
+        Data::Enum(data) => {
+            let kinds: Vec<String> =
+                data.variants.iter().map(|variant| snake_case(&variant.ident.to_string())).collect();
+            let arms = data
+                .variants
+                .iter()
+                .zip(&kinds)
+                .map(|(variant, kind)| Ok(arm(&variant.ident, kind, !matches!(variant.fields, Fields::Unit))));
+            let arms: Vec<Tokens> = arms.collect::<Result<_>>()?;
+            let body = quote! {
+                let (kind, of) = reading::kind(node, &[#(#kinds),*])?;
+                match kind {
+                    #(#arms)*
+                    _ => Err(reading::ReadFault::at(node, Self::allowed())),
+                }
+            };
+            (body, quote!(crate::scenario::wording::one_of(&[#(#kinds),*])), None)
+        }
+        Data::Union(_) => return Err(Error::new_spanned(name, "a struct or an enum")),
+    };
+    Ok(quote! {
+        impl crate::scenario::reading::FromNode for #name {
+            #fields
+            fn read(node: &crate::scenario::tree::ScenarioNode) -> Result<Self, crate::scenario::reading::ReadFault> {
+                use crate::scenario::reading;
+                #scalar
+                #body
+            }
+            fn allowed() -> String {
+                #allowed
+            }
+        }
+    })
+}
+
+fn arm(variant: &Ident, kind: &str, has_fields: bool) -> Tokens {
+    if has_fields {
+        quote!(#kind => reading::kind_with_fields(node, kind, of).map(Self::#variant),)
+    } else {
+        quote!(#kind => reading::kind_without_fields(node, kind, of).map(|()| Self::#variant),)
+    }
+}
+
+/// A field as it is read.
+struct Read<'a> {
+    ident: &'a Ident,
+    slot: Ident,
+    stated: SerdeNames,
+    not_null: bool,
+}
+
+fn of_fields(fields: &[Read<'_>], all_default: bool) -> Tokens {
+    let in_files = || fields.iter().filter(|field| !field.stated.absent);
+    let slots = in_files().map(|field| &field.slot);
+    let arms = in_files().map(|field| {
+        let (name, slot) = (field.name(), &field.slot);
+        let read = if field.not_null { quote!(present) } else { quote!(field) };
+        quote!(#name => #slot = Some(reading::#read(name, of)?),)
+    });
+    let made = fields.iter().map(|field| field.made(all_default));
+    let whole = all_default.then(|| quote!(let whole = Self::default();));
+    quote! {
+        #(let mut #slots = None;)*
+        for (name, of) in reading::fields(node)? {
+            match name.as_str() {
+                #(#arms)*
+                _ => return Err(reading::unknown(name, of, Self::FIELDS)),
+            }
+        }
+        #whole
+        Ok(Self { #(#made),* })
+    }
+}
+
+fn read_field(k: usize, field: &Field) -> Result<Read<'_>> {
+    let ident = field.ident.as_ref().ok_or_else(|| Error::new_spanned(field, "a field with a name"))?;
+    let not_null = field.attrs.iter().any(|attribute| attribute.path().is_ident("not_null"));
+    Ok(Read { ident, slot: format_ident!("field_{k}"), stated: SerdeNames::of(&field.attrs)?, not_null })
+}
+
+impl Read<'_> {
+    fn name(&self) -> String {
+        self.stated.rename.clone().unwrap_or_else(|| self.ident.to_string())
+    }
+
+    /// The field of the type, from what was read or from its default.
+    fn made(&self, all_default: bool) -> Tokens {
+        let Self { ident, slot, stated, .. } = self;
+        let name = self.name();
+        match &stated.default {
+            _ if stated.absent => quote!(#ident: Default::default()),
+            _ if all_default => quote!(#ident: #slot.unwrap_or(whole.#ident)),
+            Some(Some(path)) => quote!(#ident: match #slot { Some(read) => read, None => #path() }),
+            Some(None) => quote!(#ident: #slot.unwrap_or_default()),
+            _ => quote!(#ident: reading::or_absent(#slot, #name, node)?),
+        }
+    }
+}

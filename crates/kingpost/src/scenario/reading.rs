@@ -1,0 +1,287 @@
+//! Reads the types of a file from its tree. `#[fields]` implements [`FromNode`] for a type with fields or kinds.
+
+use indexmap::IndexMap;
+use serde_json::Value;
+use std::hash::Hash;
+
+use super::error::{Fault, SourcePlace};
+use super::tree::{Content, Field, ScenarioNode};
+use super::wording;
+
+/// A type that is read from a node of a file's tree.
+pub(crate) trait FromNode: Sized {
+    /// The names of its fields, if it has some.
+    const FIELDS: &'static [&'static str] = &[];
+
+    /// Reads it.
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault>;
+
+    /// What is allowed, in the words of an error.
+    fn allowed() -> String;
+
+    /// The value of a field that is left out; `None` if it is required.
+    fn absent() -> Option<Self> {
+        None
+    }
+}
+
+/// A type of the names in a map.
+pub(crate) trait FromName: Sized + Eq + Hash {
+    /// Reads a name.
+    ///
+    /// # Errors
+    /// What is allowed.
+    fn from_name(name: &str) -> Result<Self, &'static str>;
+}
+
+/// An error at a node. Its path grows on the way out, from the innermost segment.
+#[derive(Debug)]
+pub(crate) struct ReadFault {
+    place: SourcePlace,
+    path: Vec<String>,
+    found: String,
+    allowed: String,
+}
+
+impl ReadFault {
+    fn new(place: &SourcePlace, found: impl Into<String>, allowed: impl Into<String>) -> Self {
+        Self { place: place.clone(), path: Vec::new(), found: found.into(), allowed: allowed.into() }
+    }
+
+    /// A value that is not allowed.
+    pub(crate) fn at(node: &ScenarioNode, allowed: impl Into<String>) -> Self {
+        Self::new(&node.place, wording::found(&node.written_value()), allowed)
+    }
+
+    /// The error inside a field or an entry.
+    pub(crate) fn within(mut self, segment: impl Into<String>) -> Self {
+        self.path.push(segment.into());
+        self
+    }
+}
+
+impl From<ReadFault> for Fault {
+    fn from(fault: ReadFault) -> Self {
+        let ReadFault { place, mut path, found, allowed } = fault;
+        path.reverse();
+        Self::new(&place, path.join("."), found, allowed)
+    }
+}
+
+/// The types of a file over its tree, with the place of the first error.
+pub(super) fn read<T: FromNode>(tree: &ScenarioNode) -> Result<T, Fault> {
+    Ok(T::read(tree)?)
+}
+
+/// The fields of a node.
+pub(crate) fn fields(node: &ScenarioNode) -> Result<&IndexMap<String, Field>, ReadFault> {
+    match &node.content {
+        Content::Fields(fields) => Ok(fields),
+        _ => Err(ReadFault::at(node, wording::FIELDS)),
+    }
+}
+
+/// A field that its type does not have.
+pub(crate) fn unknown(name: &str, field: &Field, known: &[&str]) -> ReadFault {
+    let written = field.written.as_deref().unwrap_or(name);
+    let allowed = wording::one_of_with_hint(known, written);
+    ReadFault::new(&field.name_place, wording::UNKNOWN_FIELD, allowed).within(written)
+}
+
+/// Reads a field.
+pub(crate) fn field<T: FromNode>(name: &str, field: &Field) -> Result<T, ReadFault> {
+    T::read(&field.node).map_err(|fault| fault.within(field.written.as_deref().unwrap_or(name)))
+}
+
+/// Reads a field that may be left out; if it is written, it has a value.
+pub(crate) fn present<T: FromNode>(name: &str, of: &Field) -> Result<Option<T>, ReadFault> {
+    field(name, of).map(Some)
+}
+
+/// A field's value, or the value of one that is left out.
+pub(crate) fn or_absent<T: FromNode>(read: Option<T>, name: &str, node: &ScenarioNode) -> Result<T, ReadFault> {
+    read.or_else(T::absent).ok_or_else(|| ReadFault::new(&node.place, wording::NOTHING, T::allowed()).within(name))
+}
+
+/// The name of a kind, with its field if it is written with fields.
+pub(crate) fn kind<'a>(node: &'a ScenarioNode, kinds: &[&str]) -> Result<(&'a str, Option<&'a Field>), ReadFault> {
+    let known = |name: &str, found: String| match kinds.contains(&name) {
+        true => Ok(()),
+        false => Err(ReadFault::new(&node.place, found, wording::one_of_with_hint(kinds, name))),
+    };
+    match &node.content {
+        Content::Scalar(Value::String(name)) => {
+            known(name, wording::found(&node.written_value()))?;
+            Ok((name, None))
+        }
+        Content::Fields(fields) if fields.len() == 1 => {
+            let (name, field) = fields.first().ok_or_else(|| ReadFault::at(node, wording::one_of(kinds)))?;
+            known(name, wording::quoted(name))?;
+            Ok((name, Some(field)))
+        }
+        _ => Err(ReadFault::at(node, wording::one_of(kinds))),
+    }
+}
+
+/// The fields of a kind that has some.
+pub(crate) fn kind_with_fields<T: FromNode>(
+    node: &ScenarioNode,
+    name: &str,
+    of: Option<&Field>,
+) -> Result<T, ReadFault> {
+    match of {
+        Some(of) => field(name, of),
+        None => Err(ReadFault::at(node, wording::with_fields(name))),
+    }
+}
+
+/// Checks that a kind without fields has none.
+pub(crate) fn kind_without_fields(node: &ScenarioNode, name: &str, of: Option<&Field>) -> Result<(), ReadFault> {
+    match of.map(|field| &field.node.content) {
+        None | Some(Content::Scalar(Value::Null)) => Ok(()),
+        Some(_) => Err(ReadFault::at(node, wording::without_fields(name))),
+    }
+}
+
+impl FromNode for f64 {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        match &node.content {
+            Content::Scalar(value) => value.as_f64().ok_or_else(|| ReadFault::at(node, wording::NUMBER)),
+            _ => Err(ReadFault::at(node, wording::NUMBER)),
+        }
+    }
+    fn allowed() -> String {
+        wording::NUMBER.to_owned()
+    }
+}
+
+impl FromNode for bool {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        match &node.content {
+            Content::Scalar(Value::Bool(value)) => Ok(*value),
+            _ => Err(ReadFault::at(node, wording::BOOLEAN)),
+        }
+    }
+    fn allowed() -> String {
+        wording::BOOLEAN.to_owned()
+    }
+}
+
+impl FromNode for String {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        match &node.content {
+            Content::Scalar(Value::String(text)) => Ok(text.clone()),
+            _ => Err(ReadFault::at(node, wording::TEXT)),
+        }
+    }
+    fn allowed() -> String {
+        wording::TEXT.to_owned()
+    }
+}
+
+macro_rules! whole_number {
+    ($($type:ty),*) => {$(
+        impl FromNode for $type {
+            fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+                let Content::Scalar(value) = &node.content else { return Err(ReadFault::at(node, wording::WHOLE)) };
+                let whole = value.as_u64().and_then(|whole| whole.try_into().ok());
+                whole.ok_or_else(|| ReadFault::at(node, wording::WHOLE))
+            }
+            fn allowed() -> String {
+                wording::WHOLE.to_owned()
+            }
+        }
+    )*};
+}
+
+whole_number!(u32, u64, usize);
+
+/// Any value.
+impl FromNode for Value {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        Ok(node.to_value())
+    }
+    fn allowed() -> String {
+        wording::REQUIRED.to_owned()
+    }
+}
+
+impl<T: FromNode> FromNode for Option<T> {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        match node.content {
+            Content::Scalar(Value::Null) if node.written.is_none() => Ok(None),
+            _ => T::read(node).map(Some),
+        }
+    }
+    fn allowed() -> String {
+        T::allowed()
+    }
+    fn absent() -> Option<Self> {
+        Some(None)
+    }
+}
+
+impl<T: FromNode> FromNode for Box<T> {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        T::read(node).map(Self::new)
+    }
+    fn allowed() -> String {
+        T::allowed()
+    }
+}
+
+/// The entries of a list.
+fn entries<'a>(node: &'a ScenarioNode, allowed: &str) -> Result<&'a [ScenarioNode], ReadFault> {
+    match &node.content {
+        Content::List(entries) => Ok(entries),
+        _ => Err(ReadFault::at(node, allowed)),
+    }
+}
+
+fn entry<T: FromNode>((k, node): (usize, &ScenarioNode)) -> Result<T, ReadFault> {
+    T::read(node).map_err(|fault| fault.within(k.to_string()))
+}
+
+impl<T: FromNode> FromNode for Vec<T> {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        entries(node, wording::LIST)?.iter().enumerate().map(entry).collect()
+    }
+    fn allowed() -> String {
+        wording::LIST.to_owned()
+    }
+}
+
+impl<T: FromNode, const N: usize> FromNode for [T; N] {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        let allowed = Self::allowed();
+        let all = entries(node, &allowed)?;
+        let read: Vec<T> = all.iter().take(N).enumerate().map(entry).collect::<Result<_, _>>()?;
+        match read.try_into() {
+            Ok(read) if all.len() == N => Ok(read),
+            _ => Err(ReadFault::at(node, allowed)),
+        }
+    }
+    fn allowed() -> String {
+        wording::list_of_numbers(N)
+    }
+}
+
+impl<K: FromName, T: FromNode> FromNode for IndexMap<K, T> {
+    fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
+        let entry = |(name, of): (&String, &Field)| {
+            let written = of.written.as_ref().unwrap_or(name);
+            let wrong = |allowed| ReadFault::new(&of.name_place, wording::quoted(name), allowed).within(written);
+            Ok((K::from_name(name).map_err(wrong)?, field(name, of)?))
+        };
+        fields(node)?.iter().map(entry).collect()
+    }
+    fn allowed() -> String {
+        wording::FIELDS.to_owned()
+    }
+}
+
+impl FromName for String {
+    fn from_name(name: &str) -> Result<Self, &'static str> {
+        Ok(name.to_owned())
+    }
+}
