@@ -45,6 +45,15 @@ def test_a_rational_memory_is_recovered() -> None:
     assert [len(mode.poles_rad_s) for mode in radiation.modes] == [4, 2, 4, 0, 4, 0]
 
 
+def test_progress_of_a_fit_grows_from_nothing_to_all() -> None:
+    shares: list[float] = []
+    radiation_fit.fit(bandpasses(), limit=1e-6, progress=shares.append)
+    assert shares[0] == 0.0
+    assert shares[-1] == 1.0
+    assert shares == sorted(shares)
+    assert len(shares) > 3
+
+
 def test_couplings_that_are_zero_stay_zero() -> None:
     radiation = radiation_fit.fit(bandpasses())
     response = radiation_fit.evaluate(radiation, np.linspace(0, 10, 50))

@@ -151,12 +151,14 @@ def _fitted(
     database: Database, options: argparse.Namespace, target: Path, response_share: float = 1.0
 ) -> Database:
     database = rounded(database)
-    radiation = fit(
-        database,
-        highest_rad_s=options.highest_rad_s,
-        accept=options.accept_fit,
-        response_share=response_share,
-    )
+    with progress.bar(1.0, "memory") as update:
+        radiation = fit(
+            database,
+            highest_rad_s=options.highest_rad_s,
+            accept=options.accept_fit,
+            response_share=response_share,
+            progress=update,
+        )
     found = misfits(database, radiation, highest_rad_s=options.highest_rad_s)
     if radiation.fit_error > MOST_FIT_ERROR:
         raise HydrodynamicsError(

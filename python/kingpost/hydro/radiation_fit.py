@@ -50,6 +50,7 @@ def fit(
     highest_rad_s: float | None = None,
     accept: bool = False,
     response_share: float = 1.0,
+    progress: Callable[[float], None] | None = None,
 ) -> Radiation:
     """Fit the memory with the fewest poles that meet a limit.
 
@@ -72,6 +73,8 @@ def fit(
     response_share
         Aim for the error of responses as a share of the limit (`fit_data`), if there are enough poles: less
         than 1 for hulls that resonate with less damping than `fit_data` assumes.
+    progress
+        Called with the share of the work that is done, from 0 to 1, after each number of poles.
 
     Returns
     -------
@@ -86,8 +89,16 @@ def fit(
     database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
     data = FitData.of(database, limit)
     modes = [RadiationMode(np.zeros(0, complex), np.zeros((0, 6), complex)) for _ in MOTIONS]
-    for group in _groups(data.coupled):
-        poles, matrices = _fit_group(data, group, (limit, response_share * limit), most_states, accept)
+    groups = _groups(data.coupled)
+    for done, group in enumerate(groups):
+
+        def report(share: float, done: int = done) -> None:
+            if progress:
+                progress((done + share) / len(groups))
+
+        limits = (limit, response_share * limit)
+        poles, matrices = _fit_group(data, group, limits, most_states, accept, report)
+        report(1.0)
         for column, motion in enumerate(group):
             residues = np.zeros((len(poles), 6), complex)
             residues[:, group] = matrices[:, :, column] * np.sqrt(data.peaks[group] * data.peaks[motion])
@@ -198,7 +209,12 @@ class _Trial:
 
 
 def _fit_group(
-    data: FitData, group: list[int], limits: tuple[float, float], most_states: int, accept: bool
+    data: FitData,
+    group: list[int],
+    limits: tuple[float, float],
+    most_states: int,
+    accept: bool,
+    report: Callable[[float], None],
 ) -> tuple[ComplexArray, ComplexArray]:
     """Scaled poles and residues (pole, force, motion) of a group: the fewest poles that meet both limits;
     otherwise, among the fits that meet the limit of K, the one with the smallest error of responses."""
@@ -207,7 +223,9 @@ def _fit_group(
     passed: list[_Trial] = []
     for tail_weight in TAIL_WEIGHTS:
         problem = _problem(data, group, limit, tail_weight)
-        for states in range(2, min(most_states, len(data.omega)) + 1):
+        orders = range(2, min(most_states, len(data.omega)) + 1)
+        for states in orders:
+            report(len(tried) / (len(TAIL_WEIGHTS) * len(orders)))
             poles = common_poles(problem.responses, problem.omega, problem.weights, states)
             trial = _Trial.of(data, group, poles, best_residues(poles, problem))
             tried.append((trial, problem))
