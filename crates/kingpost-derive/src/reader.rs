@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream as Tokens;
 use quote::{format_ident, quote};
-use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Result};
+use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Result, Type};
 
 use crate::naming::{SerdeNames, snake_case};
 
@@ -13,13 +13,16 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
         let scalar = &parameter.ident;
         quote!(type #scalar = f64;)
     });
-    let (body, allowed, fields) = match &item.data {
+    let (body, allowed, rest) = match &item.data {
         Data::Struct(data) => {
             let read = |(k, field)| read_field(k, field);
             let fields: Vec<Read<'_>> = data.fields.iter().enumerate().map(read).collect::<Result<_>>()?;
             let names = fields.iter().filter(|field| !field.stated.absent).map(Read::name);
             let names = quote!(const FIELDS: &'static [&'static str] = &[#(#names),*];);
-            (of_fields(&fields, all_default), quote!(crate::scenario::wording::FIELDS.to_owned()), Some(names))
+            let in_files = fields.iter().filter(|field| !field.stated.absent);
+            let texts = texts(in_files.map(|field| (field.name(), field.of)), &scalar);
+            let body = of_fields(&fields, all_default);
+            (body, quote!(crate::scenario::wording::FIELDS.to_owned()), quote!(#names #texts))
         }
         Data::Enum(data) => {
             let kinds: Vec<String> =
@@ -37,13 +40,17 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
                     _ => Err(reading::ReadFault::at(node, Self::allowed())),
                 }
             };
-            (body, quote!(crate::scenario::wording::one_of(&[#(#kinds),*])), None)
+            let with_fields = data.variants.iter().zip(&kinds);
+            let with_fields =
+                with_fields.filter_map(|(variant, kind)| Some((kind.clone(), &variant.fields.iter().next()?.ty)));
+            let texts = texts(with_fields, &scalar);
+            (body, quote!(crate::scenario::wording::one_of(&[#(#kinds),*])), texts)
         }
         Data::Union(_) => return Err(Error::new_spanned(name, "a struct or an enum")),
     };
     Ok(quote! {
         impl crate::scenario::reading::FromNode for #name {
-            #fields
+            #rest
             fn read(node: &crate::scenario::tree::ScenarioNode) -> Result<Self, crate::scenario::reading::ReadFault> {
                 use crate::scenario::reading;
                 #scalar
@@ -54,6 +61,28 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
             }
         }
     })
+}
+
+/// The visit of the texts in fields, or in the field of a kind, that name entries or files.
+fn texts<'a>(fields: impl Iterator<Item = (String, &'a Type)>, scalar: &Option<Tokens>) -> Tokens {
+    let (names, types): (Vec<String>, Vec<&Type>) = fields.unzip();
+    quote! {
+        fn visit_texts(
+            node: &mut crate::scenario::tree::ScenarioNode,
+            visit: &mut dyn FnMut(crate::scenario::reading::TextKind, &mut String),
+        ) {
+            #scalar
+            #(crate::scenario::reading::visit_field::<#types>(node, #names, visit);)*
+        }
+        fn text_at(path: &[&str]) -> Option<crate::scenario::reading::TextKind> {
+            #scalar
+            let (first, rest) = path.split_first()?;
+            match *first {
+                #(#names => <#types as crate::scenario::reading::FromNode>::text_at(rest),)*
+                _ => None,
+            }
+        }
+    }
 }
 
 fn arm(variant: &Ident, kind: &str, has_fields: bool) -> Tokens {
@@ -67,6 +96,7 @@ fn arm(variant: &Ident, kind: &str, has_fields: bool) -> Tokens {
 /// A field as it is read.
 struct Read<'a> {
     ident: &'a Ident,
+    of: &'a Type,
     slot: Ident,
     stated: SerdeNames,
     not_null: bool,
@@ -98,7 +128,7 @@ fn of_fields(fields: &[Read<'_>], all_default: bool) -> Tokens {
 fn read_field(k: usize, field: &Field) -> Result<Read<'_>> {
     let ident = field.ident.as_ref().ok_or_else(|| Error::new_spanned(field, "a field with a name"))?;
     let not_null = field.attrs.iter().any(|attribute| attribute.path().is_ident("not_null"));
-    Ok(Read { ident, slot: format_ident!("field_{k}"), stated: SerdeNames::of(&field.attrs)?, not_null })
+    Ok(Read { ident, of: &field.ty, slot: format_ident!("field_{k}"), stated: SerdeNames::of(&field.attrs)?, not_null })
 }
 
 impl Read<'_> {

@@ -326,8 +326,7 @@ impl Simulation {
             let (seas, frequencies, directions): (Vec<serde_json::Value>, Vec<f64>, usize) =
                 serde_json::from_str(asked_json).map_err(errors::input)?;
             let of = |waves| held.built.scenario().sea_spectra(&read_sea_waves(waves)?, &frequencies, directions);
-            let each = seas.iter().map(of);
-            let found = each.collect::<Result<Vec<_>, _>>().map_err(errors::scenario)?;
+            let found = seas.iter().map(of).collect::<Result<Vec<_>, _>>().map_err(errors::scenario)?;
             serde_json::to_string(&found).map_err(errors::input)
         })
     }

@@ -40,7 +40,6 @@ pub use error::{FieldError, ScenarioError};
 pub use files::{Files, Host};
 pub use live::ParameterError;
 pub use named_files::NamedFiles;
-pub use parts::{FILES as PART_FILES, REFERENCES as PART_REFERENCES};
 pub use read::{file_names, read, read_with};
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use scalar_conversion::side_by_side;

@@ -11,7 +11,8 @@ use super::tree::{ScenarioNode, segments};
 use crate::plant::Number;
 use crate::simulation::{Setup, Simulation};
 
-use super::{conversion, parse, parts, reading, wording};
+use super::reading::{self, check_version};
+use super::{conversion, parse, parts, wording};
 
 /// Reads a scenario from YAML or JSON.
 ///
@@ -110,18 +111,6 @@ impl<'a> Parsed<'a> {
         let mut scenario = resolved(&mut tree, &overrides)?;
         scenario.parts = mounted.parts;
         Ok((scenario, tree))
-    }
-}
-
-/// Checks the version before anything else: another version may have other fields.
-pub(super) fn check_version(tree: &ScenarioNode) -> Result<(), Fault> {
-    match tree.field("version").map(|field| &field.node) {
-        None => Err(Fault::new(&tree.place, "version", wording::NOTHING, wording::VERSION)),
-        Some(node) if node.to_value().as_f64() == Some(1.0) => Ok(()),
-        Some(node) => {
-            let found = wording::found(&node.to_value());
-            Err(Fault::new(&node.place, "version", found, wording::VERSION))
-        }
     }
 }
 

@@ -23,6 +23,23 @@ pub(crate) trait FromNode: Sized {
     fn absent() -> Option<Self> {
         None
     }
+
+    /// Visits the texts in a node that name other entries or files.
+    fn visit_texts(_node: &mut ScenarioNode, _visit: &mut dyn FnMut(TextKind, &mut String)) {}
+
+    /// The kind of the text at a path; `None` if no such text is there.
+    fn text_at(_path: &[&str]) -> Option<TextKind> {
+        None
+    }
+}
+
+/// A text that a part changes where it is mounted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TextKind {
+    /// The name of another entry of the scenario, of one of its axes, inputs or columns.
+    Reference,
+    /// The path of a file.
+    File,
 }
 
 /// A type of the names in a map.
@@ -65,6 +82,18 @@ impl From<ReadFault> for Fault {
         let ReadFault { place, mut path, found, allowed } = fault;
         path.reverse();
         Self::new(&place, path.join("."), found, allowed)
+    }
+}
+
+/// Checks the version before anything else: another version may have other fields.
+pub(super) fn check_version(tree: &ScenarioNode) -> Result<(), Fault> {
+    match tree.field("version").map(|field| &field.node) {
+        None => Err(Fault::new(&tree.place, "version", wording::NOTHING, wording::VERSION)),
+        Some(node) if node.to_value().as_f64() == Some(1.0) => Ok(()),
+        Some(node) => {
+            let found = wording::found(&node.to_value());
+            Err(Fault::new(&node.place, "version", found, wording::VERSION))
+        }
     }
 }
 
@@ -120,6 +149,26 @@ pub(crate) fn kind<'a>(node: &'a ScenarioNode, kinds: &[&str]) -> Result<(&'a st
             Ok((name, Some(field)))
         }
         _ => Err(ReadFault::at(node, wording::one_of(kinds))),
+    }
+}
+
+/// Visits the texts in a field, if it is written.
+pub(crate) fn visit_field<T: FromNode>(
+    node: &mut ScenarioNode,
+    name: &str,
+    visit: &mut dyn FnMut(TextKind, &mut String),
+) {
+    if let Content::Fields(fields) = &mut node.content
+        && let Some(of) = fields.get_mut(name)
+    {
+        T::visit_texts(&mut of.node, visit);
+    }
+}
+
+/// Visits the text of a scalar.
+pub(crate) fn visit_text(node: &mut ScenarioNode, kind: TextKind, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    if let Content::Scalar(Value::String(text)) = &mut node.content {
+        visit(kind, text);
     }
 }
 
@@ -219,6 +268,12 @@ impl<T: FromNode> FromNode for Option<T> {
     fn absent() -> Option<Self> {
         Some(None)
     }
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+        T::visit_texts(node, visit);
+    }
+    fn text_at(path: &[&str]) -> Option<TextKind> {
+        T::text_at(path)
+    }
 }
 
 impl<T: FromNode> FromNode for Box<T> {
@@ -227,6 +282,12 @@ impl<T: FromNode> FromNode for Box<T> {
     }
     fn allowed() -> String {
         T::allowed()
+    }
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+        T::visit_texts(node, visit);
+    }
+    fn text_at(path: &[&str]) -> Option<TextKind> {
+        T::text_at(path)
     }
 }
 
@@ -249,6 +310,14 @@ impl<T: FromNode> FromNode for Vec<T> {
     fn allowed() -> String {
         wording::LIST.to_owned()
     }
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+        if let Content::List(entries) = &mut node.content {
+            entries.iter_mut().for_each(|entry| T::visit_texts(entry, visit));
+        }
+    }
+    fn text_at(path: &[&str]) -> Option<TextKind> {
+        T::text_at(path.get(1..)?)
+    }
 }
 
 impl<T: FromNode, const N: usize> FromNode for [T; N] {
@@ -264,6 +333,14 @@ impl<T: FromNode, const N: usize> FromNode for [T; N] {
     fn allowed() -> String {
         wording::list_of_numbers(N)
     }
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+        if let Content::List(entries) = &mut node.content {
+            entries.iter_mut().for_each(|entry| T::visit_texts(entry, visit));
+        }
+    }
+    fn text_at(path: &[&str]) -> Option<TextKind> {
+        T::text_at(path.get(1..)?)
+    }
 }
 
 impl<K: FromName, T: FromNode> FromNode for IndexMap<K, T> {
@@ -277,6 +354,14 @@ impl<K: FromName, T: FromNode> FromNode for IndexMap<K, T> {
     }
     fn allowed() -> String {
         wording::FIELDS.to_owned()
+    }
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+        if let Content::Fields(fields) = &mut node.content {
+            fields.values_mut().for_each(|field| T::visit_texts(&mut field.node, visit));
+        }
+    }
+    fn text_at(path: &[&str]) -> Option<TextKind> {
+        T::text_at(path.get(1..)?)
     }
 }
 

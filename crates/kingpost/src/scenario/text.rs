@@ -6,15 +6,15 @@ use std::ops::Deref;
 
 use serde::Serialize;
 
-use super::reading::{FromName, FromNode, ReadFault};
+use super::reading::{FromName, FromNode, ReadFault, TextKind, visit_text};
 use super::tree::ScenarioNode;
-use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, VERSION};
+use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, TEXT, VERSION};
 
 /// The name that stands for the inertial frame; no body may carry it.
 pub const WORLD: &str = "world";
 
 macro_rules! formed_text {
-    ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:ident, $pattern:literal) => {
+    ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:ident, $kind:expr, $schema:tt) => {
         $(#[$doc])*
         #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
         #[serde(transparent)]
@@ -72,6 +72,15 @@ macro_rules! formed_text {
             fn allowed() -> String {
                 $allowed.to_owned()
             }
+            fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+                let kind: Option<TextKind> = $kind;
+                if let Some(kind) = kind {
+                    visit_text(node, kind, visit);
+                }
+            }
+            fn text_at(path: &[&str]) -> Option<TextKind> {
+                if path.is_empty() { $kind } else { None }
+            }
         }
 
         #[cfg(feature = "schema")]
@@ -83,7 +92,7 @@ macro_rules! formed_text {
                 stringify!($name).into()
             }
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                schemars::json_schema!({"type": "string", "pattern": $pattern})
+                schemars::json_schema!($schema)
             }
         }
     };
@@ -102,25 +111,43 @@ fn is_signal_name(text: &str) -> bool {
     text.split('.').count() <= 3 && text.split('.').all(is_name)
 }
 
+const fn is_any(_: &str) -> bool {
+    true
+}
+
 fn is_colour(text: &str) -> bool {
     text.strip_prefix('#').is_some_and(|hex| hex.len() == 6 && hex.chars().all(|c| c.is_ascii_hexdigit()))
 }
 
 formed_text!(
     /// A name of a body, joint, point, force, drive or parameter: `[a-z][a-z0-9_]*`.
-    Name, NAME, is_name, "^[a-z][a-z0-9_]*$"
+    Name, NAME, is_name, Some(TextKind::Reference), {"type": "string", "pattern": "^[a-z][a-z0-9_]*$"}
+);
+formed_text!(
+    /// A name that is unique beside another one only, as a point of a body: `[a-z][a-z0-9_]*`.
+    LocalName, NAME, is_name, None, {"type": "string", "pattern": "^[a-z][a-z0-9_]*$"}
 );
 formed_text!(
     /// A name of a joint of one axis, or of an axis of a joint: `slew`, `hook.first`.
-    CoordinateName, COORDINATE_NAME, is_coordinate_name, "^[a-z][a-z0-9_]*(\\.[a-z][a-z0-9_]*)?$"
+    CoordinateName, COORDINATE_NAME, is_coordinate_name, Some(TextKind::Reference),
+    {"type": "string", "pattern": "^[a-z][a-z0-9_]*(\\.[a-z][a-z0-9_]*)?$"}
 );
 formed_text!(
     /// A name of an input or of a column of the results: `winch`, `mru.measured_angular_velocity.x`.
-    SignalName, SIGNAL_NAME, is_signal_name, "^[a-z][a-z0-9_]*(\\.[a-z][a-z0-9_]*){0,2}$"
+    SignalName, SIGNAL_NAME, is_signal_name, Some(TextKind::Reference),
+    {"type": "string", "pattern": "^[a-z][a-z0-9_]*(\\.[a-z][a-z0-9_]*){0,2}$"}
 );
 formed_text!(
     /// A colour as `#rrggbb`.
-    Colour, COLOUR, is_colour, "^#[0-9a-fA-F]{6}$"
+    Colour, COLOUR, is_colour, None, {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$"}
+);
+formed_text!(
+    /// A column of the results: `hull.roll`.
+    ColumnName, TEXT, is_any, Some(TextKind::Reference), {"type": "string"}
+);
+formed_text!(
+    /// A file beside the scenario or in the gallery, by its path.
+    FilePath, TEXT, is_any, Some(TextKind::File), {"type": "string"}
 );
 
 impl FromName for Name {

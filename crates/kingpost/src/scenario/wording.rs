@@ -137,26 +137,16 @@ pub(super) fn list_of_numbers(count: usize) -> String {
 
 /// The name most similar to `written`, also with other unit aliases, if one is similar enough.
 pub(super) fn nearest(names: &[&str], written: &str) -> Option<String> {
+    // The distance takes the product of both lengths.
+    let written = beginning(written, LONGEST_NAME);
     let limit = written.chars().count() / 3;
     let aliases = names.iter().flat_map(|name| units::aliases_of(name));
-    let near = names.iter().map(|name| (*name).to_owned()).chain(aliases).map(|name| (edits(&name, written), name));
+    let near = names
+        .iter()
+        .map(|name| (*name).to_owned())
+        .chain(aliases)
+        .map(|name| (strsim::levenshtein(&name, &written), name));
     near.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= limit).map(|(_, name)| name)
-}
-
-/// The number of letters to insert, delete or replace (Levenshtein's distance).
-fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().take(64).collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, letter) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, other) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(letter != *other);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }
 
 /// What a YAML parser's message means: found and allowed.

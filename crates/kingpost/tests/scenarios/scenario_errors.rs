@@ -245,7 +245,7 @@ fn an_unknown_kind_is_refused_with_the_known_ones() {
         "integrator: rk5",
         "rk5",
         "simulation.integrator: found the text \"rk5\", allowed: one of forward_euler, midpoint_euler, \
-         semi_implicit_euler, rk4, dormand_prince, newmark, generalized_alpha, implicit_midpoint",
+         semi_implicit_euler, rk4, dormand_prince, newmark, generalized_alpha, implicit_midpoint; did you mean rk4?",
     );
 }
 

@@ -1,6 +1,6 @@
 //! Clearances and air gaps: the points, and the solids that they stay clear of.
 
-use super::super::schema::{self, ClearanceShape, Name, Pin, Scenario, WORLD};
+use super::super::schema::{self, ClearanceShape, LocalName, Name, Pin, Scenario, WORLD};
 use super::bodies::axis;
 use super::cylinders::attachment;
 use super::damping::rigid;
@@ -60,13 +60,13 @@ fn pin<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     body: &Name,
-    point: Option<&Name>,
+    point: Option<&LocalName>,
     position_m: [S; 3],
 ) -> Result<Pin<S>, FieldError> {
     known(&format!("{field}.body"), body, scenario.bodies.keys().map(|body| body.as_str()).chain([WORLD]))?;
     let Some(point) = point else { return Ok(Pin { body: body.clone(), position_m }) };
     let points = scenario.bodies.get(body).map(|body| &body.points);
-    let Some(named) = points.and_then(|points| points.get(point)) else {
+    let Some(named) = points.and_then(|points| points.get(point.as_str())) else {
         let names: Vec<&str> = points.into_iter().flatten().map(|(name, _)| name.as_str()).collect();
         let allowed = match names.as_slice() {
             [] => format!("none: {body} has no points"),

@@ -15,7 +15,7 @@ pub fn of<S: Quantity>(scenario: &Scenario<S>, setup: &Setup<S>) -> Result<Vec<L
         let factor = columns::factor(&field("unit"), given.unit.as_deref(), column.unit)?;
         let bounds = bounds(name, given)?;
         let unit = (given.unit.clone().unwrap_or_else(|| column.unit.to_owned()), factor);
-        let (name, column) = (name.to_string(), given.column.clone());
+        let (name, column) = (name.to_string(), given.column.to_string());
         Ok(Limit { name, column, unit, bounds, from_s: given.from_s.get() })
     };
     scenario.limits.iter().filter(|(_, limit)| limit.enabled).map(one).collect()

@@ -152,13 +152,13 @@ impl Reader<'_> {
             }
             _ => {}
         }
-        let known = self.columns.iter().position(|known| *known == given.column);
+        let known = self.columns.iter().position(|known| *known == *given.column);
         let place = known.unwrap_or_else(|| {
-            self.columns.push(given.column.clone());
+            self.columns.push(given.column.to_string());
             self.columns.len() - 1
         });
         let unit = (given.unit.clone().unwrap_or_else(|| column.unit.to_owned()), factor);
-        Ok(ColumnRange { column: given.column.clone(), place, above: given.above, below: given.below, unit })
+        Ok(ColumnRange { column: given.column.to_string(), place, above: given.above, below: given.below, unit })
     }
 }
 

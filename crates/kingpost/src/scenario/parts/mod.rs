@@ -9,15 +9,13 @@ mod names;
 mod overrides;
 mod stand;
 
-pub use names::{FILES, REFERENCES};
-
 use indexmap::IndexMap;
 use serde_json::{Value, json};
 
 use super::error::{Fault, SourcePlace};
 use super::files::Files;
 use super::parameters::{self, Override, OverrideTarget};
-use super::read::check_version;
+use super::reading::check_version;
 use super::schema::{Mounting, Name, Scenario, WORLD};
 use super::tree::{Content, Field, ScenarioNode, segments};
 use super::{conversion, parse, part_names, reading, wording};

@@ -4,24 +4,10 @@ use serde_json::Value;
 
 use super::super::error::{Fault, SourcePlace};
 use super::super::part_names::{self, SECTIONS};
+use super::super::reading::{FromNode, TextKind};
+use super::super::schema::Scenario;
 use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
-
-/// Fields below the sections that name another entry of the scenario.
-pub const REFERENCES: [&str; 12] = [
-    // The parent of a body.
-    "parent", // The body that something acts on or is tied to.
-    "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
-    "joint",  // A joint's own.
-    "name",   // The signal and the input of a wire.
-    "from", "to",      // The column of a limit or of a feedback.
-    "column",  // The input whose command a column follows.
-    "follows", // The rope, the drive and the sensor of a controller, the receiver of a sensor.
-    "rope", "drive", "sensor", "receiver",
-];
-
-/// Fields below the sections that name files.
-pub const FILES: [&str; 2] = ["database", "raos"];
 
 /// A path of a part in the whole.
 fn in_whole(path: &str, prefix: &str) -> String {
@@ -39,7 +25,6 @@ pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str
             Content::Fields(entries) if SECTIONS.contains(&section.as_str()) => {
                 let named = std::mem::take(entries).into_iter();
                 *entries = named.map(|(name, field)| (format!("{prefix}{name}"), field)).collect();
-                entries.values_mut().for_each(|entry| references(&mut entry.node, prefix, file));
             }
             Content::List(entries) if section == "parameters" => {
                 for (index, entry) in entries.iter_mut().enumerate() {
@@ -49,29 +34,27 @@ pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str
             _ => {}
         }
     }
+    for section in SECTIONS {
+        visit_section(tree, section, &mut |kind, text| match kind {
+            TextKind::Reference if text != super::WORLD => text.insert_str(0, prefix),
+            TextKind::Reference => {}
+            TextKind::File => *text = part_names::from_folder_of(file, text),
+        });
+    }
     Ok(())
 }
 
-/// The same within an entry.
-fn references(node: &mut ScenarioNode, prefix: &str, file: &str) {
-    match &mut node.content {
-        Content::Scalar(_) => {}
-        Content::List(entries) => entries.iter_mut().for_each(|entry| references(entry, prefix, file)),
-        Content::Fields(fields) => {
-            for (name, field) in fields.iter_mut() {
-                match &mut field.node.content {
-                    Content::Scalar(Value::String(text)) if REFERENCES.contains(&name.as_str()) => {
-                        if text != super::WORLD {
-                            text.insert_str(0, prefix);
-                        }
-                    }
-                    Content::Scalar(Value::String(text)) if FILES.contains(&name.as_str()) => {
-                        *text = part_names::from_folder_of(file, text);
-                    }
-                    _ => references(&mut field.node, prefix, file),
-                }
-            }
-        }
+/// Visits the texts of one section that name entries or files.
+fn visit_section(tree: &mut ScenarioNode, section: &str, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    let Content::Fields(fields) = &mut tree.content else { return };
+    let Some(field) = fields.get_mut(section) else { return };
+    let alone = Content::Fields([(section.to_owned(), field.clone())].into_iter().collect());
+    let mut alone = ScenarioNode::new(field.node.place.clone(), alone);
+    Scenario::<f64>::visit_texts(&mut alone, visit);
+    if let Content::Fields(mut visited) = alone.content
+        && let Some(visited) = visited.swap_remove(section)
+    {
+        *field = visited;
     }
 }
 
@@ -83,8 +66,7 @@ fn parameter(node: &mut ScenarioNode, index: usize, prefix: &str, label: &str) -
     {
         for (nth, path) in paths.iter_mut().enumerate() {
             let Content::Scalar(Value::String(text)) = &mut path.content else { continue };
-            let last = text.rsplit('.').next().unwrap_or_default();
-            if REFERENCES.contains(&last) || FILES.contains(&last) {
+            if Scenario::<f64>::text_at(&text.split('.').collect::<Vec<_>>()).is_some() {
                 let field = format!("parameters.{index}.writes.{nth}");
                 return Err(Fault::new(&path.place, field, wording::quoted(text), wording::NO_REFERENCE));
             }

@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use super::{BoxShape, ContactPlane, CylinderShape, Name, SphereShape, yes};
+use super::{BoxShape, ContactPlane, CylinderShape, LocalName, Name, SphereShape, yes};
 
 /// The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
 /// solid. It is only measured: no force keeps the two apart.
@@ -23,7 +23,7 @@ pub struct OwnPoint<S = f64> {
     /// The body, or `world`.
     pub body: Name,
     /// The name of one of the body's `points`.
-    pub point: Option<Name>,
+    pub point: Option<LocalName>,
     /// The point in the body's drawing frame, m; measured from the named point if one is given.
     #[serde(default)]
     pub position_m: [S; 3],
@@ -35,7 +35,7 @@ pub struct ClearanceFrom<S = f64> {
     /// The body, or `world`.
     pub body: Name,
     /// The name of one of the body's `points`.
-    pub point: Option<Name>,
+    pub point: Option<LocalName>,
     /// The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; measured from the
     /// named point if one is given.
     #[serde(default)]
@@ -72,7 +72,7 @@ pub struct AirGap<S = f64> {
     /// The body, or `world`.
     pub body: Name,
     /// The name of one of the body's `points`.
-    pub point: Option<Name>,
+    pub point: Option<LocalName>,
     /// The point in the body's drawing frame, m; measured from the named point if one is given.
     #[serde(default)]
     pub position_m: [S; 3],

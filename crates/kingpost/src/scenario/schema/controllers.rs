@@ -3,8 +3,8 @@
 use kingpost_derive::fields;
 
 use super::{
-    CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive, Selector,
-    SignalName, ThreeAxisCompensation, yes,
+    ColumnName, CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive,
+    Selector, SignalName, ThreeAxisCompensation, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -129,7 +129,7 @@ pub struct StateFeedback<S = f64> {
 pub struct FeedbackRead<S = f64> {
     /// The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
     /// `slewing.position`.
-    pub column: String,
+    pub column: ColumnName,
     /// Its value where nothing is corrected, in its SI unit.
     #[serde(default)]
     pub reference: S,

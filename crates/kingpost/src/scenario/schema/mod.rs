@@ -51,7 +51,7 @@ use indexmap::IndexMap;
 
 pub use super::named_files::NamedFiles;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
-pub use super::text::{Colour, CoordinateName, Name, SignalName, Version, WORLD};
+pub use super::text::{Colour, ColumnName, CoordinateName, FilePath, LocalName, Name, SignalName, Version, WORLD};
 pub use axes::{
     AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,
     PrescribedRate, PrescribedSpeed, PrismaticMode, RevoluteMode,

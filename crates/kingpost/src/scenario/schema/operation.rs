@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use super::{NonNegative, Positive, SignalName, yes};
+use super::{ColumnName, NonNegative, Positive, SignalName, yes};
 
 /// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
 /// move the inputs that it sets.
@@ -64,7 +64,7 @@ pub enum Condition {
 #[fields]
 pub struct ColumnRange {
     /// The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
-    pub column: String,
+    pub column: ColumnName,
     /// The value is above this.
     pub above: Option<f64>,
     /// The value is below this.
@@ -80,7 +80,7 @@ pub struct Limit {
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
-    pub column: String,
+    pub column: ColumnName,
     /// The largest value that is allowed.
     pub at_most: Option<f64>,
     /// The smallest value that is allowed.

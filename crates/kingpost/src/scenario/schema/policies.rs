@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use super::{Name, Positive, SignalName, yes};
+use super::{ColumnName, LocalName, Positive, SignalName, yes};
 use crate::scenario::leaf::Leaf;
 
 /// Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
@@ -27,7 +27,7 @@ pub struct Policy<S = f64> {
 #[fields]
 pub struct PolicyRead<S = f64> {
     /// The column of the results, or a state of a drive as the linear analysis names it.
-    pub column: String,
+    pub column: ColumnName,
     /// Columns of the same unit that are added to it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<AlsoRead>,
@@ -43,7 +43,7 @@ pub struct PolicyRead<S = f64> {
 #[fields]
 pub struct AlsoRead {
     /// The column.
-    pub column: String,
+    pub column: ColumnName,
 }
 
 /// An input that a policy sets.
@@ -71,9 +71,9 @@ pub struct PolicyLayer<S = f64> {
 #[fields]
 pub struct Selector {
     /// The branch that passes.
-    pub selected: Name,
+    pub selected: LocalName,
     /// The branches.
-    pub branches: Vec<Name>,
+    pub branches: Vec<LocalName>,
     /// The inputs that it sets.
     pub steers: Vec<SelectorTarget>,
 }

@@ -9,8 +9,7 @@ use serde_json::Value;
 
 use super::error::{Fault, ScenarioError, SourcePlace};
 use super::range::{NonNegative, Positive, Probability};
-use super::read::check_version;
-use super::reading::read as read_types;
+use super::reading::{check_version, read as read_types};
 use super::schema::{Limit, Name, ParameterValue, Version};
 use super::tree::{Content, ScenarioNode};
 use super::{parse, wording};

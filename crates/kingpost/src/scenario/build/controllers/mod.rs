@@ -210,7 +210,7 @@ impl<S: Quantity> ControllerReader<'_, S> {
             }
         };
         finite(&format!("{field}.reference"), given.reference)?;
-        Ok(FeedbackRead { column: given.column.clone(), reference: given.reference, follows })
+        Ok(FeedbackRead { column: given.column.to_string(), reference: given.reference, follows })
     }
 
     fn step_s(&self) -> f64 {

@@ -38,7 +38,7 @@ impl<S: Quantity> ControllerReader<'_, S> {
 
     fn seen(&self, field: &str, given: &schema::PolicyRead<S>) -> Result<PolicyRead<S>, FieldError> {
         let first = columns::find(&self.known, &format!("{field}.column"), &given.column)?;
-        let mut columns = vec![given.column.clone()];
+        let mut columns = vec![given.column.to_string()];
         for (k, also) in given.also.iter().enumerate() {
             let field = format!("{field}.also.{k}.column");
             let column = columns::find(&self.known, &field, &also.column)?;
@@ -46,7 +46,7 @@ impl<S: Quantity> ControllerReader<'_, S> {
                 let found = format!("{}, in {}", column.name, column.unit);
                 return Err(FieldError::new(field, found, format!("a column in {}, as {}", first.unit, first.name)));
             }
-            columns.push(also.column.clone());
+            columns.push(also.column.to_string());
         }
         finite(&format!("{field}.reference"), given.reference)?;
         Ok(PolicyRead { columns, reference: given.reference, scale: given.scale.get() })
