@@ -1,5 +1,5 @@
-//! What the module needs from its build: arguments of the linker, and the digest of the engine's sources. Builds of the same
-//! sources give the same numbers, whatever they are built for.
+//! Build of the module: arguments of the linker, and the digest of the engine's sources. Builds of the same sources
+//! give the same numbers, whatever they are built for.
 
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};

@@ -5,7 +5,7 @@ use syn::{Attribute, ExprPath, LitStr, Result, Token};
 /// Units that are written with capitals, in lower case and as they are written.
 const CAPITAL_UNITS: [(&str, &str); 4] = [("n", "N"), ("pa", "Pa"), ("w", "W"), ("hz", "Hz")];
 
-/// What a field's serde attributes say.
+/// Names and conditions that a field's serde attributes give.
 #[derive(Default)]
 pub struct SerdeNames {
     /// Its name in a file.

@@ -284,7 +284,7 @@ fn home(
     path
 }
 
-/// Which file or folder uses which beside it, by the folder that both are in.
+/// Finds which file or folder uses which beside it, by the folder that both are in.
 fn uses_beside() -> BTreeMap<ModulePath, BTreeMap<String, BTreeSet<String>>> {
     let source = root().join("crates/kingpost/src");
     let module = |path: PathBuf| {

@@ -141,7 +141,7 @@ impl Linearizer {
         Self { tangent: Tangent::new(plant), states, inputs, along, prescribed }
     }
 
-    /// The same without waves, and with prescribed coordinates held.
+    /// Returns the linearizer for rest: without waves, and with prescribed coordinates held.
     pub fn at_rest(mut self) -> Self {
         self.tangent.set_evaluation_mode(EvaluationMode::AtRest);
         self
@@ -152,7 +152,7 @@ impl Linearizer {
         self.along.iter().filter_map(|along| if let Along::Position(i) = along { Some(*i) } else { None })
     }
 
-    /// What each state is.
+    /// Returns the variable of each state.
     pub(super) fn along(&self) -> &[Along] {
         &self.along
     }

@@ -103,7 +103,7 @@ pub fn run(
     run_within(text, file, files, variants, threads, MOST_BYTES, progress)
 }
 
-/// The same as [`run`] with this limit for the rows of all runs, bytes.
+/// Computes all runs like [`run`], with this limit for the rows of all, bytes.
 ///
 /// # Errors
 /// Those of [`run`].
@@ -143,7 +143,7 @@ pub trait Built: Sync {
     fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>>;
 }
 
-/// The same as [`run`] for built runs.
+/// Computes built runs like [`run`].
 ///
 /// # Errors
 /// A run whose channels are not those of the first.

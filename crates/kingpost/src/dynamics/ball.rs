@@ -78,7 +78,8 @@ impl<'a, S: Scalar> Ball<'a, S> {
         self.accelerate_under(self.moment(force), inertia, bias, carried, v_dot)
     }
 
-    /// The same under a moment applied in the joint.
+    /// Returns the acceleration of the link under a moment applied in the joint, root axes; writes that of the joint's
+    /// coordinates.
     fn accelerate_under(
         &self,
         applied: Vector3<S>,

@@ -78,7 +78,8 @@ impl<S: Scalar> LinkKinematics<S> {
         &self.links[link].motion.twist
     }
 
-    /// The same per unit rate of the link's own joint, if it has one axis; else zero.
+    /// Returns the twist per unit rate of the link's own joint, about the root's origin, root axes; zero if the joint
+    /// does not have one axis.
     #[inline]
     pub fn axis(&self, link: usize) -> &Twist<S> {
         &self.links[link].axis

@@ -99,7 +99,7 @@ impl<S: Scalar> Loads<S> {
         self.acceleration.fill(S::ZERO);
     }
 
-    /// The same, for callers that write every prescribed acceleration, or have none.
+    /// Removes all loads but prescribed accelerations, for callers that write every one of these, or have none.
     #[inline]
     pub fn clear_but_accelerations(&mut self) {
         self.wrenches.clear();

@@ -58,7 +58,7 @@ impl<S: Scalar> Seat<S> {
         Twist { angular: z, linear: self.position.cross(z) }
     }
 
-    /// The same along it.
+    /// Returns the twist per unit rate along the link's z.
     #[inline(always)]
     fn slide(&self) -> Twist<S> {
         Twist { angular: Vector3::zero(), linear: self.rotation.column(2) }
@@ -189,7 +189,8 @@ impl<S: Scalar> MovingLink<S> {
         self.inertia = RigidInertia::of_centre(mass, centre, &moments);
     }
 
-    /// The same for a floating body, which turns at a steady rate about the origin of its frame.
+    /// Takes the inertia of a floating body, which turns at a steady rate about the origin of its frame, and the force
+    /// for its bias acceleration.
     #[inline]
     pub fn take_rigid(&mut self, rigid: &RigidInertia<S>) {
         let LinkMotion { twist, bias_acceleration } = &self.motion;
@@ -198,7 +199,8 @@ impl<S: Scalar> MovingLink<S> {
         self.inertia = *rigid;
     }
 
-    /// The same for an inertia that is not that of a rigid body, which is returned.
+    /// Takes the force for the bias acceleration of an inertia that is not that of a rigid body; returns the inertia in
+    /// root axes.
     #[inline(never)]
     pub fn take_full(&mut self, full: &SpatialInertia<S>) -> SpatialInertia<S> {
         let full = full.to_parent(&self.in_root);

@@ -2,7 +2,7 @@
 
 use super::{Declaration, Input, Output};
 
-/// What the controller commands an input of this unit to be, as a column of `label`.
+/// Returns the column of `label` that shows the command to an input of this unit.
 fn commanded(label: &str, unit: &str) -> Output {
     let (variable, description, unit): (_, _, &'static [&'static str; 1]) = match unit {
         "rad" => ("commanded_angle", "angle that a controller commands", &["rad"]),

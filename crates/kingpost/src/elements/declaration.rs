@@ -1,4 +1,4 @@
-//! What an element declares once.
+//! Declaration that an element makes once.
 
 use super::DrawnLine;
 use serde::Serialize;
@@ -223,9 +223,9 @@ pub enum VectorFrame {
 /// An event of an element: its indicator changes sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
-    /// What happens, for the table of events.
+    /// Description of the event, for the table of events.
     pub what: &'static str,
-    /// Which changes of sign count.
+    /// Changes of sign that count.
     pub crossing: Crossing,
 }
 

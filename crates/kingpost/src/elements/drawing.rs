@@ -1,4 +1,4 @@
-//! What views draw of an element: lines, tubes and pins.
+//! Drawing of an element in views: lines, tubes and pins.
 
 use serde::Serialize;
 

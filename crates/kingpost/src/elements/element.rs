@@ -104,12 +104,12 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// crossed.
     fn renew(&mut self, _at: &Context<'_, S>, _own: &mut Own<'_, S>) {}
 
-    /// What it does while an equilibrium is sought, in addition to its loads; `None` if nothing.
+    /// Returns the role of the element while an equilibrium is sought, in addition to its loads; `None` if it has none.
     fn settling(&self) -> Option<&dyn Settling<S>> {
         None
     }
 
-    /// The same, mutable: it takes over a load.
+    /// Returns the role of [`settling`](Self::settling) for changes: it takes over a load.
     fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
         None
     }
@@ -119,7 +119,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
-    /// The same, mutable: for evaluation.
+    /// Returns the constraint of [`holding`](Self::holding) for changes: for evaluation.
     fn holding_mut(&mut self) -> Option<&mut dyn Holding<S>> {
         None
     }
@@ -129,12 +129,12 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         Vec::new()
     }
 
-    /// What it carries, ties, keeps in place or afloat, in any positions.
+    /// Returns the supports of the element in any positions: what it carries, ties, keeps in place or afloat.
     fn supports(&self) -> Vec<Support> {
         Vec::new()
     }
 
-    /// What it carries at these positions, at rest.
+    /// Returns what the element carries at these positions, at rest.
     fn present_supports(&mut self, _at: &Context<'_, S>) -> Vec<PresentSupport<S>> {
         Vec::new()
     }
@@ -235,7 +235,7 @@ pub trait Holding<S: Scalar = f64> {
     fn let_go(&mut self, modes: &mut [i64]);
 }
 
-/// What every element can do because it is `Clone` and `'static`; nothing to write.
+/// Abilities that every element has because it is `Clone` and `'static`; nothing to write.
 pub trait Boxed<S: Scalar> {
     /// A copy in a box.
     fn boxed_clone(&self) -> Box<dyn Element<S>>;
@@ -243,7 +243,7 @@ pub trait Boxed<S: Scalar> {
     /// The element as `Any`, for its own type.
     fn as_any(&self) -> &dyn Any;
 
-    /// The same, mutable.
+    /// Returns the element as `Any` for changes.
     fn as_any_mut(&mut self) -> &mut dyn Any;
 }
 
@@ -272,7 +272,7 @@ pub fn of_kind<S: Scalar, T: 'static>(elements: &[Box<dyn Element<S>>]) -> impl 
     elements.iter().filter_map(|element| (**element).as_any().downcast_ref())
 }
 
-/// The same, mutable.
+/// Returns the elements of one kind among all, for changes.
 pub fn of_kind_mut<S: Scalar, T: 'static>(elements: &mut [Box<dyn Element<S>>]) -> impl Iterator<Item = &mut T> {
     elements.iter_mut().filter_map(|element| (**element).as_any_mut().downcast_mut())
 }

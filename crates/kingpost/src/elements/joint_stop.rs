@@ -4,7 +4,7 @@ use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
-/// Which end of the travel a stop is at.
+/// End of the travel that a stop is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopSide {
     /// It stops coordinates below the limit.

@@ -33,9 +33,9 @@ pub struct Watched {
     pub element: usize,
     /// Index among its events.
     pub event: usize,
-    /// What happens.
+    /// Description of the event.
     pub what: &'static str,
-    /// Which changes of sign count.
+    /// Changes of sign that count.
     pub crossing: Crossing,
 }
 
@@ -231,7 +231,7 @@ impl Layout {
         signals
     }
 
-    /// What sets an input, if not the user: the signal that it takes, or the element that steers it.
+    /// Returns the name of what sets an input, if not the user: its signal, or the element that steers it.
     pub fn set_by(&self, input: usize) -> Option<&str> {
         let steered = || self.steers.iter().find(|steer| steer.inputs.contains(&input));
         self.inputs[input].signal.as_deref().or_else(|| Some(self.names[steered()?.element].as_str()))

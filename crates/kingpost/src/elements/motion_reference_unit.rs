@@ -241,7 +241,7 @@ impl<S: Scalar> MotionReferenceUnit<S> {
         all
     }
 
-    /// The same as the unit knows it: less what its filter removes, with what a receiver gives back.
+    /// Returns the motion as the unit knows it: less what its filter removes, with what a receiver gives back.
     fn measured(&self, at: &Context<'_, S>, numbers: &[S], states: &[S]) -> [S; COUNT] {
         let (mut all, count) = (self.exact(at, numbers), self.filtered());
         let Some(filter) = &self.heave_filter else { return all };

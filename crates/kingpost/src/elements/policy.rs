@@ -19,9 +19,9 @@ use crate::scalar::Scalar;
 pub struct Policy<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it reads.
+    /// Columns that it reads.
     pub reads: Vec<PolicyRead<S>>,
-    /// What it sets.
+    /// Inputs that it sets.
     pub steers: Vec<PolicySteer<S>>,
     /// Its layers, the first one first; each fits the one before, the first the reads, and the last the inputs.
     pub layers: Vec<PolicyLayer<S>>,
@@ -62,7 +62,7 @@ pub struct PolicyLayer<S = f64> {
     pub biases: Vec<S>,
 }
 
-/// What a policy sees is clipped to this on either side.
+/// Limit on either side of the values that a policy sees; they are clipped to it.
 const LARGEST_SEEN: f64 = 10.0;
 
 impl<S: Scalar> Element<S> for Policy<S> {

@@ -13,7 +13,7 @@ use crate::spatial::{Vector3, Wrench};
 pub struct QuadraticDamping<S = f64> {
     /// The body, and the point that the force acts at.
     pub place: HullFrame<S>,
-    /// What the velocity is measured against.
+    /// Reference against which the velocity is measured.
     pub relative_to: DampedAgainst,
     /// c along x, y, z, N s^2/m^2.
     pub linear: Vector3<S>,

@@ -49,7 +49,7 @@ pub enum ShownWaves<S = f64> {
         /// The factor on the elevation.
         times: S,
     },
-    /// As one of the forces of [`RegularWaves::amplitudes`].
+    /// Force with this index, one of those of [`RegularWaves::amplitudes`].
     Force(usize),
     /// Not in proportion to them.
     NotLinear,

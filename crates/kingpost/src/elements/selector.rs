@@ -12,7 +12,7 @@ pub struct Selector {
     pub branches: Vec<String>,
     /// The one that passes.
     pub selected: usize,
-    /// What it sets.
+    /// Inputs that it sets.
     pub to: Vec<Input>,
 }
 

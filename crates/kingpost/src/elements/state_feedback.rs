@@ -20,9 +20,9 @@ use crate::scalar::Scalar;
 pub struct StateFeedback<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it reads.
+    /// Columns that it reads.
     pub reads: Vec<FeedbackRead<S>>,
-    /// What it sets.
+    /// Inputs that it sets.
     pub steers: Vec<FeedbackSteer<S>>,
     /// Sampling period, s: a whole number of steps.
     pub period_s: f64,
@@ -139,7 +139,7 @@ impl<S: Scalar> StateFeedback<S> {
 }
 
 impl<S: Scalar> FeedbackSteer<S> {
-    /// What an integral grows by: nothing if the action is beyond a limit and it would push it further.
+    /// Returns the growth of an integral: nothing if the action is beyond a limit and it would push it further.
     fn kept(&self, grown: S, action: S) -> S {
         let beyond = action - action.clipped(self.limits[0], self.limits[1]);
         (beyond * grown).select_below(0.0, || S::ZERO, || grown)

@@ -1,4 +1,4 @@
-//! What an element does for bodies at rest: what it carries, ties, keeps in place or afloat.
+//! Support that an element gives to bodies at rest: what it carries, ties, keeps in place or afloat.
 
 use crate::model::Attachment;
 use crate::spatial::Vector3;

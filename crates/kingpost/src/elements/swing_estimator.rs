@@ -120,7 +120,7 @@ impl<S: Scalar> SwingEstimator<S> {
     }
 }
 
-/// What the filter knows.
+/// Estimate of the filter: the vertical, the errors of the gyroscopes and the swing.
 #[derive(Clone, Copy, Debug)]
 struct VerticalEstimate<S> {
     /// The vertical, body axes.

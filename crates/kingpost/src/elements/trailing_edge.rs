@@ -32,7 +32,7 @@ pub struct TrailingEdge<S = f64> {
     pub waters: Waters<S>,
 }
 
-/// What the water does to the edge at one moment.
+/// Reaction of the water on the edge at one moment.
 struct Reaction<S> {
     /// F, in the body's axes, N.
     force: Vector3<S>,

@@ -12,7 +12,7 @@ use crate::spatial::{Twist, Vector3, Wrench};
 pub struct ViscousDamping<S = f64> {
     /// The damped body, and the point where the force acts and whose velocity is used.
     pub place: HullFrame<S>,
-    /// What the velocity is measured against.
+    /// Reference against which the velocity is measured.
     pub relative_to: DampedAgainst,
     /// c along x, y, z, N s/m.
     pub linear: Vector3<S>,

@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct Warning {
     /// The time that it concerns, s.
     pub time_s: f64,
-    /// What it concerns: a joint, a closed loop, a body or an element.
+    /// Name of the joint, closed loop, body or element that it concerns.
     pub name: String,
     /// The text of the warning.
     pub text: String,
@@ -30,7 +30,7 @@ pub trait Watcher: Debug + Send + Sync + BoxedWatcher {
 /// A watcher of any kind.
 pub type AnyWatcher = Box<dyn Watcher>;
 
-/// What every watcher can do because it is `Clone` and `'static`; nothing to write.
+/// Abilities that every watcher has because it is `Clone` and `'static`; nothing to write.
 pub trait BoxedWatcher {
     /// A copy in a box.
     fn boxed_clone(&self) -> AnyWatcher;

@@ -34,7 +34,7 @@ pub enum Side {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RightingArmCurve {
-    /// Which way the ship heels.
+    /// Side to which the ship heels.
     pub side: Side,
     /// Points at heel angles from 0 to 60 deg.
     pub points: Vec<RightingArmPoint>,

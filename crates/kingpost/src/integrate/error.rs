@@ -16,7 +16,7 @@ pub enum StepError {
         time_s: f64,
         /// The last relative change of the rates.
         residual: f64,
-        /// What is allowed.
+        /// Largest change that is allowed.
         allowed: f64,
         /// Iterations made.
         iterations: usize,

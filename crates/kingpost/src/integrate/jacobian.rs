@@ -59,7 +59,7 @@ impl<S: Scalar> Jacobian<S> {
         Self { rows, passive: sizes.passive, by_xi, by_v, by_s, xi, q, v, s, here, moved }
     }
 
-    /// The same for v' only, with respect to xi and v.
+    /// Returns room for the Jacobian of v' only, with respect to xi and v.
     pub fn of_motion(sizes: Sizes) -> Self {
         Self::new(Sizes { passive: sizes.extras, ..sizes })
     }
@@ -69,7 +69,7 @@ impl<S: Scalar> Jacobian<S> {
         [&self.by_xi, &self.by_v, &self.by_s]
     }
 
-    /// The same, mutable.
+    /// Returns all of it for changes, one after another.
     pub(super) fn parts_mut(&mut self) -> [&mut [S]; 3] {
         [&mut self.by_xi, &mut self.by_v, &mut self.by_s]
     }

@@ -68,7 +68,7 @@ impl<S: Scalar> Triple<S> {
         [xi, v, &rest[..self.extras]]
     }
 
-    /// The same, mutable.
+    /// Returns the parts of the local coordinates, of v and of s, for changes.
     #[inline]
     pub(super) fn parts_mut(&mut self) -> [&mut [S]; 3] {
         let (xi, rest) = self.blocks.as_flattened_mut().split_at_mut(self.velocities);
@@ -136,7 +136,7 @@ impl<S: Scalar> Stages<S> {
         weigh(self.place.blocks.as_flattened_mut(), self.base.blocks.as_flattened(), weights, rates);
     }
 
-    /// The same for any number, stage by stage.
+    /// Computes the point that any number of weighted stages lead to, stage by stage.
     fn sum_of_many(&mut self, weights: &[f64], h: f64) {
         let place = self.place.blocks.as_flattened_mut();
         place.copy_from_slice(self.base.blocks.as_flattened());

@@ -4,8 +4,8 @@ use super::joint::{Floating, JointKind, Spherical};
 use super::tree::Node;
 use crate::scalar::Scalar;
 
-/// What [`retract`](super::Tree::retract) and [`dexp_inverse`](super::Tree::dexp_inverse) of a model's links reduce to:
-/// the indices of joints in q and in v.
+/// Indices of joints in q and in v, to which [`retract`](super::Tree::retract) and
+/// [`dexp_inverse`](super::Tree::dexp_inverse) of a model's links reduce.
 #[derive(Clone, Debug, Default)]
 pub struct Charts {
     floating: Vec<(usize, usize)>,

@@ -76,7 +76,7 @@ pub enum LinkInertia<S = f64> {
 }
 
 impl<S: Scalar> Link<S> {
-    /// The same link with the mass of its bodies.
+    /// Returns the link with the mass of its bodies.
     fn laden(self, link: usize, bodies: &[Body<S>]) -> Self {
         let of_link = || bodies.iter().filter(|body| body.link == Some(link));
         let mass = of_link().fold(S::ZERO, |sum, body| sum + body.mass);

@@ -74,7 +74,7 @@ impl<S: Scalar> Attachment<S> {
         Self { body, in_body, link: None, in_link: in_body }
     }
 
-    /// The same, once the bodies have their links.
+    /// Returns the attachment with its link, once the bodies have their links.
     pub(super) fn on_link(self, bodies: &[Body<S>]) -> Self {
         let Some(body) = self.body.map(|body| &bodies[body]) else { return self };
         Self { link: body.link, in_link: body.in_link.times(&self.in_body), ..self }

@@ -156,7 +156,7 @@ impl<S: Scalar> Model<S> {
         Attachment::on(body, in_body).on_link(&self.bodies)
     }
 
-    /// The same model with closed loops.
+    /// Returns the model with closed loops.
     pub fn with_loops(mut self, loops: Vec<Loop<S>>) -> Self {
         let tied = |tie: Attachment<S>, bodies: &[Body<S>]| tie.on_link(bodies);
         let close = |l: Loop<S>| Loop { first: tied(l.first, &self.bodies), second: tied(l.second, &self.bodies), ..l };
@@ -164,8 +164,8 @@ impl<S: Scalar> Model<S> {
         self
     }
 
-    /// The same model with added mass at infinite frequency in the inertia of a body, in body axes about the centre of
-    /// mass. It moves with the body, so the velocity terms are those of Kirchhoff's equations.
+    /// Returns the model with added mass at infinite frequency in the inertia of a body, in body axes about the centre
+    /// of mass. It moves with the body, so the velocity terms are those of Kirchhoff's equations.
     ///
     /// # Panics
     /// When the body is fixed to the world.

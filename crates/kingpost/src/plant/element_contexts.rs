@@ -17,7 +17,7 @@ pub struct ElementContexts<'a, S> {
     states: &'a [S],
     discrete: &'a [S],
     modes: &'a [i64],
-    /// The same with the entries of the last element that has any.
+    /// Context with the entries of the last element that has any.
     own: Option<Context<'a, S>>,
 }
 

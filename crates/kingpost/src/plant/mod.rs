@@ -269,7 +269,7 @@ impl<S: Scalar> Plant<S> {
         self.totals_here(at)
     }
 
-    /// The same for the present kinematics.
+    /// Returns energy and momentum at a stage, for the present kinematics.
     fn totals_here(&mut self, at: Stage<'_, S>) -> Totals<S> {
         let Self { model, world, elements, layout, evaluation, links, bodies, .. } = self;
         let centre = ledger::reference_point(model, at.q);

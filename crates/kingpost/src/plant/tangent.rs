@@ -67,12 +67,12 @@ impl Tangent {
         self.plant.set_evaluation_mode(evaluation);
     }
 
-    /// As [`Plant::set_waves`].
+    /// Sets the waves like [`Plant::set_waves`].
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) {
         self.plant.set_waves(amplitudes_m, phases_rad);
     }
 
-    /// As [`Plant::set_trims`].
+    /// Sets the trims like [`Plant::set_trims`].
     pub fn set_trims(&mut self, trims: &[Vec<f64>]) {
         let constant = |trim: &Vec<f64>| trim.iter().map(|entry| Number::constant(*entry)).collect();
         self.plant.set_trims(&trims.iter().map(constant).collect::<Vec<_>>());
@@ -108,7 +108,7 @@ impl Tangent {
         self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
     }
 
-    /// What there is to see of the plant there, with the same derivatives, as `see` takes it.
+    /// Passes an observation of the plant there, with the same derivatives, to `see`; returns its result.
     pub fn observe<T>(
         &mut self,
         base: &[f64],

@@ -80,7 +80,7 @@ impl Channels {
         self.places[output]
     }
 
-    /// Which of the elements' numbers is at a place in a row; `None` if none is.
+    /// Returns which of the elements' numbers is at a place in a row; `None` if none is.
     pub(super) fn output_at(&self, place: usize) -> Option<usize> {
         self.places.iter().position(|&of_output| of_output == place)
     }

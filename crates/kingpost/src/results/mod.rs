@@ -343,7 +343,8 @@ fn energy_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
     Vector3::new(x.observed.totals.kinetic_energy, work_done(x), S::ZERO).norm()
 }
 
-/// The same for the total angular momentum and that of each body about its own centre.
+/// Returns a smooth scale of momentum: the root of the squares of the total angular momentum and of that of each body
+/// about its own centre.
 fn momentum_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
     let Observation { model, bodies, .. } = &x.observed;
     let spin = |(node, twist): (&Node<S>, &Twist<S>)| {

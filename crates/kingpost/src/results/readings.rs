@@ -27,7 +27,7 @@ enum Source {
     State { from_end: usize },
 }
 
-/// What a name stands for.
+/// Value that a name stands for.
 #[derive(Clone, Copy, Debug)]
 enum Named {
     /// A place in a row.

@@ -17,9 +17,9 @@ const LONGEST_FOUND: usize = 500;
 pub struct FieldError {
     /// Dotted path of the field: `bodies.ship.mass_kg`.
     pub field: String,
-    /// What was found there.
+    /// Value or text that was found there.
     pub found: String,
-    /// What is allowed there.
+    /// Range or form that is allowed there.
     pub allowed: String,
 }
 
@@ -45,9 +45,9 @@ pub struct ScenarioError {
     pub column: Option<usize>,
     /// Dotted path of the field, list entries by index from 0; empty if it concerns the whole file.
     pub field: String,
-    /// What was found there.
+    /// Value or text that was found there.
     pub found: String,
-    /// What is allowed there.
+    /// Range or form that is allowed there.
     pub allowed: String,
 }
 

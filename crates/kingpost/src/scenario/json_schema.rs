@@ -25,7 +25,7 @@ pub fn study_schema() -> Value {
     schema_for!(Study).to_value()
 }
 
-/// What the engine says of a scenario and of its results to other languages.
+/// Types of a scenario and of its results that the engine publishes to other languages.
 #[derive(schemars::JsonSchema)]
 #[expect(dead_code, reason = "only its schema is used")]
 struct Published {

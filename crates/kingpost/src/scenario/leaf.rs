@@ -74,7 +74,7 @@ pub trait Quantity: Leaf + Scalar + Display {
     }
 }
 
-/// What is allowed for a number that decides the structure of a run.
+/// Form that is allowed for a number that decides the structure of a run.
 const ONE_NUMBER: &str = "one number: it decides the structure of the run";
 
 impl Leaf for f64 {

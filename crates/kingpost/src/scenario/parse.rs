@@ -80,7 +80,7 @@ pub(super) fn parse(text: &str) -> Result<ScenarioNode, Fault> {
     parse_as(text, wording::SCENARIO)
 }
 
-/// The same of any file of ours; `allowed` says what it is.
+/// Returns the tree of any file of ours with named fields at the top; `allowed` says what the file is.
 pub(super) fn parse_as(text: &str, allowed: &str) -> Result<ScenarioNode, Fault> {
     let raw = raw(text, DuplicateKeyPolicy::Error).map_err(|error| fault(text, &error))?;
     let node = node(raw, &mut Vec::new())?;

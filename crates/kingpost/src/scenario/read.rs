@@ -26,7 +26,7 @@ pub fn read(text: &str, file: &str, overrides: &[(String, Value)]) -> Result<Sce
     read_with(text, file, overrides, &Files::default())
 }
 
-/// The same for a scenario that names files; see [`file_names`].
+/// Reads a scenario that names files; see [`file_names`].
 ///
 /// # Errors
 /// As [`read`], and a file that is missing or has the wrong contents.
@@ -39,7 +39,7 @@ pub fn read_with(
     read_and_build(text, file, overrides, files).map(|(scenario, _)| scenario)
 }
 
-/// The same, with the setup of a simulation.
+/// Reads a scenario and builds the setup of its simulation.
 fn read_and_build(
     text: &str,
     file: &str,
@@ -54,7 +54,7 @@ fn read_and_build(
 pub(crate) struct Parsed<'a> {
     file: &'a str,
     tree: ScenarioNode,
-    /// What parameters and overrides need to know; of a text with parts it depends on the overrides.
+    /// Scenario as written, for parameters and overrides; of a text with parts it depends on the overrides.
     as_written: Option<AsWritten>,
 }
 
@@ -218,7 +218,7 @@ impl Scenario {
         self.simulation_of(self.setup()?)
     }
 
-    /// The same from its own setup.
+    /// Returns a simulation of the scenario from its own setup.
     pub(crate) fn simulation_of(&self, setup: Setup) -> Result<Simulation, ScenarioError> {
         #[cfg(not(target_family = "wasm"))]
         let exact = self.exact_derivatives(&setup)?;

@@ -16,7 +16,7 @@ pub(crate) trait FromNode: Sized {
     /// Reads it.
     fn read(node: &ScenarioNode) -> Result<Self, ReadFault>;
 
-    /// What is allowed, in the words of an error.
+    /// Returns what is allowed, in the words of an error.
     fn allowed() -> String;
 
     /// The value of a field that is left out; `None` if it is required.

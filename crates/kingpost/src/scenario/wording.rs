@@ -4,27 +4,27 @@ use serde_json::Value;
 
 use super::units;
 
-/// What a [`Positive`](super::range::Positive) allows.
+/// Range that a [`Positive`](super::range::Positive) allows.
 pub const POSITIVE: &str = "a number greater than 0";
-/// What a [`NonNegative`](super::range::NonNegative) allows.
+/// Range that a [`NonNegative`](super::range::NonNegative) allows.
 pub const NON_NEGATIVE: &str = "a number not less than 0";
-/// What a [`Fraction`](super::range::Fraction) allows.
+/// Range that a [`Fraction`](super::range::Fraction) allows.
 pub const FRACTION: &str = "a number from 0 to 1";
-/// What a [`Probability`](super::range::Probability) allows.
+/// Range that a [`Probability`](super::range::Probability) allows.
 pub const PROBABILITY: &str = "a number greater than 0 and less than 1";
-/// What a [`Direction`](super::range::Direction) allows.
+/// Range that a [`Direction`](super::range::Direction) allows.
 pub const DIRECTION: &str = "three numbers, not all 0";
-/// What a [`Name`](super::text::Name) allows.
+/// Form that a [`Name`](super::text::Name) allows.
 pub const NAME: &str = "a name of small letters, digits and _ that starts with a letter";
-/// What a [`CoordinateName`](super::text::CoordinateName) allows.
+/// Form that a [`CoordinateName`](super::text::CoordinateName) allows.
 pub const COORDINATE_NAME: &str = "a name of a joint, or of an axis of a joint as joint.axis";
-/// What a [`SignalName`](super::text::SignalName) allows.
+/// Form that a [`SignalName`](super::text::SignalName) allows.
 pub const SIGNAL_NAME: &str = "a name of an input or of a column of the results, as winch or mru.measured_heave";
-/// What a [`Colour`](super::text::Colour) allows.
+/// Form that a [`Colour`](super::text::Colour) allows.
 pub const COLOUR: &str = "a colour as \"#rrggbb\"";
-/// What a [`Version`](super::text::Version) allows.
+/// Value that a [`Version`](super::text::Version) allows.
 pub const VERSION: &str = "1 (the version of the file format)";
-/// What a [`ParameterValue`](super::schema::ParameterValue) allows.
+/// Values that a [`ParameterValue`](super::schema::ParameterValue) allows.
 pub const PARAMETER_VALUE: &str = "true or false, a number, or a text";
 
 pub(super) const NOTHING: &str = "nothing";
@@ -130,7 +130,7 @@ pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     }
 }
 
-/// What a list of so many numbers allows.
+/// Returns the words for a list of so many numbers.
 pub(super) fn list_of_numbers(count: usize) -> String {
     format!("a list of {count} numbers")
 }
@@ -149,7 +149,7 @@ pub(super) fn nearest(names: &[&str], written: &str) -> Option<String> {
     near.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= limit).map(|(_, name)| name)
 }
 
-/// What a YAML parser's message means: found and allowed.
+/// Returns the meaning of a YAML parser's message: found and allowed.
 pub(super) fn syntax(message: &str) -> (String, String) {
     let (found, allowed) = if message.contains("mapping values are not allowed") {
         (

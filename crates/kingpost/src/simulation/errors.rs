@@ -73,7 +73,7 @@ pub enum RunError {
         gap: f64,
         /// `m` or `rad`.
         unit: &'static str,
-        /// What is allowed.
+        /// Limit of the gap, in the same unit.
         allowed: f64,
     },
     /// An element responds to infinitely many events at one time.
@@ -86,7 +86,7 @@ pub enum RunError {
         time_s: f64,
         /// The element.
         element: String,
-        /// What happens.
+        /// Description of the event.
         what: &'static str,
         /// The largest number of responses.
         allowed: usize,
@@ -258,7 +258,7 @@ pub enum InputError {
         constraint: String,
         /// Its error.
         found: f64,
-        /// What is allowed.
+        /// Limit of the error, m or rad.
         allowed: f64,
     },
     /// An entry that is not finite, or an orientation that is not a quaternion.
@@ -270,7 +270,7 @@ pub enum InputError {
         index: usize,
         /// The entry.
         found: f64,
-        /// What is allowed.
+        /// Range or form that is allowed.
         allowed: &'static str,
     },
 }

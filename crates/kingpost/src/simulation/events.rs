@@ -15,7 +15,7 @@ pub struct EventRecord {
     pub time_s: f64,
     /// The element that watched for it.
     pub element: String,
-    /// What happened.
+    /// Description of the event.
     pub what: Cow<'static, str>,
 }
 

@@ -186,7 +186,7 @@ impl Simulation {
         self.plant.matrices(at)
     }
 
-    /// The same with labels and units, and their formulas.
+    /// Returns every matrix of the moving frame method now, with labels and units, and the formulas of the matrices.
     pub fn equations(&mut self) -> Equations {
         let matrices = self.moving_frame().named(self.model());
         Equations { matrices, formulas: Symbols::new(self.model(), Naming::Numbers).matrices() }

@@ -104,7 +104,8 @@ impl<S: Scalar> Simulation<S> {
         Self::recursive_with(setup, true)
     }
 
-    /// The same; without the ledger a step is cheaper, and only columns of motions and of elements can be read.
+    /// Creates a simulation in the recursive form; without the ledger a step is cheaper, and only columns of motions
+    /// and of elements can be read.
     pub(crate) fn recursive_with(setup: Setup<S>, keeps_ledger: bool) -> Self {
         let Setup { model, world, elements, watchers: _, limits, wires, settings, q, v, fingerprint } = setup;
         let mut plant = Plant::new(model, world, elements);

@@ -107,7 +107,7 @@ impl HeldInputs {
         Some((map, samples as f64 * between_s))
     }
 
-    /// What a sample of a loop does to states, held inputs and sums, with what it sees of all of them.
+    /// Returns the map of states, held inputs and sums over a sample of a loop, by what it sees of all of them.
     fn sampled(&self, one: &FeedbackLoop, seen: &DMatrix<f64>, parts: &Parts) -> DMatrix<f64> {
         let mut update = DMatrix::identity(parts.all, parts.all);
         let mut law = &one.gains * seen;
@@ -149,7 +149,7 @@ fn samples(loops: &[&FeedbackLoop], unit: u64) -> Option<u64> {
     })
 }
 
-/// What a loop sees: columns now, or the oldest of its past values, which begin at a place.
+/// Returns the rows of what a loop sees: columns now, or the oldest of its past values, which begin at a place.
 fn seen(one: &FeedbackLoop, unit: u64, mut past: usize, all: usize) -> DMatrix<f64> {
     let mut seen = DMatrix::zeros(one.reads.nrows(), all);
     for (read, age) in one.ages(unit).enumerate() {

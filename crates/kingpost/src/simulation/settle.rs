@@ -144,8 +144,8 @@ impl Simulation {
         self.settle_with_trims().map(|(found, _)| found)
     }
 
-    /// The same; also returns the trims of the elements that hold the model, as
-    /// [`Plant::trims`](crate::plant::Plant::trims).
+    /// Finds an equilibrium like [`settle`](Self::settle); also returns the trims of the elements that hold the model,
+    /// as [`Plant::trims`](crate::plant::Plant::trims).
     ///
     /// # Errors
     /// As [`settle`](Self::settle).

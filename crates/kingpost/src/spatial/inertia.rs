@@ -54,7 +54,7 @@ impl<S: Scalar> SpatialInertia<S> {
         self.times(t).dot(t)
     }
 
-    /// The same inertia about the origin and in the axes of the parent frame.
+    /// Returns the inertia about the origin and in the axes of the parent frame.
     #[inline]
     pub fn to_parent(&self, e: &Frame<S>) -> Self {
         let r = &e.rotation;

@@ -184,7 +184,7 @@ impl<S: Scalar> Symmetric3<S> {
         Self { xx: m[0][0], xy: m[0][1], xz: m[0][2], yy: m[1][1], yz: m[1][2], zz: m[2][2] }
     }
 
-    /// The same matrix in full.
+    /// Returns the matrix in full.
     #[inline]
     pub fn to_matrix(self) -> Matrix3<S> {
         Matrix3([[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]])

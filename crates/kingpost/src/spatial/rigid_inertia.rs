@@ -58,7 +58,7 @@ impl<S: Scalar> RigidInertia<S> {
         Self { mass, first_moment, moments }
     }
 
-    /// The same inertia in full.
+    /// Returns the inertia in full.
     #[inline]
     pub fn to_spatial(&self) -> SpatialInertia<S> {
         SpatialInertia {
@@ -77,7 +77,7 @@ impl<S: Scalar> RigidInertia<S> {
         }
     }
 
-    /// The same inertia about the origin and in the axes of the parent frame, by Steiner's theorem.
+    /// Returns the inertia about the origin and in the axes of the parent frame, by Steiner's theorem.
     #[inline]
     pub fn to_parent(&self, e: &Frame<S>) -> Self {
         let (x, turned) = (e.position, e.rotation * self.first_moment);

@@ -76,7 +76,7 @@ pub fn log(r: &Matrix3<f64>) -> Vector3<f64> {
     axis * (sign * angle / axis.norm())
 }
 
-/// The same for a turn well below half of one, with derivatives: `t / sin(t)` times the skew part.
+/// Computes the logarithm of a rotation well below half a turn, with derivatives: `t / sin(t)` times the skew part.
 pub fn log_of_part_turn<S: Scalar>(r: &Matrix3<S>) -> Vector3<S> {
     let (sine_axis, c) = (vee(r), S::constant);
     let square = sine_axis.norm_squared();

@@ -15,7 +15,7 @@ pub struct Current<S = f64> {
 /// A current over depth.
 #[derive(Clone, Debug)]
 pub enum CurrentProfile<S = f64> {
-    /// The same at all depths.
+    /// Speed that is the same at all depths.
     Uniform,
     /// n of U(z) = U ((h + z) / h)^n over the depth h.
     PowerLaw(S),
@@ -32,7 +32,7 @@ pub struct CurrentTable<S = f64> {
     pub velocities: Vec<[S; 2]>,
 }
 
-/// Which velocity of a current profile is used.
+/// Velocity of a current profile that is used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CurrentAt<S = f64> {
     /// The velocity at the surface.

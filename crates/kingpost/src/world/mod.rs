@@ -60,7 +60,7 @@ impl<S: Scalar> World<S> {
         }
     }
 
-    /// The same with this gravity, m/s^2.
+    /// Returns the world with this gravity, m/s^2.
     pub fn with_gravity(self, gravity: S) -> Self {
         Self { gravity, ..self }
     }

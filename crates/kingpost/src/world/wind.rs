@@ -24,7 +24,7 @@ pub struct Wind<S = f64> {
 /// Mean speed of the wind over height.
 #[derive(Clone, Copy, Debug)]
 pub enum WindProfile<S = f64> {
-    /// The same at all heights.
+    /// Speed that is the same at all heights.
     Uniform,
     /// U (z / z_reference)^exponent.
     PowerLaw(S),

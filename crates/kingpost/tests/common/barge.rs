@@ -19,7 +19,7 @@ pub fn added_mass_infinite() -> [[f64; 6]; 6] {
     a
 }
 
-/// Of mode i: `K(s) = c s / (s^2 + 2 zeta w s + w^2)`, which is positive real and zero at s = 0.
+/// Strength c of mode i: `K(s) = c s / (s^2 + 2 zeta w s + w^2)`, which is positive real and zero at s = 0.
 const STRENGTH: [f64; 6] = [3e4, 9e4, 4e5, 2e6, 8e6, 1e6];
 const NATURAL: f64 = 1.4;
 const ZETA: f64 = 0.5;

@@ -66,7 +66,7 @@ pub fn ship(length: f64, beam: f64, depth: f64, divisions: usize) -> HullMesh {
     HullMesh::new(vertices, triangles).expect("a hull")
 }
 
-/// The same hull seen from another frame.
+/// Returns the hull seen from another frame.
 pub fn moved(mesh: &HullMesh, mesh_in_frame: &Frame) -> HullMesh {
     let vertices = mesh.vertices().iter().map(|&r| mesh_in_frame.point(r).0).collect();
     let triangles = mesh.triangles().map(|corners| corners.map(|i| i as usize)).collect();

@@ -1,4 +1,4 @@
-//! What the tests share: random models and states, and the paper's scenario.
+//! Parts that the tests share: random models and states, and the paper's scenario.
 #![allow(dead_code)] // each test binary uses its own part
 
 pub mod barge;
@@ -41,7 +41,7 @@ pub fn paper_setup(overrides: &[(&str, Value)]) -> Setup {
     scenario.setup().expect("the gallery builds")
 }
 
-/// The same, ready to step.
+/// Returns a simulation of the paper's scenario, ready to step.
 pub fn paper(overrides: &[(&str, Value)]) -> Simulation {
     Simulation::new(paper_setup(overrides))
 }

@@ -38,13 +38,13 @@ pub struct Wave {
 }
 
 impl Wave {
-    /// Of a height, a period and a phase.
+    /// Returns the wave with a height, a period and a phase.
     pub fn new(height: f64, period: f64, phase: f64) -> Self {
         let frequency = 2.0 * PI / period;
         Self { amplitude: 0.5 * height, frequency, number: frequency * frequency / GRAVITY, phase }
     }
 
-    /// As a scenario has it.
+    /// Returns the wave as the text of a scenario.
     pub fn sea(&self) -> String {
         let (height, period, phase) = (2.0 * self.amplitude, 2.0 * PI / self.frequency, self.phase);
         format!(

@@ -16,7 +16,7 @@ const MOST_BODIES: usize = 30;
 /// Most axes of a joint.
 const MOST_AXES: usize = 5;
 
-/// Which of the numbers of a body.
+/// Streams of a body's random numbers.
 const STATE: u64 = 1;
 const LOADS: u64 = 2;
 const ROTORS: u64 = 3;
@@ -47,7 +47,7 @@ pub struct Branch {
     /// Counted modulo the bodies before it; `None` is the world.
     pub parent: Option<usize>,
     pub kind: Kind,
-    /// Of the axes, as many as there are.
+    /// Modes of the axes, as many as there are.
     pub modes: [Mode; MOST_AXES],
     /// Whether its inertia is a full 6x6.
     pub full_inertia: bool,
@@ -105,7 +105,7 @@ pub fn for_all(count: u32, property: impl Fn(&Tree) -> TestCaseResult) {
     }
 }
 
-/// The same, with the failure as a value.
+/// Tests a property like [`for_all`], with the failure as a value.
 pub fn smallest_failure(count: u32, property: impl Fn(&Tree) -> TestCaseResult) -> Result<(), TestError<Tree>> {
     runner(count, 2019).run(&trees(), |tree| property(&tree))
 }

@@ -190,7 +190,7 @@ limits:
     assert!(fender.worst.unwrap().abs() < 1e-12 && (fender.worst_time_s.unwrap() - 8.0).abs() < 1e-9, "{fender:?}");
 }
 
-/// What only reads the model moves nothing: the same bits with it and without.
+/// Checks that a sensor, which only reads the model, moves nothing: the same bits with it and without.
 #[test]
 fn a_sensor_changes_no_number_of_the_motion() {
     let wave = Wave::new(3.0, 7.0, 0.4);

@@ -1,4 +1,4 @@
-//! What a person may get wrong with a contact: each has an answer at its place.
+//! Mistakes that a person may make with a contact: each has an answer at its place.
 
 use crate::common;
 

@@ -171,7 +171,7 @@ fn a_cylinder_leaves_of_the_heave_what_a_winch_would_and_its_gas_takes_the_weigh
     }
 }
 
-/// What is let out is the change of the path, also where the parts are not parallel to the carriage's way.
+/// Checks that the rope let out is the change of the path, also where the parts are not parallel to the carriage's way.
 #[test]
 fn parts_of_rope_that_run_at_an_angle_are_let_out_by_their_length() {
     let slanted = [

@@ -35,7 +35,7 @@ fn changed(changes: &[(&str, Value)]) -> Simulation {
 
 const UNIT: &str = "sensors.inertial.inertial_unit";
 
-/// What the unit finds over 40 s after 400 s: roll (rad), heave (m), heave rate (m/s), with their true values.
+/// Returns the unit's findings over 40 s after 400 s: roll (rad), heave (m), heave rate (m/s), with their true values.
 fn settled(changes: &[(&str, Value)]) -> Vec<[[f64; 2]; 3]> {
     let mut simulation = changed(changes);
     simulation.step(20_000).unwrap();

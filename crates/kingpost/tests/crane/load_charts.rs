@@ -52,7 +52,8 @@ const DOUBLE: &str = "        - point: {body: load, falls: 2}\n";
 const DEAD_END_ON_THE_BOOM: &str =
     "        - point: {body: load}\n        - point: {body: post, position_m: [12, 0, 20]}\n";
 
-/// Of a rope of 11 m on the boom and so many falls of 10 m that is short by 20 mm.
+/// Returns the length as text and the tension, N, of a rope of 11 m on the boom and so many falls of 10 m that is short
+/// by 20 mm.
 fn short(falls: f64) -> (String, f64) {
     let length = 11.0 + 10.0 * falls - 0.02;
     (format!("      unstretched_length_m: {length}\n"), 1e6 * 0.02 / length)

@@ -147,7 +147,8 @@ fn rest(delay_s: f64) -> f64 {
     (1.0 - size * angle.cos()).hypot(size * angle.sin())
 }
 
-/// Of the motion: what the crane's changing geometry adds within a period, of second order in 0.2 m over 7.5 m of reach.
+/// Share of the motion that the crane's changing geometry adds within a period, of second order in 0.2 m over 7.5 m of
+/// reach.
 const OF_THE_GEOMETRY: f64 = 5e-3;
 
 #[test]

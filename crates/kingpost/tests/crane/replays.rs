@@ -1,4 +1,4 @@
-//! What a hand set in a run, replayed by a scenario.
+//! Replay of what a hand set in a run, by a scenario.
 
 use crate::operations::{PUSH_COAST_BRAKE, run, slide};
 use kingpost::Simulation;

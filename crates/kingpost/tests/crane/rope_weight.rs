@@ -8,7 +8,7 @@ use kingpost::scenario::read;
 
 /// Free fall, m/s^2.
 const GRAVITY: f64 = 9.80665;
-/// Of a wire rope of 50 mm, kg/m.
+/// Mass of a wire rope of 50 mm, kg/m.
 const MASS_KG_PER_M: f64 = 10.0;
 
 /// A load of 1 t on a rope from a drum of 300 kg m2 in the world, 20 m over its place.

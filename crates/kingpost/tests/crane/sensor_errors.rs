@@ -1,4 +1,4 @@
-//! What sensors add to the truth, and the filter of heave.
+//! Errors that sensors add to the truth, and the filter of heave.
 
 use crate::common;
 
@@ -71,7 +71,8 @@ fn moments(simulation: &mut Simulation, variable: &str, steps: usize) -> [f64; 2
     [mean, (squares / steps as f64 - mean * mean).sqrt()]
 }
 
-/// Of N samples the mean is known to sigma / sqrt(N) and the deviation to sigma / sqrt(2 N): four of each, N = 5000.
+/// Checks mean and deviation: of N samples the mean is known to sigma / sqrt(N) and the deviation to sigma / sqrt(2 N):
+/// four of each, N = 5000.
 #[test]
 fn noise_and_bias_have_the_given_size() {
     let mut simulation = changed(&[

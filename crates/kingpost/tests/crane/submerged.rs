@@ -79,7 +79,7 @@ fn lowering(shape: &str, rest: &str, sea: &str, height: f64, step: f64) -> Simul
 
 const SPEED: f64 = 0.5;
 
-/// What the joint carries upward, at steady speed: weight less the water's forces.
+/// Returns the force that the joint carries upward, N, at steady speed: weight less the water's forces.
 fn hook(load: &mut Simulation) -> f64 {
     values(load, "joint_reaction")[2]
 }

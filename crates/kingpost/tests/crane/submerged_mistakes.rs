@@ -1,4 +1,4 @@
-//! What a person may get wrong with the water on a lifted object: each has an answer at its place.
+//! Mistakes that a person may make with the water on a lifted object: each has an answer at its place.
 
 use kingpost::scenario::read;
 

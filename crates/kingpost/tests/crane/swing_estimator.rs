@@ -57,8 +57,8 @@ fn largest_error(after_s: f64, changes: &[(&str, Value)]) -> [f64; 2] {
     [error, swing]
 }
 
-/// What the stationary gains leave of a steady swing of the assumed period is below a per cent, and of half and twice that
-/// period a few per cent.
+/// Checks the error with the stationary gains: it is below a per cent for a steady swing of the assumed period, and a
+/// few per cent for half and twice that period.
 #[test]
 fn it_finds_a_free_swing_with_its_phase_and_size() {
     let [error, swing] = largest_error(300.0, &[]);

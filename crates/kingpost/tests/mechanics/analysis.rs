@@ -175,7 +175,7 @@ fn what_is_stiff_does_not_keep_what_is_soft_from_settling() {
     assert!(accelerations.iter().all(|a| a.abs() < 1e-9), "{accelerations:?}");
 }
 
-/// What a lever has set is kept, and is a state: with the lever r of the force about the hinge the
+/// Checks that the length set by a lever is kept, and is a state: with the lever r of the force about the hinge the
 /// boom's acceleration follows the length wanted by k r / J, and that follows the input by the speed.
 #[test]
 fn the_length_that_a_cylinder_wants_is_a_state_that_settling_keeps() {

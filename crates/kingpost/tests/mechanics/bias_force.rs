@@ -54,7 +54,7 @@ fn inertia<S: Scalar>(random: &mut Random, mass: S) -> SpatialInertia<S> {
     SpatialInertia::from_rows(&core::array::from_fn(|i| core::array::from_fn(|j| S::constant(square(i, j)))))
 }
 
-/// The same tree for the same seed, whatever the scalar.
+/// Returns the same tree for the same seed, whatever the scalar.
 fn tree<S: Scalar>(seed: u64) -> Model<S> {
     let mut random = Random::new(seed);
     let n = 1 + random.below(8);

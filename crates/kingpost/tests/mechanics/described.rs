@@ -1,4 +1,4 @@
-//! What the engine says of a model to those who draw it and write of it.
+//! Description of a model by the engine, for those who draw it and write of it.
 
 use kingpost::elements::LineStyle;
 use kingpost::scenario::{self, Scenario};

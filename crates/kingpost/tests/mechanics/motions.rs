@@ -180,8 +180,8 @@ fn ways_and_shares_have_derivatives_and_times_have_none() {
     }
 }
 
-/// What the texts of the gallery say of their cranes: to port is 90 degrees, and the others turn by the
-/// area of their pulse.
+/// Checks the texts of the gallery about their cranes: to port is 90 degrees, and the others turn by the area of their
+/// pulse.
 #[test]
 fn the_cranes_of_the_gallery_stop_where_their_texts_say() {
     let cases = [

@@ -212,7 +212,7 @@ fn its_table_of_channels_is_the_one_that_the_views_are_tested_with() {
     assert!(text == written, "{CHANNELS} has drifted; run: {command}");
 }
 
-/// What it warns of is of the rows that are written: the largest of its column, and the time of that row.
+/// Checks that it warns of the rows that are written: the largest of its column, and the time of that row.
 #[test]
 fn its_warnings_are_those_of_the_run_and_begin_anew_with_it() {
     let mut simulation = Simulation::new(governed(LIMIT, SchemeName::RungeKutta4));

@@ -1,4 +1,4 @@
-//! What joints carry, against statics.
+//! Reactions that joints carry, against statics.
 
 use crate::common;
 

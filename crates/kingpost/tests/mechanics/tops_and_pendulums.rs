@@ -125,7 +125,7 @@ fn zero_between(from: (f64, f64, f64), to: (f64, f64, f64)) -> f64 {
     from.0 + lower * h
 }
 
-/// What a top stands on and a pendulum hangs from.
+/// Mount that a top stands on and a pendulum hangs from.
 #[derive(Clone, Copy, Debug)]
 enum Mount {
     /// Euler's hinges: about the vertical, about the level, of a top also about its own axis. The point

@@ -263,7 +263,7 @@ fn every_part_of_the_gallery_says_what_it_is() {
     }
 }
 
-/// What a scenario with parts resolves to reads back without them.
+/// Checks that the text to which a scenario with parts resolves reads back without them.
 #[test]
 fn a_resolved_scenario_needs_no_parts() {
     for name in ["knuckle_boom_crane", "dual_draglink_crane"] {

@@ -2,7 +2,7 @@
 
 use crate::common::gallery_files::{names, scenario};
 
-/// What an operation reads at every step is what a row of the results says, for every column of every scenario.
+/// Checks that an operation reads at every step what a row of the results says, for every column of every scenario.
 #[test]
 fn a_column_that_is_read_alone_has_the_value_of_its_row() {
     for name in names("") {

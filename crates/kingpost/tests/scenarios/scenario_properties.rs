@@ -1,4 +1,4 @@
-//! What holds of every scenario: it reads back to itself, and no text makes the reader panic.
+//! Properties of every scenario: it reads back to itself, and no text makes the reader panic.
 
 use crate::common::paper_text;
 
@@ -127,7 +127,7 @@ fn number_fields() -> Vec<String> {
     paths
 }
 
-/// What the last name of a path says of the sign: `Some(true)` greater than 0, `Some(false)` not less than 0.
+/// Returns the sign that the last name of a path implies: `Some(true)` greater than 0, `Some(false)` not less than 0.
 fn sign(path: &str) -> Option<bool> {
     let name = path.split('.').rfind(|segment| segment.parse::<usize>().is_err()).unwrap_or_default();
     let positive = [

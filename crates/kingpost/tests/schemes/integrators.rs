@@ -1,4 +1,4 @@
-//! What each integrator is for: stability on stiff oscillations, numerical damping, invariants.
+//! Purpose of each integrator: stability on stiff oscillations, numerical damping, invariants.
 
 use crate::common;
 

@@ -117,7 +117,8 @@ fn slow_motions_are_damped_and_a_current_with_the_waves_adds_to_the_drift() {
     assert!(with < still && still < against && still < in_current, "{with} {still} {against} {in_current}");
 }
 
-/// What is shown acts: without added mass and radiation a free hull's centre accelerates by the force over its mass.
+/// Checks that the drift that is shown acts: without added mass and radiation a free hull's centre accelerates by the
+/// force over its mass.
 #[test]
 fn the_drift_of_a_moving_hull_acts_on_it() {
     let velocity = json!([0.4, -0.3, 0.0]);

@@ -25,7 +25,7 @@ const STRONG: &str = "bow: {tunnel: {position_m: [30, 0, 0], max_thrust_kN: 1e4,
                       starboard: {main_propeller: {position_m: [-35, -4, 0], max_thrust_kN: 1e4, \
                       max_astern_thrust_kN: 1e4, time_constant_s: 2}}";
 
-/// Of 100 s and 0.7, and of 80 s and 0.9 in yaw.
+/// Gains for 100 s and 0.7, and for 80 s and 0.9 in yaw.
 const GAINS: &str = "natural_periods: {integral: false, surge: {mass_t: 1000, period_s: 100, damping_ratio: 0.7}, \
                      sway: {mass_t: 1000, period_s: 100, damping_ratio: 0.7}, \
                      yaw: {inertia_kg_m2: 4e8, period_s: 80, damping_ratio: 0.9}}";
@@ -187,7 +187,7 @@ fn beyond_its_limits_a_ship_is_pushed_straight_by_all_that_a_thruster_has() {
     assert!(values(&mut ship, "station_error").iter().all(|error| error.abs() < 0.5));
 }
 
-/// What is thrust below the centre of mass heels the ship: the moment is force times lever.
+/// Checks that thrust below the centre of mass heels the ship: the moment is force times lever.
 #[test]
 fn thrust_acts_where_the_thruster_is() {
     let low = WEAK.replace("0, 0]", "0, -6]");
@@ -277,7 +277,7 @@ fn a_ship_holds_its_station_in_current_and_waves() {
     assert!(thrust < 4e4, "the thrusters answer the waves: {thrust} N");
 }
 
-/// The same bits after a snapshot, and those of each run in a batch of several.
+/// Checks that the bits are the same after a snapshot, and those of each run in a batch of several.
 #[test]
 fn snapshots_and_batches_give_the_same_bits() {
     let mut ship = at_sea(&station(""), &[]);

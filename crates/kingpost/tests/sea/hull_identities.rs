@@ -1,4 +1,4 @@
-//! What holds for any hull in any position: energy and its gradient, two ways to integrate, lanes.
+//! Identities that hold for any hull in any position: energy and its gradient, two ways to integrate, lanes.
 
 use crate::common::hulls;
 

@@ -13,7 +13,7 @@ const ORIENTATION: &str = "bodies.hull.joint.floating.initial.orientation_rad";
 const HYDROSTATICS: &str = "forces.water.hydrodynamics.hydrostatics";
 /// Masses of hull, mast and load, kg, and heights of their centres over the keel, m.
 const WEIGHTS: [(f64, f64); 3] = [(380e3, 2.0), (20e3, 7.0), (10e3, 7.5)];
-/// Of the load below its joint, m.
+/// Distance of the load below its joint, m.
 const PENDANT: f64 = 1.5;
 
 fn report(overrides: &[(&str, Value)]) -> HydrostaticReport {
@@ -321,8 +321,8 @@ fn on_line() -> String {
         )
 }
 
-/// The same load, by the same length below the same point, once on its joint and once on a line: GM and the
-/// mass afloat are the same, and nothing else carries the ship.
+/// Compares a load by the same length below the same point, once on its joint and once on a line: GM and the mass
+/// afloat are the same, and nothing else carries the ship.
 #[test]
 fn a_load_on_a_line_takes_of_the_metacentric_height_what_one_on_a_pendulum_takes() {
     let on_joint = afloat(&[]);
@@ -357,7 +357,7 @@ fn a_load_with_a_hull_of_its_own_that_cannot_float_is_a_warning() {
     assert!(told.is_some_and(|words| words.starts_with("no hydrostatics of load")), "{report:?}");
 }
 
-/// What a run rests by: under linear hydrostatics the heel is theirs, and the curve of the mesh has another.
+/// Checks what a run rests by: under linear hydrostatics the heel is theirs, and the curve of the mesh has another.
 #[test]
 fn the_report_says_whether_the_run_rests_by_the_mesh() {
     for (hydrostatics, by_mesh) in [("linear", false), ("mesh", true)] {

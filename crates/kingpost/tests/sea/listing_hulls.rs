@@ -60,7 +60,7 @@ fn a_barge_that_lists_does_not_sway_in_a_head_sea() {
     }
 }
 
-/// The same by a run: the sea pushes it aside no more than its response says.
+/// Checks the response of a listing barge by a run: the sea pushes it aside no more than its response says.
 #[test]
 fn a_run_of_a_barge_that_lists_has_its_response() {
     let waves = json!({"swell": {"regular": {"height_m": 0.02, "period_s": 6.0, "direction_rad": 2.5}}});

@@ -147,8 +147,8 @@ fn the_same_seed_gives_the_same_bits_and_another_another_sea() {
     assert!(differ(&sea(4, 0), &sea(4, 1)));
 }
 
-/// Of cos^2s, the standard deviation of b is about sqrt(2 / s), here 0.44 rad; the mean of 2000 is drawn
-/// within four standard errors.
+/// Checks the scatter of directions: of cos^2s, the standard deviation of b is about sqrt(2 / s), here 0.44 rad; the
+/// mean of 2000 is drawn within four standard errors.
 #[test]
 fn directions_scatter_about_the_mean_direction() {
     let system = WaveSystem { components: 2000, ..system() };
@@ -238,7 +238,8 @@ fn a_measured_record_returns_where_and_when_it_was_measured() {
     }
 }
 
-/// What a table keeps are the same sums: of one band, of another that goes beyond it, and of the first again.
+/// Checks that the sums that a table keeps are the same: of one band, of another that goes beyond it, and of the first
+/// again.
 #[test]
 fn a_table_gives_the_waves_of_its_record_bit_for_bit_however_often_it_is_asked() {
     let taken = record(&system().components(3, 0, &Water::default()).unwrap(), 0.5, 300.5);

@@ -33,7 +33,7 @@ fn csv() -> String {
     text
 }
 
-/// The same in OrcaFlex's words, with every convention turned over.
+/// Returns the table in OrcaFlex's words, with every convention turned over.
 fn orcaflex() -> String {
     let mut text = "%YAML 1.1\n# Type: Model\n---\nVesselTypes:\n  - Name: Ship\n    Length: 80\n    RAOResponseUnits: radians\n    \
                     RAOWaveUnit: amplitude\n    WavesReferredToBy: frequency (Hz)\n    RAOPhaseConvention: leads\n    \

@@ -1,4 +1,4 @@
-//! What a view draws of the sea: the hull's place in it and the surface around.
+//! View of the sea: the hull's place in it and the surface around.
 
 use crate::common;
 
@@ -9,7 +9,7 @@ use kingpost::simulation::Simulation;
 use serde_json::json;
 
 const SWELL: &str = "sea.waves.swell.regular.enabled";
-/// Of the hull's drawing frame, on the keel, to the origin of its data, on the water.
+/// Height of the hull's centre of mass above its keel, m.
 const CENTRE_ABOVE_KEEL: f64 = 2.0;
 
 #[test]

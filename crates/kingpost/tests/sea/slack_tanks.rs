@@ -12,7 +12,8 @@ use serde_json::{Value, json};
 
 const MAST: &str = "bodies.mast.joint.prismatic.position_m";
 const HYDROSTATICS: &str = "forces.water.hydrodynamics.hydrostatics";
-/// Of hull, mast and load, kg, and the moment of the mast and the load for each metre that they go to port, kg m/m.
+/// Mass of hull, mast and load, kg, and the moment of the mast and the load for each metre that they go to port,
+/// kg m/m.
 const MASS: f64 = 410e3;
 const MOVED: f64 = 30e3;
 /// Length, breadth, height of the tank, m, and its liquid, kg/m^3.

@@ -86,7 +86,7 @@ fn a_ship_that_drifts_with_the_current_moves_as_one_in_still_water() {
     assert!(still.state().q[3..].iter().any(|q| q.abs() > 0.05), "it turns by Munk's moment: {:?}", still.state().q);
 }
 
-/// What the springs take of a steady current they take from the start: potential flow has no drag.
+/// Checks that the springs take a steady current from the start: potential flow has no drag.
 #[test]
 fn a_run_that_begins_at_equilibrium_in_a_current_stays_there() {
     let mut more = moored();
@@ -318,9 +318,9 @@ fn motions_per_height(height_m: f64) -> Vec<[f64; 6]> {
     (0..600).map(&mut after).collect()
 }
 
-/// What is of second order is small in a sea of 1 m: heave, pitch and roll are those of a sea a hundred times lower, scaled.
-/// Roll is resonant, and bodies that pitch and yaw do turn in roll (Euler's equations). Kirchhoff's equations for the whole
-/// velocity would make 0.73 of it.
+/// Checks that motions of second order are small in a sea of 1 m: heave, pitch and roll are those of a sea a hundred
+/// times lower, scaled. Roll is resonant, and bodies that pitch and yaw do turn in roll (Euler's equations).
+/// Kirchhoff's equations for the whole velocity would make 0.73 of it.
 #[test]
 fn motions_grow_with_the_waves() {
     let (low, high) = (motions_per_height(0.01), motions_per_height(1.0));

@@ -26,7 +26,7 @@ fn ship(initial: &str, mast: [f64; 3], hold: &str) -> String {
     )
 }
 
-/// Of 1 from rest: `e^(-zeta w t) (cos w_d t + zeta w / w_d sin w_d t)`.
+/// Returns the decay of 1 from rest: `e^(-zeta w t) (cos w_d t + zeta w / w_d sin w_d t)`.
 fn decay(period_s: f64, zeta: f64, time_s: f64) -> f64 {
     let omega = TAU / period_s;
     let damped = omega * libm::sqrt(1.0 - zeta * zeta);
@@ -162,8 +162,8 @@ fn a_barge_on_the_water_swings_with_the_periods_that_are_asked_for() {
     }
 }
 
-/// Of the barge's own mass, 410 t with mast and load, and that of the water by formula: A(w) = A_inf + Im K / w, even
-/// in the frequency, at 1e-5 rad/s.
+/// Checks the stiffness by the barge's own mass, 410 t with mast and load, and that of the water by formula:
+/// A(w) = A_inf + Im K / w, even in the frequency, at 1e-5 rad/s.
 #[test]
 fn its_stiffness_counts_the_water_that_moves_with_the_hull() {
     let [full, without, dry] = [(true, true), (false, true), (false, false)].map(|(radiation, added_mass)| {

@@ -1,4 +1,4 @@
-//! What thrusters share, and what a wave filter passes, against closed forms.
+//! Shares of thrusters and response of a wave filter, against closed forms.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kingpost::elements::dynamic_positioning::{Allocation, Thruster, ThrusterKind, WaveFilter};
@@ -125,7 +125,7 @@ fn components(allocation: &Allocation, demand: [f64; 3]) -> Vec<([f64; 3], f64)>
     rows
 }
 
-/// What the filter passes at a frequency, by its states' rates.
+/// Returns the response of the filter at a frequency, by its states' rates.
 fn response(filter: &WaveFilter, omega: f64) -> Complex<f64> {
     let n = filter.state_count();
     let rates = |input: f64, states: &[f64]| {

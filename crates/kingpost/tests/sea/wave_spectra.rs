@@ -36,7 +36,7 @@ fn every_spectrum_has_the_variance_of_its_significant_height() {
     }
 }
 
-/// What the usual band cuts off: 0.2 % of a tail of w^-5, 1.2 % of one of w^-4 that is all of it, and
+/// Checks the share that the usual band cuts off: 0.2 % of a tail of w^-5, 1.2 % of one of w^-4 that is all of it, and
 /// of the sum of two peaks in between.
 #[test]
 fn the_usual_band_holds_nearly_all_energy() {

@@ -103,7 +103,7 @@ fn profiles_of_wind_and_current_are_what_they_say() {
     assert!((share - mean / f64::from(n)).abs() < 1e-9, "{share}");
 }
 
-/// The same coefficients over another scalar.
+/// Returns the coefficients over another scalar.
 fn over<S: Scalar>(rows: &[[f64; 3]]) -> Vec<[S; 3]> {
     rows.iter().map(|row| row.map(S::constant)).collect()
 }

@@ -36,7 +36,7 @@ pub struct ColumnResponse {
     pub amplitudes: Vec<[f64; 2]>,
     /// Natural frequencies that waves may excite, the lowest first.
     pub resonances: Vec<Resonance>,
-    /// What a user should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
@@ -126,7 +126,7 @@ impl BuiltScenario {
     }
 }
 
-/// What does not stay at rest, is left out there, or stands still.
+/// Returns warnings of an unstable equilibrium, of elements that are left out at rest, and of inputs that are held.
 fn warnings(at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
     let unstable = at.instability.as_ref().map(|why| format!("the equilibrium is not stable: {why}"));
     let left_out = elements.iter().filter_map(|element| {
@@ -196,14 +196,14 @@ fn probes(at: &AtRest, loads: &WaveLoads<'_>, frequencies: &[f64]) -> Result<Vec
     Ok(probes)
 }
 
-/// What columns show of the waves themselves.
+/// Columns that show the waves themselves.
 struct Shown {
     /// Place in a row, the first force on its element, and what.
     each: Vec<(usize, Option<usize>, ShownWaves)>,
 }
 
 impl Shown {
-    /// Of elements at rest; marks what is not in proportion to the waves.
+    /// Collects what elements at rest show of the waves; marks columns that are not in proportion to the waves.
     fn new(elements: &[AnyElement], at: &AtRest, loads: &WaveLoads<'_>, rows: &mut Rows) -> Self {
         let bodies = super::excitation::kinematics(at.rest.model(), &at.rest.state().q);
         let (mut each, mut first) = (Vec::new(), 0);

@@ -95,7 +95,8 @@ impl<'a> WaveLoads<'a> {
         all
     }
 
-    /// Of an element among all the first of these rows; `None` where waves do not act on it.
+    /// Returns the first of these rows that belongs to an element, given by its index among all; `None` where waves do
+    /// not act on it.
     pub(super) fn first_force_on(&self, element: usize) -> Option<usize> {
         Some(FORCES * self.loaded.iter().position(|loaded| loaded.index == element)?)
     }
@@ -120,7 +121,7 @@ impl<'a> WaveLoads<'a> {
         force
     }
 
-    /// The same forces as elements of a model at rest, whose inputs they are.
+    /// Returns the forces as elements of a model at rest, with the forces as their inputs.
     pub(super) fn as_inputs(&self, rest: &Simulation) -> Vec<WaveForces> {
         let bodies = rest.model().bodies.len();
         let at_rest = kinematics(rest.model(), &rest.state().q);
@@ -146,7 +147,7 @@ impl<'a> WaveLoads<'a> {
     }
 }
 
-/// What waves of this direction lag or lead by so far off, m.
+/// Returns the factor by which waves of this direction lag or lead at the offset `[x, y]`, m.
 fn phase(k: f64, direction: f64, [x, y]: [f64; 2]) -> Complex<f64> {
     let (sin, cos) = libm::sincos(direction);
     let (sin, cos) = libm::sincos(k * (x * cos + y * sin));

@@ -93,7 +93,7 @@ pub enum ResponseError {
         quantity: &'static str,
         /// The value.
         found: f64,
-        /// What is allowed.
+        /// Range that is allowed.
         allowed: String,
     },
     /// A frequency at which an undamped motion is unbounded.
@@ -184,7 +184,7 @@ struct AtRest {
     linear: Linearization,
     /// Indices in v of the free coordinates.
     free: Vec<usize>,
-    /// What each state is.
+    /// Variable of each state.
     along: Vec<Along>,
     /// Why nothing stays there, if it does not.
     instability: Option<Instability>,

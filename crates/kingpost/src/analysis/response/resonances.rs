@@ -13,7 +13,7 @@ pub struct Resonance {
     pub decay_per_s: f64,
 }
 
-/// Of the search for eigenvalues; it takes some three for each.
+/// Largest number of iterations in the search for eigenvalues; it takes some three for each.
 const MOST_ITERATIONS: usize = 20_000;
 
 /// The oscillating eigenvalues of A; none where they are not found.

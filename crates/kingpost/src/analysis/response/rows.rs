@@ -17,7 +17,7 @@ use nalgebra::DMatrix;
 pub(super) struct Rows {
     tangent: Tangent,
     channels: Channels,
-    /// What each state is, then each force.
+    /// Variable of each state, then of each force.
     along: Vec<Along>,
     /// The place of rest. d has the forces behind the inputs.
     time: (f64, crate::integrate::Interval),
@@ -30,12 +30,12 @@ pub(super) struct Rows {
     pub(super) mean: Vec<f64>,
     /// Derivative of each column by each state, then by each force; not finite where there is none.
     pub(super) derivatives: DMatrix<f64>,
-    /// What is known of columns beside that.
+    /// Reason for each column that does not follow small waves in proportion.
     pub(super) not_linear: Vec<Option<NotLinear>>,
 }
 
 impl Rows {
-    /// Of a scenario at rest.
+    /// Computes the rows of a scenario at rest.
     pub(super) fn new(scenario: &BuiltScenario, at: &AtRest, loads: &WaveLoads<'_>) -> Result<Self, ScenarioError> {
         let setup = scenario.dual_setup()?.clone();
         let mut elements = setup.elements;

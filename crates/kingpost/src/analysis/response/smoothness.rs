@@ -1,4 +1,4 @@
-//! Which columns follow small motions in proportion.
+//! Finds the columns that follow small motions in proportion.
 
 use super::not_linear::NotLinear;
 use super::rows::Rows;
@@ -13,7 +13,7 @@ const ROUNDING: f64 = 1e-10;
 const ROUNDING_BESIDE: f64 = 1e-13;
 /// Changes below this are rounding, whatever the unit.
 const LEAST: f64 = 1e-13;
-/// What is beside the derivative by less than this share of it is not looked at.
+/// Share of the derivative below which a deviation from it is ignored.
 const BESIDE: f64 = 0.1;
 /// Where a motion is halved, a change of second order falls to a quarter and one of first order to a half: the border
 /// between them.
@@ -57,7 +57,7 @@ fn rounding(rows: &Rows) -> Vec<f64> {
     rows.channels().list.iter().flat_map(of_channel).collect()
 }
 
-/// What changes its sign with the motion, and the size of what does not.
+/// Returns the part that changes its sign with the motion, and the size of the part that does not.
 fn parts(more: f64, less: f64, rest: f64) -> [f64; 2] {
     [0.5 * (more - less), (0.5 * (more + less) - rest).abs()]
 }
@@ -72,7 +72,7 @@ fn without_numbers(rows: &Rows, column: usize) -> Option<NotLinear> {
     (!has_numbers).then_some(NotLinear::NotSmooth)
 }
 
-/// Of a column without a slope: it stays, or moves in the second order, or its slope is not known.
+/// Classifies a column without a slope: it stays, or moves in the second order, or its slope is not known.
 fn of_flat([odd, even]: [f64; 2], [odd_half, even_half]: [f64; 2], rounding: f64) -> Option<NotLinear> {
     let (whole, half) = (odd.abs().max(even), odd_half.abs().max(even_half));
     match () {
@@ -82,7 +82,7 @@ fn of_flat([odd, even]: [f64; 2], [odd_half, even_half]: [f64; 2], rounding: f64
     }
 }
 
-/// Of a column with a slope: whether it has another one to either side, or all over.
+/// Classifies a column with a slope: whether it has another one to either side, or all over.
 fn of_sloped(
     [odd, even]: [f64; 2],
     [odd_half, even_half]: [f64; 2],

@@ -39,7 +39,7 @@ pub enum CopyError {
     Input {
         /// Index of the copy, from 0.
         copy: usize,
-        /// What is wrong.
+        /// Error of the input.
         error: InputError,
     },
     /// A name that is no column.
@@ -51,17 +51,17 @@ pub enum CopyError {
     /// A copy that has failed was marked, or none was before the others took its state.
     #[error("mark: found {found}, allowed: a copy that has not failed")]
     Mark {
-        /// What was found.
+        /// Mark that was found.
         found: String,
     },
     /// An array of the wrong length, or an index beyond the last copy.
     #[error("{what}: found {found}, allowed: {allowed}")]
     Count {
-        /// What was counted.
+        /// Quantity that was counted.
         what: &'static str,
         /// The number found.
         found: usize,
-        /// What is allowed.
+        /// Number or range that is allowed.
         allowed: String,
     },
 }

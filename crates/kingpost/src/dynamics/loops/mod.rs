@@ -76,7 +76,7 @@ impl<S: Scalar> LoopSolver<S> {
         rows::update(model, links, &mut self.rows);
     }
 
-    /// The same, followed by the active restraints.
+    /// Evaluates every constraint of the loops, followed by the active restraints.
     fn update_columns(&mut self, model: &Model<S>, links: &LinkKinematics<S>, restraints: &[UnilateralConstraint<S>]) {
         self.update_rows(model, links);
         let mut columns = self.columns.iter_mut();

@@ -202,7 +202,7 @@ impl<S: Scalar> Pair<S> {
         (d[axis], wrench, Wrench { moment: d_dot.cross(e), force: Vector3::zero() })
     }
 
-    /// The same for `abs(d) = l`: a force along d. If d vanishes, it has no direction.
+    /// Returns phi, W and the rate of W in A, of `abs(d) = l`: a force along d. If d vanishes, it has no direction.
     fn distance(&self, length: S) -> (S, Wrench<S>, Wrench<S>) {
         let (d, d_dot) = self.way();
         let now = d.norm();
@@ -213,7 +213,7 @@ impl<S: Scalar> Pair<S> {
         (now - length, force(n), force(n_dot))
     }
 
-    /// The same for `+-a . b = 0`, with a an axis of A and b one of B: a moment along b x a.
+    /// Returns phi, W and the rate of W in A, of `+-a . b = 0`, for axes a of A and b of B: a moment along b x a.
     fn perpendicular(&self, first: usize, second: usize) -> (S, Wrench<S>, Wrench<S>) {
         let sign = if (first + 3 - second) % 3 == 1 { S::ONE } else { -S::ONE };
         let (a, b) = (unit(first) * sign, self.second_in_first.rotation.column(second));

@@ -13,7 +13,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NamedMatrix {
-    /// As in the paper: `B`, `M_star`, `E_tower/ship`.
+    /// Name, as in the paper: `B`, `M_star`, `E_tower/ship`.
     pub name: String,
     /// One label per row.
     pub row_labels: Vec<String>,

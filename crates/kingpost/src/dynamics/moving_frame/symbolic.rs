@@ -12,7 +12,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SymbolicMatrix {
-    /// As in [`NamedMatrix`](super::NamedMatrix): `B`, `M_star`, `E_tower/ship`.
+    /// Name, as in [`NamedMatrix`](super::NamedMatrix): `B`, `M_star`, `E_tower/ship`.
     pub name: String,
     /// The symbol on the left-hand side.
     pub symbol: String,

@@ -1,4 +1,4 @@
-//! What a compensation knows of a point's motion along one axis: measured, or predicted.
+//! Estimate of a point's motion along one axis by a compensation: measured, or predicted.
 
 use super::measurement::{Measured, Measurement};
 use super::predictor::FilterBank;
@@ -56,7 +56,8 @@ const LINEAR: usize = 0;
 const ANGULAR: usize = 1;
 
 impl<S: Scalar> Estimator<S> {
-    /// The same for a lever arm that changes with the motion: the position by the rotation of the body is measured.
+    /// Returns the estimator for a lever arm that changes with the motion: the position by the rotation of the body is
+    /// measured.
     pub fn with_measured_arms(mut self) -> Self {
         if let Some(prediction) = &mut self.prediction {
             prediction.position.truncate(ANGULAR);
@@ -140,7 +141,7 @@ impl<S: Copy> Estimate<S> {
     }
 }
 
-/// What happened to the sensor, whose last state is the mode `out`.
+/// Reports a drop-out or a return of the sensor, whose last state is the mode `out`.
 pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut Own<'_, S>) -> Vec<String> {
     let was_out = core::mem::replace(&mut own.modes[out], i64::from(!delivers)) == 1;
     match (was_out, delivers) {

@@ -33,7 +33,7 @@ use crate::spatial::Vector3;
 pub struct HeaveCompensation<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it knows of z and v, and its sampling period T_s.
+    /// Estimator of z and v, with its sampling period T_s.
     pub estimator: Estimator<S>,
     /// The point from which the rope hangs down to the load.
     pub tip: Attachment<S>,

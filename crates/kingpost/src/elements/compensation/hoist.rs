@@ -1,4 +1,4 @@
-//! What lets rope out to a load: the drum of its winch, or sheaves that a cylinder moves.
+//! Hoists that let rope out to a load: the drum of its winch, or sheaves that a cylinder moves.
 
 use super::chain::joint_twist;
 use crate::elements::Context;
@@ -6,7 +6,7 @@ use crate::elements::ropes::{Drum, RopePath};
 use crate::scalar::Scalar;
 use crate::spatial::Twist;
 
-/// What a drive lets rope out by.
+/// Part by which a drive lets rope out.
 #[derive(Clone, Debug)]
 pub enum Hoist<S = f64> {
     /// The drum, as it turns.
@@ -47,7 +47,7 @@ impl<S: Scalar> Hoist<S> {
         }
     }
 
-    /// What is let out now.
+    /// Returns the rope that is let out now.
     pub fn let_out(&mut self, at: &Context<'_, S>) -> LetOut<S> {
         match self {
             Self::Drum(drum) => {

@@ -1,4 +1,4 @@
-//! What all compensations have: the lever that switches them on, the place that they keep from then on, and limits.
+//! Parts of all compensations: the lever that switches them on, the place that they keep from then on, and limits.
 
 use crate::elements::{Context, Input, Output};
 use crate::scalar::Scalar;

@@ -29,7 +29,7 @@ use crate::spatial::{Matrix3, Twist, Vector3};
 pub struct PlatformCompensation<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it knows of the ship's motion, and its sampling period.
+    /// Estimator of the ship's motion, with its sampling period.
     pub estimator: Estimator<S>,
     /// The joints between ship and platform, with their drives.
     pub chain: DrivenChain<S>,
@@ -52,7 +52,7 @@ const UTILISATION: usize = 1;
 const ZERO: usize = 2;
 const TRUE_ZERO: usize = 3;
 const ESTIMATE: usize = 4;
-/// What it keeps: tilt about x and y, height.
+/// Names of the quantities that it keeps: tilt about x and y, height.
 const KEPT: [&str; 3] = ["tilt_x", "tilt_y", "height"];
 const HEIGHT: usize = 2;
 const UPWARD: usize = 2;

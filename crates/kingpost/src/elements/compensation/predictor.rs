@@ -112,7 +112,8 @@ impl FilterBank {
         self.weights(wanted, 1.0)
     }
 
-    /// The same for a position, of which a position gain commands a speed: with c times its noise.
+    /// Computes the weights for a position, of which a position gain commands a speed: as for a velocity, with c times
+    /// its noise.
     pub fn position_weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2]) -> Vec<S> {
         self.weights(wanted, self.band.correction_rad_s())
     }
@@ -205,13 +206,13 @@ impl PeriodBand {
 }
 
 impl<S: Scalar> Dynamics<S> {
-    /// What makes the velocity to command from the measured velocity: `e^(i w tau) (1 + i w T) / H(i w)`, with the high-pass
-    /// filter H.
+    /// Returns the factor from the measured velocity to the velocity to command: `e^(i w tau) (1 + i w T) / H(i w)`,
+    /// with the high-pass filter H.
     pub fn velocity(&self, frequency: f64) -> [S; 2] {
         product(self.undone(frequency), [S::ONE, S::constant(frequency) * self.lag])
     }
 
-    /// What makes the position of the same time from the measured velocity: `e^(i w tau) / (i w H(i w))`.
+    /// Returns the factor from the measured velocity to the position at the same time: `e^(i w tau) / (i w H(i w))`.
     pub fn position(&self, frequency: f64) -> [S; 2] {
         let [real, imaginary] = self.undone(frequency);
         let over = S::constant(1.0 / frequency);

@@ -35,7 +35,7 @@ use crate::spatial::{Twist, Vector3};
 pub struct ThreeAxisCompensation<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it knows of p and v, and its sampling period.
+    /// Estimator of p and v, with its sampling period.
     pub estimator: Estimator<S>,
     /// The joints between ship and tip, with their drives.
     pub chain: DrivenChain<S>,

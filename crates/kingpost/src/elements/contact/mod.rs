@@ -57,7 +57,7 @@ pub struct Contact<S = f64> {
     pub settles: bool,
 }
 
-/// Which side a spot belongs to; it meets the solid of the other side.
+/// Side that a spot belongs to; it meets the solid of the other side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
     /// The load's.

@@ -110,8 +110,8 @@ fn tridiagonal<S: Scalar>(before: &[f64], diagonal: &[f64], after: &[f64], mut r
     right
 }
 
-/// The same where the first and the last are neighbours: a tridiagonal matrix and the product of two vectors (Press et al.,
-/// *Numerical Recipes*, 3rd ed., 2007, sec. 2.7.2).
+/// Solves the system of [`tridiagonal`] where the first and the last are neighbours: a tridiagonal matrix and the
+/// product of two vectors (Press et al., *Numerical Recipes*, 3rd ed., 2007, sec. 2.7.2).
 fn cyclic<S: Scalar>(before: &[f64], diagonal: &[f64], after: &[f64], right: Vec<S>) -> Vec<S> {
     let last = right.len() - 1;
     let (top, bottom, shift) = (before[0], after[last], -diagonal[0]);

@@ -26,7 +26,7 @@ pub struct Gains<S = f64> {
     pub damping: Planar<S>,
     /// K_i.
     pub integral: Planar<S>,
-    /// Which of the three have an integral.
+    /// Whether each of the three has an integral.
     pub integrates: [bool; 3],
     /// T_t, s: time constant with which an integral follows the force that can be given.
     pub tracking_time: Planar<S>,

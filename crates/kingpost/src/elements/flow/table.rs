@@ -12,7 +12,7 @@ pub struct TableError {
     pub row: Option<usize>,
     /// The value found.
     pub found: f64,
-    /// What is allowed.
+    /// Range that is allowed.
     pub allowed: &'static str,
 }
 

@@ -172,7 +172,7 @@ impl<S: Scalar> FreeFloodingTank<S> {
         Vector3([S::ZERO, S::ZERO, height])
     }
 
-    /// Of the carrier, with its origin in the opening, in the world.
+    /// Returns the frame of the carrier with its origin in the opening, in the world.
     fn opening_frame(&self, at: &Context<'_, S>) -> Frame<S> {
         at.links.body_frame(at.model, self.carrier).times(&Frame::translation(self.opening))
     }

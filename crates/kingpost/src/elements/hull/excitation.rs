@@ -52,7 +52,7 @@ pub struct HullVelocity<S = f64> {
     pub over_ground: [S; 2],
 }
 
-/// Which forces of the incident waves act.
+/// Switches for the forces of the incident waves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WaveForceSwitches {
     /// Whether the first-order Froude-Krylov force acts; otherwise only diffraction.

@@ -114,7 +114,7 @@ pub struct Hull<S = f64> {
     pub plan: Plan,
     /// Its watchers.
     pub watchers: Vec<AnyWatcher>,
-    /// Which quadratic terms of the added mass act.
+    /// Quadratic terms of the added mass that act.
     pub quadratic_terms: QuadraticTerms,
     /// Cut-off of the filter of the slow frame, rad/s.
     pub cutoff_rad_s: f64,

@@ -35,7 +35,7 @@ impl<S: Scalar> HullFrame<S> {
         self.motion_of(at.model, at.links)
     }
 
-    /// The same, by kinematics alone.
+    /// Returns where the hull is and how it moves, by kinematics alone.
     pub fn motion_of(&self, model: &Model<S>, links: &LinkKinematics<S>) -> HullMotion<S> {
         let twist = self.in_body().twist_to_child(&links.body_twist(model, self.body));
         HullMotion { frame: self.frame(model, links), twist }

@@ -3,7 +3,7 @@
 use super::super::sensing::{Oscillating, Process, RATE_WANDERS, first};
 use nalgebra::DVector;
 
-/// What the filter assumes of its unit and of the sea.
+/// Assumptions of the filter about its unit and the sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assumed {
     /// Sampling period T of the unit, s.
@@ -25,9 +25,11 @@ pub struct Assumed {
 /// The gains of one innovation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KalmanGains {
-    /// Of a horizontal channel: displacement, velocity, tilt, error of the rate, both states of the motion in waves.
+    /// Gains of a horizontal channel: displacement, velocity, tilt, error of the rate, both states of the motion in
+    /// waves.
     pub level: [f64; 6],
-    /// Of the vertical channel: displacement, velocity, error of the acceleration, both states of the motion in waves.
+    /// Gains of the vertical channel: displacement, velocity, error of the acceleration, both states of the motion in
+    /// waves.
     pub vertical: [f64; 5],
 }
 
@@ -44,7 +46,7 @@ pub struct Design {
     pub mean: KalmanGains,
     /// At a position of the receiver.
     pub fix: Option<KalmanGains>,
-    /// Of the heading: angle and error of the rate, at every sample.
+    /// Gains of the heading: angle and error of the rate, at every sample.
     pub heading: [f64; 2],
 }
 

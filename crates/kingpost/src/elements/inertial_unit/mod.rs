@@ -39,11 +39,11 @@ pub struct InertialUnit<S = f64> {
 /// The errors of an inertial unit's instruments; `None` is none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Instruments<S = f64> {
-    /// Of each component of the specific force, m/s^2.
+    /// Errors of each component of the specific force, m/s^2.
     pub acceleration: Option<SignalErrors<S>>,
-    /// Of each component of the angular velocity, rad/s.
+    /// Errors of each component of the angular velocity, rad/s.
     pub rate: Option<SignalErrors<S>>,
-    /// Of the heading by the gyrocompass, rad.
+    /// Errors of the heading by the gyrocompass, rad.
     pub heading: Option<SignalErrors<S>>,
 }
 
@@ -219,7 +219,7 @@ fn moving<S: Scalar>(now: &HullMotion<S>) -> Moving<S> {
     Moving { rotation, velocity: rotation * now.twist.linear }
 }
 
-/// What it delivers, in the order of [`KEPT`]; then the specific force.
+/// Returns the signals of the unit, in the order of [`KEPT`]; then the specific force.
 fn signals<S: Scalar>(found: &Navigation<S>, rate: Vector3<S>, specific_force: Vector3<S>) -> [S; COUNT] {
     let [roll, pitch, yaw] = roll_pitch_yaw(&found.moving.rotation).0;
     let ([x, y, z], [x_velocity, y_velocity, z_velocity]) = (found.displacement.0, found.moving.velocity.0);

@@ -4,7 +4,7 @@ use super::gains::{Design, KalmanGains};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, exp, log_of_part_turn, roll_pitch_yaw};
 
-/// What accelerometers and gyroscopes measure over a sample: mean values, body axes.
+/// Measurements of accelerometers and gyroscopes over a sample: mean values, body axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Increments<S> {
     /// Acceleration less that of gravity, m/s^2.
@@ -41,7 +41,7 @@ impl<S: Scalar> Moving<S> {
     }
 }
 
-/// What the unit finds: an estimate of its motion and of the errors of its sensors.
+/// Estimate of the unit's motion and of the errors of its sensors.
 #[derive(Clone, Copy, Debug)]
 pub struct Navigation<S> {
     /// Attitude and velocity.
@@ -126,7 +126,7 @@ impl<S: Scalar> Navigation<S> {
         self.waves = self.waves.map(|waves| design.waves.onward(waves));
     }
 
-    /// What the mean place lacks to where the estimate without the motion in waves is, m.
+    /// Returns the offset of the mean place from the estimate without the motion in waves, m.
     pub fn from_mean(&self, mean: Vector3<S>) -> Vector3<S> {
         mean - self.displacement + Vector3(self.waves.map(|[_, motion]| motion))
     }

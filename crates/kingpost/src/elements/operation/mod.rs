@@ -27,7 +27,7 @@ pub struct Operation<S = f64> {
 /// A step of an operation.
 #[derive(Clone, Debug)]
 pub struct OperationStep<S = f64> {
-    /// What the step does.
+    /// Name of the step, which says what it does.
     pub name: String,
     /// Each with the place of its input among [`Operation::inputs`]; those of one input in the order of time, one after another.
     pub moves: Vec<(usize, Vec<Move<S>>)>,

@@ -29,10 +29,10 @@ type Rated<S> = Dual<1, S>;
 /// Largest rate of l - L, m/s, at which a rope still counts as just taut: rounding.
 const ROUNDING_M_S: f64 = 1e-9;
 
-/// What an inextensible rope needs in addition to its path.
+/// Data that an inextensible rope needs in addition to its path.
 #[derive(Clone, Debug)]
 pub struct Inextensible<S = f64> {
-    /// The same path over numbers with their rates, so that the rate of the length carries the second derivative.
+    /// Copy of the path over numbers with their rates, so that the rate of the length carries the second derivative.
     rated: RopePath<Rated<S>>,
     /// T from the last solution for the accelerations, N.
     pub(super) tension: S,

@@ -298,7 +298,7 @@ impl<S: Scalar> RopePath<S> {
         self.hand_on(tension, stretch_rate, |round, speed| round.efficiency.ratio(speed, SMOOTHING_M_S), hand)
     }
 
-    /// The same without friction.
+    /// Applies a tension at the last end to the bodies like [`pull`](Self::pull), without friction.
     pub(super) fn pull_freely(&self, tension: S, hand: impl FnMut(&Station<S>, &Wrench<S>)) {
         self.hand_on(tension, S::ZERO, |_, _| S::ONE, hand);
     }

@@ -1,4 +1,4 @@
-//! What a sensor adds to the truth: bias, white noise, a resolution, and drop-outs.
+//! Errors that a sensor adds to the truth: bias, white noise, a resolution, and drop-outs.
 
 use crate::scalar::Scalar;
 use crate::sea::waves::Noise;

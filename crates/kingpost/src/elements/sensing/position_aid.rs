@@ -19,7 +19,7 @@ pub struct PositionAid<S = f64> {
     pub has_status: bool,
 }
 
-/// What a unit gets of its receiver at a sample.
+/// Sample that a unit gets of its receiver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReceiverSample {
     /// Whether it is the first.

@@ -152,7 +152,7 @@ fn difference(size: usize) -> DVector<f64> {
 pub struct Oscillating([[f64; 2]; 2]);
 
 impl Oscillating {
-    /// Of an [oscillation](Process::oscillation).
+    /// Returns how an [oscillation](Process::oscillation) and its integral change in a sample.
     pub fn of(oscillation: &Process) -> Self {
         Self([0, 1].map(|i| [0, 1].map(|j| oscillation.transition[(i, j)])))
     }

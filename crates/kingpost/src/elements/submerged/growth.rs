@@ -15,11 +15,11 @@ pub struct AddedMassGrowth<S = f64> {
 pub struct GrowthError {
     /// `shares` or `factors`.
     pub column: &'static str,
-    /// Which row, if the error is in one.
+    /// Row of the error, if it is in one.
     pub row: Option<usize>,
     /// The value found.
     pub found: String,
-    /// What is allowed.
+    /// Range or form that is allowed.
     pub allowed: String,
 }
 

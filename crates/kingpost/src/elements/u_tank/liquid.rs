@@ -18,7 +18,7 @@ pub struct UTankGeometry<S = f64> {
     pub density: S,
 }
 
-/// What the geometry gives for the equations of motion.
+/// Constants of the geometry for the equations of motion.
 ///
 /// With the level y in the port column above that at rest, the kinetic energy of one-dimensional flow in a tank that
 /// moves with the twist V is (Holden & Fossen, *Ocean Engineering* 45, 2012, pp. 22-37; Lloyd, *Seakeeping*, 1989, ch. 13)
@@ -47,7 +47,7 @@ pub struct UTankLiquid<S = f64> {
     pub mass: S,
     /// Inertia about its centre, kg m^2.
     pub inertia: SpatialInertia<S>,
-    /// Of it, the moment about x.
+    /// Moment of inertia about x through its centre, kg m^2.
     pub moment_about_x: S,
     /// Height of its centre above the middle of the duct, m.
     pub centre: S,

@@ -120,7 +120,7 @@ impl<S: Scalar> UTank<S> {
         Vector3([S::ZERO, y, z])
     }
 
-    /// Of the liquid, in the carrier's axes, N.
+    /// Returns the weight of the liquid, in the carrier's axes, N.
     fn weight(&self, at: &Context<'_, S>) -> Vector3<S> {
         let vertical = Vector3::new(S::ZERO, S::ZERO, S::ONE);
         at.links.to_body_axes(at.model, self.carrier, vertical) * -(self.liquid.mass * at.world.gravity)
@@ -139,7 +139,7 @@ impl<S: Scalar> UTank<S> {
         speed * (self.linear_damping + half * liquid.contraction * liquid.contraction * magnitude)
     }
 
-    /// Of the pump, Pa: it falls with the flow that it drives, to 0 at the limit of the flow.
+    /// Returns the pressure of the pump, Pa: it falls with the flow that it drives, to 0 at the limit of the flow.
     fn pressure(&self, at: &Context<'_, S>) -> S {
         let Some([pressure, limit]) = self.pump else { return S::ZERO };
         let lever = at.inputs[0];

@@ -39,7 +39,7 @@ impl<S: Scalar> AxisList<S> {
         Self { placement, to_child, axes, labels }
     }
 
-    /// The same joint with the modes of its coordinates.
+    /// Returns the joint with these modes of its coordinates.
     ///
     /// # Panics
     /// If there are fewer modes than axes.
@@ -50,7 +50,7 @@ impl<S: Scalar> AxisList<S> {
         self
     }
 
-    /// The same joint, the child's frame moved by `offset`, child axes, m.
+    /// Returns a copy of the joint with the child's frame moved by `offset`, child axes, m.
     pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
         Self { to_child: self.to_child + offset, ..*self }
     }
@@ -98,7 +98,7 @@ impl<S: Scalar> AxisList<S> {
         rates
     }
 
-    /// The same joint as joints of one axis with massless frames between them.
+    /// Splits the joint into joints of one axis with massless frames between them.
     pub fn split(&self) -> impl Iterator<Item = (JointKind<S>, Mode)> + '_ {
         let last = self.labels.len() - 1;
         self.axes().iter().enumerate().map(move |(i, axis)| {
@@ -112,7 +112,7 @@ impl<S: Scalar> AxisList<S> {
         })
     }
 
-    /// The same joint on another parent frame.
+    /// Returns a copy of the joint on another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self { placement: parent.times(&self.placement), ..*self }
     }

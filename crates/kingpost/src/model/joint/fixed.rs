@@ -18,12 +18,12 @@ impl<S: Scalar> Fixed<S> {
         Self { relative: placement.times(&Frame::translation(to_child)), to_child }
     }
 
-    /// The same connection on another parent frame.
+    /// Returns a copy of the connection on another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self { relative: parent.times(&self.relative), to_child: self.to_child }
     }
 
-    /// The same connection, the child's frame moved by `offset`, child axes, m.
+    /// Returns a copy of the connection with the child's frame moved by `offset`, child axes, m.
     pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
         let relative = self.relative.times(&Frame::translation(offset));
         Self { relative, to_child: self.to_child + offset }

@@ -116,7 +116,7 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// The same joint on a parent frame that carries the old one at `parent`.
+    /// Returns the joint on a parent frame that carries the old one at `parent`.
     pub fn seen_from(self, parent: &Frame<S>) -> Self {
         match self {
             JointKind::Floating(floating) => JointKind::Floating(floating),
@@ -128,8 +128,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// The same joint with the child's frame moved to `to`, relative to its old place; for a floating joint it stays.
-    /// It can be rotated only for a joint of one axis: other joints have coordinates along its axes.
+    /// Returns the joint with the child's frame moved to `to`, relative to its old place; for a floating joint it
+    /// stays. It can be rotated only for a joint of one axis: other joints have coordinates along its axes.
     pub fn with_child_moved(self, to: &Frame<S>) -> Self {
         let offset = to.position;
         match self {

@@ -20,12 +20,12 @@ impl<S: Scalar> Prismatic<S> {
         Self { placement, to_child, twist: Twist { angular: Vector3::zero(), linear: axis } }
     }
 
-    /// The same slide on another parent frame.
+    /// Returns a copy of the slide on another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self { placement: parent.times(&self.placement), ..*self }
     }
 
-    /// The same slide, the child's frame put to `to`, seen from where it was.
+    /// Returns a copy of the slide with the child's frame put to `to`, seen from where it was.
     pub fn with_child_moved(&self, to: &Frame<S>) -> Self {
         let turned = |v: Vector3<S>| to.rotation.transpose_times(v);
         let placement = Frame { rotation: self.placement.rotation * to.rotation, ..self.placement };

@@ -33,12 +33,12 @@ impl<S: Scalar> Revolute<S> {
         }
     }
 
-    /// The same hinge on another parent frame.
+    /// Returns a copy of the hinge on another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self::new(parent.times(&self.placement), self.twist.angular, self.to_child)
     }
 
-    /// The same hinge, the child's frame put to `to`, seen from where it was.
+    /// Returns a copy of the hinge with the child's frame put to `to`, seen from where it was.
     pub fn with_child_moved(&self, to: &Frame<S>) -> Self {
         let turned = |v: Vector3<S>| to.rotation.transpose_times(v);
         let placement = Frame { rotation: self.placement.rotation * to.rotation, ..self.placement };

@@ -23,12 +23,12 @@ impl<S: Scalar> Spherical<S> {
         Self { placement, to_child }
     }
 
-    /// The same ball on another parent frame.
+    /// Returns a copy of the ball on another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self { placement: parent.times(&self.placement), ..*self }
     }
 
-    /// The same ball, the child's frame moved by `offset`, child axes, m.
+    /// Returns a copy of the ball with the child's frame moved by `offset`, child axes, m.
     pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
         Self { to_child: self.to_child + offset, ..*self }
     }

@@ -107,7 +107,7 @@ impl FloatingGroups {
             || (0..self.group.len()).any(|body| self.group[body] == group && self.has_hull[body] && self.is_held[body])
     }
 
-    /// Of a group, without loads that the world carries too, kg.
+    /// Returns the mass of a group, without loads that the world carries too, kg.
     fn mass(&self, model: &Model, group: Option<usize>) -> f64 {
         let counts = |body: &usize| self.group[*body] == group && !self.is_held[*body];
         (0..self.group.len()).filter(counts).map(|body| model.bodies[body].mass).sum()

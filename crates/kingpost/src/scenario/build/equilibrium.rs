@@ -32,7 +32,7 @@ pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> 
     Ok(())
 }
 
-/// The same over another scalar: the equilibria of several setups in lanes, or one with its derivatives.
+/// Moves a setup over another scalar to the equilibria of several setups in lanes, or of one with its derivatives.
 pub fn follow<S: Quantity>(alone: &[&Setup], setup: &mut Setup<S>) -> Result<(), FieldError> {
     for i in free_positions(&setup.model) {
         setup.q[i] = S::of_each(|k| alone[k].q[i]);

@@ -1,4 +1,4 @@
-//! What U-tanks and free-flooding tanks share: their liquid is a body that the scenario gives as a force.
+//! Parts that U-tanks and free-flooding tanks share: their liquid is a body that the scenario gives as a force.
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;

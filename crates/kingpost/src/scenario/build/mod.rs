@@ -88,8 +88,8 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     Ok(setup)
 }
 
-/// The same over another scalar, for one scenario or several with the same structure; `alone` are their separate
-/// setups.
+/// Builds the setup over another scalar, for one scenario or several with the same structure; `alone` are their
+/// separate setups.
 ///
 /// # Errors
 /// A number that decides the structure of the run but differs between lanes or has a derivative: its field.
@@ -106,7 +106,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     Ok(setup)
 }
 
-/// The same before its closed loops are closed.
+/// Builds the setup over another scalar before its closed loops are closed.
 fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let settings = settings(&scenario.simulation)?;
     let world = world::build(scenario)?;

@@ -188,7 +188,7 @@ pub fn no_input<S>(scenario: &Scenario<S>, layout: &Layout, field: String, found
     FieldError::new(field, found, allowed(&names, found, "a drive with an input"))
 }
 
-/// What a name may be; `none` is what the scenario lacks if there are no names.
+/// Returns the words for the names that are allowed; `none` is what the scenario lacks if there are no names.
 pub fn allowed(names: &[&str], found: &str, none: &str) -> String {
     if names.is_empty() { format!("none: the scenario does not have {none}") } else { one_of_with_hint(names, found) }
 }

@@ -60,7 +60,7 @@ pub(super) struct SystemField {
 }
 
 impl SystemField {
-    /// Of waves without a name.
+    /// Returns the field of waves without a name.
     pub(super) fn of(waves: &Waves) -> Self {
         Self { path: format!("sea.waves.{}", waves.kind()) }
     }
@@ -73,7 +73,7 @@ impl SystemField {
         FieldError::new(self.field(&error.field), error.found, error.allowed)
     }
 
-    /// The same for the waves of a spectrum, where some fields belong to the realisation.
+    /// Returns the error of the waves of a spectrum, where some fields belong to the realisation.
     pub(super) fn of_realisation(&self, error: WaveError) -> FieldError {
         let of_realisation = OF_REALISATION.iter().any(|part| error.field.starts_with(part));
         let field = if of_realisation { format!("realisation.{}", error.field) } else { error.field };

@@ -97,7 +97,7 @@ pub struct BodyDescription {
     pub inertia_kg_m2: [[f64; 3]; 3],
     /// The shape in the scenario; absent if only an inertia is given.
     pub shape: Option<schema::Shape>,
-    /// As `#rrggbb`.
+    /// Colour, as `#rrggbb`.
     pub colour: Option<schema::Colour>,
 }
 

@@ -32,7 +32,7 @@ fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
     falling.iter().take(MOST_NAMED).map(of).chain(rest).collect()
 }
 
-/// Of feedback that makes a mode grow, by the linear check at the start of the run.
+/// Warns of feedback that makes a mode grow, by the linear check at the start of the run.
 pub fn of_feedback(setup: &Setup) -> Option<String> {
     setup.elements.iter().find_map(|element| element.linear_law())?;
     let found = Simulation::recursive(setup.clone()).growing_with_feedback()?;
@@ -48,7 +48,7 @@ pub fn of_feedback(setup: &Setup) -> Option<String> {
     })
 }
 
-/// Of the numbers of hulls in the water.
+/// Warns of the numbers of hulls in the water.
 fn of_databases(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let mut warnings = Vec::new();
     for hull in of_kind::<f64, Hull>(elements) {
@@ -65,7 +65,7 @@ fn of_databases(scenario: &Scenario, model: &Model, world: &World, elements: &[A
     warnings
 }
 
-/// Of a hull that floats far from the draught of its data.
+/// Warns of a hull that floats far from the draught of its data.
 fn of_mass(model: &Model, hull: &Hull, database: &Database) -> Option<String> {
     let of_data = database.water.density_kg_m3 * database.hull.volume_m3;
     let mass: f64 = model.carried(hull.frame.body).iter().map(|&body| model.bodies[body].mass).sum();
@@ -81,7 +81,7 @@ fn of_mass(model: &Model, hull: &Hull, database: &Database) -> Option<String> {
     })
 }
 
-/// Of displacement RAOs whose rotations look like another unit's.
+/// Warns of displacement RAOs whose rotations look like another unit's.
 fn of_raos(scenario: &Scenario, model: &Model, world: &World) -> Vec<String> {
     let mut warnings = Vec::new();
     for (name, body) in &scenario.bodies {

@@ -37,7 +37,8 @@ impl Scenario {
         self.setup_over_with(&self.setup()?)
     }
 
-    /// The same; `alone` is the scenario's own setup.
+    /// Returns the setup of a simulation over another scalar, with all numbers constant; `alone` is the scenario's own
+    /// setup.
     pub(crate) fn setup_over_with<S: Quantity>(&self, alone: &Setup) -> Result<Setup<S>, ScenarioError> {
         Ok(assemble(&self.over(&mut Constants), &vec![alone; S::SCENARIOS])?)
     }
@@ -67,7 +68,7 @@ impl Scenario {
         self.setup_along_with(&self.setup()?, names)
     }
 
-    /// The same; `alone` is the scenario's own setup.
+    /// Returns the setup of [`setup_along`](Self::setup_along); `alone` is the scenario's own setup.
     pub(crate) fn setup_along_with(&self, alone: &Setup, names: &[&str]) -> Result<Setup<Number>, ScenarioError> {
         assert!(names.len() <= DIRECTIONS, "at most as many names as directions");
         let mut tangents = NumberTangents::of(self, names);

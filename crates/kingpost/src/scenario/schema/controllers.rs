@@ -8,8 +8,8 @@ use super::{
 };
 use crate::scenario::leaf::Leaf;
 
-/// What stands between a command, of a user or of the operation, and an input. Its own command is an input with its name.
-/// A controller may stand before another.
+/// Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
+/// name. A controller may stand before another.
 #[fields]
 pub enum Controller<S = f64> {
     /// Shapes a command so that it leaves no swing.
@@ -20,7 +20,7 @@ pub enum Controller<S = f64> {
     StateFeedback(StateFeedback<S>),
     /// A small neural network reads columns of the results and sets inputs.
     Policy(Policy<S>),
-    /// Of several commands for the same inputs, one passes.
+    /// Passes one of several commands for the same inputs.
     Selector(Selector),
     /// A winch pays out what the crane's tip rises, so that the load keeps its height.
     HeaveCompensation(HeaveCompensation<S>),

@@ -24,7 +24,7 @@ pub struct DynamicPositioning<S = f64> {
     pub gains: PositioningGains<S>,
     /// The filter that keeps the thrusters from responding to every wave; without it they respond.
     pub wave_filter: Option<WaveFilter<S>>,
-    /// What is reduced when a thruster is at its limit.
+    /// Rule for what is reduced when a thruster is at its limit.
     #[serde(default)]
     pub priority: ThrustPriority,
     /// Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
@@ -51,7 +51,7 @@ pub struct StationTarget<S = f64> {
 pub enum PositioningGains<S = f64> {
     /// From the natural period and the damping ratio of the controlled ship.
     NaturalPeriods(Box<NaturalPeriods<S>>),
-    /// As numbers.
+    /// Gains given as numbers.
     Stated(Box<StatedGains<S>>),
 }
 
@@ -147,7 +147,7 @@ fn butterworth<S: Leaf>() -> Positive<S> {
     Positive::literal(core::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// What is reduced when a thruster is at its limit.
+/// Rule for what is reduced when a thruster is at its limit.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum ThrustPriority {

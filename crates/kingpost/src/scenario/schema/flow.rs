@@ -37,7 +37,7 @@ fn air<S: Leaf>() -> Positive<S> {
 #[fields]
 #[derive(Copy)]
 pub enum WindProfile<S = f64> {
-    /// The same at all heights.
+    /// Speed that is the same at all heights.
     Uniform,
     /// By a power of the height.
     PowerLaw(PowerLaw<S>),
@@ -79,7 +79,7 @@ pub struct Logarithmic<S = f64> {
 #[fields]
 #[derive(Default)]
 pub enum CurrentProfile<S = f64> {
-    /// The same at all depths.
+    /// Speed that is the same at all depths.
     #[default]
     Uniform,
     /// By a power of the height over the bottom, for tides.
@@ -99,7 +99,7 @@ pub struct CurrentTable<S = f64> {
     pub directions_rad: Vec<S>,
 }
 
-/// Which speed of a current profile a load uses.
+/// Speed of a current profile that a load uses.
 #[fields]
 #[derive(Copy, Default)]
 pub enum CurrentSpeed<S = f64> {
@@ -152,7 +152,7 @@ pub struct CurrentLoad<S = f64> {
     pub position_m: [S; 3],
     /// Draught over which a current profile is averaged, m.
     pub draught_m: Option<Positive<S>>,
-    /// Which speed of a current profile is used.
+    /// Speed of the current profile that is used.
     #[serde(default)]
     pub speed: CurrentSpeed<S>,
     /// The coefficients.

@@ -64,7 +64,7 @@ impl<S: Leaf> Default for Gravity<S> {
     }
 }
 
-/// What the velocity is measured against where the sea has a current.
+/// Reference against which the velocity is measured where the sea has a current.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum DampedAgainst {
@@ -84,7 +84,7 @@ pub struct ViscousDamping<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// What the velocity is measured against.
+    /// Reference against which the velocity is measured.
     #[serde(default)]
     pub relative_to: DampedAgainst,
     /// The point where the force acts and whose velocity is used, in the body's drawing frame, m; without it, the
@@ -109,7 +109,7 @@ pub struct QuadraticDamping<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// What the velocity is measured against.
+    /// Reference against which the velocity is measured.
     #[serde(default)]
     pub relative_to: DampedAgainst,
     /// The point where the force acts and whose velocity is used, in the body's drawing frame, m.

@@ -31,15 +31,15 @@ pub struct InertialUnit<S = f64> {
     pub heading_errors: Option<AngleErrors<S>>,
     /// A satellite receiver on the same body that helps: with it, the displacement is that from the start, however slow.
     pub receiver: Option<Name>,
-    /// What the filter assumes.
+    /// Assumptions of the filter.
     #[serde(default)]
     pub filter: InertialFilter,
     /// Failures of the connection to the unit; without them it always works.
     pub drop_outs: Option<DropOuts>,
 }
 
-/// What the filter of an inertial unit assumes of its instruments and of the motion. The instruments' noise need not be the true
-/// one. Derivatives do not go through these numbers.
+/// Assumptions of an inertial unit's filter about its instruments and the motion. The instruments' noise need not be
+/// the true one. Derivatives do not go through these numbers.
 #[fields(default)]
 #[derive(Copy)]
 pub struct InertialFilter {

@@ -237,7 +237,8 @@ pub enum EquationForm {
     Recursive,
     /// The matrices of the moving frame method, as the paper writes them.
     MovingFrame,
-    /// The same with D set to zero: wrong on purpose, to show why the restricted variation is needed.
+    /// Matrices of the moving frame method with D set to zero: wrong on purpose, to show why the restricted variation
+    /// is needed.
     MovingFrameWithoutD,
 }
 

@@ -18,7 +18,7 @@ pub struct Operation<S = f64> {
 /// A step of an operation.
 #[fields]
 pub struct OperationStep<S = f64> {
-    /// What the step does: "lift off".
+    /// Name of the step, which says what it does: "lift off".
     pub name: String,
     /// The inputs that it moves. An input that is not named keeps its value.
     #[serde(default = "none::<S>", skip_serializing_if = "Vec::is_empty")]

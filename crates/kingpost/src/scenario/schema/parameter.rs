@@ -40,7 +40,7 @@ impl Parameter {
     }
 }
 
-/// What kind of control a parameter is.
+/// Kind of control that a parameter is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

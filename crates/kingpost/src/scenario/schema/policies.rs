@@ -13,7 +13,7 @@ pub struct Policy<S = f64> {
     /// Whether the controller acts; if not, its commands pass.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// What it reads, in the order of the columns of the first layer's weights.
+    /// Columns that it reads, in the order of the columns of the first layer's weights.
     pub reads: Vec<PolicyRead<S>>,
     /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
     pub steers: Vec<PolicySteer<S>>,

@@ -134,7 +134,7 @@ pub struct Sheave<S = f64> {
     /// larger.
     #[serde(default = "all::<S>")]
     pub efficiency_hoisting: Fraction<S>,
-    /// The same while the rope is paid out.
+    /// Efficiency while the rope is paid out: the smaller tension at the sheave over the larger.
     #[serde(default = "all::<S>")]
     pub efficiency_lowering: Fraction<S>,
 }

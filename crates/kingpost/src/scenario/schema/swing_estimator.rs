@@ -21,14 +21,15 @@ pub struct SwingEstimator<S = f64> {
     pub delay_samples: usize,
     /// Errors of each gyroscope; without them all are exact.
     pub rate_errors: Option<RateErrors<S>>,
-    /// What the filter assumes.
+    /// Assumptions of the filter.
     #[serde(default)]
     pub filter: SwingFilter,
     /// Failures of the connection to the sensor; without them it always works.
     pub drop_outs: Option<DropOuts>,
 }
 
-/// What the filter of a swing estimator assumes of its gyroscopes and of the swing. Derivatives do not go through these numbers.
+/// Assumptions of a swing estimator's filter about its gyroscopes and the swing. Derivatives do not go through these
+/// numbers.
 #[fields(default)]
 #[derive(Copy)]
 pub struct SwingFilter {

@@ -1,4 +1,4 @@
-//! What the types of a study do not say: values that are there once, kinds that go together, how many runs there may be.
+//! Checks of a study beyond its types: values that are there once, kinds that go together, how many runs there may be.
 
 use super::{DrawnInterval, EvenRange, MOST_PEAKS, MOST_RUNS, MOST_SEEDS, ScatterQuantity, Study, StudyAxis};
 use crate::scenario::error::FieldError;

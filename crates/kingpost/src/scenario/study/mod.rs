@@ -28,16 +28,17 @@ pub struct Study {
     pub version: Version,
     /// One line that says what this is.
     pub title: String,
-    /// What a reader should know.
+    /// Description of the study, for its readers.
     #[serde(default)]
     pub description: String,
     /// The scenario: a file beside the study, or a name of the gallery.
     pub scenario: String,
-    /// What is set over the scenario in all runs: parameters, or fields by their dotted paths.
+    /// Values that all runs set over the scenario: of parameters, or of fields by their dotted paths.
     #[serde(default)]
     pub set: IndexMap<String, Value>,
-    /// What the cases differ in: a parameter of the scenario, or a field by its dotted path. The cases are every combination,
-    /// the last axis fastest; axes that are drawn together, of a Latin hypercube or of a scatter table, count as one.
+    /// Axes along which the cases differ: each names a parameter of the scenario, or a field by its dotted path. The
+    /// cases are every combination, the last axis fastest; axes that are drawn together, of a Latin hypercube or of a
+    /// scatter table, count as one.
     #[serde(default)]
     pub axes: IndexMap<String, StudyAxis>,
     /// How axes `latin_hypercube` are drawn.
@@ -65,7 +66,7 @@ pub struct Study {
     pub acceptance: Probability,
     /// A scatter table, a file beside the study: how often which sea occurs.
     pub scatter: Option<String>,
-    /// Which axis sets which quantity of the sea. Without it, the axes that write these fields of the sea set them.
+    /// Axis that sets each quantity of the sea. Without it, the axes that write these fields of the sea set them.
     #[serde(default)]
     pub sea: StudySea,
 }
@@ -74,7 +75,7 @@ pub struct Study {
 #[fields]
 #[cfg_attr(feature = "schema", schemars(rename = "Axis"))]
 pub enum StudyAxis {
-    /// These values.
+    /// Values given one by one.
     Values(Vec<ParameterValue>),
     /// Numbers at even distances.
     Range(EvenRange),
@@ -105,7 +106,7 @@ pub struct DrawnInterval {
     pub to: f64,
 }
 
-/// What an axis takes from the scatter table.
+/// Quantity that an axis takes from the scatter table.
 #[fields]
 #[derive(Copy, Eq)]
 pub enum ScatterQuantity {
@@ -120,7 +121,7 @@ pub enum ScatterQuantity {
 pub struct Samples {
     /// How many samples.
     pub count: u64,
-    /// What they are drawn from.
+    /// Seed from which the samples are drawn.
     #[serde(default = "one")]
     pub seed: u64,
 }
@@ -160,7 +161,7 @@ pub struct Peaks {
     pub keep: u64,
 }
 
-/// Which axis sets which quantity of the sea.
+/// Axis that sets each quantity of the sea.
 #[fields(default)]
 #[derive(Default)]
 #[cfg_attr(feature = "schema", schemars(rename = "SeaAxes"))]

@@ -8,9 +8,9 @@ use thiserror::Error;
 pub struct DatabaseError {
     /// The field, dotted.
     pub field: String,
-    /// What was found.
+    /// Value or text that was found.
     pub found: String,
-    /// What is allowed.
+    /// Range or form that is allowed.
     pub allowed: String,
 }
 

@@ -180,7 +180,8 @@ pub struct RadiationMode {
     pub residues: Vec<[[f64; 2]; 6]>,
 }
 
-/// What the reader of JSON says, without the place, which stands before it, and without the names of Rust's types.
+/// Returns a message of the reader of JSON without the place, which stands before it, and without the names of Rust's
+/// types.
 fn in_words(message: &str) -> String {
     let message = message.rsplit_once(" at line ").map_or(message, |(words, _)| words);
     message.replace("expected f64", "expected a number").replace("invalid type: ", "").replace("invalid length ", "")

@@ -52,7 +52,7 @@ pub(super) fn check(database: &Database) -> Checked {
 }
 
 impl Database {
-    /// What a person should know of its numbers before a run relies on them.
+    /// Returns doubts about the numbers, which a person should know before a run relies on them.
     pub fn doubts(&self) -> Vec<String> {
         let of_mesh = sizes(self).into_iter().flatten().filter_map(|(field, found, of_mesh)| {
             let doubtful = (found / of_mesh - 1.0).abs() > DOUBTFUL_OF_MESH;
@@ -173,7 +173,8 @@ fn excitation_ratios(database: &Database) -> impl Iterator<Item = (usize, f64)> 
     found.into_iter()
 }
 
-/// Of pairs of the damping implied and given; the smallest damping that counts is a share of the largest, or `least`.
+/// Returns the median of `sqrt(implied / given)` over pairs of damping; the smallest damping that counts is a share of
+/// the largest, or `least`.
 fn median_ratio(pairs: &[[f64; 2]], least: f64) -> Option<f64> {
     let largest = |which: usize| pairs.iter().map(|pair| pair[which]).fold(0.0, f64::max);
     if largest(0) == 0.0 || largest(1) == 0.0 || largest(0).max(largest(1)) < least {

@@ -24,7 +24,7 @@ pub enum StabilityError {
         quantity: &'static str,
         /// Its value.
         found: f64,
-        /// What is allowed.
+        /// Range that is allowed.
         allowed: &'static str,
     },
     /// A weight that the fully immersed hull does not carry.

@@ -40,7 +40,7 @@ pub struct FloatingPosition<S = f64> {
 }
 
 impl<S: Scalar> FloatingPosition<S> {
-    /// Of a hull's pose in the world.
+    /// Returns the floating position of a hull with this pose in the world.
     #[inline]
     pub fn of(hull_in_world: &Frame<S>) -> Self {
         Self { height: hull_in_world.position[2], vertical: hull_in_world.rotation.row(2) }

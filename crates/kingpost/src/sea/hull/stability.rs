@@ -80,8 +80,8 @@ impl RightingArm {
         Self::curve_with_tanks(mesh, loading, &[], heels)
     }
 
-    /// The same for a hull with slack tanks. The centre of gravity of its loading contains their liquid as in the
-    /// upright hull; at each heel and trim the liquid is level.
+    /// Computes the curve of a hull with slack tanks. The centre of gravity of its loading contains their liquid as in
+    /// the upright hull; at each heel and trim the liquid is level.
     ///
     /// # Errors
     /// [`StabilityError`].

@@ -37,8 +37,8 @@ impl<S: Scalar> WettedHull<S> {
         self.pressure_wrench_below(mesh, hull_in_world, specific_weight, unbounded, water)
     }
 
-    /// The same, to the last bit, if no wave is higher than `highest_m` above still water: `water` is not called for
-    /// vertices above that whose neighbours are all dry.
+    /// Computes the wrench like [`pressure_wrench`](Self::pressure_wrench), to the last bit, if no wave is higher than
+    /// `highest_m` above still water: `water` is not called for vertices above that whose neighbours are all dry.
     ///
     /// # Panics
     /// When the memory was made for another mesh.

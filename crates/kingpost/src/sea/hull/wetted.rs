@@ -162,7 +162,7 @@ pub(super) fn apex_of([a, b, c]: [u8; 3]) -> usize {
     usize::from(b != c) * (1 + usize::from(a != c))
 }
 
-/// The same corners, beginning with this one.
+/// Returns the corners in their order, beginning with this one.
 #[inline]
 pub(super) fn from_corner<T: Copy>(first: usize, corners: [T; 3]) -> [T; 3] {
     [first, first + 1, first + 2].map(|k| corners[k % 3])

@@ -1,5 +1,5 @@
-//! What a table says of its longest waves, in which a ship rides the water's surface: heave is 1, and roll and pitch are the
-//! slope of the wave, `k` times its amplitude, across and along the ship.
+//! Longest waves of a table, in which a ship rides the water's surface: heave is 1, and roll and pitch are the slope of
+//! the wave, `k` times its amplitude, across and along the ship.
 
 use super::{MotionResponse, RaoTable};
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -15,9 +15,9 @@ const LEAST_SHARE: f64 = 0.5;
 /// Rotations that are off by about the degrees in a radian.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OtherUnit {
-    /// What is so, with the numbers.
+    /// Finding, with the numbers.
     pub found: String,
-    /// What it should be, and the likely cause.
+    /// Value that is expected, and the likely cause.
     pub allowed: String,
     /// Whether nothing else is likely: roll and pitch both are so, or pitch is too large.
     pub is_sure: bool,

@@ -17,9 +17,9 @@ use thiserror::Error;
 pub struct RaoError {
     /// The field.
     pub field: String,
-    /// What was found.
+    /// Value or text that was found.
     pub found: String,
-    /// What is allowed.
+    /// Range or form that is allowed.
     pub allowed: String,
 }
 
@@ -131,8 +131,8 @@ impl RaoTable {
         Ok(())
     }
 
-    /// The same over the whole circle. If `symmetric` says that port and starboard are alike, directions from 0 to 180
-    /// degrees are enough.
+    /// Returns the table over the whole circle. If `symmetric` says that port and starboard are alike, directions from
+    /// 0 to 180 degrees are enough.
     ///
     /// # Errors
     /// A gap of more than a quarter of the circle between directions; a half circle without a statement of symmetry.

@@ -19,7 +19,7 @@ pub struct LocalSurface<S = f64> {
     pub rate: S,
     /// Rates of the slopes, 1/s.
     pub slope_rates: [S; 2],
-    /// Of the slopes along x and y: xx, xy and yy, 1/m.
+    /// Derivatives of the slopes along x and y: xx, xy and yy, 1/m.
     pub curvatures: [S; 3],
 }
 

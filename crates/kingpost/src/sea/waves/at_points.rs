@@ -44,7 +44,7 @@ pub struct WavesAtPoints<S = f64> {
 }
 
 impl<S: Scalar> WavesAtPoints<S> {
-    /// These waves at the time 0.
+    /// Takes the waves of a field at the time 0.
     pub fn new(field: &WaveField<S>) -> Self {
         let doublings = S::constant(LOG2_E);
         let doublings_per_m = field.components().map(|wave| wave.wave_number_per_m * doublings).collect();

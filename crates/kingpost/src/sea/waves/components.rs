@@ -62,7 +62,7 @@ impl WaveComponent {
         Ok(Self::in_water(water, 0.5 * height_m, TAU / period_s, direction_rad, phase_rad))
     }
 
-    /// The same wave over another scalar, without derivatives.
+    /// Returns the wave over another scalar, without derivatives.
     pub fn constant<S: Scalar>(&self) -> WaveComponent<S> {
         WaveComponent {
             amplitude_m: S::constant(self.amplitude_m),

@@ -10,9 +10,9 @@ use thiserror::Error;
 pub struct WaveError {
     /// The quantity, its unit in its name: `significant_height_m`.
     pub field: String,
-    /// What was found.
+    /// Value or text that was found.
     pub found: String,
-    /// What is allowed.
+    /// Range or form that is allowed.
     pub allowed: String,
 }
 

@@ -144,7 +144,7 @@ impl<S: Scalar> WaveField<S> {
         share
     }
 
-    /// The same with its first and second rate.
+    /// Returns the factor of the amplitudes at this time, with its first and second rate.
     pub fn ramp_and_rates(&self, time_s: f64) -> [f64; 3] {
         ramp(time_s, self.ramp_s)
     }

@@ -93,7 +93,7 @@ impl ElevationTable {
         &self.elevations_m
     }
 
-    /// As [`ElevationRecord::components`] of these elevations, each harmonic computed once.
+    /// Returns the components of these elevations like [`ElevationRecord::components`], each harmonic computed once.
     ///
     /// # Errors
     /// As there.

@@ -52,7 +52,7 @@ pub struct GustError {
     pub field: &'static str,
     /// The value found.
     pub found: String,
-    /// What is allowed.
+    /// Range or form that is allowed.
     pub allowed: String,
 }
 

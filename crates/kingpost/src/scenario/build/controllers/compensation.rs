@@ -54,7 +54,7 @@ pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -
     Ok(())
 }
 
-/// What a compensation knows the motion by.
+/// Source from which a compensation knows the motion.
 pub struct MotionSource<'a, S> {
     /// The unit.
     pub sensor: Option<&'a schema::Name>,
@@ -125,7 +125,7 @@ pub fn unit<S: Quantity>(
     Ok(Some(unit))
 }
 
-/// What a compensation knows of the motion, for these drives.
+/// Builds the estimator of the motion for these drives of a compensation.
 pub fn estimator<S: Quantity>(
     lead: &str,
     source: &MotionSource<'_, S>,

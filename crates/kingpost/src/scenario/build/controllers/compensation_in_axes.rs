@@ -89,7 +89,7 @@ struct Joints<'a> {
     lead: &'a str,
     given: &'a [schema::CompensationDrive],
     least: usize,
-    /// What they move.
+    /// Part that they move, in words.
     moves: &'a str,
 }
 

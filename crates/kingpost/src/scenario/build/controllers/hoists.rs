@@ -39,7 +39,7 @@ pub struct Hung<'a, S> {
     pub drive: &'a ControlledDrive<S>,
     /// Set-point of the drive, rad/s or m/s.
     pub speed: S,
-    /// What the drive moves.
+    /// Part that the drive moves.
     pub hoist: Hoist<S>,
     /// The place before the rope's last end.
     pub tip: Attachment<S>,

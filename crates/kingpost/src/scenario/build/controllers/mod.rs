@@ -78,7 +78,7 @@ fn check_targets<S: Quantity>(scenario: &Scenario<S>, elements: &[AnyElement<S>]
     Ok(())
 }
 
-/// What controllers may name.
+/// Parts of a scenario that controllers may name.
 struct ControllerReader<'a, S> {
     scenario: &'a Scenario<S>,
     model: &'a Model<S>,

@@ -225,7 +225,7 @@ mod tests {
             }
         }
 
-        /// What is below a plane and what is below the same plane turned over make the whole.
+        /// Checks that the parts below a plane and below the same plane turned over make the whole.
         #[test]
         fn both_sides_of_a_plane_make_the_whole(
             which in 0..5_usize,
