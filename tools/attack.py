@@ -26,7 +26,7 @@ from fuzz.contract import Case  # noqa: E402
 from fuzz.corpus import save  # noqa: E402
 
 TURN_S = 15.0
-"""Of the clock, for one kind before the next has its turn."""
+"""Wall-clock time of one turn, s, before the next kind has its turn."""
 SHARES = {
     "scenario_text": 3.0,
     "command_line": 1.0,
@@ -44,7 +44,7 @@ VARIES = re.compile(r"/tmp/\S+|\d+|'[^']*'|\"[^\"]*\"")
 
 @dataclass
 class Tally:
-    """What the cases of a kind came to."""
+    """Outcome of the cases of a kind."""
 
     inputs: int = 0
     refused: int = 0

@@ -78,7 +78,7 @@ class Parser(argparse.ArgumentParser):
         self.exit(WRONG_INPUT, f"error: {said} (see {self.prog} --help)\n")
 
     def _hint(self, unknown: list[str]) -> str:
-        """What an unknown argument was probably meant to be."""
+        """Suggest what an unknown argument was probably meant to be."""
         first = unknown[0].partition("=")[0] if unknown else ""
         own = [option for option in self._option_string_actions if option.startswith("--")]
         near = difflib.get_close_matches(first, own, n=1) if first.startswith("--") else []

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .scenario import Scenario
 
 VERSION = 1
-"""Of the form: what stands behind the ``#k`` of an address."""
+"""Version of the format of links: the number behind the ``#k`` of an address."""
 LONGEST = 64_000
 """Characters of a link: browsers take more, messengers and mails cut."""
 LARGEST = 2_000_000
@@ -23,7 +23,7 @@ FNV_OFFSET, FNV_PRIME = 0x811C9DC5, 0x01000193
 
 
 def fragment(scenario: Scenario) -> str:
-    """What stands behind the address of the app for it to open a scenario as it is resolved, with its seed.
+    """Return the fragment of the app's address that opens a scenario as it is resolved, with its seed.
 
     The form is that of the app's *Share*: JSON, deflated, in base64url, then a point and the FNV-1a digest of
     the JSON (docs/decisions/links.md). Files of the gallery are named, others are in the link.

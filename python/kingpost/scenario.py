@@ -113,7 +113,7 @@ class Scenario:
 
     @cached_property
     def model(self) -> dict[str, Any]:
-        """What the scenario builds: bodies, joints, parameters with their values, step sizes.
+        """Description of the model: bodies, joints, parameters with their values, step sizes.
 
         >>> [body["name"] for body in load("paper").model["bodies"]]
         ['ship', 'tower', 'arm']
@@ -214,7 +214,7 @@ class Scenario:
         ])  # fmt: skip
 
     def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
-        """The same scenario with further overrides; the last value of a name counts.
+        """Return the scenario with further overrides; the last value of a name counts.
 
         Parameters
         ----------

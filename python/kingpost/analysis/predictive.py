@@ -24,7 +24,7 @@ Limits = Mapping[str, tuple[float, float]]
 
 @dataclass(frozen=True)
 class Plan:
-    """What a predictive regulator plans.
+    """Plan of a predictive regulator over its horizon.
 
     Attributes
     ----------

@@ -83,7 +83,7 @@ class Transfer:
 
     @property
     def weights(self) -> Numbers:
-        """Of the trapezoidal rule."""
+        """Weights of the trapezoidal rule over the frequencies, rad/s."""
         steps = np.diff(self.omega_rad_s)
         return 0.5 * (np.append(steps, 0.0) + np.append(0.0, steps))
 
@@ -269,7 +269,7 @@ def _squares(omega: Numbers, amplitudes: NDArray[np.complex128], grid: Numbers) 
 
 
 def _peaks(resonances: list[dict[str, float]], omega: Numbers) -> list[str]:
-    """Of motions that are hardly damped, or not at all, among the frequencies."""
+    """Warn of motions that are hardly damped, or not at all, among the frequencies."""
     return [
         f"a motion of {one['frequency_rad_s']:.4g} rad/s has a damping ratio of {ratio:.1e}: a run sees "
         "its peak only after hundreds of periods"
@@ -387,7 +387,7 @@ def exceedance(
 
 
 def beyond_the_data(found: Transfer, systems: Sequence[dict[str, Any]]) -> list[str]:
-    """Of wave systems with energy at frequencies that no database covers: there no waves act."""
+    """Warn of wave systems with energy at frequencies that no database covers: there no waves act."""
     said = []
     for one in systems:
         within = float(np.asarray(one["density_m2_s"]) @ found.weights)

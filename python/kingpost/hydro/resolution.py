@@ -59,6 +59,6 @@ def warnings(
 
 
 def of_database(database: Database) -> list[str]:
-    """The same for a database."""
+    """Return a note on a database's frequencies whose waves are too short for its directions, or nothing."""
     count = len(database.wave_directions_rad)
     return warnings(database.hull.length_m, database.frequencies_rad_s, count, database.water)

@@ -64,7 +64,7 @@ def whole_circle(
 
 
 def allowed_couplings(reflections: Sequence[int]) -> NDArray[np.bool_]:
-    """Which entries of a 6 x 6 matrix of the hull can differ from zero."""
+    """Find the entries of a 6 x 6 matrix of the hull that can differ from zero."""
     allowed = np.ones((6, 6), dtype=bool)
     for axis in reflections:
         allowed &= np.outer(SIGNS[axis], SIGNS[axis]) > 0

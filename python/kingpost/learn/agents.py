@@ -39,7 +39,7 @@ class Agent:
 
 @dataclass(frozen=True)
 class Share:
-    """What an agent has of a task: places among its actions and among its observations."""
+    """Share of a task that an agent has: places among its actions and observations, and a reward."""
 
     sets: np.ndarray
     sees: np.ndarray

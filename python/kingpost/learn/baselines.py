@@ -29,7 +29,7 @@ def proportional(task: Task) -> Policy:
 
 
 def swing_feedback(task: Task) -> Policy:
-    """The same with feedback of the swing: the tip follows the load (a PD controller on the swing)."""
+    """Make a proportional policy with feedback of the swing: the tip follows the load (a PD controller)."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)

@@ -24,7 +24,7 @@ FIXED_BASE = "Kingpost/AntiSway-v0"
 
 
 CALM = {"significant_height_m": 0.001}
-"""What a plan assumes that does not know the waves ahead."""
+"""Sea that a plan assumes when it does not know the waves ahead."""
 
 
 def _in_calm_water(task: Task) -> Policy:

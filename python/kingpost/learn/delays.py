@@ -44,7 +44,7 @@ class Delays:
         self._past[self._newest] = seen
 
     def seen(self) -> np.ndarray:
-        """What each copy sees."""
+        """Return the delayed observations of each copy."""
         return self._past[(self._newest - self.steps) % len(self._past), np.arange(len(self.steps))]
 
     def of(self, copy: int) -> tuple[int, np.ndarray]:

@@ -83,7 +83,7 @@ class NeuralPolicy:
         return signal
 
     def of(self, task: Task) -> Policy:
-        """The same in a task that sees more, or in another order or with other scales: it picks by name.
+        """Adapt the policy to a task that sees more, in another order or with other scales: it picks by name.
 
         Raises
         ------
@@ -124,7 +124,7 @@ class NeuralPolicy:
         return np.concatenate([part.ravel() for layer in self.layers for part in layer])
 
     def with_numbers(self, numbers: np.ndarray) -> NeuralPolicy:
-        """The same network with other weights and biases, in the order of `numbers`."""
+        """Return this network with other weights and biases, in the order of `numbers`."""
         shapes = [(len(biases), weights.shape[1]) for weights, biases in self.layers]
         return replace(self, layers=tuple(taken(numbers, shapes)))
 

@@ -62,7 +62,7 @@ def score(
 
 
 def cases() -> dict[str, tuple[Task, dict[str, Callable[[Task], Policy]]]]:
-    """What is scored: titles with the task and its controllers."""
+    """Return the tasks that are scored, by title, each with its controllers."""
     found = {}
     for name, task in IDS.items():
         found[name] = (task(), benchmarks(name))

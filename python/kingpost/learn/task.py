@@ -1,4 +1,4 @@
-"""What a controller has to do: a scenario, its inputs as actions, columns as observations, a reward."""
+"""Task of a controller: a scenario, its inputs as actions, columns as observations, a reward."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the command line prints of a forecast: go or no-go, windows, the sea that was forecast."""
+"""Text of a forecast on the command line: go or no-go, windows, the sea that was forecast."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the command line prints of limiting significant heights, by linear response and by runs, and of the
+"""Text on the command line of limiting significant heights, by linear response and by runs, and of the
 operable share of a scatter table."""
 
 from __future__ import annotations

@@ -97,7 +97,7 @@ def _bodies(described: dict[str, Any], afloat: set[str]) -> list[str]:
 
 
 def _kind(joint: dict[str, Any], afloat: set[str]) -> str:
-    """What a joint is. A load that moves in all six directions is free: only a hull floats."""
+    """Name the kind of a joint. A load that moves in all six directions is free: only a hull floats."""
     kind: str = joint["kind"]
     return "free" if kind == FREE and joint["body"] not in afloat else kind
 

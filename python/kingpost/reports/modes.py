@@ -96,7 +96,7 @@ def shown(value: float) -> str:
 
 
 def _of_controls(found: xarray.Dataset) -> xarray.DataArray:
-    """Which modes belong to controls alone: named after a state that is neither a position nor an angle."""
+    """Mark the modes of controls alone: named after a state that is neither a position nor an angle."""
     moving = found["coordinate"].values[found["moves"].values]
     return ~found["named_after"].isin(moving) & found["kind"].isin([OSCILLATION, DECAY])
 

@@ -12,7 +12,7 @@ import json
 import sys
 
 MESH_MEMORY_BYTES = 2 << 30
-"""What reading a mesh may take."""
+"""Memory that reading a mesh may take, bytes."""
 
 
 def main(paths: list[str]) -> None:

@@ -203,8 +203,10 @@ class Equations:
         columns: Sequence[str] = (),
         about_resonances: bool = False,
     ) -> dict[str, Any]:
-        """What `kingpost.wave_response` labels: complex amplitudes of columns of the results by direction,
-        frequency and column, with the crane as it stands now.
+        """Compute the response in waves that `kingpost.wave_response` labels.
+
+        It consists of complex amplitudes of columns of the results, by direction, frequency and column, with
+        the crane as it stands now.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""What a simulation shows: events, warnings, channels, poses."""
+"""Events, warnings, channels and poses of a simulation."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ class Observed:
 
     @property
     def limit_bounds(self) -> list[LimitBounds]:
-        """What the scenario's limits allow, in SI units.
+        """Bounds of the scenario's limits, in SI units.
 
         >>> from kingpost import Simulation, load
         >>> limits = {"limits": {"roll": {"column": "ship.roll", "at_most": 180, "unit": "deg"}}}

@@ -61,7 +61,7 @@ class Input:
 
 @dataclass(frozen=True)
 class LimitBounds:
-    """What a limit allows its column, in the column's SI unit; None where there is no bound."""
+    """Bounds that a limit sets to its column, in the column's SI unit; None where there is no bound."""
 
     name: str
     column: str

@@ -44,7 +44,7 @@ class Cases:
             yield case
 
     def overrides(self, case: int) -> list[tuple[str, Any]]:
-        """What is set over the scenario in a case."""
+        """Return the names and values that a case sets over the scenario."""
         return [(name, self.values[name][case]) for name in self.names]
 
 

@@ -1,4 +1,4 @@
-"""What a worker does: the runs of a unit, reduced. Nothing here knows where results go."""
+"""Work of a worker process: the runs of a unit, reduced. Nothing here knows where results go."""
 
 from __future__ import annotations
 
@@ -143,6 +143,6 @@ def columns(channels: list[dict[str, Any]]) -> dict[str, str]:
 
 
 def run_bytes(settings: dict[str, float], channels: list[dict[str, Any]]) -> float:
-    """What the rows of a run take, with its simulation's settings."""
+    """Return the memory that the rows of a run take, bytes, from its simulation's settings."""
     rows = settings["duration_s"] / max(settings["record_every_s"], settings["step_s"]) + 2
     return float(8 * rows * sum(channel["len"] for channel in channels))

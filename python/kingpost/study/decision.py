@@ -48,7 +48,7 @@ class Decision:
     found: Workable
 
     def to_dict(self) -> dict[str, Any]:
-        """As texts and numbers."""
+        """Return the decision as a dictionary of texts and numbers."""
         series = self.found.series
         return {
             "go": self.is_go,

@@ -16,12 +16,12 @@ from ..scenario import Scenario, load
 SET = "--set "
 """How the engine names the place of a value that is set over a scenario."""
 UNKNOWN = "an unknown name"
-"""What it finds where a scenario has no such parameter."""
+"""Text that the engine reports as found where a scenario has no such parameter."""
 
 
 @dataclass(frozen=True)
 class StudyFile:
-    """What a study says, as it is written.
+    """Content of a study file, as it is written.
 
     Attributes
     ----------

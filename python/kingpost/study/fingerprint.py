@@ -1,4 +1,4 @@
-"""What a study's numbers depend on: digests by part, and in words which of them differ."""
+"""Fingerprint of a study: digests of what its numbers depend on, by part, and in words which differ."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def fields(before: Any, now: Any, path: str = "") -> list[str]:
 
 
 def in_words(parts: list[str], scenario_fields: list[str]) -> str:
-    """Which parts of a study differ, as a message says it.
+    """List the parts of a study that differ, as a message says it.
 
     >>> in_words(["scenario", "engine"], ["sea.depth_m"])
     'scenario (sea.depth_m), engine'

@@ -18,7 +18,7 @@ STRAIGHT = 1e-9
 HEIGHTS_M = (1e-6, 1e6)
 """Between these a height is looked for."""
 HALVINGS = 60
-"""Of the ratio of the two, 1e12: to rounding."""
+"""Bisections of `HEIGHTS_M`, whose ratio is 1e12: down to rounding."""
 
 
 def limiting_height(
@@ -81,7 +81,7 @@ def limiting_height(
 
 
 def _by_height(heights: Numbers, moment: Numbers) -> tuple[Numbers, Numbers] | None:
-    """What of a moment goes with the height squared, and what stays; None where it is no such sum."""
+    """Split a moment into what goes with the height squared and what stays; None where it is no such sum."""
     squares = heights**2
     if len(heights) == 1:
         return moment[0] / squares[0], np.zeros(moment.shape[1:])

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 FEWEST_SEEDS = 5
 NOT_RUN, FINISHED = -1, 0
-"""Of the variable `status`."""
+"""Values of the variable `status`."""
 EXCEEDED = 0
-"""Of the variable `limit_held`."""
+"""Value of the variable `limit_held` where the limit was exceeded."""
 CERTAIN, NEVER = -3.4, 30.0
 """Reduced variates -ln(-ln(1 - P)) of a probability that is 1, and of one that is 1e-13."""
 FOUND, ABOVE, BELOW, NOT_KNOWN = "found", "above", "below", "not known"

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 REFUSED = "not in the scenario"
 """Where there is no height: the scenario cannot have the sea, or it was not asked for."""
 DIGITS = 3
-"""Of periods, s, and directions, deg, by which seas are told apart."""
+"""Decimal places of periods, s, and directions, deg, by which seas are told apart."""
 
 
 def sea_names(scenario: Scenario) -> dict[str, str]:

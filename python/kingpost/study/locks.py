@@ -12,7 +12,7 @@ from ..errors import KingpostError, OutputError
 
 FOLDER, WHOLE = "locks", "study.lock"
 Part = tuple[int, int]
-"""Which part, from 1, of how many."""
+"""Number of a part, from 1, and number of all parts."""
 WAIT_S = 60.0
 """Parts that begin together lay out the folder one after another."""
 

@@ -46,7 +46,7 @@ class Operability:
     outside_periods_s: tuple[float, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        """As dictionaries and numbers."""
+        """Return the operability as dictionaries and numbers."""
         return asdict(self)
 
 

@@ -36,12 +36,12 @@ NAMES = {
     "mean zero crossing period": ZERO_UP_CROSSING,
     "energy period": ENERGY,
 }
-"""What a period is, by the names in tables and series: those of ERA5 among them, whose mwp is T(-1, 0), and
+"""Kind of a period by its name in tables and series: names of ERA5 among them, whose mwp is T(-1, 0), and
 words in full, hyphens and underscores taken as blanks."""
 
 
 def kind_of(name: str) -> str | None:
-    """What a period is by its name; `None` of an unknown one.
+    """Return the kind of a period by its name; `None` for an unknown one.
 
     >>> kind_of("Tz (s)"), kind_of("pp1d"), kind_of("Zero-up-crossing period(s)"), kind_of("Hs")
     ('zero_up_crossing', 'peak', 'zero_up_crossing', None)

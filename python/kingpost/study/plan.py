@@ -1,4 +1,4 @@
-"""What a study amounts to: its scenario, cases, columns, units and what they depend on."""
+"""Plan of a study: its scenario, cases, columns, units and what they depend on."""
 
 from __future__ import annotations
 
@@ -97,14 +97,14 @@ class Plan:
         return range(first, min(first + self.runs_of_unit, self.runs))
 
     def job(self, unit: int) -> Job:
-        """What a worker is handed."""
+        """Return the job that a worker is handed for a unit."""
         base = list(self.scenario.overrides)
         variants = [[*base, *self.overrides(run)] for run in self.runs_in(unit)]
         scenario = self.scenario
         return Job(unit, scenario.text, scenario.file, scenario.files, variants, self.kept, self.run_bytes)
 
     def overrides(self, run: int) -> list[tuple[str, Any]]:
-        """What is set over the scenario in a run."""
+        """Return the names and values that a run sets over the scenario."""
         case, seed = divmod(run, len(self.seeds))
         return [*self.cases.overrides(case), (SEED, self.seeds[seed])]
 

@@ -169,7 +169,7 @@ def _stop(pool: ProcessPoolExecutor) -> None:
 
 
 def _begin() -> None:
-    """What a worker does first: it leaves Ctrl-C to the process that started it, and ends when that ends."""
+    """Prepare a worker: it leaves Ctrl-C to the process that started it, and ends when that ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     if parent is not None:

@@ -27,7 +27,7 @@ HELD_MEANINGS = {UNKNOWN: "unknown", EXCEEDED: "exceeded", HELD: "held"}
 
 @dataclass(frozen=True)
 class Kept:
-    """What is kept of each run.
+    """Quantities that are kept of each run.
 
     Attributes
     ----------

@@ -20,7 +20,7 @@ Progress = Callable[[float], None]
 
 @dataclass(frozen=True)
 class Done:
-    """What a call of `run` did.
+    """Numbers of runs that a call of `run` computed, found and left.
 
     Attributes
     ----------

@@ -47,7 +47,7 @@ RANGE = re.compile(rf"\s*{NUMBER}\s*(?:-|\u2013|\.\.|to)\s*{NUMBER}\s*")
 BELOW = re.compile(rf"\s*(?:<=?|\u2264|below|under)\s*{NUMBER}\s*")
 ABOVE = re.compile(rf"\s*(?:(?:>=?|\u2265|above|over)\s*{NUMBER}|{NUMBER}\s*\+)\s*")
 SUM_OFF = 1.0
-"""What entries in per cent may be off 100 by, from rounding."""
+"""Difference that the sum of entries in per cent may have from 100, from rounding."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class ScatterTable:
         return float(self.occurrences.sum())
 
     def with_peak_periods(self, peak_enhancement: float = 3.3) -> ScatterTable:
-        """The same table over the peak period, by the ratio of a JONSWAP spectrum.
+        """Return the table over the peak period, by the ratio of a JONSWAP spectrum.
 
         >>> table = ScatterTable(*np.ones((5, 1)), period="zero_up_crossing")
         >>> round(table.with_peak_periods().period_s.item(), 2)

@@ -27,7 +27,7 @@ HEADER = (
     "a line that begins with Hs and which period, as Hs\\Tp or Hs/Tz: rows Hs, columns the period; "
     "or one with the names hs, tp (or tz), occurrences"
 )
-"""What the header of a table is."""
+"""Description of the header of a table, for messages."""
 
 
 class ScatterError(KingpostError):

@@ -115,7 +115,7 @@ def _check(operation_s: float, acceptance: float, axes: Mapping[str, Sequence[An
 
 @dataclass(frozen=True)
 class Statistics:
-    """Of every case, along the axes and then the columns."""
+    """Mean and spectral moments in every case, along the axes and then the columns."""
 
     columns: list[str]
     units: list[str]
@@ -166,7 +166,7 @@ def _statistics(base: Scenario, axes: Sequence[Axis], columns: Sequence[str]) ->
 
 
 def _cases_by_model(axes: Sequence[Axis]) -> Iterator[tuple[dict[str, Any], list[tuple[int, ...]]]]:
-    """What is set over the scenario in cases of one model, and these, by the number of each axis' value."""
+    """Yield the overrides of each model, with its cases by the number of each axis' value."""
     of_model = [axis for axis in axes if not axis.is_of_the_sea]
     for chosen in product(*(range(len(axis.values)) for axis in of_model)):
         fixed = dict(zip((axis.name for axis in of_model), chosen, strict=True))

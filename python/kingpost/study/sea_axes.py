@@ -1,4 +1,4 @@
-"""Which names of a scenario set which quantity of the sea."""
+"""Names of a scenario that set quantities of the sea."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ class Series:
         return float(np.median(np.diff(self.hours))) if len(self.time) > 1 else 0.0
 
     def with_peak_periods(self, peak_enhancement: float = 3.3) -> Series:
-        """The same over the peak period, by the ratio of a JONSWAP spectrum."""
+        """Return the series over the peak period, by the ratio of a JONSWAP spectrum."""
         return replace(self, period_s=self.period_s / ratio(self.period, peak_enhancement), period=PEAK)
 
     def directions_rad(self, x_axis_deg: float) -> NDArray[np.float64]:

@@ -183,7 +183,7 @@ class _Columns:
         return cls(time, height, period, where, is_from, kind, said.direction_unit or "")
 
     def with_units(self, units: Mapping[str, str], file: str, line: int | None = None) -> _Columns:
-        """These columns with the unit of the directions that the file gives; the other units are checked."""
+        """Return these columns with the unit of the directions from the file; the other units are checked."""
         directions = (*DEGREES, *RADIANS)
         for name, allowed in ((self.height, METRES), (self.period, SECONDS), (self.direction, directions)):
             if name is not None and units[name].lower() not in allowed:

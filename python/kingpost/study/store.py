@@ -208,7 +208,7 @@ class Store:
 
 
 def about_of(folder: Path) -> dict[str, Any] | None:
-    """What the study in a folder is; None where there is none.
+    """Read the description of the study in a folder; None where there is none.
 
     Raises
     ------
@@ -228,7 +228,7 @@ def about_of(folder: Path) -> dict[str, Any] | None:
 
 
 def markers(folder: Path) -> Iterator[dict[str, Any]]:
-    """What the markers say of the units that are done, in order."""
+    """Yield the content of the markers of units that are done, in order."""
     for path in sorted((folder / UNITS).glob("[0-9]*.json")):
         try:
             yield json.loads(path.read_text(encoding="utf-8"))

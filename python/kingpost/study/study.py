@@ -63,7 +63,7 @@ class Study:
 
     @property
     def scenario(self) -> Scenario:
-        """What all runs start from: the scenario with what the study sets over it."""
+        """Scenario that all runs start from, with what the study sets over it."""
         return self.plan.scenario
 
     @cached_property
@@ -72,7 +72,7 @@ class Study:
         return {name: list(dict.fromkeys(values)) for name, values in self.plan.cases.values.items()}
 
     def overrides(self, run: int) -> dict[str, Any]:
-        """What is set over `scenario` in a run, which is that very run.
+        """Return the values that a run sets over `scenario`: with them it is that very run.
 
         Parameters
         ----------

@@ -20,7 +20,7 @@ WARNED = 10
 
 
 def of_plan(plan: Plan) -> dict[str, Any]:
-    """What a study will run."""
+    """Summarise the runs that a study will make."""
     settings = plan.scenario.resolved["simulation"]
     return {
         "title": plan.file.content["title"],
@@ -79,7 +79,7 @@ def _warnings(folder: Path) -> list[dict[str, Any]]:
 
 
 def plan_lines(about: dict[str, Any]) -> Iterator[str]:
-    """What will run, a line each."""
+    """Yield the lines of text on the runs that a study will make."""
     yield about["title"]
     yield f"scenario        {about['scenario']}"
     first, last = about["seeds"]
@@ -106,7 +106,7 @@ def result_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
 
 
 def warning_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
-    """What one should not miss, a line each."""
+    """Yield the warnings that a reader should not miss, a line each."""
     if found["ends"]:
         first = found["ends"][0]
         yield f"warning, in {len(found['ends'])} of {runs} runs, first run {first['run']}: {first['text']}"

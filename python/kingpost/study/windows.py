@@ -66,7 +66,7 @@ class Workable:
 
     @property
     def holds(self) -> NDArray[np.bool_]:
-        """Which records may be worked in."""
+        """Mask of the records that may be worked in."""
         with np.errstate(invalid="ignore"):
             return self.series.height_m <= self.allowed_m * (1 + EQUAL)
 
@@ -84,7 +84,7 @@ class Workable:
             yield first, len(holds) - 1
 
     def why_not(self, record: int) -> str:
-        """What a record lacks to be worked in."""
+        """Name the reason why a record may not be worked in."""
         if np.isnan(self.series.height_m[record]) or np.isnan(self.series.period_s[record]):
             return NO_DATA
         return NOT_STUDIED if np.isnan(self.allowed_m[record]) else self.governs[record]
@@ -148,7 +148,7 @@ def workable(
     peak_enhancement: float = 3.3,
     longest_step_h: float | None = None,
 ) -> Workable:
-    """What of a series may be worked in: Hs <= alpha * limiting height.
+    """Find the records of a series that may be worked in: Hs <= alpha * limiting height.
 
     Parameters
     ----------

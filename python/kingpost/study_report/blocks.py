@@ -1,4 +1,4 @@
-"""What a report is made of: blocks that say where their numbers come from."""
+"""Blocks of a report, which say where their numbers come from."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ def section(runs: xarray.Dataset) -> Section:
 
 
 def _statistics(runs: xarray.Dataset) -> Table:
-    """Of each column over all runs: the smallest mean to the largest, and the extremes with their runs."""
+    """Tabulate each column over all runs: mean, largest deviation, and the extremes with their runs."""
     finished = runs["status"].values == FINISHED
     values = runs["statistics"].values[finished]
     numbers = np.nonzero(finished)[0]

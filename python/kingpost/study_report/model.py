@@ -1,4 +1,4 @@
-"""What was modelled: the picture, masses, how hulls float, righting arms, natural periods, the sea."""
+"""Report on the model: the picture, masses, how hulls float, righting arms, natural periods, the sea."""
 
 from __future__ import annotations
 

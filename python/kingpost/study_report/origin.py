@@ -10,7 +10,7 @@ from typing import Any
 from .blocks import Block, Command, Paragraph, Section, Table
 
 VERIFICATION = "verification.json"
-"""What `kingpost verify --json` wrote, in the study's folder."""
+"""File that `kingpost verify --json` wrote, in the study's folder."""
 VERIFY = "kingpost verify --json"
 FINGERPRINT = (
     "It is the SHA-256 of all that decides the numbers: the scenario, the files that it names, axes, seeds, "
@@ -52,7 +52,7 @@ def section(folder: Path, about: Mapping[str, Any], digests: Mapping[str, str]) 
 
 
 def verification_section(folder: Path) -> Section:
-    """What `kingpost verify` measured on this machine, where its file is in the folder."""
+    """Tell what `kingpost verify` measured on this machine, where its file is in the folder."""
     blocks: list[Block] = [Paragraph(CHECKED)]
     path = folder / VERIFICATION
     if not path.is_file():

@@ -119,7 +119,7 @@ def _by_screen(plan: Plan) -> xarray.Dataset | str:
 
 
 def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str) -> Iterator[str]:
-    """What the study says, in a sentence or two."""
+    """Yield the verdict of the study, in a sentence or two."""
     if "limit" not in results.sizes:
         yield "The study has no limits: it says what the runs came to, not whether to go."
         return
@@ -146,7 +146,7 @@ def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str)
 
 
 def _doubts(results: xarray.Dataset) -> Iterator[str]:
-    """What a reader has to know before any number."""
+    """Yield the reservations that a reader has to know before any number."""
     status = results["status"].values
     missing = int((status == -1).sum())
     if missing:

@@ -1,4 +1,4 @@
-"""What the runs of a study came to: how limits held, the worst run of each, as plots with what opens them."""
+"""Report on the runs of a study: how limits held, the worst run of each, as plots with what opens them."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def limits_table(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
 
 
 def case_text(runs: xarray.Dataset, at: int, axes: Sequence[str]) -> str:
-    """What a run was of: the values of the axes and its seed.
+    """Describe the case of a run: the values of the axes and its seed.
 
     >>> import xarray
     >>> of = {"peak_period_s": ("run", [8.0]), "seed": ("run", [3])}

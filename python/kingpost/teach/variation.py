@@ -73,7 +73,7 @@ def restricted_variation_of_body(
     displacement: Callable[[float], ArrayLike],
     epsilons: Sequence[float] = EPSILONS,
 ) -> xarray.Dataset:
-    """The same for a body of a simulation, from its rotations at five steps from now.
+    """Compare the variation of omega with both formulas, for a body of a simulation at five steps from now.
 
     The instant is two steps from now; the simulation stands where it stood when this returns.
     """

@@ -34,7 +34,8 @@ amplitudes of the sway and heave force over rho g L B a and mean sway force over
 40 mm high; sines with two harmonics and a mean are fitted over whole periods from where the ramp has passed
 the model to where the first reflected wave is back."""
 FREE = {5.075: 0.510, 5.194: 0.628, 5.425: 0.795, 7.004: 0.737, 7.830: 0.747}
-"""The same of the free section, series 3PPH: mean of minus the force on the vertical rail."""
+"""Mean sway force on the free section, series 3PPH, by rad/s and scaled as in `HELD`: mean of minus the force
+on the vertical rail."""
 SPREAD = {6.065: (0.974, 1.040), 7.004: (1.036, 1.083), 7.830: (0.947, 1.035), 8.578: (0.894, 1.054)}
 """Smallest and largest mean force on the held section among equal runs."""
 FREQUENCIES = np.array(sorted({*HELD, *FREE}))

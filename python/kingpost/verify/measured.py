@@ -24,8 +24,8 @@ KRAMER = (-0.852, 0.630, -0.455, 0.333, -0.246, 0.178, -0.125)
 300 mm dropped from 30 mm, over the drop; read from its figure, of which a dot is 0.0067."""
 KRAMER_SOURCE = "Kramer et al., Energies 14(2), 2021, 269 (doi 10.3390/en14020269): sphere of 300 mm, 30 mm"
 OES = (-0.8744, -0.8756, -0.8705, -0.8680)
-"""Of four linear codes on the same sphere at 5 m (ProteusDS, InWave, WavEC, InWave with HOTINT), as kept with
-HydroChrono (Apache-2.0): first minimum over the drop."""
+"""First minimum of heave over the drop by four linear codes on the same sphere at 5 m (ProteusDS, InWave,
+WavEC, InWave with HOTINT), as kept with HydroChrono (Apache-2.0)."""
 
 
 @cache
@@ -84,9 +84,9 @@ RECORDS = {
     7.004: (0.303, 0.354, 0.388, 1.63),
     7.830: (0.132, 0.162, 0.278, 1.05),
 }
-"""Of the same data (series 3PPH over 1PPH), for each metre of the calibrated wave's amplitude, by rad/s:
-heave by the camera and by the accelerometers, m, sway, m, and roll, rad; sines fitted between the ramp and
-what is reflected. The waves were 12 mm high to each side, the longest 20 mm."""
+"""Motions measured by Sundsdal et al. (series 3PPH over 1PPH), for each metre of the calibrated wave's
+amplitude, by rad/s: heave by the camera and by the accelerometers, m, sway, m, and roll, rad; sines fitted
+between the ramp and what is reflected. The waves were 12 mm high to each side, the longest 20 mm."""
 IN_WAVES = (4.143, 5.425, 7.004)
 
 
@@ -172,7 +172,7 @@ def flume_response(omega: float) -> np.ndarray:
 
 
 def flume_motions(omega: float) -> np.ndarray:
-    """The same as complex numbers, for the point on the water plane."""
+    """Return complex sway, heave (m/m) and roll (rad/m) in beam waves, for the point on the water plane."""
     return _shift() @ _about_the_axle(omega)
 
 

@@ -33,7 +33,7 @@ def hulme_heave(ka: float) -> complex:
 
 
 def _heave(ka: float) -> float:
-    """The same from the gallery's hemisphere and its database."""
+    """Compute the heave of the gallery's hemisphere for each metre of wave, from its database."""
     omega = math.sqrt(G * ka / RADIUS)
     found = response.rao("floating_hemisphere", [0.0], [omega], ["hemisphere"])
     return float(found.displacement.sel(point="hemisphere", axis="z").values[0, 0])

@@ -167,7 +167,7 @@ def _ours(name: str) -> dict[str, np.ndarray]:
 
 
 def _theirs(name: str) -> dict[str, np.ndarray]:
-    """The same of the other engine, in our axes."""
+    """Read the other engine's run of a reeving or a lift, by the name of the stored run, in our axes."""
     if name in kept()["reeving"]:
         found = kept()["reeving"][name]
         place = [_upright(one, plane=name != "skew") for one in found["centre_of_mass_m"]]

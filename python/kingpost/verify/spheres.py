@@ -63,7 +63,7 @@ GRAVITY_M_S2 = 9.80665
 
 @cache
 def drift() -> np.ndarray:
-    """The same mean force from the far field at the frequencies of `WAMIT`, 900 panels."""
+    """Compute the mean surge force over rho g R a^2 by the far field at `WAMIT`'s frequencies, 900 panels."""
     needs_capytaine()
     k = np.array(list(WAMIT)) ** 2 / GRAVITY_M_S2
     frequencies = np.sqrt(k * WATER.gravity_m_s2 / RADIUS)

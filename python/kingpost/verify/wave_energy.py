@@ -47,7 +47,7 @@ MEMORY = (1.2e7, 1.5, 0.5)
 """s1, n and z of K(s) = s1 s / (s^2 + 2 z n s + n^2), which is positive real and zero at s = 0."""
 MOMENTUM_N_M_S = 2.0e6
 GIMBAL_INERTIA_KG_M2 = 3.0e4
-"""Of gimbal and wheel, about the axis of precession."""
+"""Moment of inertia of gimbal and wheel, about the axis of precession."""
 FREQUENCIES = np.round(np.arange(0.1, 4.01, 0.1), 1)
 PITCH = 4
 OMEGAS = (0.9, 1.2, 1.4)
@@ -63,7 +63,7 @@ def memory(omega: Any) -> Any:
 
 
 def incoming_power(omega: float) -> float:
-    """Of a wave of 1 m amplitude over the width of the flume, W; its group velocity is g / (2 w)."""
+    """Return the power of a wave of 1 m amplitude over the flume's width, W; group velocity g / (2 w)."""
     return 0.5 * WIDTH_M * DENSITY_KG_M3 * GRAVITY_M_S2 * GRAVITY_M_S2 / (2 * omega)
 
 
@@ -73,7 +73,7 @@ def excitation(omega: float) -> float:
 
 
 def impedance(omega: float) -> complex:
-    """Of the pitch rate, N m s."""
+    """Return the mechanical impedance in pitch, moment over pitch rate, N m s."""
     buoyancy = WIDTH_M * LENGTH_M**3 / 12 + WIDTH_M * LENGTH_M * DRAUGHT_M * (-0.5 * DRAUGHT_M)
     stiffness = DENSITY_KG_M3 * GRAVITY_M_S2 * buoyancy
     inertia = PITCH_INERTIA_KG_M2 + ADDED_INERTIA_KG_M2

@@ -6,7 +6,7 @@ import type { Session } from "./session";
 /** A second engine for computations that take longer than a frame. */
 export class BackgroundEngine {
   private client: EngineClient | null = null;
-  /** What is open there: a source and its values, as handed to the run. */
+  /** Source that is open there and its values, as handed to the run; null if none is. */
   private held: { source: unknown; overrides: unknown } | null = null;
   private turn: Promise<unknown> = Promise.resolve();
   private readonly newest: Record<string, number> = {};

@@ -6,7 +6,7 @@ import type { Choice } from "../ui/scenarios";
 import { texts } from "../texts";
 import { START, asksForStart } from "./address";
 
-/** Which of the two pages is shown: the start page, or the simulator, which is loaded when it is first asked for. */
+/** Shows one of the two pages: the start page, or the simulator, which is loaded when it is first asked for. */
 export class Pages {
   private simulator: Promise<Simulator> | null = null;
   private loaded: Simulator | null = null;
@@ -24,7 +24,7 @@ export class Pages {
     });
   }
 
-  /** What the address, and the state of the history, ask for. */
+  /** Shows the page that the address, and the state of the history, ask for. */
   async show(state: Choice | null): Promise<void> {
     const isStart = asksForStart(location, await this.opening) && !this.loaded?.holds(state);
     if (isStart) return this.showStart();

@@ -1,4 +1,4 @@
-/** Of OpenBridge: for daylight, twilight, a dark bridge and glaring sun. */
+/** Palettes of OpenBridge: for daylight, twilight, a dark bridge and glaring sun. */
 export const PALETTES = ["day", "dusk", "night", "bright"] as const;
 export type PaletteName = (typeof PALETTES)[number];
 
@@ -6,7 +6,7 @@ const KEY = "kingpost.palette";
 const darkness = matchMedia("(prefers-color-scheme: dark)");
 const listeners: (() => void)[] = [];
 
-/** What the person chose; null where the device decides. */
+/** Palette that the user chose; null where the device decides. */
 export function chosenPalette(): PaletteName | null {
   try {
     return PALETTES.find((name) => name === localStorage.getItem(KEY)) ?? null;

@@ -59,7 +59,7 @@ export class SetValues {
     this.apply(name, value);
   }
 
-  /** These values were refused: go back to those of the present run, unless there are newer ones. */
+  /** Gives up values that were refused: goes back to those of the present run, unless there are newer ones. */
   giveUp(tried: Values): void {
     if (Object.keys(this.wanted).some((name) => this.wanted[name] !== tried[name])) return;
     const kept = Object.keys(this.wanted).map((name) => [name, this.applied[name]]);

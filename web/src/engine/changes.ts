@@ -3,7 +3,7 @@ import type { Value } from "./engine";
 /** A lever or a live parameter that was set in a run, at the end of a step. */
 export type Change = { time_s: number; input: string; value: number } | { time_s: number; parameter: string; value: Value };
 
-/** What was set in a run so far, and what a link says is to be set again. */
+/** Changes made in a run so far, and those that a link says are to be made again. */
 export class Changes {
   private all: Change[] = [];
 
@@ -16,8 +16,8 @@ export class Changes {
     return this.all;
   }
 
-  /** Of several moves of one lever between two steps only the last counts, and a repeated move counts once. A parameter books energy each
-   * time. */
+  /** Records a change. Of several moves of one lever between two steps only the last counts, and a repeated move counts once. A parameter
+   * books energy each time. */
   make(change: Change): void {
     if ("input" in change && this.all.some((one) => "input" in one && one.time_s === change.time_s && one.input === change.input && one.value === change.value)) return;
     const last = this.all.at(-1);

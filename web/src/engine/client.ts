@@ -82,7 +82,7 @@ export class EngineClient {
     return this.ask({ kind: "replay" });
   }
 
-  /** What was set in the run in hand so far. */
+  /** Asks for the changes made so far in the present run. */
   changes(): Promise<Replies["changes"]> {
     return this.ask({ kind: "changes" });
   }

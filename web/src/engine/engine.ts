@@ -47,7 +47,7 @@ export type ParameterInfo = ParameterDescription;
 
 export type ModelInfo = Omit<Description, "bodies"> & { bodies: BodyInfo[] };
 
-/** As in `model_json`: a shape is under its kind, as in a scenario file. */
+/** Reads the description of a model from `model_json`, where a shape is under its kind, as in a scenario file. */
 export function readModel(json: string): ModelInfo {
   const described = JSON.parse(json) as Description;
   return { ...described, bodies: described.bodies.map((body) => ({ ...body, shape: readShape(body.shape) })) };

@@ -2,7 +2,7 @@ import type { Fault } from "../engine/engine";
 import { faultOfBreakdown, UNLOADED } from "../engine/faults";
 import type { FromForeseer, Future, ScenarioOf, Start, ToForeseer } from "./messages";
 
-/** What is under way. */
+/** Job that is under way. */
 interface Job {
   id: number;
   left: number;

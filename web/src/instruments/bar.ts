@@ -60,7 +60,7 @@ export function bounds(limit: LimitInfo): string {
   return at_least === -at_most ? say.within(shown(at_most)) : say.between(plain(at_least), shown(at_most));
 }
 
-/** As the scenario has it. */
+/** Text of a bound as the scenario has it, without the unit. */
 function plain(bound: number): string {
   return String(Number(bound.toPrecision(6))).replace("-", "−");
 }

@@ -48,7 +48,7 @@ function kept(key: string): string | null {
   }
 }
 
-/** What is stored may be of another version of the page. */
+/** Reads stored places, which may be of another version of the page. */
 function placesIn(stored: unknown): Places {
   const places: Places = {};
   for (const axis of AXES) {

@@ -68,7 +68,7 @@ export function lossOf(before: Arms, after: Arms, flooding_rad: number): Loss | 
   return { way, start, rest, end, floods: flooding_rad < upright, area_1, area_2, reach: area_2 < area_1 ? null : reachOf(arms, rest, end, area_1) };
 }
 
-/** The same, counted to the other side. */
+/** Mirrors righting arms: heel and arm are counted to the other side. */
 export function mirror({ heel, arm, rest }: Arms): Arms {
   return { heel: heel.map((one) => -one).reverse(), arm: arm.map((one) => -one).reverse(), rest: rest === null ? null : -rest };
 }

@@ -31,7 +31,7 @@ export interface Chart {
   at(content: Content): string;
   /** Further text under the picture. */
   notes(content: Content): string[];
-  /** The same in numbers: its first row has the headings. */
+  /** Table of the content in numbers: its first row has the headings. */
   table(content: Content): string[][];
   canvas(): HTMLCanvasElement | null;
   destroy(): void;

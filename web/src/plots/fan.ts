@@ -33,7 +33,7 @@ export class Fan {
     return [all(Math.min, Infinity), all(Math.max, -Infinity)];
   }
 
-  /** As text: a time and the wide band of each line. */
+  /** Rows of text: a time and the wide band of each line. */
   rows(write: (value: number, line: number) => string): string[][] {
     const last = this.times.length - 1;
     const told = Array.from({ length: TOLD }, (_, i) => Math.round((last * (i + 1)) / TOLD));

@@ -61,7 +61,7 @@ export class Plot {
   private readonly notes = make("p", { class: "plot-notes" });
   private readonly told: HTMLButtonElement;
   private readonly statistics: StatisticsTable;
-  /** The same in numbers, for screen readers. */
+  /** Table of the plotted values, for screen readers. */
   private readonly table = make("table");
   private readonly stretch = new Stretch();
   private readonly fan = new Fan();

@@ -3,7 +3,7 @@ import { languageHere } from "./language";
 import type { Language } from "./language";
 import * as nb from "./nb";
 
-/** What the texts of a language must have. */
+/** Texts that a language must have. */
 export type Texts = typeof en;
 
 const ALL: Record<Language, Texts> = { en, nb };

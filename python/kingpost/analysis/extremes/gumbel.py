@@ -20,11 +20,11 @@ EULER = 0.5772156649015329
 """Euler's constant: the mean of the standard Gumbel distribution."""
 
 SEED = 20120
-"""Of the samples that intervals are calibrated with; their generator is counter-based (Philox)."""
+"""Seed of the samples that calibrate the intervals; their generator is counter-based (Philox)."""
 DRAWN, FEWEST_SAMPLES, MOST_SAMPLES = 2_000_000, 1000, 20_000
 """Numbers drawn for a calibration, and how many samples these make at least and at most."""
 MOST_RECORDS = 500
-"""Of more records the percentiles are those of the normal distribution."""
+"""Largest number of records with sampled percentiles; above it they are those of the normal distribution."""
 REDUCED = np.arange(-3.0, 16.01, 0.25)
 """Reduced variates, -ln(-ln P), of the table of a calibration."""
 
@@ -83,7 +83,7 @@ class Extreme:
         return float(low[0]), float(high[0])
 
     def quantile(self, probability: float) -> float:
-        """What is exceeded with the probability 1 - `probability`."""
+        """Return the level that is exceeded with the probability 1 - `probability`."""
         return self.location + self.scale * _reduced(probability)
 
     def quantile_error(self, probability: float) -> float:
@@ -212,7 +212,7 @@ def _fitted(moments: NDArray[np.float64], shift: float = 0.0) -> NDArray[np.floa
 
 @lru_cache(maxsize=64)
 def _percentiles(records: int, confidence: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Of (true - estimate) / standard error, at each of `REDUCED`: what lies below and above an interval."""
+    """Return percentiles of (true - estimate) / standard error, by `REDUCED`, below and above an interval."""
     sides = (0.5 - confidence / 2, 0.5 + confidence / 2)
     if records > MOST_RECORDS:
         above = np.full(len(REDUCED), NormalDist().inv_cdf(sides[1]))

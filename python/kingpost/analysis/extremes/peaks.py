@@ -229,7 +229,7 @@ class _Tail:
 
 
 def _threshold(pooled: NDArray[np.float64], over: int) -> float:
-    """What `over` peaks are above."""
+    """Return the threshold that `over` peaks exceed."""
     if not FEWEST_PEAKS <= over < len(pooled):
         allowed = f"from {FEWEST_PEAKS} to fewer than the {len(pooled)} kept"
         raise KingpostError(f"peaks over the threshold: found {over}, allowed: {allowed}")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 DISTRIBUTIONS = ("generalised_pareto", "exponential", "weibull")
 SEED, SAMPLES = 20121, 1000
-"""Of the samples that intervals are calibrated with; their generator is counter-based (Philox)."""
+"""Seed and number of the samples that calibrate the intervals; the generator is counter-based (Philox)."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class TailExtreme:
         return self.quantile(float(np.exp(-1)))
 
     def quantile(self, probability: float) -> float:
-        """What the largest value is above with the probability 1 - `probability`.
+        """Return the level that the largest value exceeds with the probability 1 - `probability`.
 
         Raises
         ------
@@ -115,7 +115,7 @@ class TailExtreme:
         return values[0] + low * error, values[0] + high * error
 
     def _quantiles(self, probability: float) -> NDArray[np.float64]:
-        """Of all runs, then without each group of them."""
+        """Return the quantile of all runs, then those without each group of runs."""
         if not 0 < probability < 1:
             raise KingpostError(f"probability: found {probability:g}, allowed: between 0 and 1")
         expected = self.fits[:, 0] * self.duration_s
@@ -172,7 +172,7 @@ class _Truncated:
 def _percentiles(
     distribution: str, groups: int, count: float, peaks_below: float, confidence: float
 ) -> tuple[float, float]:
-    """Of (true - estimate) / standard error where peaks above 0 are exponential, of scale 1.
+    """Return two percentiles of (true - estimate) / standard error for exponential peaks above 0, of scale 1.
 
     `count` of them are expected in all groups; the quantile is what one in `peaks_below` is above.
     """

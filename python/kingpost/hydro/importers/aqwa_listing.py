@@ -164,7 +164,7 @@ def _forces(
 
 
 def _restoring(text: str, path: str) -> NDArray[np.float64]:
-    """Of heave, roll and pitch, by heave, roll, pitch and yaw."""
+    """Read the hydrostatic stiffness, 6 x 6: its entries of heave, roll and pitch."""
     found = np.zeros((6, 6))
     names = (r"HEAVE\s*\(\s*Z\)", r"ROLL\s*\(RX\)", r"PITCH\s*\(RY\)")
     for i, name in enumerate(names):

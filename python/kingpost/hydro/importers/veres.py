@@ -32,7 +32,7 @@ AXES = np.array([-1.0, -1.0, 1.0, -1.0, -1.0, 1.0])
 """From x aft, y to starboard to x forward, y to port."""
 HEADER_LINES = 6
 LONGEST_WORD = 40
-"""Of a wrong word in a message."""
+"""Characters of a wrong word that a message shows."""
 
 
 def read(path: str, options: Options) -> Foreign:

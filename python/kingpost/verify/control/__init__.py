@@ -15,7 +15,7 @@ from .standard import AT_A_LIMIT
 
 
 class Controller(Protocol):
-    """What the module of a controller offers."""
+    """Functions that the module of a controller offers."""
 
     def cases(self) -> Iterator[Any]:
         """Its runs."""

@@ -1,4 +1,4 @@
-"""What heave compensation leaves of the tip's heave, over the frequency of the waves.
+"""Residual of heave compensation over the tip's heave, by the frequency of the waves.
 
 Regular waves of several periods run at once (a multisine: Pintelon & Schoukens, *System Identification*, 2nd
 ed., 2012, ch. 5), each of which fits a whole number of times into the window that is measured. The lines of
@@ -197,7 +197,7 @@ PANELS = {
 
 
 def picture(pyplot: Any) -> Any:
-    """What is left over the period of the waves: beside closed forms, and with prediction."""
+    """Draw the residual over the period of the waves: beside closed forms, and with prediction."""
     figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.2), sharey=True)
     periods = 2 * np.pi / OMEGA
     fine = np.linspace(OMEGA[0], OMEGA[-1], 200)

@@ -83,7 +83,7 @@ class Rolled:
 
 
 class Used(NamedTuple):
-    """What a device uses of its limits, and its power."""
+    """Utilisation of a device's limits, and its power."""
 
     utilisation: float | None = None
     effort: float | None = None

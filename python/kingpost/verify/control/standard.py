@@ -59,7 +59,7 @@ class Settled:
 
 
 def in_sea(controller: str, sea: str, control: dict[str, Any]) -> dict[str, Any]:
-    """What is given for a run in a standard sea, with the band of the prediction, unless there is none.
+    """Return the overrides for a run in a standard sea, with the prediction's band unless `control` sets it.
 
     >>> list(in_sea("controllers.c", "Hs 2.0 m, Tp 10 s", {"controllers.c.prediction": None}))
     ['significant_height_m', 'peak_period_s', 'controllers.c.prediction']
@@ -88,7 +88,7 @@ RECEIVER = {
 
 
 def with_satellites(controller: str) -> dict[str, Any]:
-    """What gives the unit a satellite receiver, and the controller the short waves that a receiver leaves.
+    """Return overrides that give the unit a satellite receiver, and the controller the short waves it leaves.
 
     >>> list(with_satellites("controllers.c"))[-1]
     'controllers.c.prediction.shortest_period_s'
@@ -98,7 +98,7 @@ def with_satellites(controller: str) -> dict[str, Any]:
 
 
 def with_inertial_unit(controller: str, *, satellites: bool = False) -> dict[str, Any]:
-    """What lets a controller measure by the inertial unit, which a satellite receiver may help.
+    """Return overrides to measure by the inertial unit, which a satellite receiver may help.
 
     >>> list(with_inertial_unit("controllers.c"))
     ['controllers.c.sensor', 'controllers.c.prediction.shortest_period_s']

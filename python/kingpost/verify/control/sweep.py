@@ -54,7 +54,7 @@ class Degraded:
 
     @property
     def share(self) -> np.ndarray:
-        """What is left of the motion, 1."""
+        """Share of the motion that is left, 1."""
         return self.left / self.without
 
     @property
@@ -66,7 +66,7 @@ class Degraded:
 
     @property
     def shortfalls(self) -> list[str]:
-        """What does not hold of: saturation degrades smoothly, never to instability."""
+        """Violations of the claim that saturation degrades smoothly, never to instability."""
         statements = {
             "a run ended early": self.finished,
             f"leaves {self.share.max():.2f} of the motion": self.share.max() <= LARGEST_SHARE,

@@ -28,7 +28,7 @@ class Sweep:
     height: str
     """The field of the significant height."""
     without: tuple[tuple[str, Any], ...]
-    """What switches it off."""
+    """Overrides that switch the controller or device off."""
     moves: tuple[str, ...]
     """The columns of the motion: the root of the sum of their variances is measured."""
     limits: Callable[[], Limits]

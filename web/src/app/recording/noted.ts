@@ -1,6 +1,6 @@
 import type { Warning } from "../../engine/engine";
 
-/** What an engine reports of a run, kept where it goes back in time and begins its list anew. */
+/** Warnings that an engine reports of a run, kept where it goes back in time and begins its list anew. */
 export class Noted {
   private kept: readonly Warning[] = [];
   all: readonly Warning[] = [];

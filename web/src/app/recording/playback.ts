@@ -9,7 +9,7 @@ export class Playback {
   /** Drawn, s. */
   private time_s = 0;
   private newest_s = 0;
-  /** Of drawn time over wall time. */
+  /** Rate of drawn time over wall time. */
   private rate = 0;
   /** Wall times, s: of the newest frame, of the last picture, and from frame to frame. */
   private heard_s = 0;
@@ -31,7 +31,7 @@ export class Playback {
     this.rate = (time_s - this.time_s) / this.gap_s;
   }
 
-  /** What to draw now. */
+  /** Returns the time to draw at a wall time, s. */
   at(wall_s: number): number {
     this.time_s = Math.min(this.newest_s, this.time_s + this.rate * (wall_s - this.drawn_s));
     this.drawn_s = wall_s;

@@ -9,7 +9,7 @@ import type { Source } from "../run";
 import { Turns } from "../turns";
 import type { SessionState } from "./state";
 
-/** What an opening asks of the session. */
+/** Part of the session that an opening uses. */
 export interface Player {
   /** Whether it runs, or will run when the present reset is done. */
   readonly isGoing: boolean;
