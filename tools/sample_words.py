@@ -1,7 +1,7 @@
-"""Draws comments, messages and labels of the project at random, to be read as a stranger would read them.
+"""Draws texts of the project at random, to be read as a stranger would read them.
 
-`sample_words.py --seed 2` prints 40 comments, 20 messages and 20 labels, each with its file and line. The
-same seed and the same files give the same lines. `--root` reads another checkout.
+`sample_words.py --seed 2` prints 80 comments, messages, labels, names of tests and subjects of commits, each
+with its file and line. The same seed and the same files give the same lines. `--root` reads another checkout.
 """
 
 from __future__ import annotations
@@ -11,19 +11,27 @@ import ast
 import io
 import random
 import re
+import subprocess
 import tokenize
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
-COUNTS = {"comments": 40, "messages": 20, "labels": 20}
+COUNTS = {"comments": 32, "messages": 16, "labels": 12, "tests": 10, "commits": 10}
 SOURCES = {
     ".rs": ["crates/*/src/**/*.rs", "xtask/src/**/*.rs"],
     ".py": ["python/**/*.py", "tools/*.py", "benches/*.py"],
     ".ts": ["web/src/**/*.ts"],
 }
+TESTS = {".rs": "crates/*/tests/**/*.rs", ".py": "python/tests/test_*.py", ".ts": "web/tests/**/*.test.ts"}
+TEST = {
+    ".rs": re.compile(r"#\[test\]\n(?:#\[[^\n]*\n)*\s*fn (\w+)"),
+    ".py": re.compile(r"^def test_(\w+)", re.MULTILINE),
+    ".ts": re.compile(r'\bit(?:\.each\([^)]*\))?\("([^"]+)"'),
+}
 LEAST_WORDS = 3
+COMMITS = 200
 LABEL = re.compile(r"\b(?:label|title|description): *(?:\"([^\"]+)\"|([^,}\"|>][^,}]*))")
 TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 
@@ -44,7 +52,8 @@ def main() -> None:
     options = parser.parse_args()
     drawn = random.Random(options.seed)
     pools = {"comments": comments(options.root), "messages": messages(options.root)}
-    for name, pool in {**pools, "labels": labels(options.root)}.items():
+    pools |= {"labels": labels(options.root), "tests": tests(options.root), "commits": commits(options.root)}
+    for name, pool in pools.items():
         found = sorted(each for each in pool if len(re.findall(r"[^\W\d]{2,}", each.text)) >= needed(name))
         print(f"\n{name}: {COUNTS[name]} of {len(found)}")
         for path, line, text in drawn.sample(found, COUNTS[name]):
@@ -128,10 +137,26 @@ def labels(root: Path) -> Iterator[Found]:
             yield from (Found(path, number, m[1] or m[2]) for m in LABEL.finditer(line))
     for path in sorted(root.glob("web/src/texts/en/**/*.ts")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            if not line.lstrip().startswith(("import", "/*", "*", "//")):
+            if not line.lstrip().startswith(("import", "export *", "/*", "*", "//")):
                 yield from (
                     Found(path, number, m[1] or m[2]) for m in re.finditer(r'"([^"]+)"|`([^`]+)`', line)
                 )
+
+
+def tests(root: Path) -> Iterator[Found]:
+    """Names of tests, in words."""
+    for ending, pattern in TESTS.items():
+        for path in sorted(root.glob(pattern)):
+            text = path.read_text(encoding="utf-8")
+            for match in TEST[ending].finditer(text):
+                yield Found(path, text[: match.start(1)].count("\n") + 1, match[1].replace("_", " "))
+
+
+def commits(root: Path) -> Iterator[Found]:
+    """Subjects of the last commits."""
+    asked = ["git", "-C", str(root), "log", f"--max-count={COMMITS}", "--format=%s"]
+    subjects = subprocess.run(asked, capture_output=True, text=True, check=True).stdout.splitlines()
+    yield from (Found(root / "commit", number, subject) for number, subject in enumerate(subjects, 1))
 
 
 if __name__ == "__main__":

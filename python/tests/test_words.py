@@ -76,3 +76,43 @@ def test_a_word_of_the_list_is_found_and_code_is_not() -> None:
         "1: found 'what is not a number', allowed: NaN"
     ]
     assert found_in([(1, "If you want to lift, call `this.wants()`")]) == []
+
+
+LEANS = re.compile(r"(The same|As|These|What|Which|Of)\b")
+"""Words with which a docstring leans on its neighbours: it stands alone where an editor shows it."""
+
+
+def openings(path: Path) -> list[tuple[int, str]]:
+    """First lines of the documentation in a file, with their numbers."""
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    if path.suffix == ".rs":
+        comment = [re.match(r"\s*//[/!] ?(.*)", line) for line in lines]
+        first = [at for at, found in enumerate(comment) if found and not (at and comment[at - 1])]
+        return [(at + 1, found[1]) for at in first if (found := comment[at])]
+    opens = {".py": r'^[ \t]*r?"""(.*)', ".ts": r"/\*\*\s*\*?\s*(.*)"}[path.suffix]
+    found = re.finditer(opens, text, re.MULTILINE)
+    return [(text[: one.start()].count("\n") + 1, one[1]) for one in found]
+
+
+def test_documentation_begins_with_a_verb_or_a_noun_of_the_field() -> None:
+    read = [path for path in files() if path.suffix in (".rs", ".py", ".ts")]
+    assert len(read) > 500
+    wrong = [
+        f"{path.relative_to(ROOT)}:{line}: {opening[:80]}"
+        for path in read
+        for line, opening in openings(path)
+        if LEANS.match(opening)
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+def test_an_opening_that_leans_is_found(tmp_path: Path) -> None:
+    one = tmp_path / "one.rs"
+    one.write_text(
+        "/// The same, mutable.\n/// What follows is free.\nfn f() {}\n/// Ends.\n", encoding="utf-8"
+    )
+    assert [bool(LEANS.match(opening)) for _, opening in openings(one)] == [True, False]
+    other = tmp_path / "other.py"
+    other.write_text('"""As text."""\nX = 1\n"""Offset, m."""\n', encoding="utf-8")
+    assert [bool(LEANS.match(opening)) for _, opening in openings(other)] == [True, False]

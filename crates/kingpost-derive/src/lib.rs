@@ -11,7 +11,9 @@ use proc_macro::TokenStream;
 use proc_macro2::TokenStream as Tokens;
 use quote::quote;
 use syn::parse::Parser;
-use syn::{Attribute, Data, DeriveInput, Error, Field, Fields, GenericParam, Ident, Result, Type, parse_macro_input};
+use syn::{
+    Attribute, Data, DeriveInput, Error, Field, Fields, GenericParam, Ident, Result, Type, Variant, parse_macro_input,
+};
 
 use naming::{SerdeNames, name_in_files};
 
@@ -37,10 +39,7 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
     let over_scalars = item.generics.params.iter().any(|parameter| matches!(parameter, GenericParam::Type(_)));
     match &mut item.data {
         Data::Struct(data) => data.fields.iter_mut().try_for_each(|field| declare_field(field, all_default))?,
-        Data::Enum(data) => {
-            let fields = data.variants.iter_mut().filter(|variant| matches!(variant.fields, Fields::Named(_)));
-            fields.flat_map(|variant| variant.fields.iter_mut()).try_for_each(|field| declare_field(field, false))?;
-        }
+        Data::Enum(data) => data.variants.iter().try_for_each(check_kind)?,
         Data::Union(_) => return Err(Error::new_spanned(&item.ident, "a struct or an enum")),
     }
     let attributes = attributes_of(&item, all_default, over_scalars);
@@ -53,6 +52,15 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
         #conversion
         #reader
     })
+}
+
+/// Checks that a kind has no fields, or those of one type.
+fn check_kind(variant: &Variant) -> Result<()> {
+    match &variant.fields {
+        Fields::Unit => Ok(()),
+        Fields::Unnamed(fields) if fields.unnamed.len() == 1 => Ok(()),
+        _ => Err(Error::new_spanned(variant, "a kind without fields, or with the fields of one type: `Rope(Rope<S>)`")),
+    }
 }
 
 /// Removes the attributes that only this crate knows.

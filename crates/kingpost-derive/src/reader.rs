@@ -136,7 +136,7 @@ impl Read<'_> {
         self.stated.rename.clone().unwrap_or_else(|| self.ident.to_string())
     }
 
-    /// The field of the type, from what was read or from its default.
+    /// The field of the type: its value in the file, or its default.
     fn made(&self, all_default: bool) -> Tokens {
         let Self { ident, slot, stated, .. } = self;
         let name = self.name();

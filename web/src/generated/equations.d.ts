@@ -21,7 +21,7 @@ export interface Equations {
  */
 export interface NamedMatrix {
   /**
-   * As in the paper: `B`, `M_star`, `E_tower/ship`.
+   * Name, as in the paper: `B`, `M_star`, `E_tower/ship`.
    */
   name: string;
   /**
@@ -50,7 +50,7 @@ export interface NamedMatrix {
  */
 export interface SymbolicMatrix {
   /**
-   * As in [`NamedMatrix`](super::NamedMatrix): `B`, `M_star`, `E_tower/ship`.
+   * Name, as in [`NamedMatrix`](super::NamedMatrix): `B`, `M_star`, `E_tower/ship`.
    */
   name: string;
   /**

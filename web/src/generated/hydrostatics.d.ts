@@ -201,7 +201,7 @@ export interface FreeSurface {
  */
 export interface RightingArmCurve {
   /**
-   * Which way the ship heels.
+   * Side to which the ship heels.
    */
   side: "port" | "starboard";
   /**

@@ -18,7 +18,7 @@ export type Shape =
     };
 
 /**
- * What the engine says of a scenario and of its results to other languages.
+ * Types of a scenario and of its results that the engine publishes to other languages.
  */
 export interface Published {
   model: Description;
@@ -183,7 +183,7 @@ export interface BodyDescription {
    */
   shape: Shape | null;
   /**
-   * As `#rrggbb`.
+   * Colour, as `#rrggbb`.
    */
   colour: string | null;
 }
@@ -718,7 +718,7 @@ export interface Warning {
    */
   time_s: number;
   /**
-   * What it concerns: a joint, a closed loop, a body or an element.
+   * Name of the joint, closed loop, body or element that it concerns.
    */
   name: string;
   /**

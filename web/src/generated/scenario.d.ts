@@ -2160,7 +2160,7 @@ export type ViscousDamping = {
    */
   body: string;
   /**
-   * What the velocity is measured against.
+   * Reference against which the velocity is measured.
    */
   relative_to?: "water" | "earth";
   /**
@@ -3845,7 +3845,7 @@ export type RateErrors = {
   resolution_deg_s?: number;
 };
 /**
- * What the filter assumes.
+ * Assumptions of the filter.
  */
 export type InertialFilter = {
   /**
@@ -3883,7 +3883,7 @@ export type InertialFilter = {
   wave_period_s?: number;
 };
 /**
- * What the filter assumes.
+ * Assumptions of the filter.
  */
 export type SwingFilter = {
   /**
@@ -3994,8 +3994,8 @@ export type ClearanceShape =
       sphere: SphereShape;
     };
 /**
- * What stands between a command, of a user or of the operation, and an input. Its own command is an input with its name.
- * A controller may stand before another.
+ * Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
+ * name. A controller may stand before another.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -4731,7 +4731,7 @@ export interface QuadraticDamping {
    */
   body: string;
   /**
-   * What the velocity is measured against.
+   * Reference against which the velocity is measured.
    */
   relative_to?: "water" | "earth";
   /**
@@ -5196,7 +5196,7 @@ export interface Sheave {
    */
   efficiency_hoisting?: number;
   /**
-   * The same while the rope is paid out.
+   * Efficiency while the rope is paid out: the smaller tension at the sheave over the larger.
    */
   efficiency_lowering?: number;
 }
@@ -5333,7 +5333,7 @@ export interface CurrentLoad {
    */
   draught_m?: number | null;
   /**
-   * Which speed of a current profile is used.
+   * Speed of the current profile that is used.
    */
   speed?:
     | "mean_square"
@@ -5387,7 +5387,7 @@ export interface DynamicPositioning {
    */
   wave_filter?: WaveFilter | null;
   /**
-   * What is reduced when a thruster is at its limit.
+   * Rule for what is reduced when a thruster is at its limit.
    */
   priority?: "heading" | "none";
   /**
@@ -6113,7 +6113,7 @@ export interface Policy {
    */
   enabled?: boolean;
   /**
-   * What it reads, in the order of the columns of the first layer's weights.
+   * Columns that it reads, in the order of the columns of the first layer's weights.
    */
   reads: PolicyRead[];
   /**
@@ -6442,7 +6442,7 @@ export interface Operation {
  */
 export interface OperationStep {
   /**
-   * What the step does: "lift off".
+   * Name of the step, which says what it does: "lift off".
    */
   name: string;
   /**

@@ -9,7 +9,7 @@ use crate::scalar::{Dual, LANES, Lanes, Scalar};
 /// A continuous number of a scenario. The types of a scenario are generic over it; numbers that decide the structure of
 /// a run (steps, seeds, switching times, grids of tables) are plain.
 ///
-/// Files are read over `f64`; [`OverScalar`](super::over::OverScalar) converts what was read.
+/// The numbers of a file are `f64`; [`OverScalar`](super::over::OverScalar) converts them.
 pub trait Leaf: Copy + Debug + Default + PartialEq + 'static {
     /// A default from the source code.
     fn literal(value: f64) -> Self;
