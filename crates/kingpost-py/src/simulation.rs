@@ -6,7 +6,7 @@ use crate::scenario::{Scenario, hydrostatics};
 use kingpost::analysis::{self, Linearizer};
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
 use kingpost::scenario::BuiltScenario;
-use kingpost::scenario::build::read_sea_waves;
+use kingpost::scenario::assembly::read_sea_waves;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;

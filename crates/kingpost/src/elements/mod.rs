@@ -1,12 +1,12 @@
-//! Everything that acts on the model or reads it: one contract, [`Element`], and one file for each kind.
+//! Everything that acts on the model or reads it: one contract, [`Element`], and one room for each kind.
 //!
-//! A new kind is one file here, its fields in `scenario/schema/` and one function in `scenario/build/`. It
+//! A new kind is one room here: its physics, its `fields` in a file and its `assembly` from them. It
 //! [declares](Declaration) its states, inputs and outputs; the [`Layout`] of all elements gives each its place in the
 //! state, in the results, in snapshots, in A and B. No other code names a kind.
 
 mod air_gap;
 mod anemometer;
-mod clearance;
+pub mod clearance;
 mod commanded;
 pub mod compensation;
 pub mod contact;
@@ -16,13 +16,13 @@ mod damped_against;
 mod declaration;
 mod delay;
 mod drawing;
-mod drive_function;
+pub mod drive_function;
 pub mod drives;
 pub mod dynamic_positioning;
 mod element;
 pub mod flow;
 pub mod free_flooding_tank;
-mod gas_spring;
+pub mod gas_spring;
 mod gravity;
 pub mod hull;
 pub mod inertial_unit;
@@ -35,22 +35,22 @@ pub mod lines;
 mod mean_heading;
 mod motion_reference_unit;
 pub mod operation;
-mod policy;
+pub mod policy;
 mod quadratic_damping;
 mod regular_waves;
 mod rods;
 pub mod ropes;
 mod selector;
 pub mod sensing;
-mod slack_tank;
-mod soft_hold;
+pub mod slack_tank;
+pub mod soft_hold;
 mod state_feedback;
 pub mod submerged;
 mod support;
-mod swing_estimator;
+pub mod swing_estimator;
 mod tank_levels;
 mod ticks;
-mod trailing_edge;
+pub mod trailing_edge;
 pub mod u_tank;
 mod viscous_damping;
 mod watcher;

@@ -1,8 +1,8 @@
 //! The tanks of a model, and what a report says of each free surface.
 
-use super::hanging::Weight;
 use crate::dynamics::Kinematics;
 use crate::elements::{AnyElement, FreeFloodingTank, SlackTank, UTank, of_kind};
+use crate::hydrostatics::hanging::Weight;
 use serde::Serialize;
 
 /// The free surface of a slack tank or a free-flooding tank, or the two of a U-tank, in a hull, or in a body that its joints

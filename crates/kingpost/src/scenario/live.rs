@@ -3,12 +3,12 @@
 use serde_json::Value;
 use thiserror::Error;
 
-use super::built::BuiltScenario;
-use super::error::ScenarioError;
-use super::schema::{LIVE_SETTINGS, Scenario};
-use super::{read, wording};
 use crate::elements::drives::WaveMotion;
 use crate::elements::of_kind;
+use crate::scenario::built::BuiltScenario;
+use crate::scenario::error::ScenarioError;
+use crate::scenario::schema::{LIVE_SETTINGS, Scenario};
+use crate::scenario::{read, wording};
 use crate::simulation::Simulation;
 
 /// A parameter that cannot be set during a run.

@@ -3,8 +3,8 @@
 //! [`read`] parses YAML (JSON is its subset), renames unit aliases, applies parameters and overrides, types the tree and
 //! builds the model once to validate it; [`BuiltScenario`] keeps what was built.
 
+pub mod assembly;
 mod assignment;
-pub mod build;
 mod built;
 mod conversion;
 pub mod describe;

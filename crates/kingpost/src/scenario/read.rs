@@ -2,17 +2,19 @@
 
 use serde_json::Value;
 
-use super::error::{Fault, ScenarioError};
-use super::files::Files;
-use super::parameters::{self, Override, OverrideTarget};
-use super::schema::{Parameter, Scenario};
-use super::tree::{ScenarioNode, segments};
 #[cfg(not(target_family = "wasm"))]
 use crate::plant::Number;
+use crate::scenario::error::{Fault, ScenarioError};
+use crate::scenario::files::Files;
+use crate::scenario::parameters;
+use crate::scenario::parameters::{Override, OverrideTarget};
+use crate::scenario::schema::{Parameter, Scenario};
+use crate::scenario::tree::{ScenarioNode, segments};
 use crate::simulation::{Setup, Simulation};
 
-use super::reading::{self, check_version};
-use super::{conversion, parse, parts, wording};
+use crate::scenario::reading;
+use crate::scenario::reading::check_version;
+use crate::scenario::{conversion, parse, parts, wording};
 
 /// Reads a scenario from YAML or JSON.
 ///
@@ -94,7 +96,7 @@ impl<'a> Parsed<'a> {
     ) -> Result<(Scenario, Setup), ScenarioError> {
         let file = self.file;
         let (mut scenario, tree) = self.resolved(overrides, files).map_err(|fault| fault.in_file(file))?;
-        let built = scenario.take_files(files).and_then(|()| super::build::build(&scenario));
+        let built = scenario.take_files(files).and_then(|()| super::assembly::build(&scenario));
         match built {
             Ok(setup) => Ok((scenario, setup)),
             Err(error) => Err(Fault { place: tree.place_of(&segments(&error.field)), error }.in_file(file)),
@@ -200,7 +202,7 @@ impl Scenario {
     /// # Errors
     /// Bodies, joints, forces, drives or settings that do not fit together; the error has a field but no place.
     pub fn setup(&self) -> Result<Setup, ScenarioError> {
-        Ok(super::build::build(self)?)
+        Ok(super::assembly::build(self)?)
     }
 
     /// A simulation at time 0; for an implicit scheme with exact derivatives.

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::units;
+use crate::scenario::units;
 
 /// Range that a [`Positive`](super::range::Positive) allows.
 pub const POSITIVE: &str = "a number greater than 0";
@@ -27,19 +27,19 @@ pub const VERSION: &str = "1 (the version of the file format)";
 /// Values that a [`ParameterValue`](super::schema::ParameterValue) allows.
 pub const PARAMETER_VALUE: &str = "true or false, a number, or a text";
 
-pub(super) const NOTHING: &str = "nothing";
-pub(super) const FINITE: &str = "a finite number";
-pub(super) const PLAIN_SPACE: &str = "a plain space (U+0020)";
-pub(super) const BOOLEAN: &str = "true or false";
-pub(super) const NUMBER: &str = "a number";
-pub(super) const WHOLE: &str = "a whole number not less than 0";
-pub(super) const TEXT: &str = "a text";
-pub(super) const LIST: &str = "a list";
+pub(crate) const NOTHING: &str = "nothing";
+pub(crate) const FINITE: &str = "a finite number";
+pub(crate) const PLAIN_SPACE: &str = "a plain space (U+0020)";
+pub(crate) const BOOLEAN: &str = "true or false";
+pub(crate) const NUMBER: &str = "a number";
+pub(crate) const WHOLE: &str = "a whole number not less than 0";
+pub(crate) const TEXT: &str = "a text";
+pub(crate) const LIST: &str = "a list";
 pub(crate) const FIELDS: &str = "named fields";
-pub(super) const SCENARIO: &str = "a scenario in YAML or JSON, which begins with version: 1";
-pub(super) const STUDY: &str = "a study in YAML or JSON, which begins with version: 1";
-pub(super) const UNKNOWN_FIELD: &str = "an unknown field";
-pub(super) const ASSIGNMENT: &str = "name=value";
+pub(crate) const SCENARIO: &str = "a scenario in YAML or JSON, which begins with version: 1";
+pub(crate) const STUDY: &str = "a study in YAML or JSON, which begins with version: 1";
+pub(crate) const UNKNOWN_FIELD: &str = "an unknown field";
+pub(crate) const ASSIGNMENT: &str = "name=value";
 
 const LONGEST_QUOTE: usize = 40;
 /// Characters of a name that is allowed: a file can hold one of any length.
@@ -48,7 +48,7 @@ const LONGEST_NAME: usize = 120;
 const LONGEST_NUMBER: usize = 24;
 
 /// A value in the words of an error.
-pub(super) fn found(value: &Value) -> String {
+pub(crate) fn found(value: &Value) -> String {
     match value {
         Value::Null => NOTHING.to_owned(),
         Value::Bool(value) => value.to_string(),
@@ -75,7 +75,7 @@ fn number(number: &serde_json::Number) -> String {
 }
 
 /// A text with very long numbers shown by powers of ten: 1e300, not 1 with 300 zeros.
-pub(super) fn with_powers(text: &str) -> String {
+pub(crate) fn with_powers(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
@@ -94,17 +94,17 @@ pub(super) fn with_powers(text: &str) -> String {
 }
 
 /// A text in quotes on one line, shortened if it is long.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     format!("{:?}", shortened(text))
 }
 
 /// A text, cut if it is long.
-pub(super) fn shortened(text: &str) -> String {
+pub(crate) fn shortened(text: &str) -> String {
     beginning(text, LONGEST_QUOTE)
 }
 
 /// A text of at most so many characters; of a longer one what it begins with.
-pub(super) fn beginning(text: &str, longest: usize) -> String {
+pub(crate) fn beginning(text: &str, longest: usize) -> String {
     match text.char_indices().nth(longest) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
@@ -123,7 +123,7 @@ pub(crate) fn one_of(names: &[&str]) -> String {
 }
 
 /// The names allowed, and the one that was probably meant.
-pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
+pub(crate) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     match nearest(names, written) {
         Some(name) => format!("{}; did you mean {}?", one_of(names), beginning(&name, LONGEST_NAME)),
         None => one_of(names),
@@ -131,12 +131,12 @@ pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
 }
 
 /// Returns the words for a list of so many numbers.
-pub(super) fn list_of_numbers(count: usize) -> String {
+pub(crate) fn list_of_numbers(count: usize) -> String {
     format!("a list of {count} numbers")
 }
 
 /// The name most similar to `written`, also with other unit aliases, if one is similar enough.
-pub(super) fn nearest(names: &[&str], written: &str) -> Option<String> {
+pub(crate) fn nearest(names: &[&str], written: &str) -> Option<String> {
     // The distance takes the product of both lengths.
     let written = beginning(written, LONGEST_NAME);
     let limit = written.chars().count() / 3;
@@ -150,7 +150,7 @@ pub(super) fn nearest(names: &[&str], written: &str) -> Option<String> {
 }
 
 /// Returns the meaning of a YAML parser's message: found and allowed.
-pub(super) fn syntax(message: &str) -> (String, String) {
+pub(crate) fn syntax(message: &str) -> (String, String) {
     let (found, allowed) = if message.contains("mapping values are not allowed") {
         (
             "a second \": \" where a value ends",
@@ -178,58 +178,58 @@ fn shortened_syntax(message: &str) -> &str {
     line.split(" at line ").next().unwrap_or(line)
 }
 
-pub(super) const EMPTY_FILE: &str = "nothing: the file is empty";
+pub(crate) const EMPTY_FILE: &str = "nothing: the file is empty";
 
 fn pair(found: &str, allowed: &str) -> (String, String) {
     (found.to_owned(), allowed.to_owned())
 }
 
 /// A file beyond the parser's budgets.
-pub(super) fn too_much() -> (String, String) {
+pub(crate) fn too_much() -> (String, String) {
     pair("a file that is too deep or too large", "at most 64 levels and 250000 values")
 }
 
 /// A file of several documents.
-pub(super) fn second_document() -> (String, String) {
+pub(crate) fn second_document() -> (String, String) {
     pair("a second document after ---", "one scenario in a file")
 }
 
 /// An alias without its anchor.
-pub(super) fn unknown_anchor() -> (String, String) {
+pub(crate) fn unknown_anchor() -> (String, String) {
     pair("an alias (*name) without its anchor (&name)", "an alias whose anchor is defined before it")
 }
 
 /// A field whose name is null, a list or a map.
-pub(super) fn not_a_name() -> (String, String) {
+pub(crate) fn not_a_name() -> (String, String) {
     pair("a field whose name is not a text", "name: value")
 }
 
-pub(super) const UNKNOWN_NAME: &str = "an unknown name";
-pub(super) const OWN_NAME: &str = "a name that no field at the top of the file has";
-pub(super) const PATHS: &str = "paths of fields, as bodies.ship.mass_kg";
-pub(super) const SET_BY_NAME: &str = "the name of a parameter, to set it";
-pub(super) const CHOICES: &str = "a list of the texts allowed";
-pub(super) const RANGE: &str = "two numbers, the smaller first";
-pub(super) const NO_NUMBER: &str = "no number";
-pub(super) const NO_DERIVATIVE: &str = "a number without a derivative";
-pub(super) const CONTINUOUS: &str = "a parameter, or the path of a number, that moves the model continuously";
-pub(super) const PART_THERE: &str = "a part of the gallery by its name, or an existing file";
-pub(super) const PART_ENDS: &str = "a chain of parts that ends";
-pub(super) const FEWER_PARTS: &str = "fewer";
-pub(super) const PREFIX: &str = "a name of small letters, digits and _ that starts with a letter, or \"\"";
-pub(super) const OTHER_PREFIX: &str = "a prefix that makes each name unique";
-pub(super) const OTHER_PARAMETER: &str = "a value for it in the part's parameters, or another prefix";
-pub(super) const OF_THE_PART: &str =
+pub(crate) const UNKNOWN_NAME: &str = "an unknown name";
+pub(crate) const OWN_NAME: &str = "a name that no field at the top of the file has";
+pub(crate) const PATHS: &str = "paths of fields, as bodies.ship.mass_kg";
+pub(crate) const SET_BY_NAME: &str = "the name of a parameter, to set it";
+pub(crate) const CHOICES: &str = "a list of the texts allowed";
+pub(crate) const RANGE: &str = "two numbers, the smaller first";
+pub(crate) const NO_NUMBER: &str = "no number";
+pub(crate) const NO_DERIVATIVE: &str = "a number without a derivative";
+pub(crate) const CONTINUOUS: &str = "a parameter, or the path of a number, that moves the model continuously";
+pub(crate) const PART_THERE: &str = "a part of the gallery by its name, or an existing file";
+pub(crate) const PART_ENDS: &str = "a chain of parts that ends";
+pub(crate) const FEWER_PARTS: &str = "fewer";
+pub(crate) const PREFIX: &str = "a name of small letters, digits and _ that starts with a letter, or \"\"";
+pub(crate) const OTHER_PREFIX: &str = "a prefix that makes each name unique";
+pub(crate) const OTHER_PARAMETER: &str = "a value for it in the part's parameters, or another prefix";
+pub(crate) const OF_THE_PART: &str =
     "a field that a part may have: sea, wind, gravity and simulation are those of the scenario that it is mounted in";
-pub(super) const NO_REFERENCE: &str = "paths of numbers and switches: names change where a part is mounted";
-pub(super) const PLACE_OF_A_PART: &str =
+pub(crate) const NO_REFERENCE: &str = "paths of numbers and switches: names change where a part is mounted";
+pub(crate) const PLACE_OF_A_PART: &str =
     "position_m or orientation_rad of a part whose only attachments to the world are bodies at the origin";
-pub(super) const ON_THE_WORLD: &str = "world, for a part that floats, is moored or holds its position";
-pub(super) const LEVEL: &str = "roll and pitch 0";
-pub(super) const REQUIRED: &str = "a value: this field is required";
+pub(crate) const ON_THE_WORLD: &str = "world, for a part that floats, is moored or holds its position";
+pub(crate) const LEVEL: &str = "roll and pitch 0";
+pub(crate) const REQUIRED: &str = "a value: this field is required";
 
 /// The allowed names of an override; `paths` are those of fields that have the name that was written.
-pub(super) fn parameter_or_path(parameters: &[&str], written: &str, paths: &[String]) -> String {
+pub(crate) fn parameter_or_path(parameters: &[&str], written: &str, paths: &[String]) -> String {
     let allowed = match parameters {
         [] => "a dotted path of a field: the scenario has no parameters".to_owned(),
         names if paths.is_empty() => format!("a dotted path of a field, or {}", one_of_with_hint(names, written)),
@@ -239,12 +239,12 @@ pub(super) fn parameter_or_path(parameters: &[&str], written: &str, paths: &[Str
 }
 
 /// The words for a parameter that needs a default because the field that it writes is not in the file.
-pub(super) fn default_for(path: &str) -> String {
+pub(crate) fn default_for(path: &str) -> String {
     format!("a default, or one value at {}", shortened(path))
 }
 
 /// The words for a path to a field that does not exist.
-pub(super) fn no_field(name: &str, parent: &str) -> String {
+pub(crate) fn no_field(name: &str, parent: &str) -> String {
     let kind = if name.parse::<usize>().is_ok() { "entry" } else { "field" };
     match parent {
         "" => format!("no {kind} {}", quoted(name)),
@@ -253,17 +253,17 @@ pub(super) fn no_field(name: &str, parent: &str) -> String {
 }
 
 /// A kind that needs its fields: `box: {...}`.
-pub(super) fn with_fields(kind: &str) -> String {
+pub(crate) fn with_fields(kind: &str) -> String {
     format!("{kind} with its fields, {kind}: {{...}}")
 }
 
 /// A kind without fields.
-pub(super) fn without_fields(kind: &str) -> String {
+pub(crate) fn without_fields(kind: &str) -> String {
     format!("the word {kind}, without fields")
 }
 
 /// The allowed continuations of a path, within a value with these names.
-pub(super) fn inside(value: Option<&Value>, names: &[&str], written: &str) -> String {
+pub(crate) fn inside(value: Option<&Value>, names: &[&str], written: &str) -> String {
     match value {
         Some(Value::Array(entries)) => match entries.len() {
             0 => "no entry: the list is empty".to_owned(),

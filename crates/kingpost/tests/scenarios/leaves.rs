@@ -381,8 +381,12 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 /// Builders compute with all of a number: none takes its first lane, or its value without its derivatives.
 #[test]
 fn no_builder_reads_the_first_of_several_numbers() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/scenario/build");
-    for file in files_below(&folder) {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let of_rooms = files_below(&source.join("elements"));
+    let of_rooms = of_rooms.into_iter().filter(|file| file.to_string_lossy().contains("/assembly"));
+    let files: Vec<PathBuf> = files_below(&source.join("scenario/assembly")).into_iter().chain(of_rooms).collect();
+    assert!(files.len() > 40, "{files:?}");
+    for file in files {
         let code = fs::read_to_string(&file).expect("it reads");
         for escape in [".value()", ".values()", ".to_array()", ".value,", ".shared()"] {
             let found = code.lines().find(|line| {

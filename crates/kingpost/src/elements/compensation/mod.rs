@@ -1,8 +1,10 @@
 //! Compensation of a ship's motion: what is measured and predicted of it, the drives that move against it, and the
 //! controllers.
 
+pub(crate) mod assembly;
 mod chain;
 mod estimate;
+pub(crate) mod fields;
 mod heave;
 mod hoist;
 mod lever;

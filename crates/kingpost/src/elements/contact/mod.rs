@@ -1,5 +1,7 @@
 //! Contact of a load with a deck, a quay, the seabed, another vessel.
 
+pub(crate) mod assembly;
+pub(crate) mod fields;
 mod friction;
 mod law;
 mod restitution;

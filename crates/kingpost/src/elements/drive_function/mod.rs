@@ -1,6 +1,8 @@
 //! A drive function: a command that is a function of time.
 
+pub(crate) mod assembly;
 mod cubic_spline;
+pub(crate) mod fields;
 
 pub use cubic_spline::CubicSpline;
 

@@ -1,8 +1,10 @@
 //! Drives of joints, one file each.
 
+pub(crate) mod assembly;
 mod brake;
 mod controlled_drive;
 mod cylinder;
+pub(crate) mod fields;
 mod motor;
 mod oscillation;
 mod prescribed;

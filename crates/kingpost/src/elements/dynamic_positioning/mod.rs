@@ -1,7 +1,9 @@
 //! Dynamic positioning: a controller and thrusters that hold a ship in position.
 
 mod allocation;
+pub(crate) mod assembly;
 mod control;
+pub(crate) mod fields;
 mod thruster;
 mod wave_filter;
 

@@ -1,7 +1,9 @@
 //! A tank that is open to the sea: the weight of its water, the pressures on it, and its losses.
 
 mod air;
+pub(crate) mod assembly;
 mod column;
+pub(crate) mod fields;
 mod opening_in_waves;
 
 pub use air::{ATMOSPHERE_PA, AirChamber, AirPump};

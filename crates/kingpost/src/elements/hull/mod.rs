@@ -4,10 +4,12 @@
 //! share one mass matrix.
 
 mod added_mass;
+pub(crate) mod assembly;
 mod by_heading;
 mod carried;
 mod drift_damping;
 mod excitation;
+pub(crate) mod fields;
 mod gap;
 mod linear_limits;
 mod mean_attitude;

@@ -1,7 +1,9 @@
 //! Lines that pull: mooring lines, hawsers, tugger lines.
 
+pub(crate) mod assembly;
 mod catenary;
 mod catenary_line;
+pub(crate) mod fields;
 mod spring_line;
 
 pub use catenary::{Catenary, EndForce, Span};

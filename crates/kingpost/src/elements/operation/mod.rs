@@ -1,6 +1,8 @@
 //! An operation as a timeline: named steps that move levers and set-points, each until its condition holds.
 
+pub(crate) mod assembly;
 mod condition;
+pub(crate) mod fields;
 
 pub use condition::{ColumnRange, Condition};
 

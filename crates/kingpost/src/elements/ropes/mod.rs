@@ -1,6 +1,8 @@
 //! Ropes over sheaves: hoists, luffing ropes, slings, tuggers.
 
+pub(crate) mod assembly;
 mod drum;
+pub(crate) mod fields;
 mod inextensible;
 mod leads;
 mod load_chart;

@@ -1,7 +1,9 @@
 //! Sensors of a crane, and what all sensors have in common: noise, bias, resolution, delay, drop-outs, the gains of their filters.
 
+pub(crate) mod assembly;
 mod encoder;
 mod errors;
+pub(crate) mod fields;
 mod load_cell;
 mod position_aid;
 mod process;

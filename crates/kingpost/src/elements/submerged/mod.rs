@@ -1,6 +1,8 @@
 //! The water on a lifted object: in the splash zone and below.
 
+pub(crate) mod assembly;
 mod entrained;
+pub(crate) mod fields;
 mod growth;
 mod immersion;
 mod loads;

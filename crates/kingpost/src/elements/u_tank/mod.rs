@@ -1,5 +1,7 @@
 //! The liquid of a U-tank: its weight, its losses and its pump.
 
+pub(crate) mod assembly;
+pub(crate) mod fields;
 mod liquid;
 
 pub use liquid::{UTankGeometry, UTankLiquid};

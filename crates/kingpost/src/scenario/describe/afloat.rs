@@ -1,8 +1,9 @@
 //! The sea and the hulls in it, to draw.
 
 use crate::elements::{Hull, of_kind};
-use crate::scenario::build::waves::cut_off;
-use crate::scenario::schema::{self, Scenario};
+use crate::scenario::assembly::waves::cut_off;
+use crate::scenario::schema;
+use crate::scenario::schema::Scenario;
 use crate::sea::database::HullAtRest;
 use crate::sea::waves::WaveField;
 use crate::simulation::Setup;

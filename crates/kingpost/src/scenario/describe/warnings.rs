@@ -1,10 +1,10 @@
 //! Warnings about a model before it runs.
 
-use super::units;
 use crate::elements::hull::Hydrostatics;
 use crate::elements::{AnyElement, Hull, of_kind, significant};
 use crate::model::Model;
-use crate::scenario::build::wave_motion::other_unit;
+use crate::scenario::assembly::wave_motion::other_unit;
+use crate::scenario::describe::units;
 use crate::scenario::schema::{Joint, Scenario};
 use crate::scenario::ties::{carrying, floats_freely, tied_to_the_world};
 use crate::sea::database::Database;

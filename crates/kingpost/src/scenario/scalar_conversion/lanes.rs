@@ -1,6 +1,6 @@
 //! Several scenarios with the same structure as one over lanes.
 
-use super::super::build::assemble;
+use super::super::assembly::assemble;
 use super::super::error::FieldError;
 use super::super::over::{Numbers, OverScalar};
 use super::super::schema::Scenario;

@@ -10,7 +10,7 @@ pub(crate) use lanes::side_by_side;
 
 use serde_json::Value;
 
-use super::build::assemble;
+use super::assembly::assemble;
 use super::error::ScenarioError;
 use super::leaf::Quantity;
 use super::over::{Numbers, OverScalar};

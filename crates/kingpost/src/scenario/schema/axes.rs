@@ -1,11 +1,12 @@
 //! Axes of joints: their initial values, how their motion is set, and the forces in them.
 
-use super::gas_spring::GasSpring;
-use super::histories::{
+use crate::elements::drives::fields::histories::{
     AngleOscillation, AngleTravel, History, HistoryList, LengthOscillation, LengthTravel, RatePulse,
 };
-use super::{NonNegative, Positive};
+use crate::elements::drives::fields::slow;
+use crate::elements::gas_spring::fields::GasSpring;
 use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{NonNegative, Positive};
 use kingpost_derive::fields;
 
 /// One axis that a joint turns about.
@@ -90,13 +91,8 @@ impl<S: Leaf> Default for LengthAxis<S> {
 }
 
 /// The default of a gear ratio.
-pub(super) fn one<S: Leaf>() -> Positive<S> {
+pub(crate) fn one<S: Leaf>() -> Positive<S> {
     Positive::literal(1.0)
-}
-
-/// The default of a smoothing speed.
-pub(super) fn slow<S: Leaf>() -> Positive<S> {
-    Positive::literal(0.01)
 }
 
 /// How the angle about an axis is set.

@@ -2,11 +2,11 @@
 
 use kingpost_derive::fields;
 
-use super::{
+use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{
     ColumnName, CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive,
     Selector, SignalName, ThreeAxisCompensation, yes,
 };
-use crate::scenario::leaf::Leaf;
 
 /// Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
 /// name. A controller may stand before another.

@@ -2,8 +2,8 @@
 
 use kingpost_derive::fields;
 
-use super::{Gusts, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{Gusts, Name, NonNegative, Positive, yes};
 
 /// The wind: uniform at each height, steady or with gusts.
 #[fields]

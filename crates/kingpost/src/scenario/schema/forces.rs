@@ -2,11 +2,11 @@
 
 use kingpost_derive::fields;
 
-use super::{
+use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{
     CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Hydrodynamics, Name, NonNegative, Rope,
     SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank, WindLoad, yes,
 };
-use crate::scenario::leaf::Leaf;
 
 /// Forces that act on the bodies from outside.
 #[fields]

@@ -5,121 +5,115 @@
 use kingpost_derive::fields;
 mod axes;
 mod bodies;
-mod clearances;
-mod contacts;
-mod controlled_drives;
 mod controllers;
-mod cylinder;
-mod drive_function;
-mod drives;
-mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
-mod free_flooding_tank;
-mod gas_spring;
 mod gusts;
-mod heave_compensation;
-mod histories;
-mod hydrodynamics;
-mod inertial_unit;
 mod integrators;
 mod joints;
 mod joints_of_several_axes;
-mod lines;
 mod loops;
-mod motion_compensation;
 mod mounting;
 mod moved_by_waves;
-mod operation;
 mod parameter;
-mod policies;
-mod ropes;
 mod sea;
-mod sensor_errors;
 mod sensors;
-mod sensors_of_the_crane;
-mod slack_tank;
-mod soft_hold;
-mod submerged;
-mod swing_estimator;
-mod trailing_edge;
-mod u_tank;
 mod waves;
 
 use indexmap::IndexMap;
 
-pub use super::named_files::NamedFiles;
-pub use super::range::{Direction, Fraction, NonNegative, Positive};
-pub use super::text::{Colour, ColumnName, CoordinateName, FilePath, LocalName, Name, SignalName, Version, WORLD};
-pub use axes::{
-    AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,
-    PrescribedRate, PrescribedSpeed, PrismaticMode, RevoluteMode,
+pub use crate::elements::clearance::fields::{AirGap, Clearance, ClearanceFrom, ClearanceShape, OwnPoint};
+pub use crate::elements::compensation::fields::heave::{HeaveCompensation, HeavePrediction};
+pub use crate::elements::compensation::fields::motion::{
+    CompensationDrive, PlatformCompensation, ThreeAxisCompensation,
 };
-pub use bodies::{
-    Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
-    SphereShape,
+pub use crate::elements::contact::fields::{
+    Contact, ContactLoad, ContactPlane, ContactPoints, ContactSurface, LoadShape, SurfaceShape,
 };
-pub use clearances::{AirGap, Clearance, ClearanceFrom, ClearanceShape, OwnPoint};
-pub use contacts::{Contact, ContactLoad, ContactPlane, ContactPoints, ContactSurface, LoadShape, SurfaceShape};
-pub use controlled_drives::{
+pub use crate::elements::drive_function::fields::DriveFunction;
+pub use crate::elements::drives::fields::controlled::{
     AngleSetPoint, AngleSetPoints, ControlledDrive, ExtensionSetPoint, ForceSetPoint, LengthSetPoints,
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
-pub use controllers::{Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback};
-pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
-pub use drive_function::DriveFunction;
-pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
-pub use dynamic_positioning::{
+pub use crate::elements::drives::fields::cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
+pub use crate::elements::drives::fields::histories::{
+    AngleOscillation, AngleTravel, History, HistoryList, LengthOscillation, LengthTravel, RatePulse,
+};
+pub use crate::elements::drives::fields::{
+    Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo,
+};
+pub use crate::elements::dynamic_positioning::fields::{
     AzimuthThruster, DynamicPositioning, MainPropeller, NaturalPeriods, PositioningGains, RotationTuning, StatedGains,
     StationTarget, ThrustPriority, Thruster, TranslationTuning, TunnelThruster, WaveFilter,
 };
-pub use flexible::{
+pub use crate::elements::free_flooding_tank::fields::{AirPump, FreeFloodingTank};
+pub use crate::elements::gas_spring::fields::GasSpring;
+pub use crate::elements::hull::fields::{Hydrodynamics, Hydrostatics};
+pub use crate::elements::inertial_unit::fields::{InertialFilter, InertialUnit};
+pub use crate::elements::lines::fields::{CatenaryLine, SpringLine};
+pub use crate::elements::operation::fields::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
+pub use crate::elements::policy::fields::{
+    AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget,
+};
+pub use crate::elements::ropes::fields::{
+    CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
+};
+pub use crate::elements::sensing::fields::crane::{Encoder, LinearEncoder, LoadCell, RopeEnd, SatelliteReceiver};
+pub use crate::elements::sensing::fields::errors::{
+    AccelerationErrors, AngleErrors, DropOuts, ForceErrors, LengthErrors, RateErrors, SpeedErrors,
+};
+pub use crate::elements::slack_tank::fields::SlackTank;
+pub use crate::elements::soft_hold::fields::SoftHold;
+pub use crate::elements::submerged::fields::{
+    EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
+};
+pub use crate::elements::swing_estimator::fields::{SwingEstimator, SwingFilter};
+pub use crate::elements::trailing_edge::fields::TrailingEdge;
+pub use crate::elements::u_tank::fields::{UTank, UTankPump};
+pub use crate::scenario::named_files::NamedFiles;
+pub use crate::scenario::range::{Direction, Fraction, NonNegative, Positive};
+pub use crate::scenario::schema::axes::{
+    AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,
+    PrescribedRate, PrescribedSpeed, PrismaticMode, RevoluteMode,
+};
+pub use crate::scenario::schema::bodies::{
+    Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
+    SphereShape,
+};
+pub use crate::scenario::schema::controllers::{
+    Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback,
+};
+pub use crate::scenario::schema::flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
-pub use flow::{
+pub use crate::scenario::schema::flow::{
     CurrentAtDepth, CurrentLoad, CurrentProfile, CurrentSpeed, CurrentTable, FlowCoefficients, Logarithmic, PowerLaw,
     Wind, WindLoad, WindProfile,
 };
-pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
-pub use free_flooding_tank::{AirPump, FreeFloodingTank};
-pub use gas_spring::GasSpring;
-pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
-pub use heave_compensation::{HeaveCompensation, HeavePrediction};
-pub use histories::{AngleOscillation, AngleTravel, History, HistoryList, LengthOscillation, LengthTravel, RatePulse};
-pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
-pub use inertial_unit::{InertialFilter, InertialUnit};
-pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
-pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
-pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
-pub use lines::{CatenaryLine, SpringLine};
-pub use loops::{Attachment, Constraint, Distance, Loop};
-pub use motion_compensation::{CompensationDrive, PlatformCompensation, ThreeAxisCompensation};
-pub use mounting::Mounting;
-pub use moved_by_waves::MovedByWaves;
-pub use operation::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
-pub use parameter::{Parameter, ParameterKind, ParameterValue};
-pub use policies::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget};
-pub use ropes::{
-    CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
+pub use crate::scenario::schema::forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use crate::scenario::schema::gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
+pub use crate::scenario::schema::integrators::{
+    DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings,
 };
-pub use sea::{Sea, Stretching};
-pub use sensor_errors::{
-    AccelerationErrors, AngleErrors, DropOuts, ForceErrors, LengthErrors, RateErrors, SpeedErrors,
+pub use crate::scenario::schema::joints::{
+    FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint,
 };
-pub use sensors::{HeaveFilter, MotionReferenceUnit, Sensor, Wire};
-pub use sensors_of_the_crane::{Encoder, LinearEncoder, LoadCell, RopeEnd, SatelliteReceiver};
-pub use slack_tank::SlackTank;
-pub use soft_hold::SoftHold;
-pub use submerged::{
-    EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
+pub use crate::scenario::schema::joints_of_several_axes::{
+    CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint,
 };
-pub use swing_estimator::{SwingEstimator, SwingFilter};
-pub use trailing_edge::TrailingEdge;
-pub use u_tank::{UTank, UTankPump};
-pub use waves::{
+pub use crate::scenario::schema::loops::{Attachment, Constraint, Distance, Loop};
+pub use crate::scenario::schema::mounting::Mounting;
+pub use crate::scenario::schema::moved_by_waves::MovedByWaves;
+pub use crate::scenario::schema::parameter::{Parameter, ParameterKind, ParameterValue};
+pub use crate::scenario::schema::sea::{Sea, Stretching};
+pub use crate::scenario::schema::sensors::{HeaveFilter, MotionReferenceUnit, Sensor, Wire};
+pub use crate::scenario::schema::waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,
+};
+pub use crate::scenario::text::{
+    Colour, ColumnName, CoordinateName, FilePath, LocalName, Name, SignalName, Version, WORLD,
 };
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
@@ -248,6 +242,6 @@ const fn mounted(_: &IndexMap<Name, Mounting>) -> bool {
 }
 
 /// The default of `enabled`.
-const fn yes() -> bool {
+pub(crate) const fn yes() -> bool {
     true
 }

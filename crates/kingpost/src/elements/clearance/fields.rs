@@ -1,0 +1,79 @@
+//! Clearances and air gaps of points.
+
+use kingpost_derive::fields;
+
+use crate::scenario::schema::{BoxShape, ContactPlane, CylinderShape, LocalName, Name, SphereShape, yes};
+
+/// The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
+/// solid. It is only measured: no force keeps the two apart.
+#[fields]
+pub struct Clearance<S = f64> {
+    /// Whether the clearance is measured.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The point.
+    pub first: OwnPoint<S>,
+    /// The point or solid to stay clear of.
+    pub second: ClearanceFrom<S>,
+}
+
+/// A point on a body, by its name or its position, or a point in the world.
+#[fields]
+pub struct OwnPoint<S = f64> {
+    /// The body, or `world`.
+    pub body: Name,
+    /// The name of one of the body's `points`.
+    pub point: Option<LocalName>,
+    /// The point in the body's drawing frame, m; measured from the named point if one is given.
+    #[serde(default)]
+    pub position_m: [S; 3],
+}
+
+/// A point, or a solid with its place on its body.
+#[fields]
+pub struct ClearanceFrom<S = f64> {
+    /// The body, or `world`.
+    pub body: Name,
+    /// The name of one of the body's `points`.
+    pub point: Option<LocalName>,
+    /// The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; measured from the
+    /// named point if one is given.
+    #[serde(default)]
+    pub position_m: [S; 3],
+    /// Orientation of the solid's axes in the body's: roll, pitch, yaw, rad.
+    #[serde(default)]
+    pub orientation_rad: [S; 3],
+    /// The solid; without it, the distance is to the point.
+    pub shape: Option<ClearanceShape<S>>,
+}
+
+/// The solid that a point stays clear of.
+#[fields]
+pub enum ClearanceShape<S = f64> {
+    /// The body's own `shape`, centred on its centre of mass; give no position then.
+    Own,
+    /// Everything below an infinite plane: a quay, the seabed.
+    Plane(ContactPlane<S>),
+    /// A box: a deck, a house.
+    Box(BoxShape<S>),
+    /// A circular cylinder: a boom, a leg.
+    Cylinder(CylinderShape<S>),
+    /// A ball.
+    Sphere(SphereShape<S>),
+}
+
+/// The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results;
+/// above the still water where there are no waves. Negative under water.
+#[fields]
+pub struct AirGap<S = f64> {
+    /// Whether the clearance is measured.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The body, or `world`.
+    pub body: Name,
+    /// The name of one of the body's `points`.
+    pub point: Option<LocalName>,
+    /// The point in the body's drawing frame, m; measured from the named point if one is given.
+    #[serde(default)]
+    pub position_m: [S; 3],
+}

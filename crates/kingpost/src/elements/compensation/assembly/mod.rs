@@ -1,0 +1,196 @@
+//! Heave compensation, and what all compensations share.
+
+pub(crate) mod hoists;
+pub(crate) mod in_axes;
+
+use crate::elements::compensation::assembly::hoists::{hung, named};
+use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
+use crate::elements::drives::ControlledDrive;
+use crate::elements::hull::HullFrame;
+use crate::elements::sensing::Sampler;
+use crate::elements::{AnyElement, HeaveCompensation, InertialUnit, MotionReferenceUnit, of_kind};
+use crate::model::Model;
+use crate::scenario::assembly::FieldError;
+use crate::scenario::leaf::Quantity;
+use crate::scenario::schema;
+use crate::scenario::schema::Scenario;
+
+/// The controller, if it is enabled.
+pub fn heave<S: Quantity>(
+    (scenario, model): (&Scenario<S>, &Model<S>),
+    name: &str,
+    given: &schema::HeaveCompensation<S>,
+    elements: &[AnyElement<S>],
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let lead = format!("controllers.{name}.heave_compensation");
+    check(scenario, name, &lead, given.period_s.get())?;
+    if !given.enabled {
+        return Ok(None);
+    }
+    let rope = hung((scenario, model), &lead, [&given.rope, &given.drive], elements)?;
+    let source =
+        MotionSource { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
+    Ok(Some(Box::new(HeaveCompensation {
+        name: name.to_owned(),
+        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &[rope.drive]))?,
+        tip: rope.tip,
+        falls: rope.falls,
+        hoist: rope.hoist,
+        drive: rope.drive.name.clone(),
+        drive_speed: rope.speed,
+        drive_limit: rope.drive.limits.speed,
+        feed_forward: given.feed_forward.get(),
+        gain: given.position_gain_per_s.get(),
+        begins_on: given.begins_on,
+    })))
+}
+
+/// The period, and the inputs, which have its name: no drive and no rope may have it.
+pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -> Result<(), FieldError> {
+    let step_s = scenario.simulation.step_s.get();
+    if period_s < step_s {
+        let allowed = format!("at least simulation.step_s, {step_s} s");
+        return Err(FieldError::new(format!("{lead}.period_s"), period_s, allowed));
+    }
+    if scenario.drives.contains_key(name) || scenario.forces.contains_key(name) || scenario.sensors.contains_key(name) {
+        return Err(FieldError::new(lead, format!("the name {name} of another entry"), "a name of its own"));
+    }
+    Ok(())
+}
+
+/// Source from which a compensation knows the motion.
+pub struct MotionSource<'a, S> {
+    /// The unit.
+    pub sensor: Option<&'a schema::Name>,
+    /// Whether it has to measure horizontal motion.
+    pub horizontal: bool,
+    /// The prediction.
+    pub prediction: Option<&'a schema::HeavePrediction<S>>,
+}
+
+/// The unit of a compensation: a motion reference unit or an inertial unit.
+pub struct MotionUnit<S> {
+    name: String,
+    /// Its body and place.
+    pub place: HullFrame<S>,
+    horizontal: bool,
+    has_status: bool,
+    /// Age of its outputs, s.
+    age_s: f64,
+    /// The cut-off frequency (rad/s) and damping ratio of the filter of its heave, unless it removes nothing.
+    high_pass: Option<[S; 2]>,
+}
+
+impl<S: Quantity> MotionUnit<S> {
+    fn new(name: &str, (place, horizontal): (HullFrame<S>, bool), sampler: &Sampler<S>) -> Self {
+        let age_s = sampler.period_s * sampler.delay_samples as f64;
+        Self {
+            name: name.to_owned(),
+            place,
+            horizontal,
+            has_status: sampler.drop_outs.is_some(),
+            age_s,
+            high_pass: None,
+        }
+    }
+}
+
+impl<S: Quantity> From<&MotionReferenceUnit<S>> for MotionUnit<S> {
+    fn from(unit: &MotionReferenceUnit<S>) -> Self {
+        // One that a satellite receiver helps removes nothing.
+        let filter = unit.heave_filter.filter(|_| unit.receiver.is_none());
+        let high_pass = filter.map(|filter| [filter.cutoff, filter.damping_ratio]);
+        Self { high_pass, ..Self::new(&unit.name, (unit.place, unit.horizontal), &unit.sampler) }
+    }
+}
+
+impl<S: Quantity> From<&InertialUnit<S>> for MotionUnit<S> {
+    fn from(unit: &InertialUnit<S>) -> Self {
+        Self::new(&unit.name, (unit.place, true), &unit.sampler)
+    }
+}
+
+/// The unit of a compensation, if it has one.
+pub fn unit<S: Quantity>(
+    lead: &str,
+    source: &MotionSource<'_, S>,
+    elements: &[AnyElement<S>],
+) -> Result<Option<MotionUnit<S>>, FieldError> {
+    let Some(sensor) = source.sensor else { return Ok(None) };
+    let field = format!("{lead}.sensor");
+    let units = of_kind::<S, MotionReferenceUnit<S>>(elements).map(|unit| (unit.name.as_str(), MotionUnit::from(unit)));
+    let inertial = of_kind::<S, InertialUnit<S>>(elements).map(|unit| (unit.name.as_str(), MotionUnit::from(unit)));
+    let unit = named(&field, sensor, (units.chain(inertial).collect(), "a motion reference unit or an inertial unit"))?;
+    if source.horizontal && !unit.horizontal {
+        let found = format!("{}, which measures no horizontal motion", sensor.as_str());
+        let allowed = "a motion reference unit with horizontal_motion: true, or an inertial unit";
+        return Err(FieldError::new(field, found, allowed));
+    }
+    Ok(Some(unit))
+}
+
+/// Builds the estimator of the motion for these drives of a compensation.
+pub fn estimator<S: Quantity>(
+    lead: &str,
+    source: &MotionSource<'_, S>,
+    period_s: f64,
+    (elements, drives): (&[AnyElement<S>], &[&ControlledDrive<S>]),
+) -> Result<Estimator<S>, FieldError> {
+    let unit = unit(lead, source, elements)?;
+    let responses: Vec<S> = drives.iter().map(|drive| drive.response_time).collect();
+    let field = format!("{lead}.prediction");
+    let prediction = source.prediction.map(|with| prediction(&field, with, period_s, (unit.as_ref(), &responses)));
+    let measurement = unit.map_or(Measurement::Ideal, |unit| Measurement::Unit {
+        name: unit.name,
+        place: unit.place,
+        horizontal: unit.horizontal,
+        has_status: unit.has_status,
+    });
+    Ok(Estimator { measurement, prediction: prediction.transpose()?, period_s })
+}
+
+fn prediction<S: Quantity>(
+    field: &str,
+    given: &schema::HeavePrediction<S>,
+    period_s: f64,
+    (unit, responses_s): (Option<&MotionUnit<S>>, &[S]),
+) -> Result<Prediction<S>, FieldError> {
+    let (shortest, longest) = (given.shortest_period_s.get(), given.longest_period_s.get());
+    if shortest < 4.0 * period_s {
+        let allowed = format!("at least four times period_s, {} s", 4.0 * period_s);
+        return Err(FieldError::new(format!("{field}.shortest_period_s"), shortest, allowed));
+    }
+    if longest <= shortest || longest > MOST_SAMPLES * period_s {
+        let allowed = format!("above shortest_period_s, {shortest} s, and at most {} s", MOST_SAMPLES * period_s);
+        return Err(FieldError::new(format!("{field}.longest_period_s"), longest, allowed));
+    }
+    let band = PeriodBand {
+        shortest_period_s: shortest,
+        longest_period_s: longest,
+        noise_share: given.noise_share.get(),
+        sampling_period_s: period_s,
+    };
+    let bank = FilterBank::new(band);
+    let age = unit.map_or(0.0, |unit| unit.age_s);
+    let delay = S::constant(age) + given.extra_delay_s.get();
+    let high_pass = unit.and_then(|unit| unit.high_pass);
+    let position = Dynamics { high_pass, delay, lag: S::ZERO };
+    let of_drive = |response_s: &S| {
+        let lag = given.drive_response_s.map_or(*response_s, |time| time.get());
+        Dynamics { delay: delay + S::constant(0.5 * period_s), lag, ..position }
+    };
+    // Roll and pitch come without the filter of heave.
+    let both = |of: Dynamics<S>| [of, Dynamics { high_pass: None, ..of }];
+    let weights = |of: Dynamics<S>| both(of).map(|of| bank.velocity_weights(|frequency| of.velocity(frequency)));
+    Ok(Prediction {
+        velocity: responses_s.iter().map(|response_s| weights(of_drive(response_s))).collect(),
+        position: both(position).map(|of| bank.position_weights(|frequency| of.position(frequency))).to_vec(),
+        age: S::constant(age),
+        fades: libm::exp(-period_s * band.middle_rad_s()),
+        correction: if unit.is_some() { band.correction_rad_s() } else { 0.0 },
+        bank,
+    })
+}
+
+/// Samples in the longest period, at most: the weights are found from sums over some of it.
+const MOST_SAMPLES: f64 = 1e4;

@@ -1,0 +1,78 @@
+//! Active heave compensation.
+
+use kingpost_derive::fields;
+
+use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{Fraction, Name, NonNegative, Positive, yes};
+
+/// Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
+/// input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
+/// `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
+#[fields]
+pub struct HeaveCompensation<S = f64> {
+    /// Whether the element acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Whether it is switched on at the start.
+    #[serde(default = "yes")]
+    pub begins_on: bool,
+    /// The rope. The place before its last end is the crane's tip.
+    pub rope: Name,
+    /// The controlled drive of the rope's drum, or of a joint that moves sheaves between drum and tip: the slide of a
+    /// compensation cylinder. Its set-point is a speed, which counts as the operator's.
+    pub drive: Name,
+    /// The motion reference unit or inertial unit that it measures the tip's motion by; without it, it knows that motion exactly and
+    /// at once.
+    pub sensor: Option<Name>,
+    /// Time between two commands, s; at least simulation.step_s.
+    pub period_s: Positive,
+    /// Share of the tip's velocity that it commands.
+    #[serde(default = "whole::<S>")]
+    pub feed_forward: Fraction<S>,
+    /// Speed that it commands per error of the load's height, 1/s.
+    #[serde(default = "gain::<S>")]
+    pub position_gain_per_s: NonNegative<S>,
+    /// Prediction over all delays; without it, it commands the velocity that it has measured.
+    pub prediction: Option<HeavePrediction<S>>,
+}
+
+/// Prediction of the ship's motion over the delay of the sensor, the time for which a command is held, and the response
+/// of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
+#[fields]
+pub struct HeavePrediction<S = f64> {
+    /// Shortest period of the tip's motion, s; at least four times period_s.
+    #[serde(default = "shortest")]
+    pub shortest_period_s: Positive,
+    /// Longest period, s; longer than the shortest.
+    #[serde(default = "longest")]
+    pub longest_period_s: Positive,
+    /// Standard deviation of the noise in a measured velocity over that of the velocity. The larger, the smoother and
+    /// the less exact is the prediction.
+    #[serde(default = "noise_share")]
+    pub noise_share: Positive,
+    /// Time by which it predicts further than over the delay of its sensor and half of period_s, s.
+    #[serde(default)]
+    pub extra_delay_s: NonNegative<S>,
+    /// Time constant of the drive's response, which it inverts, s; without it, the response_time_s of each drive.
+    pub drive_response_s: Option<NonNegative<S>>,
+}
+
+fn whole<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(1.0)
+}
+
+fn gain<S: Leaf>() -> NonNegative<S> {
+    NonNegative::literal(0.1)
+}
+
+fn shortest() -> Positive {
+    Positive::literal(4.0)
+}
+
+fn longest() -> Positive {
+    Positive::literal(16.0)
+}
+
+fn noise_share() -> Positive {
+    Positive::literal(0.03)
+}

@@ -1,0 +1,4 @@
+//! Fields of compensations.
+
+pub(crate) mod heave;
+pub(crate) mod motion;

@@ -1,0 +1,27 @@
+//! Commands that are functions of time.
+
+use kingpost_derive::fields;
+
+use crate::scenario::schema::{NonNegative, Positive, SignalName, yes};
+
+/// Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
+/// these commands, so that a load stays where it should.
+#[fields]
+pub struct DriveFunction<S = f64> {
+    /// Whether the function is added; if not, the command passes.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The input that it sets: of a drive, or the command of another controller.
+    pub to: SignalName,
+    /// Times of the curve's points in increasing order, s.
+    pub time_s: Vec<NonNegative>,
+    /// The command at each time, in the SI unit of the input.
+    pub command: Vec<S>,
+    /// The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
+    /// the first time and the last after the last.
+    pub period_s: Option<Positive>,
+    /// Time in which the curve grows from 0 to its full size at the start of a run, in the same way as waves in the `ramp_s` of the sea, s;
+    /// 0: it has its full size at once.
+    #[serde(default)]
+    pub ramp_s: NonNegative,
+}

@@ -1,0 +1,176 @@
+//! The timeline of an operation.
+
+use crate::elements::Operation;
+use crate::elements::operation::{ColumnRange, Condition, Move, OperationStep};
+use crate::elements::{Input, Layout};
+use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::columns;
+use crate::scenario::assembly::columns::Column;
+use crate::scenario::leaf::Quantity;
+use crate::scenario::schema;
+use crate::scenario::schema::Scenario;
+use crate::scenario::wording::one_of_with_hint;
+use crate::simulation::Setup;
+
+/// Its name in the table of events.
+const NAME: &str = "operation";
+
+/// Adds the operation, if it is enabled, before the controllers, whose commands it may set: the last `controllers` of all
+/// elements.
+pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>, controllers: usize) -> Result<(), FieldError> {
+    let Some(given) = scenario.operation.as_ref().filter(|operation| operation.enabled) else { return Ok(()) };
+    if given.steps.is_empty() {
+        return Err(FieldError::new("operation.steps", "none", "at least one step"));
+    }
+    let mut layout = Layout::new(&setup.elements, 0);
+    layout.connect(&setup.wires);
+    let mut reader = Reader { layout: &layout, known: columns::of(setup), inputs: Vec::new(), columns: Vec::new() };
+    check_ends(&given.steps)?;
+    let steps = given.steps.iter().enumerate().map(|(i, step)| reader.step(&format!("operation.steps.{i}"), step));
+    let steps = steps.collect::<Result<_, _>>()?;
+    let Reader { inputs, columns, .. } = reader;
+    let step_s = setup.settings.step_s;
+    let operation = Operation { name: NAME.to_owned(), steps, inputs, columns, step_s };
+    setup.elements.insert(setup.elements.len() - controllers, Box::new(operation));
+    Ok(())
+}
+
+/// Checks that every step that moves nothing has a condition; only the last needs none.
+fn check_ends<S>(steps: &[schema::OperationStep<S>]) -> Result<(), FieldError> {
+    for (i, step) in steps.iter().enumerate().filter(|(_, step)| step.until.is_none()) {
+        let field = format!("operation.steps.{i}");
+        let wait = "until, as until: {after_s: 30} to wait";
+        if step.time_out_s.is_some() {
+            return Err(FieldError::new(format!("{field}.time_out_s"), "a time-out without until", wait));
+        }
+        if step.set.is_empty() && i + 1 < steps.len() {
+            return Err(FieldError::new(field, "neither set nor until", format!("set, or {wait}")));
+        }
+    }
+    Ok(())
+}
+
+/// The inputs and columns that the steps name, collected while they are read.
+struct Reader<'a> {
+    layout: &'a Layout,
+    known: Vec<Column>,
+    inputs: Vec<String>,
+    columns: Vec<String>,
+}
+
+impl Reader<'_> {
+    fn step<S: Quantity>(
+        &mut self,
+        field: &str,
+        step: &schema::OperationStep<S>,
+    ) -> Result<OperationStep<S>, FieldError> {
+        if step.name.trim().is_empty() {
+            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text: what the step does"));
+        }
+        let mut moves: Vec<(usize, Vec<Move<S>>)> = Vec::new();
+        let mut last_s: f64 = 0.0;
+        for (k, given) in step.set.iter().enumerate() {
+            let field = format!("{field}.set.{k}");
+            let (input, one) = self.one_move(&field, given)?;
+            last_s = last_s.max(one.at_s + one.in_s);
+            match moves.iter_mut().find(|(known, _)| *known == input) {
+                Some((_, moves)) => {
+                    check_order(&field, moves, &one)?;
+                    moves.push(one);
+                }
+                None => moves.push((input, vec![one])),
+            }
+        }
+        let until = match &step.until {
+            Some(until) => self.condition(&format!("{field}.until"), until)?,
+            None => Condition::After(last_s),
+        };
+        let time_out_s = step.time_out_s.map(|time| time.get());
+        Ok(OperationStep { name: step.name.clone(), moves, until, time_out_s })
+    }
+
+    fn one_move<S: Quantity>(
+        &mut self,
+        field: &str,
+        given: &schema::InputMove<S>,
+    ) -> Result<(usize, Move<S>), FieldError> {
+        let names = || self.layout.inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>();
+        let Some(place) = self.layout.inputs.iter().position(|input| *input.name == *given.input) else {
+            let names = names();
+            let none =
+                || "an input; a drive or a rope has one where it is enabled, a motor with history: lever".to_owned();
+            let allowed = if names.is_empty() { none() } else { one_of_with_hint(&names, &given.input) };
+            return Err(FieldError::new(format!("{field}.input"), &given.input, allowed));
+        };
+        let Input { name, unit, lower, upper, signal, .. } = &self.layout.inputs[place];
+        if let Some(signal) = signal {
+            let allowed = format!("an input that no wire sets: it takes {signal}");
+            return Err(FieldError::new(format!("{field}.input"), name, allowed));
+        }
+        if let Some(controller) = self.layout.set_by(place) {
+            let allowed = format!("an input that no controller sets, such as the command of {controller}");
+            return Err(FieldError::new(format!("{field}.input"), name, allowed));
+        }
+        let factor = columns::factor(&format!("{field}.unit"), given.unit.as_deref(), unit)?;
+        let to = given.to * S::constant(factor);
+        if let Some(found) = to.outside(|to| (*lower..=*upper).contains(&to)) {
+            let shown = given.unit.as_deref().unwrap_or(unit);
+            let shown = if shown == "1" { String::new() } else { format!(" {shown}") };
+            let allowed = format!("{} to {}{shown}", lower / factor, upper / factor);
+            return Err(FieldError::new(format!("{field}.to"), found / factor, allowed));
+        }
+        let one = Move { at_s: given.at_s.get(), in_s: given.in_s.get(), to };
+        let known = self.inputs.iter().position(|known| known == name);
+        let input = known.unwrap_or_else(|| {
+            self.inputs.push(name.clone());
+            self.inputs.len() - 1
+        });
+        Ok((input, one))
+    }
+
+    fn condition(&mut self, field: &str, given: &schema::Condition) -> Result<Condition, FieldError> {
+        let mut several = |kind: &str, given: &[schema::Condition]| {
+            if given.is_empty() {
+                return Err(FieldError::new(format!("{field}.{kind}"), "none", "at least one condition"));
+            }
+            let each = given.iter().enumerate();
+            each.map(|(k, one)| self.condition(&format!("{field}.{kind}.{k}"), one)).collect::<Result<Vec<_>, _>>()
+        };
+        Ok(match given {
+            schema::Condition::AfterS(time) => Condition::After(time.get()),
+            schema::Condition::All(all) => Condition::All(several("all", all)?),
+            schema::Condition::Any(any) => Condition::Any(several("any", any)?),
+            schema::Condition::Value(range) => Condition::Column(self.range(&format!("{field}.value"), range)?),
+        })
+    }
+
+    fn range(&mut self, field: &str, given: &schema::ColumnRange) -> Result<ColumnRange, FieldError> {
+        let column = columns::find(&self.known, &format!("{field}.column"), &given.column)?;
+        let factor = columns::factor(&format!("{field}.unit"), given.unit.as_deref(), column.unit)?;
+        match (given.above, given.below) {
+            (None, None) => return Err(FieldError::new(field, "no bound", "above, below or both")),
+            (Some(above), Some(below)) if above >= below => {
+                return Err(FieldError::new(format!("{field}.above"), above, format!("less than below, {below}")));
+            }
+            _ => {}
+        }
+        let known = self.columns.iter().position(|known| *known == *given.column);
+        let place = known.unwrap_or_else(|| {
+            self.columns.push(given.column.to_string());
+            self.columns.len() - 1
+        });
+        let unit = (given.unit.clone().unwrap_or_else(|| column.unit.to_owned()), factor);
+        Ok(ColumnRange { column: given.column.to_string(), place, above: given.above, below: given.below, unit })
+    }
+}
+
+/// Checks that a move begins after the previous one of the same input has ended.
+fn check_order<S>(field: &str, before: &[Move<S>], one: &Move<S>) -> Result<(), FieldError> {
+    let Some(last) = before.last() else { return Ok(()) };
+    let ends_s = last.at_s + last.in_s;
+    if one.at_s >= ends_s {
+        return Ok(());
+    }
+    let allowed = format!("at least {ends_s}, when the move before it of the same input ends");
+    Err(FieldError::new(format!("{field}.at_s"), one.at_s, allowed))
+}

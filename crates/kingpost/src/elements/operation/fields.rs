@@ -1,0 +1,100 @@
+//! An operation as a timeline, and limits on the results.
+
+use kingpost_derive::fields;
+
+use crate::scenario::schema::{ColumnName, NonNegative, Positive, SignalName, yes};
+
+/// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
+/// move the inputs that it sets.
+#[fields]
+pub struct Operation<S = f64> {
+    /// Whether the operation runs; if not, the user sets the inputs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The steps.
+    pub steps: Vec<OperationStep<S>>,
+}
+
+/// A step of an operation.
+#[fields]
+pub struct OperationStep<S = f64> {
+    /// Name of the step, which says what it does: "lift off".
+    pub name: String,
+    /// The inputs that it moves. An input that is not named keeps its value.
+    #[serde(default = "none::<S>", skip_serializing_if = "Vec::is_empty")]
+    pub set: Vec<InputMove<S>>,
+    /// The condition that ends the step; without it, the step ends with its last move.
+    pub until: Option<Condition>,
+    /// The longest time that the step may take, s. Then the run ends and reports what the step waited for.
+    pub time_out_s: Option<Positive>,
+}
+
+/// Moves an input: a lever, a brake, or the offset of a drive's set-point.
+#[fields]
+pub struct InputMove<S = f64> {
+    /// The input, mostly by the name of its drive.
+    pub input: SignalName,
+    /// The new value, in `unit`.
+    pub to: S,
+    /// Unit of `to`: the input's SI unit (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN instead; without it,
+    /// the SI unit.
+    pub unit: Option<String>,
+    /// When the move begins, s after the start of the step.
+    #[serde(default)]
+    pub at_s: NonNegative,
+    /// Duration of the move, s, linear from the input's present value; 0 is at once.
+    #[serde(default)]
+    pub in_s: NonNegative,
+}
+
+/// The condition that ends a step of an operation.
+#[fields]
+pub enum Condition {
+    /// The step has lasted this long, s.
+    AfterS(NonNegative),
+    /// A column of the results is in a range.
+    Value(ColumnRange),
+    /// All of these hold at once.
+    All(Vec<Condition>),
+    /// One of these holds.
+    Any(Vec<Condition>),
+}
+
+/// A range of a column of the results: above a bound, below one, or both.
+#[fields]
+pub struct ColumnRange {
+    /// The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
+    pub column: ColumnName,
+    /// The value is above this.
+    pub above: Option<f64>,
+    /// The value is below this.
+    pub below: Option<f64>,
+    /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
+    pub unit: Option<String>,
+}
+
+/// A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
+#[fields]
+pub struct Limit {
+    /// Whether the limit counts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
+    pub column: ColumnName,
+    /// The largest value that is allowed.
+    pub at_most: Option<f64>,
+    /// The smallest value that is allowed.
+    pub at_least: Option<f64>,
+    /// The largest absolute value that is allowed.
+    pub within: Option<NonNegative>,
+    /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
+    pub unit: Option<String>,
+    /// Time from which the limit applies, s; without it, from the start.
+    #[serde(default)]
+    pub from_s: NonNegative,
+}
+
+/// No moves.
+const fn none<S>() -> Vec<InputMove<S>> {
+    Vec::new()
+}

@@ -1,0 +1,90 @@
+//! Controllers that learned what they do, and the choice between controllers.
+
+use kingpost_derive::fields;
+
+use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{ColumnName, LocalName, Positive, SignalName, yes};
+
+/// Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
+/// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
+/// upper (a = 1).
+#[fields]
+pub struct Policy<S = f64> {
+    /// Whether the controller acts; if not, its commands pass.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Columns that it reads, in the order of the columns of the first layer's weights.
+    pub reads: Vec<PolicyRead<S>>,
+    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+    pub steers: Vec<PolicySteer<S>>,
+    /// The layers, the first one first.
+    pub layers: Vec<PolicyLayer<S>>,
+    /// Time between two samples, s: a whole number of steps; without it, one step.
+    pub period_s: Option<Positive>,
+}
+
+/// A number that a policy sees.
+#[fields]
+pub struct PolicyRead<S = f64> {
+    /// The column of the results, or a state of a drive as the linear analysis names it.
+    pub column: ColumnName,
+    /// Columns of the same unit that are added to it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub also: Vec<AlsoRead>,
+    /// The value that counts as 0, in the column's SI unit.
+    #[serde(default)]
+    pub reference: S,
+    /// The difference from it that counts as 1.
+    #[serde(default = "one::<S>")]
+    pub scale: Positive<S>,
+}
+
+/// A column that is added to another.
+#[fields]
+pub struct AlsoRead {
+    /// The column.
+    pub column: ColumnName,
+}
+
+/// An input that a policy sets.
+#[fields]
+pub struct PolicySteer<S = f64> {
+    /// The input.
+    pub to: SignalName,
+    /// Its value at -1, in its SI unit; without it, the smallest that it can have.
+    pub lower: Option<S>,
+    /// Its value at 1; without it, the largest.
+    pub upper: Option<S>,
+}
+
+/// A layer of a policy: tanh(W x + b).
+#[fields]
+pub struct PolicyLayer<S = f64> {
+    /// W: a row for each output, a number for each input.
+    pub weights: Vec<Vec<S>>,
+    /// b: a number for each output.
+    pub biases: Vec<S>,
+}
+
+/// Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
+/// branch, `name.branch.input`; those of the branches that are not selected go nowhere.
+#[fields]
+pub struct Selector {
+    /// The branch that passes.
+    pub selected: LocalName,
+    /// The branches.
+    pub branches: Vec<LocalName>,
+    /// The inputs that it sets.
+    pub steers: Vec<SelectorTarget>,
+}
+
+/// An input that a selector sets.
+#[fields]
+pub struct SelectorTarget {
+    /// The input.
+    pub to: SignalName,
+}
+
+fn one<S: Leaf>() -> Positive<S> {
+    Positive::literal(1.0)
+}

@@ -1,0 +1,19 @@
+//! Pins on bodies as attachments in the model.
+
+use crate::model::{Attachment, Model};
+use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::flexible::carrier_in_model;
+use crate::scenario::leaf::Quantity;
+use crate::scenario::schema::{self, Scenario};
+use crate::spatial::{Frame, Vector3};
+
+/// A pin relative to the centre of mass of its body; `field` is the path of its position.
+pub(crate) fn attachment<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    field: &str,
+    pin: &schema::Pin<S>,
+) -> Result<Attachment<S>, FieldError> {
+    let (body, centre) = carrier_in_model(scenario, model, pin.named_body(), field, pin.position_m)?;
+    Ok(model.attachment(body, Frame::translation(Vector3(pin.position_m) - centre)))
+}

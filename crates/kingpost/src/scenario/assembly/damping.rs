@@ -1,0 +1,102 @@
+//! Damping of a body's own motion.
+
+use super::super::schema::{self, Scenario};
+use super::{FieldError, known};
+use crate::elements::hull::HullFrame;
+use crate::elements::{AnyElement, DampedAgainst, QuadraticDamping, ViscousDamping};
+use crate::model::Model;
+use crate::scenario::leaf::Quantity;
+use crate::spatial::Vector3;
+use core::array;
+use nalgebra::Matrix6;
+
+/// Linear damping, if it is enabled and its body exists.
+pub fn viscous<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::ViscousDamping<S>,
+    model: &Model<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    rigid(scenario, format!("forces.{name}.viscous_damping.body"), &given.body)?;
+    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
+    let origin = match given.position_m {
+        Some(position) => from_centre(scenario, &given.body, Vector3(position)),
+        None => Vector3::zero(),
+    };
+    let matrix = given.matrix.as_deref().map(|given| {
+        check_heat(&format!("forces.{name}.viscous_damping.matrix"), given)?;
+        Ok(Box::new(*given))
+    });
+    Ok(Some(Box::new(ViscousDamping {
+        place: HullFrame { body, origin },
+        relative_to: against(given.relative_to),
+        linear: Vector3(given.linear_n_s_m.map(|c| c.get())),
+        angular: Vector3(given.angular_n_m_s.map(|c| c.get())),
+        matrix: matrix.transpose()?,
+    })))
+}
+
+fn against(given: schema::DampedAgainst) -> DampedAgainst {
+    match given {
+        schema::DampedAgainst::Water => DampedAgainst::Water,
+        schema::DampedAgainst::Earth => DampedAgainst::Earth,
+    }
+}
+
+/// How negative the symmetric part of a damping matrix may be, as a share of its diagonal: rounding of printed numbers.
+const ROUNDING: f64 = 1e-6;
+
+/// Checks that damping adds energy to no motion: the symmetric part of its matrix has no negative eigenvalue, whatever
+/// the unit of length.
+fn check_heat<S: Quantity>(field: &str, matrix: &[[S; 6]; 6]) -> Result<(), FieldError> {
+    let entries: [S; 36] = array::from_fn(|k| matrix[k / 6][k % 6]);
+    let [least] = S::from_values(entries, |entries| {
+        [least_eigenvalue(&array::from_fn(|i| array::from_fn(|j| entries[6 * i + j])))]
+    });
+    let Some(least) = least.outside(|least| least >= -ROUNDING) else { return Ok(()) };
+    let found = format!("a matrix whose symmetric part, its diagonal scaled to 1, has the eigenvalue {least:.3e}");
+    Err(FieldError::new(
+        field,
+        found,
+        "finite numbers, and no eigenvalue below 0: damping takes energy from every motion",
+    ))
+}
+
+/// The smallest eigenvalue of the symmetric part, its diagonal scaled to 1; NaN if an entry is NaN.
+fn least_eigenvalue(matrix: &[[f64; 6]; 6]) -> f64 {
+    let size = |i: usize| if matrix[i][i] > 0.0 { libm::sqrt(matrix[i][i]) } else { 1.0 };
+    let scaled = Matrix6::from_fn(|i, j| 0.5 * (matrix[i][j] + matrix[j][i]) / (size(i) * size(j)));
+    if scaled.iter().all(|entry| entry.is_finite()) { scaled.symmetric_eigenvalues().min() } else { f64::NAN }
+}
+
+/// Quadratic damping, if it is enabled and its body exists.
+pub fn quadratic<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::QuadraticDamping<S>,
+    model: &Model<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    rigid(scenario, format!("forces.{name}.quadratic_damping.body"), &given.body)?;
+    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
+    let origin = from_centre(scenario, &given.body, Vector3(given.position_m));
+    Ok(Some(Box::new(QuadraticDamping {
+        place: HullFrame { body, origin },
+        relative_to: against(given.relative_to),
+        linear: Vector3(given.linear_n_s2_m2.map(|c| c.get())),
+        angular: Vector3(given.angular_n_m_s2.map(|c| c.get())),
+    })))
+}
+
+/// A point of a body's drawing frame, from the body's centre of mass.
+pub(crate) fn from_centre<S: Quantity>(scenario: &Scenario<S>, body: &str, point: Vector3<S>) -> Vector3<S> {
+    point - Vector3(scenario.bodies[body].centre_of_mass_m)
+}
+
+/// An error unless a body exists and is rigid.
+pub(crate) fn rigid<S: Quantity>(scenario: &Scenario<S>, field: String, body: &str) -> Result<(), FieldError> {
+    known(&field, body, scenario.bodies.keys().map(|body| body.as_str()))?;
+    if scenario.bodies.get(body).is_some_and(|body| body.flexible.is_some()) {
+        return Err(FieldError::new(field, body, "a body that is not flexible"));
+    }
+    Ok(())
+}

@@ -1,0 +1,336 @@
+//! Builds the setup of a simulation from a scenario, with every check that needs more than one field.
+
+pub(crate) mod attachments;
+pub(crate) mod axes;
+pub(crate) mod bodies;
+pub(crate) mod capacity;
+pub(crate) mod columns;
+pub(crate) mod controller_reader;
+pub(crate) mod controllers;
+pub(crate) mod damping;
+pub(crate) mod equilibrium;
+pub(crate) mod flexible;
+pub(crate) mod flow;
+pub(crate) mod hinges;
+pub(crate) mod limits;
+pub(crate) mod liquids;
+pub(crate) mod loops;
+pub(crate) mod sea_spectra;
+pub(crate) mod sensors;
+pub(crate) mod station;
+pub(crate) mod still_water;
+pub(crate) mod watchers;
+pub(crate) mod wave_motion;
+pub(crate) mod waves;
+pub(crate) mod wind_and_current;
+pub(crate) mod world;
+
+use crate::dynamics::LinkKinematics;
+use crate::dynamics::moving_frame::Variation;
+use crate::dynamics::pivots::massless_coordinate;
+use crate::elements::contact::assembly as contacts;
+use crate::elements::drives::WaveMotion;
+use crate::elements::drives::assembly as drives;
+use crate::elements::drives::assembly::cylinders;
+use crate::elements::dynamic_positioning::assembly as positioning;
+use crate::elements::free_flooding_tank::assembly as free_flooding_tanks;
+use crate::elements::hull::assembly as water;
+use crate::elements::lines::assembly as lines;
+use crate::elements::operation::assembly as operation;
+use crate::elements::ropes::assembly as ropes;
+use crate::elements::ropes::assembly::at_start as ropes_at_start;
+use crate::elements::slack_tank::assembly as tanks;
+use crate::elements::soft_hold::assembly as soft_hold;
+use crate::elements::submerged::assembly as submerged;
+use crate::elements::trailing_edge::assembly as trailing_edges;
+use crate::elements::u_tank::assembly as u_tanks;
+use crate::elements::{AnyElement, Gravity, Layout, of_kind};
+use crate::integrate::Tolerances;
+use crate::model::Model;
+use crate::plant::Form;
+use crate::results::Channels;
+pub use crate::scenario::assembly::sea_spectra::{SeaSpectrum, SeaWaves, read_sea_waves};
+pub use crate::scenario::error::FieldError;
+use crate::scenario::leaf::Quantity;
+use crate::scenario::schema;
+use crate::scenario::schema::{EquationForm, Force as ForceSchema, Integrator, Scenario};
+use crate::simulation::{MOST_DENSE, SchemeName, Settings, Setup, Simulation};
+use crate::spatial::Frame;
+use crate::world::World;
+
+/// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
+const MOST_NUMBERS: f64 = 2.5e8;
+
+/// Largest number of steps of one run: beyond it the time would no longer be exact.
+const MOST_STEPS: f64 = 1e15;
+
+/// Builds the model, forces, drives, settings and initial state, and checks all numbers.
+pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
+    let mut setup = open(scenario)?;
+    positioning::check_stability(scenario)?;
+    setup.fingerprint = scenario.fingerprint();
+    check_recording(&setup)?;
+    check_size(&setup)?;
+    check_mass_matrix(scenario, &setup)?;
+    station::check(&setup)?;
+    loops::close(scenario, &mut setup)?;
+    cylinders::begin(&mut setup)?;
+    ropes_at_start::begin(&mut setup)?;
+    contacts::begin(&mut setup)?;
+    capacity::check(scenario, &setup)?;
+    equilibrium::settle(scenario, &mut setup)?;
+    ropes_at_start::check_loads(&setup)?;
+    contacts::check_rest(&setup)?;
+    setup.watchers = watchers::of(&setup);
+    check_numbers(scenario, &setup)?;
+    Ok(setup)
+}
+
+/// Builds the setup over another scalar, for one scenario or several with the same structure; `alone` are their
+/// separate setups.
+///
+/// # Errors
+/// A number that decides the structure of the run but differs between lanes or has a derivative: its field.
+pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result<Setup<S>, FieldError> {
+    let mut setup = open(scenario)?;
+    loops::close(scenario, &mut setup)?;
+    cylinders::begin(&mut setup)?;
+    ropes_at_start::begin(&mut setup)?;
+    contacts::begin(&mut setup)?;
+    if scenario.simulation.begin_at_equilibrium {
+        equilibrium::follow(alone, &mut setup)?;
+        loops::close(scenario, &mut setup)?;
+    }
+    Ok(setup)
+}
+
+/// Builds the setup over another scalar before its closed loops are closed.
+fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
+    let settings = settings(&scenario.simulation)?;
+    let world = world::build(scenario)?;
+    let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
+    let model = loops::build(scenario, model)?;
+    let (model, in_water) = water::build(scenario, model, &world)?;
+    let mut elements = forces(scenario, &model, &world, (&q, &v))?;
+    elements.extend(in_joints);
+    elements.extend(in_water);
+    elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
+    let sensors = sensors::build(scenario, &model, &elements)?;
+    elements.extend(sensors);
+    elements.extend(wind_and_current::anemometers(&world, &model, &elements));
+    let controllers = controllers::add(scenario, &model, &mut elements)?;
+    let wires = sensors::wires(scenario, &elements)?;
+    for motion in of_kind::<S, WaveMotion<S>>(&elements) {
+        q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
+    }
+    let (watchers, limits) = (Vec::new(), Vec::new());
+    let mut setup = Setup { model, world, elements, watchers, limits, wires, settings, q, v, fingerprint: 0 };
+    operation::add(scenario, &mut setup, controllers)?;
+    setup.limits = limits::of(scenario, &setup)?;
+    lines::check_start(&setup)?;
+    Ok(setup)
+}
+
+fn settings(given: &schema::SimulationSettings) -> Result<Settings, FieldError> {
+    let (step_s, duration_s) = (given.step_s.get(), given.duration_s.get());
+    let record_every_s = given.record_every_s.get();
+    if step_s > duration_s {
+        let allowed = format!("at most simulation.duration_s, {duration_s}");
+        return Err(FieldError::new("simulation.step_s", step_s, allowed));
+    }
+    if duration_s / step_s > MOST_STEPS {
+        let allowed = format!("at least {:e} s, for {MOST_STEPS:e} steps", duration_s / MOST_STEPS);
+        return Err(FieldError::new("simulation.step_s", step_s, allowed));
+    }
+    let scheme = scheme(given)?;
+    let form = match given.form {
+        EquationForm::Recursive => Form::Recursive,
+        EquationForm::MovingFrame => Form::MovingFrame(Variation::Restricted),
+        EquationForm::MovingFrameWithoutD => Form::MovingFrame(Variation::Naive),
+    };
+    let rate_limit = given.rate_limit.get();
+    Ok(Settings { scheme, step_s, duration_s, record_every_s, rate_limit, form })
+}
+
+/// Smallest share of a step that largest_step_s may be: with smaller ones a step would hardly end.
+const LEAST_SHARE: f64 = 1e-3;
+
+/// The integrator with its settings.
+fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> {
+    Ok(match given.integrator {
+        Integrator::ForwardEuler => SchemeName::ForwardEuler,
+        Integrator::MidpointEuler => SchemeName::MidpointEuler,
+        Integrator::SemiImplicitEuler => SchemeName::SemiImplicitEuler,
+        Integrator::Rk4 => SchemeName::RungeKutta4,
+        Integrator::DormandPrince => {
+            let schema::DormandPrinceSettings { absolute_tolerance, relative_tolerance, largest_step_s } =
+                given.dormand_prince;
+            let least_s = LEAST_SHARE * given.step_s.get();
+            if largest_step_s.get() < least_s {
+                let allowed = format!("at least {least_s:e} s, a thousandth of simulation.step_s");
+                return Err(FieldError::new("simulation.dormand_prince.largest_step_s", largest_step_s.get(), allowed));
+            }
+            SchemeName::DormandPrince(Tolerances {
+                absolute: absolute_tolerance.get(),
+                relative: relative_tolerance.get(),
+                largest_step_s: largest_step_s.get(),
+            })
+        }
+        Integrator::Newmark => {
+            let (beta, gamma) = (given.newmark.beta.get(), given.newmark.gamma.get());
+            if beta > 0.5 {
+                return Err(FieldError::new("simulation.newmark.beta", beta, "a number from 0 to 0.5"));
+            }
+            if gamma < 0.5 {
+                return Err(FieldError::new("simulation.newmark.gamma", gamma, "a number from 0.5 to 1"));
+            }
+            SchemeName::Newmark { beta, gamma }
+        }
+        Integrator::GeneralizedAlpha => {
+            SchemeName::GeneralizedAlpha { rho_infinity: given.generalized_alpha.rho_infinity.get() }
+        }
+        Integrator::ImplicitMidpoint => SchemeName::ImplicitMidpoint,
+    })
+}
+
+/// Checks that the recording fits in memory.
+fn check_recording(setup: &Setup) -> Result<(), FieldError> {
+    let Settings { duration_s, record_every_s, .. } = setup.settings;
+    let columns = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).columns();
+    if setup.settings.rows() * columns as f64 > MOST_NUMBERS {
+        let least = libm::ceil(duration_s * columns as f64 / MOST_NUMBERS * 1e3) / 1e3;
+        let allowed = format!("at least {least} s, for {MOST_NUMBERS:e} numbers in all");
+        return Err(FieldError::new("simulation.record_every_s", record_every_s, allowed));
+    }
+    Ok(())
+}
+
+/// Checks that a run makes no matrix of more coordinates than fit in memory.
+fn check_size(setup: &Setup) -> Result<(), FieldError> {
+    let (Settings { scheme, form, .. }, count) = (setup.settings, setup.model.velocity_count);
+    let by_matrices = [
+        (form != Form::Recursive, "simulation.form", "recursive"),
+        (scheme.is_implicit(), "simulation.integrator", "an explicit one"),
+    ];
+    let Some((_, field, other)) = by_matrices.into_iter().find(|(is_so, ..)| *is_so && count > MOST_DENSE) else {
+        return Ok(());
+    };
+    let found = format!("one with matrices, of {count} coordinates");
+    Err(FieldError::new(field, found, format!("at most {MOST_DENSE} with matrices; {other} has none")))
+}
+
+/// Checks that the first row is finite: numbers beyond 1e308 overflow, and so do squares beyond 1e154.
+fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
+    let mut simulation = Simulation::recursive(setup.clone());
+    let mut row = Vec::new();
+    simulation.write_row(&mut row);
+    let columns = simulation.channels().iter().flat_map(|channel| &channel.columns);
+    let bad: Vec<(&String, f64)> = columns.zip(row).filter(|(_, value)| !value.is_finite()).collect();
+    // The outputs of an element lead closest to the number that is too large.
+    let owner = |names: Vec<&str>, of: &str| {
+        let first = |(column, _): &&(&String, f64)| names.iter().any(|name| column.split('.').next() == Some(name));
+        bad.iter().find(first).map(|found| (format!("{of}.{}", found.0.split('.').next().unwrap_or_default()), *found))
+    };
+    let named = owner(scenario.forces.keys().map(|name| name.as_str()).collect(), "forces")
+        .or_else(|| owner(scenario.drives.keys().map(|name| name.as_str()).collect(), "drives"))
+        .or_else(|| owner(scenario.sensors.keys().map(|name| name.as_str()).collect(), "sensors"))
+        .or_else(|| owner(scenario.controllers.keys().map(|name| name.as_str()).collect(), "controllers"))
+        .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
+        // Only the energy is too large: that stored in a force.
+        .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));
+    let Some((field, (column, value))) = named else { return Ok(()) };
+    let found = format!("numbers that make {column} {value} at the start");
+    Err(FieldError::new(field, found, "smaller numbers, with which all outputs are finite"))
+}
+
+/// The forces that are enabled, on bodies that exist.
+fn forces<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    world: &World<S>,
+    start: (&[S], &[S]),
+) -> Result<Vec<AnyElement<S>>, FieldError> {
+    let mut forces: Vec<AnyElement<S>> = Vec::new();
+    for (name, force) in &scenario.forces {
+        match force {
+            ForceSchema::Gravity(gravity) => {
+                // The world holds the sum of all.
+                if gravity.enabled && of_kind::<S, Gravity>(&forces).next().is_none() {
+                    forces.push(Box::new(Gravity));
+                }
+            }
+            ForceSchema::ViscousDamping(given) => forces.extend(damping::viscous(scenario, name, given, model)?),
+            ForceSchema::QuadraticDamping(given) => forces.extend(damping::quadratic(scenario, name, given, model)?),
+            ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
+            ForceSchema::FreeFloodingTank(given) => {
+                forces.extend(free_flooding_tanks::build(scenario, name, given, model, world)?);
+            }
+            ForceSchema::UTank(given) => forces.extend(u_tanks::build(scenario, name, given, model)?),
+            ForceSchema::Submerged(given) => forces.extend(submerged::build(scenario, name, given, model, world)?),
+            ForceSchema::TrailingEdge(given) => {
+                forces.extend(trailing_edges::build(scenario, name, given, model, world)?)
+            }
+            ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
+            ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
+            ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),
+            ForceSchema::TuggerLine(given) => forces.extend(ropes::tugger(scenario, name, given, model)?),
+            ForceSchema::Contact(given) => forces.extend(contacts::build(scenario, name, given, model)?),
+            ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model, world)?),
+            ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
+            ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
+            ForceSchema::SoftHold(given) => forces.extend(soft_hold::build(scenario, name, given, model, start)?),
+            // It also changes the model: see `water`.
+            ForceSchema::Hydrodynamics(_) => {}
+        }
+    }
+    Ok(forces)
+}
+
+fn gravity_of<S>(force: &ForceSchema<S>) -> Option<&schema::Gravity<S>> {
+    if let ForceSchema::Gravity(gravity) = force { Some(gravity) } else { None }
+}
+
+/// An error unless `found` is one of `names`.
+pub(crate) fn known<'a>(field: &str, found: &str, names: impl Iterator<Item = &'a str>) -> Result<(), FieldError> {
+    let names: Vec<&str> = names.collect();
+    if names.contains(&found) {
+        return Ok(());
+    }
+    Err(FieldError::new(field, found, format!("one of {}", names.join(", "))))
+}
+
+/// Checks that all positions are finite: sums and squares of a joint's numbers may be infinite or NaN.
+fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError> {
+    for (body, named) in model.bodies.iter().enumerate() {
+        let Frame { rotation, position } = links.body_frame(model, body);
+        if !rotation.0.iter().flatten().chain(&position.0).all(|x| x.is_finite()) {
+            let field = format!("bodies.{}.joint", flexible::owner(&named.name).0);
+            return Err(FieldError::new(field, "a position that is not finite", "finite positions and angles"));
+        }
+    }
+    Ok(())
+}
+
+/// Checks that M* is positive definite at the start: a coordinate that moves no mass, or masses too far apart for the
+/// arithmetic, would give infinite or NaN accelerations.
+fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
+    let Setup { model, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    check_places(model, &links)?;
+    let Some(coordinate) = massless_coordinate(model, &links, v) else { return Ok(()) };
+    let (body, _) = model.owner(coordinate).unwrap_or_default();
+    let (name, coordinate) = (&model.bodies[body].name, &model.coordinate_names()[coordinate]);
+    let name = flexible::owner(name).0;
+    let given = scenario.bodies.get(name).is_some_and(|body| body.inertia.is_some());
+    let field = format!("bodies.{name}.{}", if given { "inertia" } else { "shape" });
+    if q.iter().chain(v).any(|x| !x.is_finite()) {
+        return Err(FieldError::new(
+            format!("bodies.{name}.joint"),
+            "a position that is not finite",
+            "finite positions",
+        ));
+    }
+    let found = format!("an inertia along {coordinate} that is zero to 16 digits");
+    Err(FieldError::new(field, found, "a mass or an inertia that its joint moves, greater than 0"))
+}
