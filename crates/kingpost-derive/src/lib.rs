@@ -27,7 +27,8 @@ use naming::{SerdeNames, name_in_files};
 /// - A unit at the end of a field's name is written as it is in SI: `force_n` is `force_N` in a file.
 /// - A type over scalars `S` is converted from plain numbers to other scalars, number by number (`OverScalar`).
 ///
-/// `#[fields(default)]` takes fields that are left out from the type's `Default`.
+/// `#[fields(default)]` takes fields that are left out from the type's `Default`; `#[fields(assembled)]`, for an enum of kinds, lets each
+/// kind assemble its elements (`Assemble`).
 #[proc_macro_attribute]
 pub fn fields(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let item = parse_macro_input!(item as DeriveInput);
@@ -35,7 +36,7 @@ pub fn fields(arguments: TokenStream, item: TokenStream) -> TokenStream {
 }
 
 fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
-    let all_default = has_default(arguments)?;
+    let Arguments { default: all_default, assembled } = Arguments::of(arguments)?;
     let over_scalars = item.generics.params.iter().any(|parameter| matches!(parameter, GenericParam::Type(_)));
     match &mut item.data {
         Data::Struct(data) => data.fields.iter_mut().try_for_each(|field| declare_field(field, all_default))?,
@@ -45,12 +46,14 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
     let attributes = attributes_of(&item, all_default, over_scalars);
     let conversion = over_scalars.then(|| over::conversion(&item)).transpose()?;
     let reader = reader::reader(&item, all_default)?;
+    let assembly = assembled.then(|| assembly(&item));
     drop_own_attributes(&mut item);
     Ok(quote! {
         #attributes
         #item
         #conversion
         #reader
+        #assembly
     })
 }
 
@@ -70,15 +73,47 @@ fn drop_own_attributes(item: &mut DeriveInput) {
     }
 }
 
-/// Whether the arguments say that the type has a default for each of its fields.
-fn has_default(arguments: Tokens) -> Result<bool> {
-    let mut found = false;
-    let parser = syn::meta::parser(|meta| {
-        found = meta.path.is_ident("default");
-        if found { Ok(()) } else { Err(meta.error("`default`, or nothing")) }
-    });
-    parser.parse2(arguments)?;
-    Ok(found)
+/// Arguments of the attribute.
+#[derive(Default)]
+struct Arguments {
+    /// The type has a default for each of its fields.
+    default: bool,
+    /// Elements are assembled from each kind.
+    assembled: bool,
+}
+
+impl Arguments {
+    fn of(arguments: Tokens) -> Result<Self> {
+        let mut found = Self::default();
+        let parser = syn::meta::parser(|meta| {
+            found.default |= meta.path.is_ident("default");
+            found.assembled |= meta.path.is_ident("assembled");
+            let known = meta.path.is_ident("default") || meta.path.is_ident("assembled");
+            if known { Ok(()) } else { Err(meta.error("`default`, `assembled`, or nothing")) }
+        });
+        parser.parse2(arguments)?;
+        Ok(found)
+    }
+}
+
+/// The assembly of the elements of each kind.
+fn assembly(item: &DeriveInput) -> Tokens {
+    let name = &item.ident;
+    let Data::Enum(data) = &item.data else { return Tokens::new() };
+    let kinds = data.variants.iter().map(|variant| &variant.ident);
+    quote! {
+        impl<S: crate::scenario::leaf::Quantity> crate::scenario::assembly::assemble::Assemble<S> for #name<S> {
+            fn assemble(
+                &self,
+                name: &str,
+                at: crate::scenario::assembly::assemble::Surroundings<'_, S>,
+            ) -> Result<Vec<crate::elements::AnyElement<S>>, crate::scenario::error::FieldError> {
+                match self {
+                    #(Self::#kinds(given) => given.assemble(name, at),)*
+                }
+            }
+        }
+    }
 }
 
 fn attributes_of(item: &DeriveInput, all_default: bool, over_scalars: bool) -> Tokens {

@@ -5,6 +5,7 @@ use crate::elements::contact::{ContactSolid, Facing, Friction, Spot, dissipation
 use crate::elements::ropes::assembly::at_start::at_rest;
 use crate::elements::{AnyElement, Contact, of_kind, of_kind_mut};
 use crate::model::{Attachment, Model};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::bodies::axis;
 use crate::scenario::assembly::damping::rigid;
@@ -24,8 +25,14 @@ const LEAST_RESTITUTION: f64 = 0.1;
 /// Bulge of a cylinder's ends, as a share of its radius.
 const BULGE: f64 = 0.02;
 
+impl<S: Quantity> Assemble<S> for schema::Contact<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(build(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// One contact, if it is enabled and both bodies exist.
-pub fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::Contact<S>,

@@ -4,6 +4,7 @@ use crate::elements::free_flooding_tank::{ATMOSPHERE_PA, AirPump, FloodedColumn}
 use crate::elements::{AnyElement, FreeFloodingTank};
 use crate::model::joint::Prismatic;
 use crate::model::{JointKind, Model};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::{from_centre, rigid};
 use crate::scenario::assembly::liquids;
 use crate::scenario::assembly::liquids::LiquidBody;
@@ -49,8 +50,14 @@ pub(crate) fn bodies<S: Quantity>(
     Ok(found)
 }
 
+impl<S: Quantity> Assemble<S> for schema::FreeFloodingTank<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        build(at.scenario, name, self, at.model, at.world)
+    }
+}
+
 /// Weight, pressures, losses and stops of a tank.
-pub(crate) fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::FreeFloodingTank<S>,

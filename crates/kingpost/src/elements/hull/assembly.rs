@@ -7,6 +7,7 @@ use crate::elements::hull::{
 use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::from_centre;
 use crate::scenario::assembly::{FieldError, known, still_water};
 use crate::scenario::leaf::Quantity;
@@ -286,4 +287,11 @@ pub(crate) fn check_coverage<S: Quantity>(
         100.0 * MOST_UNCOVERED
     );
     Err(FieldError::new(field, found, allowed))
+}
+
+/// The water on a hull also changes the model: it is assembled before the forces.
+impl<S: Quantity> Assemble<S> for schema::Hydrodynamics<S> {
+    fn assemble(&self, _: &str, _: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(Vec::new())
+    }
 }

@@ -4,6 +4,7 @@ use crate::dynamics::LinkKinematics;
 use crate::elements::lines::{Catenary, Span};
 use crate::elements::{AnyElement, CatenaryLine, SpringLine, of_kind};
 use crate::model::{Attachment, Model};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
@@ -13,8 +14,14 @@ use crate::simulation::Setup;
 use crate::spatial::Vector3;
 use crate::world::World;
 
+impl<S: Quantity> Assemble<S> for schema::SpringLine<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(spring(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// A weightless line, if it is enabled and its bodies exist.
-pub fn spring<S: Quantity>(
+fn spring<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::SpringLine<S>,
@@ -41,8 +48,14 @@ pub fn spring<S: Quantity>(
     })))
 }
 
+impl<S: Quantity> Assemble<S> for schema::CatenaryLine<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(catenary(at.scenario, name, self, at.model, at.world)?.into_iter().collect())
+    }
+}
+
 /// A mooring line, if it is enabled and its body exists.
-pub fn catenary<S: Quantity>(
+fn catenary<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::CatenaryLine<S>,

@@ -3,6 +3,7 @@
 use crate::elements::hull::HullFrame;
 use crate::elements::{AnyElement, SlackTank};
 use crate::model::Model;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::{from_centre, rigid};
 use crate::scenario::assembly::{FieldError, still_water};
 use crate::scenario::leaf::Quantity;
@@ -11,8 +12,14 @@ use crate::scenario::schema::{Force as ForceSchema, Scenario};
 use crate::sea::hull::BoxTank;
 use crate::spatial::Vector3;
 
+impl<S: Quantity> Assemble<S> for schema::SlackTank<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(slack(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// A slack tank, if it is enabled and its body exists.
-pub fn slack<S: Quantity>(
+fn slack<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::SlackTank<S>,

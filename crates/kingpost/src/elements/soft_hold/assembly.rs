@@ -6,14 +6,21 @@ use crate::elements::hull::assembly::memory_of_slow_motions;
 use crate::elements::{AnyElement, SoftHold};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::rigid;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
 use crate::scenario::schema::{Joint, Scenario, StationTarget};
 use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 
+impl<S: Quantity> Assemble<S> for schema::SoftHold<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(build(at.scenario, name, self, at.model, at.start)?.into_iter().collect())
+    }
+}
+
 /// A soft hold, if it is enabled and its body exists; `q` and `v` are the scenario's initial state.
-pub fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::SoftHold<S>,

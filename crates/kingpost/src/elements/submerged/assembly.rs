@@ -4,6 +4,7 @@ use crate::elements::hull::HullFrame;
 use crate::elements::submerged::{AddedMassGrowth, AddedMassOf, Drag, EntrainedWater, Slamming, Waters, WindOnDry};
 use crate::elements::{AnyElement, Submerged};
 use crate::model::Model;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::{from_centre, rigid};
 use crate::scenario::assembly::{FieldError, flow, still_water};
 use crate::scenario::leaf::Quantity;
@@ -18,8 +19,14 @@ const LARGEST_PERFORATION: f64 = 0.5;
 /// Relative rounding within which a volume equals the solid's.
 const ROUNDING: f64 = 1e-9;
 
+impl<S: Quantity> Assemble<S> for schema::Submerged<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(build(at.scenario, name, self, at.model, at.world)?.into_iter().collect())
+    }
+}
+
 /// One object, if it is enabled and its body exists.
-pub fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::Submerged<S>,

@@ -6,6 +6,7 @@ use crate::elements::submerged::assembly::check_current;
 use crate::elements::{AnyElement, TrailingEdge};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
@@ -13,8 +14,14 @@ use crate::scenario::schema::Scenario;
 use crate::spatial::Vector3;
 use crate::world::World;
 
+impl<S: Quantity> Assemble<S> for schema::TrailingEdge<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(build(at.scenario, name, self, at.model, at.world)?.into_iter().collect())
+    }
+}
+
 /// One edge, if it is enabled and its body exists.
-pub fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::TrailingEdge<S>,

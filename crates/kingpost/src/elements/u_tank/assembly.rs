@@ -4,6 +4,7 @@ use crate::elements::u_tank::{UTankGeometry, UTankLiquid};
 use crate::elements::{AnyElement, UTank};
 use crate::model::joint::Revolute;
 use crate::model::{BodyDefinition, JointKind, Model};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::{from_centre, rigid};
 use crate::scenario::assembly::liquids;
 use crate::scenario::assembly::liquids::LiquidBody;
@@ -61,8 +62,14 @@ fn definition<S: Quantity>(
     liquids::definition(name, parent, kind, given.enabled, (liquid.mass, liquid.inertia))
 }
 
+impl<S: Quantity> Assemble<S> for schema::UTank<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        build(at.scenario, name, self, at.model)
+    }
+}
+
 /// Weight, losses, pump and stops of a tank whose liquid flows.
-pub(crate) fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::UTank<S>,

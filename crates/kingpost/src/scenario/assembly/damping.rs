@@ -5,13 +5,20 @@ use super::{FieldError, known};
 use crate::elements::hull::HullFrame;
 use crate::elements::{AnyElement, DampedAgainst, QuadraticDamping, ViscousDamping};
 use crate::model::Model;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
 use core::array;
 use nalgebra::Matrix6;
 
+impl<S: Quantity> Assemble<S> for schema::ViscousDamping<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(viscous(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// Linear damping, if it is enabled and its body exists.
-pub fn viscous<S: Quantity>(
+fn viscous<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::ViscousDamping<S>,
@@ -69,8 +76,14 @@ fn least_eigenvalue(matrix: &[[f64; 6]; 6]) -> f64 {
     if scaled.iter().all(|entry| entry.is_finite()) { scaled.symmetric_eigenvalues().min() } else { f64::NAN }
 }
 
+impl<S: Quantity> Assemble<S> for schema::QuadraticDamping<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(quadratic(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// Quadratic damping, if it is enabled and its body exists.
-pub fn quadratic<S: Quantity>(
+fn quadratic<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::QuadraticDamping<S>,

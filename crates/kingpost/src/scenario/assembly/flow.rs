@@ -5,6 +5,7 @@ use crate::elements::flow::{DirectionTable, Flow, FlowLoad};
 use crate::elements::hull::HullFrame;
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
@@ -12,8 +13,14 @@ use crate::scenario::schema::Scenario;
 use crate::spatial::Vector3;
 use crate::world::{CurrentAt, CurrentProfile, World};
 
+impl<S: Quantity> Assemble<S> for schema::WindLoad<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(wind(at.scenario, name, self, at.model, at.world)?.into_iter().collect())
+    }
+}
+
 /// The wind on a body, if it is enabled and its body exists.
-pub fn wind<S: Quantity>(
+fn wind<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::WindLoad<S>,
@@ -38,8 +45,14 @@ pub fn wind<S: Quantity>(
     })))
 }
 
+impl<S: Quantity> Assemble<S> for schema::CurrentLoad<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(water(at.scenario, name, self, at.model, at.world)?.into_iter().collect())
+    }
+}
+
 /// The current on a body, if it is enabled and its body exists.
-pub fn water<S: Quantity>(
+fn water<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::CurrentLoad<S>,

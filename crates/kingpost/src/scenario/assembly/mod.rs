@@ -1,5 +1,6 @@
 //! Builds the setup of a simulation from a scenario, with every check that needs more than one field.
 
+pub(crate) mod assemble;
 pub(crate) mod attachments;
 pub(crate) mod axes;
 pub(crate) mod bodies;
@@ -33,22 +34,16 @@ use crate::elements::drives::WaveMotion;
 use crate::elements::drives::assembly as drives;
 use crate::elements::drives::assembly::cylinders;
 use crate::elements::dynamic_positioning::assembly as positioning;
-use crate::elements::free_flooding_tank::assembly as free_flooding_tanks;
 use crate::elements::hull::assembly as water;
 use crate::elements::lines::assembly as lines;
 use crate::elements::operation::assembly as operation;
-use crate::elements::ropes::assembly as ropes;
 use crate::elements::ropes::assembly::at_start as ropes_at_start;
-use crate::elements::slack_tank::assembly as tanks;
-use crate::elements::soft_hold::assembly as soft_hold;
-use crate::elements::submerged::assembly as submerged;
-use crate::elements::trailing_edge::assembly as trailing_edges;
-use crate::elements::u_tank::assembly as u_tanks;
 use crate::elements::{AnyElement, Gravity, Layout, of_kind};
 use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
 use crate::results::Channels;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 pub use crate::scenario::assembly::sea_spectra::{SeaSpectrum, SeaWaves, read_sea_waves};
 pub use crate::scenario::error::FieldError;
 use crate::scenario::leaf::Quantity;
@@ -56,7 +51,6 @@ use crate::scenario::schema;
 use crate::scenario::schema::{EquationForm, Force as ForceSchema, Integrator, Scenario};
 use crate::simulation::{MOST_DENSE, SchemeName, Settings, Setup, Simulation};
 use crate::spatial::Frame;
-use crate::world::World;
 
 /// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;
@@ -111,7 +105,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;
     let (model, in_water) = water::build(scenario, model, &world)?;
-    let mut elements = forces(scenario, &model, &world, (&q, &v))?;
+    let mut elements = forces(Surroundings { scenario, model: &model, world: &world, start: (&q, &v) })?;
     elements.extend(in_joints);
     elements.extend(in_water);
     elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
@@ -243,47 +237,23 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     Err(FieldError::new(field, found, "smaller numbers, with which all outputs are finite"))
 }
 
-/// The forces that are enabled, on bodies that exist.
-fn forces<S: Quantity>(
-    scenario: &Scenario<S>,
-    model: &Model<S>,
-    world: &World<S>,
-    start: (&[S], &[S]),
-) -> Result<Vec<AnyElement<S>>, FieldError> {
-    let mut forces: Vec<AnyElement<S>> = Vec::new();
-    for (name, force) in &scenario.forces {
-        match force {
-            ForceSchema::Gravity(gravity) => {
-                // The world holds the sum of all.
-                if gravity.enabled && of_kind::<S, Gravity>(&forces).next().is_none() {
-                    forces.push(Box::new(Gravity));
-                }
-            }
-            ForceSchema::ViscousDamping(given) => forces.extend(damping::viscous(scenario, name, given, model)?),
-            ForceSchema::QuadraticDamping(given) => forces.extend(damping::quadratic(scenario, name, given, model)?),
-            ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
-            ForceSchema::FreeFloodingTank(given) => {
-                forces.extend(free_flooding_tanks::build(scenario, name, given, model, world)?);
-            }
-            ForceSchema::UTank(given) => forces.extend(u_tanks::build(scenario, name, given, model)?),
-            ForceSchema::Submerged(given) => forces.extend(submerged::build(scenario, name, given, model, world)?),
-            ForceSchema::TrailingEdge(given) => {
-                forces.extend(trailing_edges::build(scenario, name, given, model, world)?)
-            }
-            ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
-            ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
-            ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),
-            ForceSchema::TuggerLine(given) => forces.extend(ropes::tugger(scenario, name, given, model)?),
-            ForceSchema::Contact(given) => forces.extend(contacts::build(scenario, name, given, model)?),
-            ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model, world)?),
-            ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
-            ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
-            ForceSchema::SoftHold(given) => forces.extend(soft_hold::build(scenario, name, given, model, start)?),
-            // It also changes the model: see `water`.
-            ForceSchema::Hydrodynamics(_) => {}
-        }
+/// The elements of all forces, in the order of the file.
+fn forces<S: Quantity>(at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+    let mut elements = Vec::new();
+    for (name, force) in &at.scenario.forces {
+        elements.extend(force.assemble(name, at)?);
     }
-    Ok(forces)
+    Ok(elements)
+}
+
+/// Gravity is one element: the world holds the sum of all.
+impl<S: Quantity> Assemble<S> for schema::Gravity<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let acts = |force: &ForceSchema<S>| gravity_of(force).is_some_and(|gravity| gravity.enabled);
+        let first = at.scenario.forces.iter().find(|(_, force)| acts(force));
+        let is_first = first.is_some_and(|(first, _)| *first == *name);
+        Ok(if is_first { vec![Box::new(Gravity)] } else { Vec::new() })
+    }
 }
 
 fn gravity_of<S>(force: &ForceSchema<S>) -> Option<&schema::Gravity<S>> {

@@ -9,7 +9,7 @@ use crate::scenario::schema::{
 };
 
 /// Forces that act on the bodies from outside.
-#[fields]
+#[fields(assembled)]
 pub enum Force<S = f64> {
     /// Weight, downwards along the world's z axis.
     Gravity(Gravity<S>),

@@ -10,6 +10,7 @@ use crate::elements::dynamic_positioning::{
 use crate::elements::hull::HullFrame;
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::damping::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
@@ -17,8 +18,14 @@ use crate::scenario::schema::{Force as ForceSchema, PositioningGains, Scenario, 
 use crate::spatial::Vector3;
 use core::f64::consts::{PI, TAU};
 
+impl<S: Quantity> Assemble<S> for schema::DynamicPositioning<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(build(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// Dynamic positioning, if it is enabled and its body exists. Its states are placed later: see [`place_states`].
-pub fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::DynamicPositioning<S>,

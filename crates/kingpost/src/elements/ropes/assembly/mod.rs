@@ -6,6 +6,7 @@ pub(crate) mod load_chart;
 use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, RopePath, RopeWeight, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
 use crate::model::{Attachment, Model};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::hinges::hinge;
 use crate::scenario::assembly::{FieldError, flexible, known};
@@ -18,8 +19,14 @@ use crate::spatial::{Frame, Vector3};
 /// Falls of one leg, at most.
 const MOST_FALLS: u32 = 100;
 
+impl<S: Quantity> Assemble<S> for schema::Rope<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(build(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// One rope, if it is enabled and every body on its path exists.
-pub fn build<S: Quantity>(
+fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::Rope<S>,
@@ -137,8 +144,14 @@ fn carried_mass<S: Quantity>(
     Ok(sum)
 }
 
+impl<S: Quantity> Assemble<S> for schema::TuggerLine<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        Ok(tugger(at.scenario, name, self, at.model)?.into_iter().collect())
+    }
+}
+
 /// One tugger line, if it is enabled and every body on its path exists.
-pub fn tugger<S: Quantity>(
+fn tugger<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
     given: &schema::TuggerLine<S>,
