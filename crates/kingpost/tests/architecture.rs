@@ -170,6 +170,19 @@ fn no_kind_of_element_is_named_behind_the_builder() {
     }
 }
 
+/// Roles answer what others ask of an element: what it supports, what floats, where it stands. Only the room of a kind knows its
+/// own kind, and the assembly of a kind that names another by its name in the file.
+#[test]
+fn no_code_outside_the_rooms_asks_an_element_for_its_kind() {
+    let source = root().join("crates/kingpost/src");
+    let elsewhere = files_below(&source, ".rs").into_iter().filter(|path| !path.starts_with(source.join("elements")));
+    for path in elsewhere {
+        let code = read(&path);
+        let asks = code.lines().find(|line| line.contains("of_kind") || line.contains("as_any"));
+        assert!(asks.is_none(), "{}: {}", path.display(), asks.unwrap_or_default());
+    }
+}
+
 #[test]
 fn the_engine_has_no_clock_no_output_and_no_input() {
     let source = root().join("crates/kingpost/src");

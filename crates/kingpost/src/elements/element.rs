@@ -168,9 +168,10 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
-    /// Whether it depends on the waves that it was built with: in another sea, the body that it moves would jump.
-    fn keeps_waves(&self) -> bool {
-        false
+    /// The coordinates that it puts to given positions at a time, by their first index in q; `None` if it moves none. It depends on
+    /// the waves that it was built with: in another sea, the body that it moves would jump.
+    fn given_positions(&self, _world: &World<S>, _time_s: f64) -> Option<(usize, [S; 6])> {
+        None
     }
 }
 

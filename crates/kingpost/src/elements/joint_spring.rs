@@ -30,6 +30,6 @@ impl<S: Scalar> Element<S> for JointSpring<S> {
     }
 
     fn supports(&self) -> Vec<Support> {
-        vec![Support::Coordinate(self.coordinate)]
+        vec![Support::Spring(self.coordinate)]
     }
 }

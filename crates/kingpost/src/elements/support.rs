@@ -15,8 +15,10 @@ pub enum Support {
     Station(BodyPair),
     /// The water keeps the floating body afloat. If that body lies on its side at rest, it has capsized.
     Afloat(usize),
-    /// The coordinate does not swing freely: a spring, a brake, a drive.
+    /// The coordinate does not swing freely: a brake, a drive.
     Coordinate(usize),
+    /// The coordinate does not swing freely: a spring pulls it back.
+    Spring(usize),
     /// The body does not hang freely: a cylinder, a mooring line.
     Tie(usize),
 }
@@ -30,6 +32,11 @@ impl Support {
     /// The pair of bodies of which one may hold the other in place.
     pub fn station(&self) -> Option<BodyPair> {
         if let Self::Station(pair) = self { Some(*pair) } else { None }
+    }
+
+    /// The coordinate that a spring pulls back.
+    pub fn spring(&self) -> Option<usize> {
+        if let Self::Spring(coordinate) = self { Some(*coordinate) } else { None }
     }
 
     /// The body that the water keeps afloat.

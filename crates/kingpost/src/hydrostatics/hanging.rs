@@ -72,7 +72,7 @@ impl Restraints {
 
     fn add(&mut self, support: Support) {
         match support {
-            Support::Coordinate(coordinate) => self.coordinates.push(coordinate),
+            Support::Coordinate(coordinate) | Support::Spring(coordinate) => self.coordinates.push(coordinate),
             Support::Tie(body) => self.tied.push(body),
             Support::Afloat(body) => self.wet.push(body),
             Support::Carries(_) | Support::Station(_) => {}

@@ -1,7 +1,7 @@
 //! The tanks of a model, and what a report says of each free surface.
 
 use crate::dynamics::Kinematics;
-use crate::elements::{AnyElement, FreeFloodingTank, SlackTank, UTank, of_kind};
+use crate::elements::{AnyElement, FreeFloodingTank, SlackTank, UTank};
 use crate::hydrostatics::hanging::Weight;
 use serde::Serialize;
 
@@ -35,8 +35,11 @@ pub(super) struct Liquids<'a> {
 
 impl<'a> Liquids<'a> {
     pub(super) fn of(elements: &'a [AnyElement]) -> Self {
-        let (slack_tanks, u_tanks) = (of_kind(elements).collect(), of_kind(elements).collect());
-        Self { slack_tanks, u_tanks, flooded: of_kind(elements).collect() }
+        Self {
+            slack_tanks: SlackTank::among(elements).collect(),
+            u_tanks: UTank::among(elements).collect(),
+            flooded: FreeFloodingTank::among(elements).collect(),
+        }
     }
 
     /// The weight of these bodies with the water that has entered them beyond that at rest.

@@ -24,7 +24,7 @@ pub use crate::hydrostatics::liquids::FreeSurface;
 pub use crate::hydrostatics::righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
-use crate::elements::{Hull, of_kind};
+use crate::elements::Hull;
 use crate::hydrostatics::floating::LoadedHull;
 use crate::hydrostatics::hanging::Restraints;
 use crate::hydrostatics::liquids::Liquids;
@@ -140,7 +140,7 @@ impl Scenario {
         simulation: &Simulation,
     ) -> Result<HydrostaticReport, HydrostaticsError> {
         let mut report = HydrostaticReport::default();
-        let hulls: Vec<Hull> = of_kind(&setup.elements).cloned().collect();
+        let hulls: Vec<Hull> = Hull::among(&setup.elements).cloned().collect();
         let hulls = hulls.iter().filter_map(|hull| Some((hull, self.database_of(&hull.name)?)));
         let hulls: Vec<(&Hull, &Database)> = hulls.collect();
         if hulls.is_empty() {

@@ -17,6 +17,6 @@ impl<S: Scalar> Plant<S> {
 
     /// Whether an element depends on the waves that it was built with.
     pub fn keeps_waves(&self) -> bool {
-        self.elements.iter().any(|element| element.keeps_waves())
+        self.elements.iter().any(|element| element.given_positions(&self.world, 0.0).is_some())
     }
 }

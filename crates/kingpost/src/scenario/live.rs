@@ -3,8 +3,7 @@
 use serde_json::Value;
 use thiserror::Error;
 
-use crate::elements::drives::WaveMotion;
-use crate::elements::of_kind;
+use crate::elements::AnyElement;
 use crate::scenario::built::BuiltScenario;
 use crate::scenario::error::ScenarioError;
 use crate::scenario::schema::{LIVE_SETTINGS, Scenario};
@@ -119,6 +118,6 @@ impl BuiltScenario {
 
 /// The positions of the bodies that are moved by waves.
 fn carried(simulation: &Simulation, time_s: f64) -> Vec<[f64; 6]> {
-    let motions = of_kind::<f64, WaveMotion>(simulation.elements());
-    motions.map(|motion| motion.at(simulation.world(), time_s).positions).collect()
+    let given = |element: &AnyElement| element.given_positions(simulation.world(), time_s);
+    simulation.elements().iter().filter_map(given).map(|(_, positions)| positions).collect()
 }

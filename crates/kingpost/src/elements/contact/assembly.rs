@@ -8,7 +8,7 @@ use crate::model::{Attachment, Model};
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::bodies::axis;
-use crate::scenario::assembly::damping::rigid;
+use crate::scenario::assembly::rigid_bodies::rigid;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;

@@ -34,8 +34,8 @@ impl<S: Scalar> Element<S> for WaveMotion<S> {
         Declaration { prescribes: true, ..Declaration::default() }
     }
 
-    fn keeps_waves(&self) -> bool {
-        true
+    fn given_positions(&self, world: &World<S>, time_s: f64) -> Option<(usize, [S; 6])> {
+        Some((self.positions, self.at(world, time_s).positions))
     }
 
     fn prescribe(&self, world: &World<S>, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {

@@ -1,5 +1,7 @@
 //! Wind and current on a body, by coefficients.
 
+pub(crate) mod assembly;
+pub(crate) mod fields;
 mod table;
 
 pub use table::{DirectionTable, TableError};

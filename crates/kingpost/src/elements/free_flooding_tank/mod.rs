@@ -10,7 +10,8 @@ pub use air::{ATMOSPHERE_PA, AirChamber, AirPump};
 pub use column::FloodedColumn;
 
 use super::{
-    AnyWatcher, Context, Declaration, Element, ElementState, Input, LevelEnd, Output, RegularWaves, TankLevels,
+    AnyElement, AnyWatcher, Context, Declaration, Element, ElementState, Input, LevelEnd, Output, RegularWaves,
+    TankLevels, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -170,6 +171,11 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
 }
 
 impl<S: Scalar> FreeFloodingTank<S> {
+    /// The free-flooding tanks among elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+
     fn up(height: S) -> Vector3<S> {
         Vector3([S::ZERO, S::ZERO, height])
     }

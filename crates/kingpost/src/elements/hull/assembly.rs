@@ -8,7 +8,7 @@ use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
-use crate::scenario::assembly::damping::from_centre;
+use crate::scenario::assembly::rigid_bodies::from_centre;
 use crate::scenario::assembly::{FieldError, known, still_water};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;

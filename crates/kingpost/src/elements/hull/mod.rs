@@ -33,8 +33,8 @@ pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
 use super::{
-    AnyWatcher, Context, Declaration, Element, EvaluationMode, Output, Own, RegularWaves, ShownWaves, Support,
-    VectorFrame,
+    AnyElement, AnyWatcher, Context, Declaration, Element, EvaluationMode, Output, Own, RegularWaves, ShownWaves,
+    Support, VectorFrame, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -123,6 +123,11 @@ pub struct Hull<S = f64> {
 }
 
 impl<S: Scalar> Hull<S> {
+    /// The hulls among elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+
     /// Whether any load on it is about the draught of its data, upright.
     pub fn is_linear(&self) -> bool {
         let Self { hydrostatics, added_mass, radiation, excitation, .. } = self;

@@ -6,7 +6,7 @@ use crate::model::{AxisMotion, Model};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::axes::axes;
 use crate::scenario::assembly::bodies::joint_name;
-use crate::scenario::assembly::damping::rigid;
+use crate::scenario::assembly::rigid_bodies::rigid;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;

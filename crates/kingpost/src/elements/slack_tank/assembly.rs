@@ -4,7 +4,7 @@ use crate::elements::hull::HullFrame;
 use crate::elements::{AnyElement, SlackTank};
 use crate::model::Model;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
-use crate::scenario::assembly::damping::{from_centre, rigid};
+use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::assembly::{FieldError, still_water};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;

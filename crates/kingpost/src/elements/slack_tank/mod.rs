@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
-use crate::elements::{Context, Element};
+use crate::elements::{AnyElement, Context, Element, of_kind};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::sea::hull::BoxTank;
@@ -54,6 +54,11 @@ impl<S: Scalar> Element<S> for SlackTank<S> {
 }
 
 impl<S: Scalar> SlackTank<S> {
+    /// The slack tanks among elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+
     /// n, in the body's axes.
     fn vertical(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
         links.to_body_axes(model, self.place.body, Vector3::new(S::ZERO, S::ZERO, S::ONE))

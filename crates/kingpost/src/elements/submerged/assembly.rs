@@ -1,12 +1,13 @@
 //! The water on lifted objects.
 
+use crate::elements::flow::assembly as flow;
 use crate::elements::hull::HullFrame;
 use crate::elements::submerged::{AddedMassGrowth, AddedMassOf, Drag, EntrainedWater, Slamming, Waters, WindOnDry};
 use crate::elements::{AnyElement, Submerged};
 use crate::model::Model;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
-use crate::scenario::assembly::damping::{from_centre, rigid};
-use crate::scenario::assembly::{FieldError, flow, still_water};
+use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
+use crate::scenario::assembly::{FieldError, still_water};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
 use crate::scenario::schema::{PrincipalAxis, Scenario, SubmergedShape};

@@ -2,6 +2,8 @@
 
 use kingpost_derive::fields;
 
+use crate::scenario::schema::flow::ten_metres;
+
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{BoxShape, CylinderShape, Fraction, Name, NonNegative, Positive, SphereShape, yes};
 
@@ -149,8 +151,4 @@ pub struct SubmergedWind<S = f64> {
     /// Height above the still water at which the wind speed is taken, m.
     #[serde(default = "ten_metres::<S>")]
     pub height_m: Positive<S>,
-}
-
-fn ten_metres<S: Leaf>() -> Positive<S> {
-    Positive::literal(10.0)
 }

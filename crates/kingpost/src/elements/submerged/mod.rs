@@ -14,8 +14,8 @@ pub use loads::{AddedMassOf, Drag, Slamming, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
-    Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own,
-    PresentSupport, ShownWaves, Support, VectorFrame,
+    AnyElement, Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own,
+    PresentSupport, ShownWaves, Support, VectorFrame, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -210,6 +210,11 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 }
 
 impl<S: Scalar> Submerged<S> {
+    /// The lifted objects among elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+
     /// Mass of the water that it displaces with the model at rest, kg, and the centre of that water in the world, m.
     pub fn displaced(&mut self, at: &Context<'_, S>) -> (S, Vector3<S>) {
         let now = self.immersion(at);

@@ -6,7 +6,7 @@ mod liquid;
 
 pub use liquid::{UTankGeometry, UTankLiquid};
 
-use super::{AnyWatcher, Context, Declaration, Element, Input, LevelEnd, Output, TankLevels};
+use super::{AnyElement, AnyWatcher, Context, Declaration, Element, Input, LevelEnd, Output, TankLevels, of_kind};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -113,6 +113,11 @@ impl<S: Scalar> Element<S> for UTank<S> {
 }
 
 impl<S: Scalar> UTank<S> {
+    /// The U-tanks among elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+
     /// Moment on the ship for a heel to which the levels have come, over g and the heel, `rho A d^2 / 2`, kg m^2.
     pub fn free_surface(&self) -> S {
         S::constant(0.5) * self.liquid.column_mass * self.geometry.distance * self.geometry.distance

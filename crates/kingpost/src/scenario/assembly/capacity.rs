@@ -1,7 +1,7 @@
 //! Hulls that the water cannot carry.
 
 use crate::elements::hull::Hydrostatics;
-use crate::elements::{AnyElement, Hull, Support, of_kind};
+use crate::elements::{AnyElement, Hull, Support};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::schema::Scenario;
@@ -21,7 +21,7 @@ struct InWater<'a> {
 /// displace when all of them is under water.
 pub fn check(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, world, elements, .. } = setup;
-    let in_water = of_kind::<f64, Hull>(elements).filter_map(|hull| InWater::of(scenario, hull));
+    let in_water = Hull::among(elements).filter_map(|hull| InWater::of(scenario, hull));
     let in_water: Vec<InWater> = in_water.collect();
     if world.gravity == 0.0 || in_water.is_empty() {
         return Ok(());

@@ -8,14 +8,13 @@ pub(crate) mod capacity;
 pub(crate) mod columns;
 pub(crate) mod controller_reader;
 pub(crate) mod controllers;
-pub(crate) mod damping;
 pub(crate) mod equilibrium;
 pub(crate) mod flexible;
-pub(crate) mod flow;
 pub(crate) mod hinges;
 pub(crate) mod limits;
 pub(crate) mod liquids;
 pub(crate) mod loops;
+pub(crate) mod rigid_bodies;
 pub(crate) mod sea_spectra;
 pub(crate) mod sensors;
 pub(crate) mod station;
@@ -30,7 +29,6 @@ use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
 use crate::elements::contact::assembly as contacts;
-use crate::elements::drives::WaveMotion;
 use crate::elements::drives::assembly as drives;
 use crate::elements::drives::assembly::cylinders;
 use crate::elements::dynamic_positioning::assembly as positioning;
@@ -38,7 +36,7 @@ use crate::elements::hull::assembly as water;
 use crate::elements::lines::assembly as lines;
 use crate::elements::operation::assembly as operation;
 use crate::elements::ropes::assembly::at_start as ropes_at_start;
-use crate::elements::{AnyElement, Gravity, Layout, of_kind};
+use crate::elements::{AnyElement, Gravity, Layout};
 use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
@@ -114,8 +112,8 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     elements.extend(wind_and_current::anemometers(&world, &model, &elements));
     let controllers = controllers::add(scenario, &model, &mut elements)?;
     let wires = sensors::wires(scenario, &elements)?;
-    for motion in of_kind::<S, WaveMotion<S>>(&elements) {
-        q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
+    for (first, positions) in elements.iter().filter_map(|element| element.given_positions(&world, 0.0)) {
+        q[first..first + 6].copy_from_slice(&positions);
     }
     let (watchers, limits) = (Vec::new(), Vec::new());
     let mut setup = Setup { model, world, elements, watchers, limits, wires, settings, q, v, fingerprint: 0 };

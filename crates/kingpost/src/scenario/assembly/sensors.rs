@@ -8,7 +8,7 @@ use crate::elements::sensing::assembly as crane_sensors;
 use crate::elements::{AnyElement, HeaveFilter, InertialUnit, Layout, MotionReferenceUnit};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
-use crate::scenario::assembly::damping::{from_centre, rigid};
+use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
 use crate::scenario::schema::{Drive, Scenario, Sensor};

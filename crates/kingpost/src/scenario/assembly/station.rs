@@ -1,6 +1,6 @@
 //! Ships that must be held in position.
 
-use crate::elements::{HOLD_IT, Hull, of_kind};
+use crate::elements::{HOLD_IT, Hull};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::ties::{stations, tied_to_the_world};
 use crate::simulation::Setup;
@@ -9,7 +9,7 @@ use crate::simulation::Setup;
 /// second-order drift; without the other parts, which partly balance it, a free hull would drift away and turn.
 pub fn check(setup: &Setup) -> Result<(), FieldError> {
     let kept = tied_to_the_world(&setup.model, stations(&setup.elements));
-    let mut pressed = of_kind(&setup.elements).filter(|hull: &&Hull| hull.wave_pressure.is_some());
+    let mut pressed = Hull::among(&setup.elements).filter(|hull| hull.wave_pressure.is_some());
     if let Some(hull) = pressed.find(|hull| !kept[hull.frame.body]) {
         let found = format!(
             "true, but nothing holds {} in surge, sway and yaw: the mean of the waves' pressure, a part of their drift, would carry it away",

@@ -1,7 +1,7 @@
 //! Watchers of the joints and closed loops of a run, of the gaps between hulls, and of its energy.
 
 use crate::elements::hull::HullGap;
-use crate::elements::{AnyWatcher, Hull, JointSpring, Pendant, Rod, of_kind};
+use crate::elements::{AnyWatcher, Hull, Pendant, Rod};
 use crate::ledger::EnergyBalance;
 use crate::model::{Attachment, Constraint, Loop, Mode, Model};
 use crate::simulation::Setup;
@@ -9,7 +9,8 @@ use crate::simulation::Setup;
 /// Watchers of joints and loops that stand for ropes, of every pair of hulls, and of the energy.
 pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     let Setup { model, world, elements, .. } = setup;
-    let springs: Vec<usize> = of_kind(elements).map(|spring: &JointSpring| spring.coordinate).collect();
+    let supports = elements.iter().flat_map(|element| element.supports());
+    let springs: Vec<usize> = supports.filter_map(|support| support.spring()).collect();
     let has_gravity = world.gravity != 0.0;
     let pendants = (0..model.bodies.len()).filter(|&body| has_gravity && hangs(model, &springs, body));
     let pendants = pendants.map(|body| -> AnyWatcher {
@@ -17,7 +18,7 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
         Box::new(Pendant::new(&joint.name, &model.bodies[body].name, -joint.kind.to_child()))
     });
     let rods = model.loops.iter().filter_map(|closed| rod(model, closed));
-    let hulls: Vec<&Hull> = of_kind(elements).collect();
+    let hulls: Vec<&Hull> = Hull::among(elements).collect();
     let mass: f64 = model.bodies.iter().filter(|body| body.link.is_some()).map(|body| body.mass).sum();
     let energy: AnyWatcher = Box::new(EnergyBalance::new(mass * world.gravity));
     pendants.chain(rods).chain(gaps(model, &hulls)).chain([energy]).collect()

@@ -1,6 +1,6 @@
 //! The sea and the hulls in it, to draw.
 
-use crate::elements::{Hull, of_kind};
+use crate::elements::Hull;
 use crate::scenario::assembly::waves::cut_off;
 use crate::scenario::schema;
 use crate::scenario::schema::Scenario;
@@ -69,7 +69,7 @@ pub struct MeshDescription {
 
 /// The sea, if the scenario has a sea or a hull.
 pub fn sea(scenario: &Scenario, setup: &Setup) -> Option<SeaDescription> {
-    if scenario.sea.is_none() && of_kind::<f64, Hull>(&setup.elements).next().is_none() {
+    if scenario.sea.is_none() && Hull::among(&setup.elements).next().is_none() {
         return None;
     }
     let sea = scenario.sea.clone().unwrap_or_default();
@@ -89,7 +89,7 @@ fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {
 
 /// The hulls, in the order of results.
 pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
-    let described = of_kind(&setup.elements).filter_map(|hull: &Hull| {
+    let described = Hull::among(&setup.elements).filter_map(|hull| {
         let water = scenario.hydrodynamics(&hull.name)?;
         let at_rest = &scenario.files.database(&water.database)?.hull;
         let is_linear = water.hydrostatics != schema::Hydrostatics::Mesh;

@@ -1,6 +1,6 @@
 //! Submerged objects, with the coefficients that act on them as they enter the water upright.
 
-use crate::elements::{Submerged, of_kind};
+use crate::elements::Submerged;
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
 use serde::Serialize;
@@ -61,13 +61,13 @@ const TOUCHES: f64 = 1e-6;
 
 /// The objects, in the order of results.
 pub fn objects(setup: &Setup) -> Vec<ObjectInWater> {
-    of_kind(&setup.elements).map(|object: &Submerged| describe(setup, object)).collect()
+    Submerged::among(&setup.elements).map(|object| describe(setup, object)).collect()
 }
 
 fn describe(setup: &Setup, object: &Submerged) -> ObjectInWater {
     let (model, density) = (&setup.model, setup.world.water_density);
     let body = object.place.body;
-    let on_body = of_kind(&setup.elements).filter(|other: &&Submerged| other.place.body == body);
+    let on_body = Submerged::among(&setup.elements).filter(|other| other.place.body == body);
     let height = 2.0 * object.solid.reach(UP);
     let at = |share: f64| immersion(density, object, height * share);
     let mut immersions = [TOUCHES, 0.5, 1.0].map(at);

@@ -10,7 +10,7 @@ pub use crate::scenario::describe::afloat::{CutSpectrum, HullDescription, MeshDe
 pub use crate::scenario::describe::facts::{ElementDescription, Fact};
 pub use crate::scenario::describe::in_water::{ImmersionDescription, ObjectInWater};
 
-use crate::elements::{Submerged, of_kind};
+use crate::elements::Submerged;
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::scenario::assembly::flexible::{owner, shape};
 use crate::scenario::schema;
@@ -209,7 +209,7 @@ impl Scenario {
                 name: body.name.clone(),
                 parent: parent.to_owned(),
                 floats: segment == 0 && given.is_some_and(|given| afloat::floats(&given.joint)),
-                is_submerged: of_kind(elements).any(|element: &Submerged| element.place.body == index),
+                is_submerged: Submerged::among(elements).any(|object| object.place.body == index),
                 mass_kg: body.mass,
                 inertia_kg_m2: dry_inertia(model, index, node),
                 shape: given.and_then(|given| shape(given, segment)),

@@ -1,7 +1,7 @@
 //! Warnings about a model before it runs.
 
 use crate::elements::hull::Hydrostatics;
-use crate::elements::{AnyElement, Hull, of_kind, significant};
+use crate::elements::{AnyElement, Hull, significant};
 use crate::model::Model;
 use crate::scenario::assembly::wave_motion::other_unit;
 use crate::scenario::describe::units;
@@ -51,7 +51,7 @@ pub fn of_feedback(setup: &Setup) -> Option<String> {
 /// Warns of the numbers of hulls in the water.
 fn of_databases(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let mut warnings = Vec::new();
-    for hull in of_kind::<f64, Hull>(elements) {
+    for hull in Hull::among(elements) {
         let (Some(given), Some(database)) = (scenario.hydrodynamics(&hull.name), scenario.database_of(&hull.name))
         else {
             continue;

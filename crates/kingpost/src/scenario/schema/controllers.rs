@@ -2,10 +2,9 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{
-    ColumnName, CompensationDrive, DriveFunction, Fraction, HeaveCompensation, PlatformCompensation, Policy, Positive,
-    Selector, SignalName, ThreeAxisCompensation, yes,
+    CompensationDrive, DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector,
+    StateFeedback, ThreeAxisCompensation,
 };
 
 /// Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
@@ -70,93 +69,4 @@ impl<S> Controller<S> {
 
 fn joint_targets<'a>(kind: &'static str, joints: &'a [CompensationDrive]) -> impl Iterator<Item = (String, &'a str)> {
     joints.iter().enumerate().map(move |(k, joint)| (format!("{kind}.joints.{k}.drive"), &*joint.drive))
-}
-
-/// Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
-/// is zero.
-#[fields]
-pub struct InputShaper<S = f64> {
-    /// Whether the shaper acts; if not, its command passes.
-    #[serde(default = "yes")]
-    pub enabled: bool,
-    /// The input that it sets: of a drive, or the command of another controller.
-    pub to: SignalName,
-    /// The impulses, or none: then its command passes.
-    #[serde(default)]
-    pub shaper: ShaperKind,
-    /// Period of the swing, between two maxima, s.
-    pub period_s: Positive<S>,
-    /// Damping ratio of the swing, below 1.
-    #[serde(default = "undamped::<S>")]
-    pub damping_ratio: Fraction<S>,
-    /// For ei: the swing that remains at the period, as a share of that without a shaper.
-    #[serde(default = "tolerance::<S>")]
-    pub tolerance: Fraction<S>,
-}
-
-/// The impulses of an input shaper.
-#[fields]
-#[derive(Copy, Default, Eq)]
-pub enum ShaperKind {
-    /// The command passes.
-    None,
-    /// Two: no swing at the period. The command lasts half a period longer.
-    Zv,
-    /// Three: no swing at the period, and little near it. The command lasts one period longer.
-    #[default]
-    Zvd,
-    /// Three: a stated swing at the period, and no more in a wider band. The command lasts one period longer.
-    Ei,
-}
-
-/// Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
-/// reads, K and K_I the gains.
-#[fields]
-pub struct StateFeedback<S = f64> {
-    /// Whether the controller acts; if not, its commands pass.
-    #[serde(default = "yes")]
-    pub enabled: bool,
-    /// The columns that it reads.
-    pub reads: Vec<FeedbackRead<S>>,
-    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
-    pub steers: Vec<FeedbackSteer<S>>,
-    /// Time between two samples, s: a whole number of steps; without it, one step.
-    pub period_s: Option<Positive>,
-}
-
-/// A column that is fed back.
-#[fields]
-pub struct FeedbackRead<S = f64> {
-    /// The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
-    /// `slewing.position`.
-    pub column: ColumnName,
-    /// Its value where nothing is corrected, in its SI unit.
-    #[serde(default)]
-    pub reference: S,
-    /// The input in `steers` whose command is added to the reference; both have the same unit.
-    pub follows: Option<SignalName>,
-}
-
-/// An input that a feedback sets.
-#[fields]
-pub struct FeedbackSteer<S = f64> {
-    /// The input.
-    pub to: SignalName,
-    /// Its row of K: a gain for each column, the input's unit over the column's.
-    pub gains: Vec<S>,
-    /// Its row of K_I: a gain for the integral of each column over time, the input's unit over the column's and over s.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub integral_gains: Vec<S>,
-    /// The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
-    pub lower: Option<S>,
-    /// The largest.
-    pub upper: Option<S>,
-}
-
-fn undamped<S: Leaf>() -> Fraction<S> {
-    Fraction::literal(0.0)
-}
-
-fn tolerance<S: Leaf>() -> Fraction<S> {
-    Fraction::literal(0.05)
 }

@@ -4,8 +4,9 @@ use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{
-    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Hydrodynamics, Name, NonNegative, Rope,
-    SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank, WindLoad, yes,
+    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Hydrodynamics, NonNegative,
+    QuadraticDamping, Rope, SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank,
+    ViscousDamping, WindLoad,
 };
 
 /// Forces that act on the bodies from outside.
@@ -62,63 +63,4 @@ impl<S: Leaf> Default for Gravity<S> {
     fn default() -> Self {
         Self { enabled: true, acceleration_m_s2: NonNegative::literal(9.80665) }
     }
-}
-
-/// Reference against which the velocity is measured where the sea has a current.
-#[fields]
-#[derive(Copy, Default, Eq)]
-pub enum DampedAgainst {
-    /// The water at its surface: for friction and eddies of the hull.
-    #[default]
-    Water,
-    /// The earth: for the damping of a moored ship by chains on the seabed and by slow drift in waves. A current exerts
-    /// no force through it.
-    Earth,
-}
-
-/// A force and a moment against a body's velocity and angular velocity, each in body axes.
-#[fields]
-pub struct ViscousDamping<S = f64> {
-    /// Whether the element acts.
-    #[serde(default = "yes")]
-    pub enabled: bool,
-    /// The body.
-    pub body: Name,
-    /// Reference against which the velocity is measured.
-    #[serde(default)]
-    pub relative_to: DampedAgainst,
-    /// The point where the force acts and whose velocity is used, in the body's drawing frame, m; without it, the
-    /// centre of mass.
-    pub position_m: Option<[S; 3]>,
-    /// Force per velocity of the point along x, y, z of the body, N s/m.
-    #[serde(default)]
-    pub linear_n_s_m: [NonNegative<S>; 3],
-    /// Moment per roll, pitch, yaw rate, N m s.
-    #[serde(default)]
-    pub angular_n_m_s: [NonNegative<S>; 3],
-    /// A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
-    /// x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
-    pub matrix: Option<Box<[[S; 6]; 6]>>,
-}
-
-/// A force -c |v| v and a moment -c |omega| omega, component by component in body axes.
-#[fields]
-pub struct QuadraticDamping<S = f64> {
-    /// Whether the element acts.
-    #[serde(default = "yes")]
-    pub enabled: bool,
-    /// The body.
-    pub body: Name,
-    /// Reference against which the velocity is measured.
-    #[serde(default)]
-    pub relative_to: DampedAgainst,
-    /// The point where the force acts and whose velocity is used, in the body's drawing frame, m.
-    #[serde(default)]
-    pub position_m: [S; 3],
-    /// Force per square of velocity along x, y, z of the body, N s^2/m^2.
-    #[serde(default)]
-    pub linear_n_s2_m2: [NonNegative<S>; 3],
-    /// Moment per square of the roll, pitch, yaw rate, N m s^2.
-    #[serde(default)]
-    pub angular_n_m_s2: [NonNegative<S>; 3],
 }

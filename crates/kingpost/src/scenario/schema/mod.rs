@@ -7,7 +7,7 @@ mod axes;
 mod bodies;
 mod controllers;
 mod flexible;
-mod flow;
+pub(crate) mod flow;
 mod forces;
 mod gusts;
 mod integrators;
@@ -47,15 +47,18 @@ pub use crate::elements::dynamic_positioning::fields::{
     AzimuthThruster, DynamicPositioning, MainPropeller, NaturalPeriods, PositioningGains, RotationTuning, StatedGains,
     StationTarget, ThrustPriority, Thruster, TranslationTuning, TunnelThruster, WaveFilter,
 };
+pub use crate::elements::flow::fields::{CurrentAtDepth, CurrentLoad, CurrentSpeed, FlowCoefficients, WindLoad};
 pub use crate::elements::free_flooding_tank::fields::{AirPump, FreeFloodingTank};
 pub use crate::elements::gas_spring::fields::GasSpring;
 pub use crate::elements::hull::fields::{Hydrodynamics, Hydrostatics};
 pub use crate::elements::inertial_unit::fields::{InertialFilter, InertialUnit};
+pub use crate::elements::input_shaper::fields::{InputShaper, ShaperKind};
 pub use crate::elements::lines::fields::{CatenaryLine, SpringLine};
 pub use crate::elements::operation::fields::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
 pub use crate::elements::policy::fields::{
     AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget,
 };
+pub use crate::elements::quadratic_damping::fields::QuadraticDamping;
 pub use crate::elements::ropes::fields::{
     CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
 };
@@ -65,12 +68,14 @@ pub use crate::elements::sensing::fields::errors::{
 };
 pub use crate::elements::slack_tank::fields::SlackTank;
 pub use crate::elements::soft_hold::fields::SoftHold;
+pub use crate::elements::state_feedback::fields::{FeedbackRead, FeedbackSteer, StateFeedback};
 pub use crate::elements::submerged::fields::{
     EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
 };
 pub use crate::elements::swing_estimator::fields::{SwingEstimator, SwingFilter};
 pub use crate::elements::trailing_edge::fields::TrailingEdge;
 pub use crate::elements::u_tank::fields::{UTank, UTankPump};
+pub use crate::elements::viscous_damping::fields::{DampedAgainst, ViscousDamping};
 pub use crate::scenario::named_files::NamedFiles;
 pub use crate::scenario::range::{Direction, Fraction, NonNegative, Positive};
 pub use crate::scenario::schema::axes::{
@@ -81,17 +86,12 @@ pub use crate::scenario::schema::bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
-pub use crate::scenario::schema::controllers::{
-    Controller, FeedbackRead, FeedbackSteer, InputShaper, ShaperKind, StateFeedback,
-};
+pub use crate::scenario::schema::controllers::Controller;
 pub use crate::scenario::schema::flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
-pub use crate::scenario::schema::flow::{
-    CurrentAtDepth, CurrentLoad, CurrentProfile, CurrentSpeed, CurrentTable, FlowCoefficients, Logarithmic, PowerLaw,
-    Wind, WindLoad, WindProfile,
-};
-pub use crate::scenario::schema::forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use crate::scenario::schema::flow::{CurrentProfile, CurrentTable, Logarithmic, PowerLaw, Wind, WindProfile};
+pub use crate::scenario::schema::forces::{Force, Gravity};
 pub use crate::scenario::schema::gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
 pub use crate::scenario::schema::integrators::{
     DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings,

@@ -11,7 +11,7 @@ use crate::elements::hull::HullFrame;
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
-use crate::scenario::assembly::damping::{from_centre, rigid};
+use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
 use crate::scenario::schema::{Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};

@@ -1,8 +1,11 @@
 //! Drag that grows with the square of the speed: of a hull's bilges in roll, of its sides in sway.
 
-use super::hull::HullFrame;
-use super::{Context, DampedAgainst, Element};
+pub(crate) mod assembly;
+pub(crate) mod fields;
+
 use crate::dynamics::Loads;
+use crate::elements::hull::HullFrame;
+use crate::elements::{Context, DampedAgainst, Element};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 

@@ -1,12 +1,13 @@
-//! Damping of a body's own motion.
+//! Assembly of viscous damping, with the check of its matrix.
 
-use super::super::schema::{self, Scenario};
-use super::{FieldError, known};
 use crate::elements::hull::HullFrame;
-use crate::elements::{AnyElement, DampedAgainst, QuadraticDamping, ViscousDamping};
+use crate::elements::{AnyElement, DampedAgainst, ViscousDamping};
 use crate::model::Model;
+use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
+use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
+use crate::scenario::schema::{self, Scenario};
 use crate::spatial::Vector3;
 use core::array;
 use nalgebra::Matrix6;
@@ -43,7 +44,8 @@ fn viscous<S: Quantity>(
     })))
 }
 
-fn against(given: schema::DampedAgainst) -> DampedAgainst {
+/// The reference of a damping.
+pub(crate) fn against(given: schema::DampedAgainst) -> DampedAgainst {
     match given {
         schema::DampedAgainst::Water => DampedAgainst::Water,
         schema::DampedAgainst::Earth => DampedAgainst::Earth,
@@ -74,42 +76,4 @@ fn least_eigenvalue(matrix: &[[f64; 6]; 6]) -> f64 {
     let size = |i: usize| if matrix[i][i] > 0.0 { libm::sqrt(matrix[i][i]) } else { 1.0 };
     let scaled = Matrix6::from_fn(|i, j| 0.5 * (matrix[i][j] + matrix[j][i]) / (size(i) * size(j)));
     if scaled.iter().all(|entry| entry.is_finite()) { scaled.symmetric_eigenvalues().min() } else { f64::NAN }
-}
-
-impl<S: Quantity> Assemble<S> for schema::QuadraticDamping<S> {
-    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
-        Ok(quadratic(at.scenario, name, self, at.model)?.into_iter().collect())
-    }
-}
-
-/// Quadratic damping, if it is enabled and its body exists.
-fn quadratic<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::QuadraticDamping<S>,
-    model: &Model<S>,
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    rigid(scenario, format!("forces.{name}.quadratic_damping.body"), &given.body)?;
-    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
-    let origin = from_centre(scenario, &given.body, Vector3(given.position_m));
-    Ok(Some(Box::new(QuadraticDamping {
-        place: HullFrame { body, origin },
-        relative_to: against(given.relative_to),
-        linear: Vector3(given.linear_n_s2_m2.map(|c| c.get())),
-        angular: Vector3(given.angular_n_m_s2.map(|c| c.get())),
-    })))
-}
-
-/// A point of a body's drawing frame, from the body's centre of mass.
-pub(crate) fn from_centre<S: Quantity>(scenario: &Scenario<S>, body: &str, point: Vector3<S>) -> Vector3<S> {
-    point - Vector3(scenario.bodies[body].centre_of_mass_m)
-}
-
-/// An error unless a body exists and is rigid.
-pub(crate) fn rigid<S: Quantity>(scenario: &Scenario<S>, field: String, body: &str) -> Result<(), FieldError> {
-    known(&field, body, scenario.bodies.keys().map(|body| body.as_str()))?;
-    if scenario.bodies.get(body).is_some_and(|body| body.flexible.is_some()) {
-        return Err(FieldError::new(field, body, "a body that is not flexible"));
-    }
-    Ok(())
 }

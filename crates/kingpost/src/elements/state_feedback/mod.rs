@@ -1,8 +1,11 @@
 //! State feedback: inputs set by columns of the results, times gains.
 
-use super::commanded::changed_commands;
-use super::ticks::is_tick;
-use super::{Context, Declaration, Element, Input, LinearLaw, Own};
+pub(crate) mod assembly;
+pub(crate) mod fields;
+
+use crate::elements::commanded::changed_commands;
+use crate::elements::ticks::is_tick;
+use crate::elements::{Context, Declaration, Element, Input, LinearLaw, Own};
 use crate::scalar::Scalar;
 
 /// Sets inputs from the columns x that it reads and its commands c, at multiples of its period:

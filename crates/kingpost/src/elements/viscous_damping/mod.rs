@@ -1,8 +1,11 @@
 //! Damping proportional to a body's rates: of a hull in the water, or as in the paper.
 
-use super::hull::HullFrame;
-use super::{Context, DampedAgainst, Element};
+pub(crate) mod assembly;
+pub(crate) mod fields;
+
 use crate::dynamics::Loads;
+use crate::elements::hull::HullFrame;
+use crate::elements::{Context, DampedAgainst, Element};
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 

@@ -1,7 +1,10 @@
 //! An input shaper: a command that leaves no swing behind.
 
-use super::commanded::one_command;
-use super::{Context, Declaration, Element, Input, Own};
+pub(crate) mod assembly;
+pub(crate) mod fields;
+
+use crate::elements::commanded::one_command;
+use crate::elements::{Context, Declaration, Element, Input, Own};
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 
