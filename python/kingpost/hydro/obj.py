@@ -73,12 +73,17 @@ def _fan(path: Path, number: int, face: list[int], points: NDArray[np.float64]) 
         raise _wrong(path, number, f"a face of {len(face)} corners", "three or more")
     if min(face) < 0 or max(face) >= len(points):
         raise _wrong(path, number, "a face with a point that is not in the file", f"1 to {len(points)}")
+    if not np.isfinite(points[face]).all():
+        raise _wrong(path, number, "a point that is not finite", "finite coordinates")
     triangles = [(face[0], face[k], face[k + 1]) for k in range(1, len(face) - 1)]
     if len(triangles) > 1:
         a, b, c = np.moveaxis(points[np.array(triangles)], 1, 0)
-        areas = np.cross(b - a, c - a)
-        whole = areas.sum(axis=0)
-        if (areas @ whole < -CONCAVE * (whole @ whole)).any():
+        # Points too far away for their products are refused with the whole mesh.
+        with np.errstate(over="ignore", invalid="ignore"):
+            areas = np.cross(b - a, c - a)
+            whole = areas.sum(axis=0)
+            is_concave = (areas @ whole < -CONCAVE * (whole @ whole)).any()
+        if is_concave:
             raise _wrong(
                 path, number, f"a concave face of {len(face)} corners", "convex faces: triangulate the mesh"
             )
