@@ -1,6 +1,6 @@
 //! Names of fields and variants in a file.
 
-use syn::{Attribute, ExprPath, LitStr, Result, Token};
+use syn::{Attribute, ExprPath, Ident, LitStr, Result, Token};
 
 /// Units that are written with capitals, in lower case and as they are written.
 const CAPITAL_UNITS: [(&str, &str); 4] = [("n", "N"), ("pa", "Pa"), ("w", "W"), ("hz", "Hz")];
@@ -36,6 +36,11 @@ impl SerdeNames {
             })?;
         }
         Ok(found)
+    }
+
+    /// Name of the field in a file.
+    pub fn in_files(&self, ident: &Ident) -> String {
+        self.rename.clone().unwrap_or_else(|| ident.to_string())
     }
 }
 

@@ -60,7 +60,7 @@ fn converted(field: &Field, bound: &Ident, scalar: &Ident) -> Result<Tokens> {
     let Some(name) = &field.ident else {
         return Ok(quote!(crate::scenario::over::OverScalar::over(#bound, numbers)));
     };
-    let name = SerdeNames::of(&field.attrs)?.rename.unwrap_or_else(|| name.to_string());
+    let name = SerdeNames::of(&field.attrs)?.in_files(name);
     Ok(quote! {
         crate::scenario::over::within(numbers, #name, |numbers| crate::scenario::over::OverScalar::over(#bound, numbers))
     })

@@ -27,12 +27,8 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
         Data::Enum(data) => {
             let kinds: Vec<String> =
                 data.variants.iter().map(|variant| snake_case(&variant.ident.to_string())).collect();
-            let arms = data
-                .variants
-                .iter()
-                .zip(&kinds)
-                .map(|(variant, kind)| Ok(arm(&variant.ident, kind, !matches!(variant.fields, Fields::Unit))));
-            let arms: Vec<Tokens> = arms.collect::<Result<_>>()?;
+            let arms = data.variants.iter().zip(&kinds);
+            let arms = arms.map(|(variant, kind)| arm(&variant.ident, kind, !matches!(variant.fields, Fields::Unit)));
             let body = quote! {
                 let (kind, of) = reading::kind(node, &[#(#kinds),*])?;
                 match kind {
@@ -133,7 +129,7 @@ fn read_field(k: usize, field: &Field) -> Result<Read<'_>> {
 
 impl Read<'_> {
     fn name(&self) -> String {
-        self.stated.rename.clone().unwrap_or_else(|| self.ident.to_string())
+        self.stated.in_files(self.ident)
     }
 
     /// The field of the type: its value in the file, or its default.

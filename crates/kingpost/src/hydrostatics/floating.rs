@@ -1,12 +1,12 @@
 //! One hull at rest in still water.
 
+use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads};
+use super::liquids::{FreeSurface, Liquids};
+use super::righting::{RightingArmCurve, Side};
+use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;
 use crate::elements::SlackTank;
 use crate::elements::hull::{Hull, Hydrostatics, LARGEST_LIST_DEG};
-use crate::hydrostatics::hanging::{HangingLoad, Restraints, Weight, aboard, loads};
-use crate::hydrostatics::liquids::{FreeSurface, Liquids};
-use crate::hydrostatics::righting::{RightingArmCurve, Side};
-use crate::hydrostatics::{HullAfloat, HydrostaticsError};
 use crate::model::Model;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityError, WettedHull};

@@ -1,9 +1,9 @@
 //! Tanks: the reduction of the metacentric height by their free surfaces.
 
+use super::floating::LoadedHull;
+use super::hanging::HangingLoad;
+use super::liquids::FreeSurface;
 use crate::elements::{FreeFloodingTank, SlackTank, UTank};
-use crate::hydrostatics::floating::LoadedHull;
-use crate::hydrostatics::hanging::HangingLoad;
-use crate::hydrostatics::liquids::FreeSurface;
 use crate::sea::hull::HullTank;
 use crate::spatial::{Matrix3, Vector3};
 

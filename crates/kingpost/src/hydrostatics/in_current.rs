@@ -1,7 +1,7 @@
 //! Warnings of effects of a current on the waves that the loads on a hull neglect.
 
+use super::floating::LoadedHull;
 use crate::elements::hull::{HullVelocity, LowFrequencyFrame, WaveExcitation, WaveForceSwitches};
-use crate::hydrostatics::floating::LoadedHull;
 use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
 
 /// A warning is given if a current would change the wave lengths or the mean drift by more than this share.

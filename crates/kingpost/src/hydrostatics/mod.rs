@@ -19,20 +19,20 @@ mod liquids;
 mod righting;
 mod wave_data;
 
-pub use crate::hydrostatics::hanging::HangingLoad;
-pub use crate::hydrostatics::liquids::FreeSurface;
-pub use crate::hydrostatics::righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
+pub use hanging::HangingLoad;
+pub use liquids::FreeSurface;
+pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
 use crate::elements::Hull;
-use crate::hydrostatics::floating::LoadedHull;
-use crate::hydrostatics::hanging::Restraints;
-use crate::hydrostatics::liquids::Liquids;
 use crate::model::Model;
 use crate::scenario::{BuiltScenario, Scenario, ScenarioError};
 use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
 use crate::simulation::{Setup, Simulation};
+use floating::LoadedHull;
+use hanging::Restraints;
+use liquids::Liquids;
 use serde::Serialize;
 use thiserror::Error;
 

@@ -1,8 +1,8 @@
 //! Files that a scenario names: their texts come from the host, because the engine reads no files.
 
-use crate::scenario::error::FieldError;
-use crate::scenario::named_files::NamedFiles;
-use crate::scenario::schema::{Force, Hydrodynamics, Joint, Scenario, Waves};
+use super::error::FieldError;
+use super::named_files::NamedFiles;
+use super::schema::{Force, Hydrodynamics, Joint, Scenario, Waves};
 use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
 use crate::sea::waves::ElevationTable;

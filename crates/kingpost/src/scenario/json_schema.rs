@@ -5,13 +5,13 @@ use schemars::transform::{Transform, transform_subschemas};
 use schemars::{Schema, schema_for};
 use serde_json::{Map, Value, json};
 
+use super::describe::Description;
+use super::schema::Scenario;
+use super::study::Study;
+use super::units::aliases_of;
 use crate::dynamics::moving_frame::Equations;
 use crate::elements::{DrawnLine, Input, Warning};
 use crate::results::Channel;
-use crate::scenario::describe::Description;
-use crate::scenario::schema::Scenario;
-use crate::scenario::study::Study;
-use crate::scenario::units::aliases_of;
 
 /// The JSON Schema of a scenario, unit aliases included: each is a property in addition to its SI name, marked `x-alias-of`.
 pub fn json_schema() -> Value {

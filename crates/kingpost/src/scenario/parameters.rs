@@ -3,11 +3,11 @@
 use indexmap::IndexMap;
 use serde_json::Value;
 
-use crate::scenario::error::{Fault, SourcePlace};
-use crate::scenario::reading::FromNode;
-use crate::scenario::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
-use crate::scenario::tree::{Content, Field, ScenarioNode, segments, value_child};
-use crate::scenario::{conversion, field_search, units, wording};
+use super::error::{Fault, SourcePlace};
+use super::reading::FromNode;
+use super::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
+use super::tree::{Content, Field, ScenarioNode, segments, value_child};
+use super::{conversion, field_search, units, wording};
 
 /// Whether a name is a field at the top of a scenario: no parameter may have it.
 fn is_top_field(name: &str) -> bool {

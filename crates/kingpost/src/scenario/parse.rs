@@ -8,9 +8,9 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Number, Value};
 use serde_saphyr::{DuplicateKeyPolicy, Location, NonFiniteFloatPolicy, Options, Spanned};
 
-use crate::scenario::error::{Fault, SourcePlace};
-use crate::scenario::tree::{Content, Field, ScenarioNode};
-use crate::scenario::wording;
+use super::error::{Fault, SourcePlace};
+use super::tree::{Content, Field, ScenarioNode};
+use super::wording;
 
 /// The values from the YAML parser.
 enum Raw {

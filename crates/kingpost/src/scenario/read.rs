@@ -6,14 +6,12 @@ use serde_json::Value;
 use crate::plant::Number;
 use crate::scenario::error::{Fault, ScenarioError};
 use crate::scenario::files::Files;
-use crate::scenario::parameters;
-use crate::scenario::parameters::{Override, OverrideTarget};
+use crate::scenario::parameters::{self, Override, OverrideTarget};
 use crate::scenario::schema::{Parameter, Scenario};
 use crate::scenario::tree::{ScenarioNode, segments};
 use crate::simulation::{Setup, Simulation};
 
-use crate::scenario::reading;
-use crate::scenario::reading::check_version;
+use crate::scenario::reading::{self, check_version};
 use crate::scenario::{conversion, parse, parts, wording};
 
 /// Reads a scenario from YAML or JSON.

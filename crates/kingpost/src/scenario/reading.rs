@@ -165,6 +165,13 @@ pub(crate) fn visit_field<T: FromNode>(
     }
 }
 
+/// Visits the texts in the entries of a list.
+fn visit_entries<T: FromNode>(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    if let Content::List(entries) = &mut node.content {
+        entries.iter_mut().for_each(|entry| T::visit_texts(entry, visit));
+    }
+}
+
 /// Visits the text of a scalar.
 pub(crate) fn visit_text(node: &mut ScenarioNode, kind: TextKind, visit: &mut dyn FnMut(TextKind, &mut String)) {
     if let Content::Scalar(Value::String(text)) = &mut node.content {
@@ -311,9 +318,7 @@ impl<T: FromNode> FromNode for Vec<T> {
         wording::LIST.to_owned()
     }
     fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
-        if let Content::List(entries) = &mut node.content {
-            entries.iter_mut().for_each(|entry| T::visit_texts(entry, visit));
-        }
+        visit_entries::<T>(node, visit);
     }
     fn text_at(path: &[&str]) -> Option<TextKind> {
         T::text_at(path.get(1..)?)
@@ -334,9 +339,7 @@ impl<T: FromNode, const N: usize> FromNode for [T; N] {
         wording::list_of_numbers(N)
     }
     fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
-        if let Content::List(entries) = &mut node.content {
-            entries.iter_mut().for_each(|entry| T::visit_texts(entry, visit));
-        }
+        visit_entries::<T>(node, visit);
     }
     fn text_at(path: &[&str]) -> Option<TextKind> {
         T::text_at(path.get(1..)?)

@@ -1,7 +1,7 @@
 //! A user's moves in a run, as a scenario that repeats them.
 
-use crate::scenario::error::FieldError;
-use crate::scenario::schema::{InputMove, NonNegative, Operation, OperationStep, Positive, Scenario, SignalName};
+use super::error::FieldError;
+use super::schema::{InputMove, NonNegative, Operation, OperationStep, Positive, Scenario, SignalName};
 use crate::simulation::{LeverMove, Simulation};
 
 /// Name of the step that holds the user's moves.

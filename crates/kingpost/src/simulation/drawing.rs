@@ -1,8 +1,8 @@
 //! The lines to draw in addition to the bodies.
 
+use super::{Simulation, stage};
 use crate::elements::{DrawnLine, LineStyle};
 use crate::model::Joint;
-use crate::simulation::{Simulation, stage};
 
 impl Simulation {
     /// The lines to draw: a rope for each body that hangs on its joint, and the lines of the elements.

@@ -1,11 +1,11 @@
 //! Small motions with the feedback of the elements that state a linear law: which modes grow.
 
+use super::sampled_loops::{FeedbackLoop, HeldInputs, Sensed, fastest, vector};
+use super::small_motions::{Changed, DIFFERENCE};
+use super::{MOST_DENSE, Simulation, stage};
 use crate::elements::{EvaluationMode, LinearLaw};
 use crate::integrate::Stage;
 use crate::results::Sample;
-use crate::simulation::sampled_loops::{FeedbackLoop, HeldInputs, Sensed, fastest, vector};
-use crate::simulation::small_motions::{Changed, DIFFERENCE};
-use crate::simulation::{MOST_DENSE, Simulation, stage};
 use core::f64::consts::{PI, TAU};
 use nalgebra::{Complex, DMatrix, DVector};
 

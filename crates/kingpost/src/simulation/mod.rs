@@ -19,13 +19,13 @@ mod steering;
 mod watching;
 
 pub use crate::elements::{Input, Warning};
-pub use crate::simulation::errors::{InputError, RunError};
-pub use crate::simulation::events::EventRecord;
-pub use crate::simulation::feedback::GrowingMode;
-pub use crate::simulation::limits::{Limit, LimitResult};
-pub use crate::simulation::settle::{Equilibrium, Instability, NoEquilibrium};
-pub use crate::simulation::setup::{SchemeName, Settings, Setup};
-pub use crate::simulation::steering::{LeverMove, ParameterSet};
+pub use errors::{InputError, RunError};
+pub use events::EventRecord;
+pub use feedback::GrowingMode;
+pub use limits::{Limit, LimitResult};
+pub use settle::{Equilibrium, Instability, NoEquilibrium};
+pub use setup::{SchemeName, Settings, Setup};
+pub use steering::{LeverMove, ParameterSet};
 
 use crate::elements::Layout;
 use crate::elements::ropes::PARTS_WORDS;
@@ -34,12 +34,12 @@ use crate::model::Model;
 use crate::plant::{ObservedPart, Plant};
 use crate::results::{Channel, Channels, Readings, Sample};
 use crate::scalar::Scalar;
-use crate::simulation::events::Watch;
-use crate::simulation::limits::Limits;
-pub(crate) use crate::simulation::recording::Recording;
-use crate::simulation::steering::Steering;
-use crate::simulation::watching::Watching;
 use crate::state::State;
+use events::Watch;
+use limits::Limits;
+pub(crate) use recording::Recording;
+use steering::Steering;
+use watching::Watching;
 
 /// Steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 1_000;

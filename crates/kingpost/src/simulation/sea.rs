@@ -1,8 +1,8 @@
 //! Another sea during a run.
 
+use super::errors::check_array;
+use super::{InputError, Simulation, stage};
 use crate::sea::waves::WaveComponent;
-use crate::simulation::errors::check_array;
-use crate::simulation::{InputError, Simulation, stage};
 
 impl Simulation {
     /// The regular waves that make up the sea; none in calm water.

@@ -1,11 +1,11 @@
 //! The equilibrium of a model: free coordinates at which, with zero rates, nothing accelerates.
 
+use super::{InputError, MOST_DENSE, Simulation, stage};
 use crate::dynamics::Kinematics;
 use crate::elements::{EvaluationMode, HOLD_IT};
 use crate::integrate::{Jacobian, System};
 use crate::model::JointKind;
 use crate::plant::Form;
-use crate::simulation::{InputError, MOST_DENSE, Simulation, stage};
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 

@@ -1,9 +1,9 @@
 //! Small motions about the state of a simulation, by differences.
 
+use super::{Simulation, stage};
 use crate::elements::EvaluationMode;
 use crate::integrate::{Stage, System};
 use crate::ledger;
-use crate::simulation::{Simulation, stage};
 use nalgebra::{DMatrix, DVector};
 
 /// Displacement (m, rad) and change of rate (m/s, rad/s) of a central difference: the cube root of the rounding unit,

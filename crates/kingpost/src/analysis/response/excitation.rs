@@ -1,7 +1,7 @@
 //! Effect of regular waves of unit amplitude on the free coordinates.
 
-use crate::analysis::response::wave_forces::{FORCES, WaveForces};
-use crate::analysis::response::{ResponseError, solved};
+use super::wave_forces::{FORCES, WaveForces};
+use super::{ResponseError, solved};
 use crate::dynamics::Kinematics;
 use crate::elements::{AnyElement, RegularWaves, WavePlace};
 use crate::model::Model;

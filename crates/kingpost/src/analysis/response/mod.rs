@@ -9,18 +9,18 @@ mod rows;
 mod smoothness;
 mod wave_forces;
 
-pub use crate::analysis::response::columns::ColumnResponse;
-pub use crate::analysis::response::not_linear::NotLinear;
-pub use crate::analysis::response::resonances::Resonance;
+pub use columns::ColumnResponse;
+pub use not_linear::NotLinear;
+pub use resonances::Resonance;
 
-use crate::analysis::response::excitation::WaveLoads;
-use crate::analysis::response::output::Outputs;
-use crate::analysis::{Linearization, Linearizer};
+use super::{Linearization, Linearizer};
 use crate::elements::AnyElement;
 use crate::plant::Along;
 use crate::scenario::{BuiltScenario, Scenario, ScenarioError};
 use crate::simulation::{Instability, NoEquilibrium, Simulation};
+use excitation::WaveLoads;
 use nalgebra::{Complex, ComplexField, DMatrix, Dyn, LU};
+use output::Outputs;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 

@@ -1,9 +1,9 @@
 //! Rows of results about rest: their values, and their derivatives by the states and by the forces of waves.
 
-use crate::analysis::response::AtRest;
-use crate::analysis::response::excitation::WaveLoads;
-use crate::analysis::response::not_linear::NotLinear;
-use crate::analysis::response::wave_forces::FORCES;
+use super::AtRest;
+use super::excitation::WaveLoads;
+use super::not_linear::NotLinear;
+use super::wave_forces::FORCES;
 use crate::elements::AnyElement;
 use crate::integrate::Stage;
 use crate::ledger;

@@ -8,8 +8,7 @@ use crate::scenario::assembly::bodies::axis;
 use crate::scenario::assembly::rigid_bodies::rigid;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{ClearanceShape, LocalName, Name, Pin, Scenario, WORLD};
+use crate::scenario::schema::{self, ClearanceShape, LocalName, Name, Pin, Scenario, WORLD};
 use crate::scenario::wording::one_of_with_hint;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 

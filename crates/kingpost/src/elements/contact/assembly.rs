@@ -11,8 +11,7 @@ use crate::scenario::assembly::bodies::axis;
 use crate::scenario::assembly::rigid_bodies::rigid;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{LoadShape, Scenario, SurfaceShape};
+use crate::scenario::schema::{self, LoadShape, Scenario, SurfaceShape};
 use crate::simulation::Setup;
 use crate::spatial::{Vector3, rotation_from_roll_pitch_yaw};
 

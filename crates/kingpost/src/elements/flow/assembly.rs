@@ -8,8 +8,7 @@ use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
 use crate::spatial::Vector3;
 use crate::world::{CurrentAt, CurrentProfile, World};
 

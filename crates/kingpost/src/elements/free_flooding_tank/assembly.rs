@@ -5,13 +5,11 @@ use crate::elements::{AnyElement, FreeFloodingTank};
 use crate::model::joint::Prismatic;
 use crate::model::{JointKind, Model};
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
-use crate::scenario::assembly::liquids;
-use crate::scenario::assembly::liquids::LiquidBody;
+use crate::scenario::assembly::liquids::{self, LiquidBody};
 use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::assembly::{FieldError, still_water};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Force as ForceSchema, Scenario};
+use crate::scenario::schema::{self, Force as ForceSchema, Scenario};
 use crate::spatial::{Frame, Matrix3, Vector3};
 use crate::world::World;
 

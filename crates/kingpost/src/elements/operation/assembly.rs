@@ -4,11 +4,9 @@ use crate::elements::Operation;
 use crate::elements::operation::{ColumnRange, Condition, Move, OperationStep};
 use crate::elements::{Input, Layout};
 use crate::scenario::assembly::FieldError;
-use crate::scenario::assembly::columns;
-use crate::scenario::assembly::columns::Column;
+use crate::scenario::assembly::columns::{self, Column};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
 use crate::scenario::wording::one_of_with_hint;
 use crate::simulation::Setup;
 

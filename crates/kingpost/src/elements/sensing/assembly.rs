@@ -9,8 +9,7 @@ use crate::scenario::assembly::bodies::joint_name;
 use crate::scenario::assembly::rigid_bodies::rigid;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Force, Positive, Scenario};
+use crate::scenario::schema::{self, Force, Positive, Scenario};
 
 /// Largest delay of a sensor, in samples: each is a number in a snapshot.
 const MOST_DELAY: usize = 1000;

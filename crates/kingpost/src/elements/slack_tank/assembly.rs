@@ -7,8 +7,7 @@ use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::assembly::{FieldError, still_water};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Force as ForceSchema, Scenario};
+use crate::scenario::schema::{self, Force as ForceSchema, Scenario};
 use crate::sea::hull::BoxTank;
 use crate::spatial::Vector3;
 

@@ -9,8 +9,7 @@ use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::rigid_bodies::rigid;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Joint, Scenario, StationTarget};
+use crate::scenario::schema::{self, Joint, Scenario, StationTarget};
 use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 
 impl<S: Quantity> Assemble<S> for schema::SoftHold<S> {

@@ -6,8 +6,9 @@ use crate::elements::{
 use crate::model::{AxisMotion, Mode};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode};
+use crate::scenario::schema::{
+    self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode,
+};
 
 /// An axis of a joint, in rad and N m or in m and N.
 pub struct JointAxis<S> {

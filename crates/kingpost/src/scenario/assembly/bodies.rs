@@ -9,8 +9,7 @@ use crate::scenario::assembly::axes::{axes, forces_in_axis};
 use crate::scenario::assembly::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Inertia, Scenario};
+use crate::scenario::schema::{self, Inertia, Scenario};
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
 use std::collections::HashSet;
 

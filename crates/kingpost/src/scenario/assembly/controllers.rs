@@ -10,8 +10,7 @@ use crate::scenario::assembly::columns::{self, Column};
 use crate::scenario::assembly::controller_reader::ControllerReader;
 use crate::scenario::assembly::{FieldError, sensors};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Controller, Scenario};
+use crate::scenario::schema::{self, Controller, Scenario};
 
 /// Adds the controllers after all other elements, each before the one whose command it sets; returns how many.
 pub fn add<S: Quantity>(

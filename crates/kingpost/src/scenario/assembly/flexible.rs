@@ -5,8 +5,7 @@ use crate::model::joint::AxisList;
 use crate::model::{Beam, BodyDefinition, Joint, JointKind, Mode, Model, Section};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::{Leaf, Quantity};
-use crate::scenario::schema;
-use crate::scenario::schema::{Flexible, FlexibleDamping, Positive, Scenario, Section as SectionSchema};
+use crate::scenario::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, Section as SectionSchema};
 use crate::spatial::{Frame, Matrix3, Vector3};
 
 /// Axes of an elastic joint.

@@ -4,8 +4,7 @@ use crate::elements::{AnyElement, JointStop, StopSide};
 use crate::model::{BodyDefinition, Joint, JointKind, Mode, Node};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
 use crate::spatial::SpatialInertia;
 
 /// Stiffness of the end of a tank over that of the levels: the liquid meets it as a stop.

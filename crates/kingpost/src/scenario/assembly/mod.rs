@@ -41,14 +41,13 @@ use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
 use crate::results::Channels;
-use crate::scenario::assembly::assemble::{Assemble, Surroundings};
-pub use crate::scenario::assembly::sea_spectra::{SeaSpectrum, SeaWaves, read_sea_waves};
 pub use crate::scenario::error::FieldError;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{EquationForm, Force as ForceSchema, Integrator, Scenario};
+use crate::scenario::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};
 use crate::simulation::{MOST_DENSE, SchemeName, Settings, Setup, Simulation};
 use crate::spatial::Frame;
+use assemble::{Assemble, Surroundings};
+pub use sea_spectra::{SeaSpectrum, SeaWaves, read_sea_waves};
 
 /// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;

@@ -18,7 +18,7 @@ pub type SeaWaves = IndexMap<Name, Waves>;
 /// Reads wave systems from a value, as `sea.waves` of a file.
 ///
 /// # Errors
-/// What is wrong there.
+/// The first field that is unknown, missing or out of its range.
 pub fn read_sea_waves(value: &Value) -> Result<SeaWaves, ScenarioError> {
     let tree = ScenarioNode::from_value(value, &SourcePlace::START);
     reading::read(&tree).map_err(|fault| ScenarioError::from(fault.error))

@@ -10,8 +10,7 @@ use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Drive, Scenario, Sensor};
+use crate::scenario::schema::{self, Drive, Scenario, Sensor};
 use crate::scenario::wording::one_of_with_hint;
 use crate::spatial::Vector3;
 

@@ -2,8 +2,7 @@
 
 use crate::scenario::assembly::{FieldError, gravity_of};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
 use crate::sea::waves::Water;
 
 /// The water of the sea and its waves.

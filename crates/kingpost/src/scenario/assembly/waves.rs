@@ -3,8 +3,7 @@
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::still_water::{gravity, water_of};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Positive, Scenario, WaveAmplitudes, WaveRealisation, Waves};
+use crate::scenario::schema::{self, Positive, Scenario, WaveAmplitudes, WaveRealisation, Waves};
 use crate::sea::waves::{
     Amplitudes, Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading,
     Torsethaugen, Water, WaveComponent, WaveError, WaveSystem, unbroken,

@@ -1,12 +1,10 @@
 //! The world: gravity, the sea with its waves, its current and the wind.
 
 use crate::scenario::assembly::still_water::{gravity, water_of};
-use crate::scenario::assembly::waves;
-use crate::scenario::assembly::waves::Wave;
+use crate::scenario::assembly::waves::{self, Wave};
 use crate::scenario::assembly::{FieldError, wind_and_current};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Force as ForceSchema, Scenario};
+use crate::scenario::schema::{self, Force as ForceSchema, Scenario};
 use crate::sea::waves::{Stretching, WaveField};
 use crate::world::World;
 

@@ -2,8 +2,7 @@
 
 use crate::elements::Hull;
 use crate::scenario::assembly::waves::cut_off;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
 use crate::sea::database::HullAtRest;
 use crate::sea::waves::WaveField;
 use crate::simulation::Setup;

@@ -6,15 +6,14 @@ mod in_water;
 mod units;
 mod warnings;
 
-pub use crate::scenario::describe::afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
-pub use crate::scenario::describe::facts::{ElementDescription, Fact};
-pub use crate::scenario::describe::in_water::{ImmersionDescription, ObjectInWater};
+pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
+pub use facts::{ElementDescription, Fact};
+pub use in_water::{ImmersionDescription, ObjectInWater};
 
 use crate::elements::Submerged;
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::scenario::assembly::flexible::{owner, shape};
-use crate::scenario::schema;
-use crate::scenario::schema::{LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
+use crate::scenario::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::simulation::{Limit, Setup};
 use crate::spatial::{Twist, Vector3};
 use serde::Serialize;

@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use crate::scenario::error::{Fault, SourcePlace};
-use crate::scenario::parts::{Mount, WORLD, numbers, put};
-use crate::scenario::schema::Mounting;
-use crate::scenario::tree::{Content, ScenarioNode};
-use crate::scenario::wording;
+use super::super::error::{Fault, SourcePlace};
+use super::super::schema::Mounting;
+use super::super::tree::{Content, ScenarioNode};
+use super::super::wording;
+use super::{Mount, WORLD, numbers, put};
 use crate::spatial::{Matrix3, Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
 /// The pose of a part on its body.

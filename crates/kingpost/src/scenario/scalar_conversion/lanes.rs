@@ -27,11 +27,11 @@ impl Numbers<Lanes> for OfEach<'_> {
 /// # Errors
 /// Scenarios of different structure, and a number that must be the same in all of them.
 pub(crate) fn side_by_side(scenarios: &[&Scenario], alone: &[&Setup]) -> Result<Setup<Lanes>, FieldError> {
-    let structure = scenarios[0].structure();
-    if scenarios[1..].iter().any(|scenario| scenario.structure() != structure) {
+    let (structures, numbers): (Vec<String>, Vec<Vec<f64>>) =
+        scenarios.iter().map(|scenario| scenario.structure_and_numbers()).unzip();
+    if structures.iter().any(|structure| *structure != structures[0]) {
         return Err(FieldError::new("", "another structure", "one structure for all lanes"));
     }
-    let numbers: Vec<Vec<f64>> = scenarios.iter().map(|scenario| scenario.numbers()).collect();
     let lane = |k: usize| k.min(scenarios.len() - 1);
     let mut of_each = OfEach { numbers: core::array::from_fn(|k| &*numbers[lane(k)]), taken: 0 };
     let setups: [&Setup; LANES] = core::array::from_fn(|k| alone[lane(k)]);

@@ -20,14 +20,13 @@ impl Scenario {
     /// The scenario without its continuous numbers, as text. Runs with the same structure can run in lanes, and one can
     /// continue as the other.
     pub(crate) fn structure(&self) -> String {
-        serde_json::to_string(&self.over(&mut Blanks::default())).unwrap_or_default()
+        self.structure_and_numbers().0
     }
 
-    /// Its continuous numbers, in the order of their declarations.
-    #[cfg(not(target_family = "wasm"))]
-    pub(super) fn numbers(&self) -> Vec<f64> {
+    /// The [structure](Self::structure), and the continuous numbers in the order of their declarations.
+    pub(super) fn structure_and_numbers(&self) -> (String, Vec<f64>) {
         let mut blanks = Blanks::default();
-        self.over(&mut blanks);
-        blanks.numbers
+        let structure = serde_json::to_string(&self.over(&mut blanks)).unwrap_or_default();
+        (structure, blanks.numbers)
     }
 }

@@ -3,8 +3,8 @@
 use indexmap::IndexMap;
 use kingpost_derive::fields;
 
+use super::{Colour, Flexible, Joint, Name, NonNegative, Positive, WORLD, yes};
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{Colour, Flexible, Joint, Name, NonNegative, Positive, WORLD, yes};
 
 /// A rigid body. Its geometry is written in a drawing frame of its own; the shape is centred on the centre of mass.
 #[fields]

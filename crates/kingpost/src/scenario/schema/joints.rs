@@ -2,15 +2,14 @@
 
 use kingpost_derive::fields;
 
-use crate::elements::gas_spring::fields::GasSpring;
-use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::axes::one;
-use crate::scenario::schema::joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
-use crate::scenario::schema::moved_by_waves::MovedByWaves;
-use crate::scenario::schema::{
-    AngleAxis, AngleFriction, AngleLimits, AngleSpring, Direction, LengthAxis, LengthFriction, LengthLimits,
+use super::axes::one;
+use super::joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
+use super::moved_by_waves::MovedByWaves;
+use super::{
+    AngleAxis, AngleFriction, AngleLimits, AngleSpring, Direction, GasSpring, LengthAxis, LengthFriction, LengthLimits,
     LengthSpring, Name, NonNegative, Positive, PrismaticMode, RevoluteMode,
 };
+use crate::scenario::leaf::Leaf;
 
 /// How a body moves relative to its parent.
 #[fields]

@@ -78,42 +78,36 @@ pub use crate::elements::u_tank::fields::{UTank, UTankPump};
 pub use crate::elements::viscous_damping::fields::{DampedAgainst, ViscousDamping};
 pub use crate::scenario::named_files::NamedFiles;
 pub use crate::scenario::range::{Direction, Fraction, NonNegative, Positive};
-pub use crate::scenario::schema::axes::{
+pub use crate::scenario::text::{
+    Colour, ColumnName, CoordinateName, FilePath, LocalName, Name, SignalName, Version, WORLD,
+};
+pub use axes::{
     AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,
     PrescribedRate, PrescribedSpeed, PrismaticMode, RevoluteMode,
 };
-pub use crate::scenario::schema::bodies::{
+pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
-pub use crate::scenario::schema::controllers::Controller;
-pub use crate::scenario::schema::flexible::{
+pub use controllers::Controller;
+pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
-pub use crate::scenario::schema::flow::{CurrentProfile, CurrentTable, Logarithmic, PowerLaw, Wind, WindProfile};
-pub use crate::scenario::schema::forces::{Force, Gravity};
-pub use crate::scenario::schema::gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
-pub use crate::scenario::schema::integrators::{
-    DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings,
-};
-pub use crate::scenario::schema::joints::{
-    FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint,
-};
-pub use crate::scenario::schema::joints_of_several_axes::{
-    CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint,
-};
-pub use crate::scenario::schema::loops::{Attachment, Constraint, Distance, Loop};
-pub use crate::scenario::schema::mounting::Mounting;
-pub use crate::scenario::schema::moved_by_waves::MovedByWaves;
-pub use crate::scenario::schema::parameter::{Parameter, ParameterKind, ParameterValue};
-pub use crate::scenario::schema::sea::{Sea, Stretching};
-pub use crate::scenario::schema::sensors::{HeaveFilter, MotionReferenceUnit, Sensor, Wire};
-pub use crate::scenario::schema::waves::{
+pub use flow::{CurrentProfile, CurrentTable, Logarithmic, PowerLaw, Wind, WindProfile};
+pub use forces::{Force, Gravity};
+pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
+pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
+pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
+pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
+pub use loops::{Attachment, Constraint, Distance, Loop};
+pub use mounting::Mounting;
+pub use moved_by_waves::MovedByWaves;
+pub use parameter::{Parameter, ParameterKind, ParameterValue};
+pub use sea::{Sea, Stretching};
+pub use sensors::{HeaveFilter, MotionReferenceUnit, Sensor, Wire};
+pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,
-};
-pub use crate::scenario::text::{
-    Colour, ColumnName, CoordinateName, FilePath, LocalName, Name, SignalName, Version, WORLD,
 };
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.

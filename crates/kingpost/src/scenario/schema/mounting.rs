@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use kingpost_derive::fields;
 use serde_json::Value;
 
-use crate::scenario::schema::Name;
+use super::Name;
 
 /// A part and where it is mounted. Bodies that the part's file attaches to the world are attached to the mounting.
 #[fields]

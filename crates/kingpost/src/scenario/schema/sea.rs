@@ -3,8 +3,8 @@
 use indexmap::IndexMap;
 use kingpost_derive::fields;
 
+use super::{CurrentProfile, Name, NonNegative, Positive, Waves};
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{CurrentProfile, Name, NonNegative, Positive, Waves};
 
 /// The water, its waves and its current.
 #[fields(default)]

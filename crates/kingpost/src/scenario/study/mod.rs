@@ -7,12 +7,12 @@ use indexmap::IndexMap;
 use kingpost_derive::fields;
 use serde_json::Value;
 
-use crate::scenario::error::{Fault, ScenarioError, SourcePlace};
-use crate::scenario::range::{NonNegative, Positive, Probability};
-use crate::scenario::reading::{check_version, read as read_types};
-use crate::scenario::schema::{Limit, Name, ParameterValue, Version};
-use crate::scenario::tree::{Content, ScenarioNode};
-use crate::scenario::{parse, wording};
+use super::error::{Fault, ScenarioError, SourcePlace};
+use super::range::{NonNegative, Positive, Probability};
+use super::reading::{check_version, read as read_types};
+use super::schema::{Limit, Name, ParameterValue, Version};
+use super::tree::{Content, ScenarioNode};
+use super::{parse, wording};
 
 /// Runs of one study: more is a mistake.
 pub const MOST_RUNS: u64 = 1_000_000;

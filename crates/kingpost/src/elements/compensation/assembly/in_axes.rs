@@ -9,8 +9,7 @@ use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
 
 /// The compensation in three axes, if it is enabled.
 pub fn three_axis<S: Quantity>(

@@ -3,7 +3,6 @@
 pub(crate) mod hoists;
 pub(crate) mod in_axes;
 
-use crate::elements::compensation::assembly::hoists::{hung, named};
 use crate::elements::compensation::{Dynamics, Estimator, FilterBank, Measurement, PeriodBand, Prediction};
 use crate::elements::drives::ControlledDrive;
 use crate::elements::hull::HullFrame;
@@ -12,8 +11,8 @@ use crate::elements::{AnyElement, HeaveCompensation, InertialUnit, MotionReferen
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
+use hoists::{hung, named};
 
 /// The controller, if it is enabled.
 pub fn heave<S: Quantity>(

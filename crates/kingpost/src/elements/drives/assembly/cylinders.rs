@@ -7,8 +7,7 @@ use crate::model::Model;
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{CylinderTarget, Scenario};
+use crate::scenario::schema::{self, CylinderTarget, Scenario};
 use crate::simulation::Setup;
 
 /// One cylinder, if it is enabled and its bodies exist.

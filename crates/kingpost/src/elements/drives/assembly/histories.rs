@@ -9,8 +9,7 @@ use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::axes::{GivenMotion, axes};
 use crate::scenario::assembly::flexible::owner;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{History, HistoryList, Scenario};
+use crate::scenario::schema::{self, History, HistoryList, Scenario};
 
 /// The history of a motor; `field` is its path. It may jump.
 pub fn of_motor<S: Quantity>(

@@ -6,15 +6,13 @@ pub(crate) mod histories;
 use crate::dynamics::Clock;
 use crate::elements::drives::{Brake, ControlledDrive, DriveLimits, Motor, Profile, Servo, SetPoint};
 use crate::elements::{AnyElement, CoulombFriction, Input};
-use crate::model::AxisMotion;
-use crate::model::AxisMotion::{Rotation, Translation};
+use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
 use crate::scenario::assembly::axes::axes;
 use crate::scenario::assembly::bodies::joint_name;
 use crate::scenario::assembly::{FieldError, known, sensors, wave_motion};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{BrakeState, History, Scenario};
+use crate::scenario::schema::{self, BrakeState, History, Scenario};
 use crate::world::World;
 use indexmap::IndexMap;
 

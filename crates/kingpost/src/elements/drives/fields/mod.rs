@@ -6,11 +6,11 @@ pub(crate) mod histories;
 
 use kingpost_derive::fields;
 
-use crate::elements::drives::fields::histories::{History, HistoryList};
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{
     ControlledDrive, CoordinateName, Cylinder, LinearControlledDrive, NonNegative, Positive, yes,
 };
+use histories::{History, HistoryList};
 
 /// Forces between two bodies, mostly in the joint that connects them.
 #[fields]

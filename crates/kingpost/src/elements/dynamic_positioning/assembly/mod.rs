@@ -3,7 +3,6 @@
 pub(crate) mod control_loop;
 
 use crate::elements::AnyElement;
-use crate::elements::dynamic_positioning::assembly::control_loop::{ControlLoop, RootGrowth};
 use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
@@ -13,9 +12,9 @@ use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};
+use crate::scenario::schema::{self, Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};
 use crate::spatial::Vector3;
+use control_loop::{ControlLoop, RootGrowth};
 use core::f64::consts::{PI, TAU};
 
 impl<S: Quantity> Assemble<S> for schema::DynamicPositioning<S> {

@@ -5,8 +5,7 @@ use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::hinges::hinge;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{self, Scenario};
 use crate::spatial::Frame;
 
 /// The chart of the rope with this name; `None` if the slewing joint does not exist.

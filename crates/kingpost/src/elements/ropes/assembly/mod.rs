@@ -11,8 +11,7 @@ use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::hinges::hinge;
 use crate::scenario::assembly::{FieldError, flexible, known};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
-use crate::scenario::schema::{PaysOut, RopePoint, RopeStation, Scenario};
+use crate::scenario::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use crate::scenario::wording::NOTHING;
 use crate::spatial::{Frame, Vector3};
 
