@@ -13,7 +13,7 @@ const LONGEST_FOUND: usize = 500;
 
 /// An error in a field whose place in the file is not known.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{field}: found {found}, allowed: {allowed}")]
+#[error("{}: {}", wording::on_one_line(field), wording::found_and_allowed(found, allowed))]
 pub struct FieldError {
     /// Dotted path of the field: `bodies.ship.mass_kg`.
     pub field: String,
@@ -55,8 +55,8 @@ impl fmt::Display for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.file.is_empty() {
             match self.file.strip_prefix(SET) {
-                Some(name) => write!(f, "{SET}{}", wording::beginning(name, LONGEST_NAME))?,
-                None => f.write_str(&self.file)?,
+                Some(name) => write!(f, "{SET}{}", wording::on_one_line(&wording::beginning(name, LONGEST_NAME)))?,
+                None => f.write_str(&wording::on_one_line(&self.file))?,
             }
             if let (Some(line), Some(column)) = (self.line, self.column) {
                 write!(f, ":{line}:{column}")?;
@@ -65,9 +65,9 @@ impl fmt::Display for ScenarioError {
         }
         let field_is_the_place = self.file.strip_prefix(SET).is_some_and(|name| name == self.field);
         if !self.field.is_empty() && !field_is_the_place {
-            write!(f, "{}: ", wording::beginning(&self.field, LONGEST_NAME))?;
+            write!(f, "{}: ", wording::on_one_line(&wording::beginning(&self.field, LONGEST_NAME)))?;
         }
-        write!(f, "found {}, allowed: {}", self.found, self.allowed)
+        f.write_str(&wording::found_and_allowed(&self.found, &self.allowed))
     }
 }
 

@@ -1,5 +1,7 @@
 //! The words of every error: what was found and what is allowed.
 
+use std::borrow::Cow;
+
 use serde_json::Value;
 
 use crate::scenario::units;
@@ -109,6 +111,20 @@ pub(crate) fn beginning(text: &str, longest: usize) -> String {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
     }
+}
+
+/// A text with its control characters escaped: an error is one line.
+pub(crate) fn on_one_line(text: &str) -> Cow<'_, str> {
+    if !text.contains(char::is_control) {
+        return Cow::Borrowed(text);
+    }
+    let escaped = text.chars().map(|c| if c.is_control() { c.escape_debug().to_string() } else { c.to_string() });
+    Cow::Owned(escaped.collect())
+}
+
+/// The end of every error of a field: what was found and what is allowed, on one line.
+pub(crate) fn found_and_allowed(found: &str, allowed: &str) -> String {
+    format!("found {}, allowed: {}", on_one_line(found), on_one_line(allowed))
 }
 
 /// `a`, `a or b`, `one of a, b, c`.
