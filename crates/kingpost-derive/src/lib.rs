@@ -6,6 +6,7 @@
 mod naming;
 mod over;
 mod reader;
+mod writer;
 
 use proc_macro::TokenStream;
 use proc_macro2::TokenStream as Tokens;
@@ -19,8 +20,8 @@ use naming::{SerdeNames, name_in_files};
 
 /// Declares a type of the scenario file.
 ///
-/// - The type is read from the tree of a file (`FromNode`), which refuses unknown fields, is written by serde, and has a JSON Schema
-///   (feature `schema`). The variants of an enum are written in snake case.
+/// - The type is read from the tree of a file (`FromNode`), which refuses unknown fields, is written to one (`ToValue`), and has a
+///   JSON Schema (feature `schema`). The variants of an enum are written in snake case.
 /// - A field that is an `Option` may be left out, and is not written where it is `None`; with `#[not_null]` it has a value where
 ///   it is written.
 /// - The defaults of other fields are those of serde's attributes.
@@ -46,13 +47,15 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
     let attributes = attributes_of(&item, all_default, over_scalars);
     let conversion = over_scalars.then(|| over::conversion(&item)).transpose()?;
     let reader = reader::reader(&item, all_default)?;
+    let writer = writer::writer(&item)?;
     let assembly = assembled.then(|| assembly(&item));
-    drop_own_attributes(&mut item);
+    leave_to_schema(&mut item);
     Ok(quote! {
         #attributes
         #item
         #conversion
         #reader
+        #writer
         #assembly
     })
 }
@@ -66,10 +69,15 @@ fn check_kind(variant: &Variant) -> Result<()> {
     }
 }
 
-/// Removes the attributes that only this crate knows.
-fn drop_own_attributes(item: &mut DeriveInput) {
-    if let Data::Struct(data) = &mut item.data {
-        data.fields.iter_mut().for_each(|field| field.attrs.retain(|attribute| !attribute.path().is_ident("not_null")));
+/// Removes the attributes that only this crate knows, and leaves those of serde to the JSON Schema, which reads them too.
+fn leave_to_schema(item: &mut DeriveInput) {
+    let Data::Struct(data) = &mut item.data else { return };
+    for field in &mut data.fields {
+        field.attrs.retain(|attribute| !attribute.path().is_ident("not_null"));
+        for attribute in field.attrs.iter_mut().filter(|attribute| attribute.path().is_ident("serde")) {
+            let stated = &attribute.meta;
+            *attribute = syn::parse_quote!(#[cfg_attr(feature = "schema", #stated)]);
+        }
     }
 }
 
@@ -126,10 +134,9 @@ fn attributes_of(item: &DeriveInput, all_default: bool, over_scalars: bool) -> T
     let schema = over_scalars
         .then(|| quote!(#[cfg_attr(feature = "schema", schemars(rename = #name, bound = "S: crate::scenario::leaf::Described"))]));
     quote! {
-        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+        #[derive(Clone, Debug, PartialEq)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), serde(#shape))]
         #schema
-        #[serde(#shape)]
     }
 }
 
@@ -142,7 +149,7 @@ fn declare_field(field: &mut Field, all_default: bool) -> Result<()> {
     if stated.rename.is_none() && *name != in_files {
         added.push(quote!(rename = #in_files));
     }
-    if is_option(&field.ty) && !stated.skipped {
+    if is_option(&field.ty) && stated.skip_if.is_none() && !stated.absent {
         if !all_default {
             added.push(quote!(default));
         }

@@ -10,8 +10,8 @@ const CAPITAL_UNITS: [(&str, &str); 4] = [("n", "N"), ("pa", "Pa"), ("w", "W"), 
 pub struct SerdeNames {
     /// Its name in a file.
     pub rename: Option<String>,
-    /// Whether it is left out of what is written under a condition, or always.
-    pub skipped: bool,
+    /// The condition under which it is left out of what is written.
+    pub skip_if: Option<ExprPath>,
     /// Whether it is in no file.
     pub absent: bool,
     /// Whether it has a default, and by which function.
@@ -24,10 +24,12 @@ impl SerdeNames {
         for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("serde")) {
             attribute.parse_nested_meta(|meta| {
                 found.absent |= meta.path.is_ident("skip");
-                found.skipped |= meta.path.is_ident("skip") || meta.path.is_ident("skip_serializing_if");
                 let value: Option<LitStr> = meta.input.peek(Token![=]).then(|| meta.value()?.parse()).transpose()?;
                 if meta.path.is_ident("rename") {
                     found.rename = value.as_ref().map(LitStr::value);
+                }
+                if meta.path.is_ident("skip_serializing_if") {
+                    found.skip_if = value.as_ref().map(LitStr::parse).transpose()?;
                 }
                 if meta.path.is_ident("default") {
                     found.default = Some(value.as_ref().map(LitStr::parse).transpose()?);

@@ -36,7 +36,7 @@ pub fn conversion(item: &DeriveInput) -> Result<Tokens> {
 /// The arm of one variant, or of a struct.
 fn arm(path: &Tokens, fields: &Fields, scalar: &Ident, variant: Option<&str>) -> Result<Tokens> {
     let bound: Vec<Ident> = (0..fields.len()).map(|k| format_ident!("field_{k}")).collect();
-    let converted = fields.iter().zip(&bound).map(|(field, bound)| converted(field, bound, scalar));
+    let converted = fields.iter().zip(&bound).map(|(field, bound)| converted(field, bound, scalar, variant));
     let converted: Vec<Tokens> = converted.collect::<Result<_>>()?;
     let (pattern, made) = match fields {
         Fields::Unit => (quote!(#path), quote!(#path)),
@@ -46,22 +46,18 @@ fn arm(path: &Tokens, fields: &Fields, scalar: &Ident, variant: Option<&str>) ->
             (quote!(#path { #(#names: #bound),* }), quote!(#path { #(#names: #converted),* }))
         }
     };
-    Ok(match variant.filter(|_| !matches!(fields, Fields::Unit)) {
-        Some(variant) => quote!(#pattern => crate::scenario::over::within(numbers, #variant, |numbers| #made),),
-        None => quote!(#pattern => #made,),
-    })
+    Ok(quote!(#pattern => #made,))
 }
 
-/// A field over the other scalar.
-fn converted(field: &Field, bound: &Ident, scalar: &Ident) -> Result<Tokens> {
+/// A field, or the fields of a variant, over the other scalar.
+fn converted(field: &Field, bound: &Ident, scalar: &Ident, variant: Option<&str>) -> Result<Tokens> {
     if !names_scalar(field.ty.to_token_stream(), scalar) {
         return Ok(quote!(#bound.clone()));
     }
-    let Some(name) = &field.ident else {
-        return Ok(quote!(crate::scenario::over::OverScalar::over(#bound, numbers)));
+    let name = match (&field.ident, variant) {
+        (Some(name), _) => SerdeNames::of(&field.attrs)?.in_files(name),
+        (None, Some(variant)) => variant.to_owned(),
+        (None, None) => return Ok(quote!(crate::scenario::over::OverScalar::over(#bound, numbers))),
     };
-    let name = SerdeNames::of(&field.attrs)?.in_files(name);
-    Ok(quote! {
-        crate::scenario::over::within(numbers, #name, |numbers| crate::scenario::over::OverScalar::over(#bound, numbers))
-    })
+    Ok(quote!(crate::scenario::over::within(#bound, &#name, numbers)))
 }

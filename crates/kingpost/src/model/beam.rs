@@ -59,7 +59,7 @@ impl<S: Scalar> Beam<S> {
     pub fn segment_at(&self, place: S) -> S {
         let last = self.pieces as f64;
         let [segment] =
-            S::from_values([place, self.piece()], |[place, piece]| [libm::round(place / piece).clamp(0.0, last)]);
+            S::from_values([place, self.piece()], &|[place, piece]| [libm::round(place / piece).clamp(0.0, last)]);
         segment
     }
 

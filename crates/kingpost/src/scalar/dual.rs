@@ -198,14 +198,14 @@ impl<const N: usize, S: Scalar> Scalar for Dual<N, S> {
 
     fn from_values<const K: usize, const M: usize>(
         arguments: [Self; K],
-        function: impl Fn([f64; K]) -> [f64; M],
+        function: &dyn Fn([f64; K]) -> [f64; M],
     ) -> [Self; M] {
         S::from_values(arguments.map(|argument| argument.value), function).map(Self::still)
     }
 
     #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
-        if S::LANES == 1 {
+        if const { S::LANES == 1 } {
             return if self.value.value() < limit.value.value() { below() } else { above() };
         }
         let (below, above) = (below(), above());

@@ -190,7 +190,7 @@ impl Scalar for Lanes {
 
     fn from_values<const N: usize, const M: usize>(
         arguments: [Self; N],
-        function: impl Fn([f64; N]) -> [f64; M],
+        function: &dyn Fn([f64; N]) -> [f64; M],
     ) -> [Self; M] {
         let arguments = arguments.map(Self::to_array);
         let lanes: [[f64; M]; LANES] = core::array::from_fn(|k| function(arguments.map(|lanes| lanes[k])));
@@ -228,7 +228,7 @@ mod tests {
         sum += x.atan2(y);
         sum += (-x * x).exp() * y.sin_cos_of_turns().1;
         sum -= -y * x.cos_of_turns() * (-y * y).power_of_two();
-        let [difference, product] = S::from_values([sum, x], |[a, b]| [a - b, a * b]);
+        let [difference, product] = S::from_values([sum, x], &|[a, b]| [a - b, a * b]);
         sum += difference / product + (x * x).ln_1p() + y.exp_m1() * (y * y).ln() - (x * x).pow(y);
         sum.select_less(x, || sum * y, || sum / root)
     }

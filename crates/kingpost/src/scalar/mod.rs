@@ -74,7 +74,7 @@ pub trait Scalar:
     /// its last step, which carries the derivatives.
     fn from_values<const N: usize, const M: usize>(
         arguments: [Self; N],
-        function: impl Fn([f64; N]) -> [f64; M],
+        function: &dyn Fn([f64; N]) -> [f64; M],
     ) -> [Self; M];
     /// `below()` where `self < limit`, otherwise `above()`, also if `self` is NaN. A scalar of several lanes may
     /// evaluate both, so both must be free of side effects.
@@ -166,7 +166,7 @@ impl Scalar for f64 {
     #[inline]
     fn from_values<const N: usize, const M: usize>(
         arguments: [Self; N],
-        function: impl Fn([f64; N]) -> [f64; M],
+        function: &dyn Fn([f64; N]) -> [f64; M],
     ) -> [Self; M] {
         function(arguments)
     }

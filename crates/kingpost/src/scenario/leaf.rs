@@ -19,7 +19,7 @@ pub trait Leaf: Copy + Debug + Default + PartialEq + 'static {
 
 /// The scalar of the JSON Schema: the plain number.
 #[cfg(feature = "schema")]
-pub trait Described: Leaf + serde::Serialize + schemars::JsonSchema {}
+pub trait Described: Leaf + super::writing::ToValue + serde::Serialize + schemars::JsonSchema {}
 
 #[cfg(feature = "schema")]
 impl Described for f64 {}

@@ -33,6 +33,7 @@ mod ties;
 pub(crate) mod tree;
 mod units;
 pub mod wording;
+pub mod writing;
 
 pub use assignment::parse_assignment;
 pub use built::BuiltScenario;

@@ -24,14 +24,10 @@ pub trait Numbers<S> {
     fn leave(&mut self) {}
 }
 
-/// Converts what is inside a field, a variant or an entry.
-pub fn within<S, T>(
-    numbers: &mut dyn Numbers<S>,
-    segment: impl Display,
-    convert: impl FnOnce(&mut dyn Numbers<S>) -> T,
-) -> T {
-    numbers.enter(&segment);
-    let converted = convert(numbers);
+/// Converts a field, the fields of a variant, or an entry, with its place.
+pub fn within<S, T: OverScalar<S>>(value: &T, segment: &dyn Display, numbers: &mut dyn Numbers<S>) -> T::Over {
+    numbers.enter(segment);
+    let converted = value.over(numbers);
     numbers.leave();
     converted
 }
@@ -60,14 +56,14 @@ impl<S, T: OverScalar<S>> OverScalar<S> for Box<T> {
 impl<S, T: OverScalar<S>> OverScalar<S> for Vec<T> {
     type Over = Vec<T::Over>;
     fn over(&self, numbers: &mut dyn Numbers<S>) -> Self::Over {
-        self.iter().enumerate().map(|(k, entry)| within(numbers, k, |numbers| entry.over(numbers))).collect()
+        self.iter().enumerate().map(|(k, entry)| within(entry, &k, numbers)).collect()
     }
 }
 
 impl<S, T: OverScalar<S>, const N: usize> OverScalar<S> for [T; N] {
     type Over = [T::Over; N];
     fn over(&self, numbers: &mut dyn Numbers<S>) -> Self::Over {
-        core::array::from_fn(|k| within(numbers, k, |numbers| self[k].over(numbers)))
+        core::array::from_fn(|k| within(&self[k], &k, numbers))
     }
 }
 
@@ -76,7 +72,6 @@ impl<S, K: Clone + Display + Eq + Hash, T: OverScalar<S>, H: BuildHasher + Defau
 {
     type Over = IndexMap<K, T::Over, H>;
     fn over(&self, numbers: &mut dyn Numbers<S>) -> Self::Over {
-        let entries = self.iter();
-        entries.map(|(name, entry)| (name.clone(), within(numbers, name, |numbers| entry.over(numbers)))).collect()
+        self.iter().map(|(name, entry)| (name.clone(), within(entry, name, numbers))).collect()
     }
 }

@@ -7,6 +7,7 @@ use super::error::{Fault, SourcePlace};
 use super::reading::FromNode;
 use super::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
 use super::tree::{Content, Field, ScenarioNode, segments, value_child};
+use super::writing::ToValue;
 use super::{conversion, field_search, units, wording};
 
 /// Whether a name is a field at the top of a scenario: no parameter may have it.
@@ -63,7 +64,7 @@ pub(super) fn apply(
                 let fault = |allowed| Fault::new(place, *name, wording::found(value), allowed);
                 let value = typed_value(parameter, *kind, value).map_err(fault)?;
                 for path in &parameter.writes {
-                    target.write(path, &value.to_json(), place, place)?;
+                    target.write(path, &value.to_value(), place, place)?;
                 }
             }
             None if is_definition(name) => {
@@ -131,8 +132,8 @@ impl Definition<'_> {
         };
         self.check_limits(target, value.kind())?;
         if let Some(default) = &parameter.default {
-            typed_value(parameter, value.kind(), &default.to_json())
-                .map_err(|allowed| self.fault(target, "default", wording::found(&default.to_json()), allowed))?;
+            typed_value(parameter, value.kind(), &default.to_value())
+                .map_err(|allowed| self.fault(target, "default", wording::found(&default.to_value()), allowed))?;
         }
         Ok(value.kind())
     }
@@ -170,7 +171,7 @@ impl Definition<'_> {
         let writes = self.parameter.writes.iter().enumerate();
         writes.into_iter().try_for_each(|(index, path)| {
             let name_place = target.tree.place_of(&self.path(&format!("writes.{index}")));
-            target.write(path, &value.to_json(), place, &name_place)
+            target.write(path, &value.to_value(), place, &name_place)
         })
     }
 }
@@ -329,7 +330,7 @@ impl Scenario {
     /// Each parameter's value in this scenario: the value of the first field that it writes, in that path's unit.
     /// `None` for a field that holds no single value.
     pub fn parameter_values(&self) -> Vec<(&Parameter, Option<ParameterValue>)> {
-        let whole = serde_json::to_value(self).unwrap_or_default();
+        let whole = self.to_value();
         let value = |parameter: &Parameter| {
             let (path, factor) = units::si_path(&segments(parameter.writes.first()?));
             in_unit(super::tree::value_at(&whole, &path)?, factor)

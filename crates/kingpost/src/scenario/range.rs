@@ -4,12 +4,14 @@ use std::fmt;
 use std::ops::Deref;
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::leaf::Leaf;
 use super::over::{Numbers, OverScalar};
 use super::reading::{FromNode, ReadFault};
 use super::tree::ScenarioNode;
 use super::wording::{DIRECTION, FRACTION, NON_NEGATIVE, POSITIVE, PROBABILITY};
+use super::writing::ToValue;
 
 macro_rules! ranged_number {
     ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:expr, $schema:tt) => {
@@ -74,6 +76,12 @@ macro_rules! ranged_number {
             }
             fn allowed() -> String {
                 $allowed.to_owned()
+            }
+        }
+
+        impl<S: ToValue> ToValue for $name<S> {
+            fn to_value(&self) -> Value {
+                self.0.to_value()
             }
         }
 
@@ -164,6 +172,12 @@ impl FromNode for Direction {
     }
     fn allowed() -> String {
         <[f64; 3]>::allowed()
+    }
+}
+
+impl<S: ToValue> ToValue for Direction<S> {
+    fn to_value(&self) -> Value {
+        self.0.to_value()
     }
 }
 

@@ -11,6 +11,7 @@ use crate::scenario::schema::{Parameter, Scenario};
 use crate::scenario::tree::{ScenarioNode, segments};
 use crate::simulation::{Setup, Simulation};
 
+use super::writing::ToValue;
 use crate::scenario::reading::{self, check_version};
 use crate::scenario::{conversion, parse, parts, wording};
 
@@ -173,7 +174,7 @@ impl AsWritten {
         if tree.field("bodies").is_none() {
             return Err(Fault::new(&tree.place, "bodies", wording::NOTHING, wording::FIELDS));
         }
-        let whole = serde_json::to_value(&scenario).unwrap_or_default();
+        let whole = scenario.to_value();
         Ok(Self { parameters: scenario.parameters, whole })
     }
 

@@ -5,10 +5,12 @@ use std::fmt;
 use std::ops::Deref;
 
 use serde::Serialize;
+use serde_json::Value;
 
 use super::reading::{FromName, FromNode, ReadFault, TextKind, visit_text};
 use super::tree::ScenarioNode;
 use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, TEXT, VERSION};
+use super::writing::ToValue;
 
 /// The name that stands for the inertial frame; no body may carry it.
 pub const WORLD: &str = "world";
@@ -80,6 +82,12 @@ macro_rules! formed_text {
             }
             fn text_at(path: &[&str]) -> Option<TextKind> {
                 if path.is_empty() { $kind } else { None }
+            }
+        }
+
+        impl ToValue for $name {
+            fn to_value(&self) -> Value {
+                Value::String(self.0.clone())
             }
         }
 
@@ -166,6 +174,12 @@ impl Name {
 /// The version of the file format; 1 is the only one so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Version;
+
+impl ToValue for Version {
+    fn to_value(&self) -> Value {
+        Value::from(1)
+    }
+}
 
 impl Serialize for Version {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -21,7 +21,7 @@ const SMALL: f64 = 1e-3;
 /// assert_eq!(dissipation(1.0, 1.0), 0.0);
 /// ```
 pub fn dissipation<S: Scalar>(restitution: S, speed: S) -> S {
-    let [found] = S::from_values([restitution], |[e]| [scaled(e)]);
+    let [found] = S::from_values([restitution], &|[e]| [scaled(e)]);
     let loss = S::ONE - restitution;
     let small = loss * (S::ONE + loss) * S::constant(1.5);
     // One more Newton step gives the derivatives.

@@ -66,7 +66,7 @@ impl<S: Scalar> DirectionTable<S> {
     /// The coefficients at a direction in (-pi, pi], rad.
     pub fn at(&self, direction: S) -> [S; 3] {
         let first = self.directions[0];
-        let [begin, place] = S::from_values([direction], |[direction]| {
+        let [begin, place] = S::from_values([direction], &|[direction]| {
             let behind = (direction - first).rem_euclid(TAU) + first;
             let i = self.directions.partition_point(|begin| *begin <= behind).max(1) - 1;
             [self.directions[i], i as f64]

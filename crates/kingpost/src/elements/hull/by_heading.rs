@@ -66,7 +66,7 @@ impl<S: Scalar> ByHeading<S> {
 
     /// Turns to a heading, rad.
     pub fn turn_to(&mut self, heading: S) {
-        let [node] = S::from_values([heading], |[x]| [libm::round(x * NODES_PER_RAD) / NODES_PER_RAD]);
+        let [node] = S::from_values([heading], &|[x]| [libm::round(x * NODES_PER_RAD) / NODES_PER_RAD]);
         if self.node != Some(node) {
             self.expand_about(node);
         }

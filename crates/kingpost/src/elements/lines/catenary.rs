@@ -99,7 +99,7 @@ impl<S: Scalar> Catenary<S> {
         let span = self.above_seabed(span);
         let Self { unstretched_length, weight, axial_stiffness, on_seabed } = *self;
         let given = [span.across, span.up, unstretched_length, weight, axial_stiffness];
-        let [horizontal, vertical] = S::from_values(given, |[across, up, length, weight, stiffness]| {
+        let [horizontal, vertical] = S::from_values(given, &|[across, up, length, weight, stiffness]| {
             let line = Catenary { unstretched_length: length, weight, axial_stiffness: stiffness, on_seabed };
             let EndForce { horizontal, vertical } = line.iterate(&Span { across, up });
             [horizontal, vertical]

@@ -77,7 +77,7 @@ impl<S: Scalar> SignalErrors<S> {
         if self.resolution == 0.0 {
             return noisy;
         }
-        let [steps] = S::from_values([noisy * S::constant(1.0 / self.resolution)], |[steps]| [libm::round(steps)]);
+        let [steps] = S::from_values([noisy * S::constant(1.0 / self.resolution)], &|[steps]| [libm::round(steps)]);
         steps * S::constant(self.resolution)
     }
 }

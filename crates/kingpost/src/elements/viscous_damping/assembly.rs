@@ -59,7 +59,7 @@ const ROUNDING: f64 = 1e-6;
 /// the unit of length.
 fn check_heat<S: Quantity>(field: &str, matrix: &[[S; 6]; 6]) -> Result<(), FieldError> {
     let entries: [S; 36] = array::from_fn(|k| matrix[k / 6][k % 6]);
-    let [least] = S::from_values(entries, |entries| {
+    let [least] = S::from_values(entries, &|entries| {
         [least_eigenvalue(&array::from_fn(|i| array::from_fn(|j| entries[6 * i + j])))]
     });
     let Some(least) = least.outside(|least| least >= -ROUNDING) else { return Ok(()) };

@@ -331,7 +331,7 @@ fn inertia<S: Quantity>(name: &str, body: &schema::Body<S>) -> Result<SpatialIne
         }
     };
     let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments;
-    let [sound] = S::from_values([xx, xy, xz, yy, yz, zz], |[xx, xy, xz, yy, yz, zz]| {
+    let [sound] = S::from_values([xx, xy, xz, yy, yz, zz], &|[xx, xy, xz, yy, yz, zz]| {
         [f64::from(Symmetric3 { xx, xy, xz, yy, yz, zz }.holds_triangle_inequality())]
     });
     if !sound.all(|sound| sound == 1.0) {

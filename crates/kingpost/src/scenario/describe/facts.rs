@@ -3,6 +3,7 @@
 use crate::elements::significant;
 use crate::scenario::schema::{Joint, Scenario};
 use crate::scenario::units::si_ending;
+use crate::scenario::writing::ToValue;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -50,8 +51,8 @@ pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
 }
 
 /// The description of an entry that stands under its kind, as in a scenario file.
-fn described(name: &str, group: &'static str, tagged: &impl Serialize) -> Option<ElementDescription> {
-    let Value::Object(tagged) = serde_json::to_value(tagged).ok()? else { return None };
+fn described(name: &str, group: &'static str, tagged: &dyn ToValue) -> Option<ElementDescription> {
+    let Value::Object(tagged) = tagged.to_value() else { return None };
     let (kind, Value::Object(fields)) = tagged.into_iter().next()? else { return None };
     let enabled = fields.get("enabled").and_then(Value::as_bool).unwrap_or(true);
     let facts = facts(&fields, "");
@@ -60,7 +61,7 @@ fn described(name: &str, group: &'static str, tagged: &impl Serialize) -> Option
 
 /// The given data of a joint's prescribed motions; empty if none is prescribed.
 pub fn prescribed(joint: &Joint) -> Vec<Fact> {
-    let Ok(Value::Object(tagged)) = serde_json::to_value(joint) else { return Vec::new() };
+    let Value::Object(tagged) = joint.to_value() else { return Vec::new() };
     let Some(Value::Object(fields)) = tagged.into_iter().next().map(|(_, fields)| fields) else { return Vec::new() };
     let motion = |of: &Map<String, Value>, lead: &str| match of.get("mode").and_then(Value::as_object) {
         Some(mode) => mode.values().filter_map(Value::as_object).flat_map(|given| facts(given, lead)).collect(),

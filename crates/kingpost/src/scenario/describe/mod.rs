@@ -14,6 +14,7 @@ use crate::elements::Submerged;
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::scenario::assembly::flexible::{owner, shape};
 use crate::scenario::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
+use crate::scenario::writing::ToValue;
 use crate::simulation::{Limit, Setup};
 use crate::spatial::{Twist, Vector3};
 use serde::Serialize;
@@ -292,7 +293,7 @@ fn describe_limit(
 
 fn describe_parameter((parameter, value): (&Parameter, Option<ParameterValue>)) -> ParameterDescription {
     let kind = value.as_ref().map_or(ParameterKind::Choice, ParameterValue::kind);
-    let value = value.as_ref().map(ParameterValue::to_json).unwrap_or_default();
+    let value = value.as_ref().map(ParameterValue::to_value).unwrap_or_default();
     ParameterDescription {
         name: parameter.name.to_string(),
         label: parameter.shown().to_owned(),

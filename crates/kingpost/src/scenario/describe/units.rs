@@ -4,6 +4,7 @@
 //! written, with the unit that it is read in.
 
 use crate::scenario::schema::Scenario;
+use crate::scenario::writing::ToValue;
 use core::f64::consts::TAU;
 use serde_json::{Map, Value};
 
@@ -52,7 +53,7 @@ const PLAUSIBLE: [Plausible; 10] = [
 
 /// Warns of numbers outside of their range, and of radii of gyration larger than their body.
 pub fn of(scenario: &Scenario) -> Vec<String> {
-    let Ok(written) = serde_json::to_value(scenario) else { return Vec::new() };
+    let written = scenario.to_value();
     let mut warnings = Vec::new();
     walk(&written, "", &mut warnings);
     of_gyration(scenario, &written, &mut warnings);

@@ -18,6 +18,7 @@ use super::parameters::{self, Override, OverrideTarget};
 use super::reading::check_version;
 use super::schema::{Mounting, Name, Scenario, WORLD};
 use super::tree::{Content, Field, ScenarioNode, segments};
+use super::writing::ToValue;
 use super::{conversion, parse, part_names, reading, wording};
 
 /// Largest nesting depth and number of parts: more would be an error and exhaust the machine.
@@ -130,8 +131,7 @@ impl Mounter<'_> {
         passed_up(&mut tree, &mount.mounting.parameters);
         names::into_whole(&mut tree, &prefix, &file, mount.name)?;
         names::places_with_prefix(&mut tree, &prefix, from);
-        let whole = mount.remapped(reading::read::<Scenario>(&tree))?;
-        let whole = serde_json::to_value(&whole).unwrap_or_default();
+        let whole = mount.remapped(reading::read::<Scenario>(&tree))?.to_value();
         let frames = stand::on_the_mounting(&mut tree, &whole, mount)?;
         Ok(Some(merge::Part { tree, frames }))
     }
@@ -233,7 +233,7 @@ fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
 /// Writes a part's own defaults and then the values that are set.
 fn apply(tree: &mut ScenarioNode, given: &[Override<'_>]) -> Result<(), Fault> {
     let as_written: Scenario = reading::read(tree)?;
-    let whole = serde_json::to_value(&as_written).unwrap_or_default();
+    let whole = as_written.to_value();
     parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given)
 }
 

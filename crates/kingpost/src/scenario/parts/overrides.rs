@@ -8,6 +8,7 @@ use super::super::parameters::{Override, OverrideTarget};
 use super::super::reading;
 use super::super::schema::{Mounting, Name, Scenario};
 use super::super::tree::{Content, Field, ScenarioNode, segments};
+use super::super::writing::ToValue;
 use super::super::{conversion, units, wording};
 use super::{put, take};
 
@@ -32,25 +33,13 @@ pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>
                     return Err(fault);
                 }
                 in_probe(parts, |probe| {
-                    let whole = serde_json::to_value(Mountings::of(&reading::read(probe)?)).unwrap_or_default();
+                    let whole = json!({ "parts": reading::read::<Scenario>(probe)?.parts.to_value() });
                     OverrideTarget { tree: probe, whole: &whole }.write(set.name, set.value, &set.place, &set.place)
                 })?;
             }
         }
     }
     Ok(rest)
-}
-
-/// Mountings with every default, as in a scenario.
-#[derive(serde::Serialize)]
-struct Mountings<'a> {
-    parts: &'a IndexMap<Name, Mounting>,
-}
-
-impl<'a> Mountings<'a> {
-    fn of(scenario: &'a Scenario) -> Self {
-        Self { parts: &scenario.parts }
-    }
 }
 
 /// The error for a field that a parameter already writes.

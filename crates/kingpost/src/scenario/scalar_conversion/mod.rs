@@ -15,6 +15,7 @@ use super::error::ScenarioError;
 use super::leaf::Quantity;
 use super::over::{Numbers, OverScalar};
 use super::schema::Scenario;
+use super::writing::ToValue;
 use crate::plant::{DIRECTIONS, Number};
 use crate::simulation::Setup;
 use derivatives::NumberTangents;
@@ -85,6 +86,6 @@ impl Scenario {
 
     /// The resolved scenario as a tree of values.
     pub(super) fn written(&self) -> Value {
-        serde_json::to_value(self).unwrap_or_default()
+        self.to_value()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::super::over::{Numbers, OverScalar};
 use super::super::schema::Scenario;
+use super::super::writing::ToValue;
 
 /// Writes 0 for each number, and keeps the numbers in their order.
 #[derive(Default)]
@@ -26,7 +27,7 @@ impl Scenario {
     /// The [structure](Self::structure), and the continuous numbers in the order of their declarations.
     pub(super) fn structure_and_numbers(&self) -> (String, Vec<f64>) {
         let mut blanks = Blanks::default();
-        let structure = serde_json::to_string(&self.over(&mut blanks)).unwrap_or_default();
+        let structure = self.over(&mut blanks).to_value().to_string();
         (structure, blanks.numbers)
     }
 }

@@ -8,6 +8,7 @@ use super::Name;
 use crate::scenario::reading::{FromNode, ReadFault};
 use crate::scenario::tree::ScenarioNode;
 use crate::scenario::wording::PARAMETER_VALUE;
+use crate::scenario::writing::ToValue;
 
 /// A parameter that a user can change. Command line, Python and the app set the fields in `writes` by its name.
 #[fields]
@@ -73,9 +74,10 @@ impl ParameterValue {
             Self::Text(_) => ParameterKind::Choice,
         }
     }
+}
 
-    /// The value as JSON.
-    pub fn to_json(&self) -> Value {
+impl ToValue for ParameterValue {
+    fn to_value(&self) -> Value {
         match self {
             Self::Boolean(value) => Value::Bool(*value),
             Self::Number(value) => Number::from_f64(*value).map_or(Value::Null, Value::Number),

@@ -1,5 +1,6 @@
 //! Checks of a study beyond its types: values that are there once, kinds that go together, how many runs there may be.
 
+use super::super::writing::ToValue;
 use super::{DrawnInterval, EvenRange, MOST_PEAKS, MOST_RUNS, MOST_SEEDS, ScatterQuantity, Study, StudyAxis};
 use crate::scenario::error::FieldError;
 use crate::scenario::schema::ParameterValue;
@@ -69,10 +70,10 @@ fn values(name: &str, given: &[ParameterValue]) -> Result<(), Wrong> {
         let path = ["axes", name, "values", &k.to_string()];
         if value.kind() != first.kind() {
             let allowed = "values of one kind: all numbers, all texts, or all true or false";
-            return wrong(&path, wording::found(&value.to_json()), allowed);
+            return wrong(&path, wording::found(&value.to_value()), allowed);
         }
         if given[..k].contains(value) {
-            return wrong(&path, format!("{} a second time", wording::found(&value.to_json())), "each value once");
+            return wrong(&path, format!("{} a second time", wording::found(&value.to_value())), "each value once");
         }
     }
     Ok(())

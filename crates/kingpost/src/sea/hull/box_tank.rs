@@ -84,7 +84,7 @@ impl<S: Scalar> BoxTank<S> {
     /// dV/dl, the area, they are exact if l is.
     fn level(&self, vertical: Vector3<S>) -> S {
         let ([x, y, z], [length, breadth, height]) = (vertical.0, self.edges.0);
-        let [level] = S::from_values([x, y, z, length, breadth, height, self.filling], |numbers| {
+        let [level] = S::from_values([x, y, z, length, breadth, height, self.filling], &|numbers| {
             let [x, y, z, length, breadth, height, filling] = numbers;
             [BoxTank { edges: Vector3::new(length, breadth, height), filling }.find_level(Vector3::new(x, y, z))]
         });

@@ -189,9 +189,9 @@ impl RaoTable {
                 _ => ends[(k - 2) / 12][(k - 2) / 2 % 6][k % 2],
             })
         };
-        let found: [S; 26] = S::from_values([direction_rad], between);
+        let found: [S; 26] = S::from_values([direction_rad], &between);
         // The share has the value that was found and the slope of the direction in its interval.
-        let [there] = S::from_values([direction_rad], |direction| direction);
+        let [there] = S::from_values([direction_rad], &|direction| direction);
         let share = found[0] + (direction_rad - there) / found[1];
         core::array::from_fn(|mode| {
             core::array::from_fn(|part| {
