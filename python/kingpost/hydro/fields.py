@@ -85,11 +85,15 @@ class Fields:
         """A field that is a finite number, and greater than 0 if required."""
         value = self.values[name]
         allowed = "a number greater than 0" if positive else "a finite number"
-        if not isinstance(value, int | float) or isinstance(value, bool) or not math.isfinite(value):
+        if not isinstance(value, int | float) or isinstance(value, bool):
             raise self.wrong(name, shown(value), allowed)
-        if positive and value <= 0:
+        try:
+            number = float(value)
+        except OverflowError:  # a whole number of more than 308 digits
+            number = math.inf
+        if not math.isfinite(number) or (positive and number <= 0):
             raise self.wrong(name, shown(value), allowed)
-        return float(value)
+        return number
 
     def numbers(self, name: str, *shape: int | None) -> NDArray[np.float64]:
         """A field that is a nested list of finite numbers; `None` in the shape stands for any length."""

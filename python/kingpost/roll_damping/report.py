@@ -73,24 +73,25 @@ def second_opinion(sections: Sections, found: xarray.Dataset, keels: BilgeKeels 
     root = math.sqrt(beam / (2 * Water.gravity_m_s2))
     frequency = found.attrs["frequency_rad_s"] * root
     unit = found.attrs["density_kg_m3"] * sections.volume_m3 * beam**2 / root
+    ratios = () if keels is None else (keels.breadth_m / beam, keels.length_m / sections.total_length_m)
     outside = form.outside()
+    for name, value in zip(simplified.KEEL_RANGES, ratios, strict=False):
+        least, most = simplified.KEEL_RANGES[name]
+        if not least <= value <= most:
+            outside.append(f"bilge keels' {name} {value:.3g} is not within {least:g} to {most:g}")
+    # Far outside of its range the regression overflows.
+    if outside:
+        return f"no comparison with Kawahara et al. (2009): {'; '.join(outside)}"
     expected = [simplified.eddy(form, frequency, amplitude) * unit]
     ours = [float(found["damping"].sel(component="eddies", amplitude=amplitude))]
     names = ["eddies"]
-    if keels is not None:
-        ratios = keels.breadth_m / beam, keels.length_m / sections.total_length_m
-        for name, value in zip(simplified.KEEL_RANGES, ratios, strict=True):
-            least, most = simplified.KEEL_RANGES[name]
-            if not least <= value <= most:
-                outside.append(f"bilge keels' {name} {value:.3g} is not within {least:g} to {most:g}")
+    if ratios:
         expected.append(simplified.bilge_keels(form, frequency, amplitude, *ratios) * unit)
         both = found["damping"].sel(
             component=["bilge_keel_force", "bilge_keel_pressure"], amplitude=amplitude
         )
         ours.append(float(both.sum()))
         names.append("bilge keels")
-    if outside:
-        return f"no comparison with Kawahara et al. (2009): {'; '.join(outside)}"
     pairs = ", ".join(
         f"{name} {theirs:.4g} ({mine:.4g})" for name, theirs, mine in zip(names, expected, ours, strict=True)
     )

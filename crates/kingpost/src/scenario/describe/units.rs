@@ -4,6 +4,7 @@
 //! written, with the unit that it is read in.
 
 use crate::scenario::schema::Scenario;
+use crate::scenario::wording;
 use crate::scenario::writing::ToValue;
 use core::f64::consts::TAU;
 use serde_json::{Map, Value};
@@ -75,6 +76,7 @@ fn walk(value: &Value, path: &str, warnings: &mut Vec<String>) {
                 return;
             };
             if !(*least..=*most).contains(&value) {
+                let value = wording::with_powers(&value.to_string());
                 warnings.push(format!("{}: {value} is outside of {why}", &path[1..]));
             }
         }
