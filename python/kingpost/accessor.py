@@ -6,11 +6,11 @@ imported before Kingpost, or if `register` was called.
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Any
 
 from . import markup
 from .results.columns import column, columns
+from .results.entries import LimitEntry, limits_of, limits_of_runs
 from .results.events import events, warnings
 from .results.xarrays import when_loaded
 
@@ -149,10 +149,11 @@ class Accessor:
         return warnings(self._results)
 
     @property
-    def limits(self) -> list[dict[str, Any]]:
+    def limits(self) -> list[LimitEntry] | list[list[LimitEntry]]:
         """How the scenario's limits held: ``name``, ``column``, ``unit``, ``held``, ``worst``, its time; for
         a `Batch`, a list for each run."""
-        return json.loads(self._results.attrs.get("limits", "[]"))
+        attributes = self._results.attrs
+        return limits_of_runs(attributes) if "run" in self._results.sizes else limits_of(attributes)
 
     def _repr_html_(self) -> str:
         about = self._results.attrs
@@ -160,11 +161,12 @@ class Accessor:
         rows = [("status", about.get("status", "")), ("seed", about.get("seed", "")),
                 ("recorded", f"{time[0]:g} to {time[-1]:g} s, {len(time)} rows")]  # fmt: skip
         parts = [markup.table(str(about.get("title", "")), rows)]
-        if "run" not in self._results.sizes and self.limits:
+        limits = [] if "run" in self._results.sizes else limits_of(about)
+        if limits:
             held = {True: "yes", False: "NO", None: "no row"}
             cells = [
                 (one["name"], held[one["held"]], "" if one["worst"] is None else one["worst"], one["unit"])
-                for one in self.limits
+                for one in limits
             ]
             parts.append(markup.table("Limits", cells, ("limit", "held", "worst", "unit")))
         if told := [str(text) for text in self.warnings["warning_text"].values]:

@@ -3,6 +3,7 @@
 //!
 //! A type of the file is generic over its continuous numbers, `struct Rope<S = f64>`, or has none, `struct Pulse`.
 
+mod kinds;
 mod naming;
 mod over;
 mod reader;
@@ -24,12 +25,13 @@ use naming::{SerdeNames, name_in_files};
 ///   JSON Schema (feature `schema`). The variants of an enum are written in snake case.
 /// - A field that is an `Option` may be left out, and is not written where it is `None`; with `#[not_null]` it has a value where
 ///   it is written.
+/// - A field with `#[placed(Point)]` or `#[placed(Station)]` is a place in the world, which a part's mounting moves (`PlaceKind`).
 /// - The defaults of other fields are those of serde's attributes.
 /// - A unit at the end of a field's name is written as it is in SI: `force_n` is `force_N` in a file.
 /// - A type over scalars `S` is converted from plain numbers to other scalars, number by number (`OverScalar`).
 ///
 /// `#[fields(default)]` takes fields that are left out from the type's `Default`; `#[fields(assembled)]`, for an enum of kinds, lets each
-/// kind assemble its elements (`Assemble`).
+/// kind assemble its elements (`Assemble`), and `sets_inputs` state the inputs that it sets (`SetsInputs`).
 #[proc_macro_attribute]
 pub fn fields(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let item = parse_macro_input!(item as DeriveInput);
@@ -37,7 +39,7 @@ pub fn fields(arguments: TokenStream, item: TokenStream) -> TokenStream {
 }
 
 fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
-    let Arguments { default: all_default, assembled } = Arguments::of(arguments)?;
+    let Arguments { default: all_default, assembled, sets_inputs } = Arguments::of(arguments)?;
     let over_scalars = item.generics.params.iter().any(|parameter| matches!(parameter, GenericParam::Type(_)));
     match &mut item.data {
         Data::Struct(data) => data.fields.iter_mut().try_for_each(|field| declare_field(field, all_default))?,
@@ -48,7 +50,8 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
     let conversion = over_scalars.then(|| over::conversion(&item)).transpose()?;
     let reader = reader::reader(&item, all_default)?;
     let writer = writer::writer(&item)?;
-    let assembly = assembled.then(|| assembly(&item));
+    let assembly = assembled.then(|| kinds::assembly(&item));
+    let inputs = sets_inputs.then(|| kinds::inputs(&item));
     leave_to_schema(&mut item);
     Ok(quote! {
         #attributes
@@ -57,6 +60,7 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
         #reader
         #writer
         #assembly
+        #inputs
     })
 }
 
@@ -73,7 +77,7 @@ fn check_kind(variant: &Variant) -> Result<()> {
 fn leave_to_schema(item: &mut DeriveInput) {
     let Data::Struct(data) = &mut item.data else { return };
     for field in &mut data.fields {
-        field.attrs.retain(|attribute| !attribute.path().is_ident("not_null"));
+        field.attrs.retain(|attribute| !["not_null", "placed"].iter().any(|own| attribute.path().is_ident(own)));
         for attribute in field.attrs.iter_mut().filter(|attribute| attribute.path().is_ident("serde")) {
             let stated = &attribute.meta;
             *attribute = syn::parse_quote!(#[cfg_attr(feature = "schema", #stated)]);
@@ -88,39 +92,25 @@ struct Arguments {
     default: bool,
     /// Elements are assembled from each kind.
     assembled: bool,
+    /// Each kind sets inputs.
+    sets_inputs: bool,
 }
 
 impl Arguments {
     fn of(arguments: Tokens) -> Result<Self> {
         let mut found = Self::default();
         let parser = syn::meta::parser(|meta| {
-            found.default |= meta.path.is_ident("default");
-            found.assembled |= meta.path.is_ident("assembled");
-            let known = meta.path.is_ident("default") || meta.path.is_ident("assembled");
-            if known { Ok(()) } else { Err(meta.error("`default`, `assembled`, or nothing")) }
+            let flag = match meta.path.get_ident().map(ToString::to_string).as_deref() {
+                Some("default") => &mut found.default,
+                Some("assembled") => &mut found.assembled,
+                Some("sets_inputs") => &mut found.sets_inputs,
+                _ => return Err(meta.error("`default`, `assembled`, `sets_inputs`, or nothing")),
+            };
+            *flag = true;
+            Ok(())
         });
         parser.parse2(arguments)?;
         Ok(found)
-    }
-}
-
-/// The assembly of the elements of each kind.
-fn assembly(item: &DeriveInput) -> Tokens {
-    let name = &item.ident;
-    let Data::Enum(data) = &item.data else { return Tokens::new() };
-    let kinds = data.variants.iter().map(|variant| &variant.ident);
-    quote! {
-        impl<S: crate::scenario::leaf::Quantity> crate::scenario::assembly::assemble::Assemble<S> for #name<S> {
-            fn assemble(
-                &self,
-                name: &str,
-                at: crate::scenario::assembly::assemble::Surroundings<'_, S>,
-            ) -> Result<Vec<crate::elements::AnyElement<S>>, crate::scenario::error::FieldError> {
-                match self {
-                    #(Self::#kinds(given) => given.assemble(name, at),)*
-                }
-            }
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream as Tokens;
 use quote::{format_ident, quote};
-use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Result, Type};
+use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Path, Result, Type};
 
 use crate::naming::{SerdeNames, snake_case};
 
@@ -19,10 +19,11 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
             let fields: Vec<Read<'_>> = data.fields.iter().enumerate().map(read).collect::<Result<_>>()?;
             let names = fields.iter().filter(|field| !field.stated.absent).map(Read::name);
             let names = quote!(const FIELDS: &'static [&'static str] = &[#(#names),*];);
+            let places = places(&fields);
             let in_files = fields.iter().filter(|field| !field.stated.absent);
             let texts = texts(in_files.map(|field| (field.name(), field.of)), &scalar);
             let body = of_fields(&fields, all_default);
-            (body, quote!(crate::scenario::wording::FIELDS.to_owned()), quote!(#names #texts))
+            (body, quote!(crate::scenario::wording::FIELDS.to_owned()), quote!(#names #texts #places))
         }
         Data::Enum(data) => {
             let kinds: Vec<String> =
@@ -39,8 +40,10 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
             let with_fields = data.variants.iter().zip(&kinds);
             let with_fields =
                 with_fields.filter_map(|(variant, kind)| Some((kind.clone(), &variant.fields.iter().next()?.ty)));
-            let texts = texts(with_fields, &scalar);
-            (body, quote!(crate::scenario::wording::one_of(&[#(#kinds),*])), texts)
+            let with_fields: Vec<(String, &Type)> = with_fields.collect();
+            let places = places_of_kinds(&with_fields, &scalar);
+            let texts = texts(with_fields.into_iter(), &scalar);
+            (body, quote!(crate::scenario::wording::one_of(&[#(#kinds),*])), quote!(#texts #places))
         }
         Data::Union(_) => return Err(Error::new_spanned(name, "a struct or an enum")),
     };
@@ -81,6 +84,31 @@ fn texts<'a>(fields: impl Iterator<Item = (String, &'a Type)>, scalar: &Option<T
     }
 }
 
+/// The fields that are places in the world.
+fn places(fields: &[Read<'_>]) -> Tokens {
+    let placed = fields.iter().filter_map(|field| Some((field.name(), field.placed.as_ref()?)));
+    let (names, kinds): (Vec<String>, Vec<&Path>) = placed.unzip();
+    let kinds = kinds.into_iter().map(|kind| quote!(crate::scenario::reading::PlaceKind::#kind));
+    quote! {
+        fn places(_: &str) -> &'static [(&'static str, crate::scenario::reading::PlaceKind)] {
+            &[#((#names, #kinds)),*]
+        }
+    }
+}
+
+fn places_of_kinds(with_fields: &[(String, &Type)], scalar: &Option<Tokens>) -> Tokens {
+    let (names, types): (Vec<&String>, Vec<&Type>) = with_fields.iter().map(|(name, of)| (name, of)).unzip();
+    quote! {
+        fn places(kind: &str) -> &'static [(&'static str, crate::scenario::reading::PlaceKind)] {
+            #scalar
+            match kind {
+                #(#names => <#types as crate::scenario::reading::FromNode>::places(kind),)*
+                _ => &[],
+            }
+        }
+    }
+}
+
 fn arm(variant: &Ident, kind: &str, has_fields: bool) -> Tokens {
     if has_fields {
         quote!(#kind => reading::kind_with_fields(node, kind, of).map(Self::#variant),)
@@ -96,6 +124,8 @@ struct Read<'a> {
     slot: Ident,
     stated: SerdeNames,
     not_null: bool,
+    /// Its kind of place in the world.
+    placed: Option<Path>,
 }
 
 fn of_fields(fields: &[Read<'_>], all_default: bool) -> Tokens {
@@ -124,7 +154,10 @@ fn of_fields(fields: &[Read<'_>], all_default: bool) -> Tokens {
 fn read_field(k: usize, field: &Field) -> Result<Read<'_>> {
     let ident = field.ident.as_ref().ok_or_else(|| Error::new_spanned(field, "a field with a name"))?;
     let not_null = field.attrs.iter().any(|attribute| attribute.path().is_ident("not_null"));
-    Ok(Read { ident, of: &field.ty, slot: format_ident!("field_{k}"), stated: SerdeNames::of(&field.attrs)?, not_null })
+    let placed = field.attrs.iter().find(|attribute| attribute.path().is_ident("placed"));
+    let placed = placed.map(|attribute| attribute.parse_args()).transpose()?;
+    let stated = SerdeNames::of(&field.attrs)?;
+    Ok(Read { ident, of: &field.ty, slot: format_ident!("field_{k}"), stated, not_null, placed })
 }
 
 impl Read<'_> {

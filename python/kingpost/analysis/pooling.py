@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..errors import KingpostError
+from ..results.entries import digests_of, scenario_of
 from ..simulation.batch import SEED
 
 if TYPE_CHECKING:
@@ -60,9 +60,9 @@ def file_of(run: xarray.Dataset) -> str:
 def _settings(run: xarray.Dataset) -> dict[str, Any]:
     """The resolved scenario by dotted names, without the seed and descriptive texts, and with the digests of
     the files that it names: two databases can have the same name."""
-    found = _flat(json.loads(run.attrs.get("scenario", "{}")))
+    found = _flat(scenario_of(run.attrs))
     kept = {name: value for name, value in found if name != SEED and name.partition(".")[0] not in WORDS}
-    digests = json.loads(run.attrs.get("files", "{}"))
+    digests = digests_of(run.attrs)
     return kept | {f"the file {name} with SHA-256": digest[:12] for name, digest in digests.items()}
 
 
@@ -89,7 +89,7 @@ def seeds(run: xarray.Dataset) -> list[Any]:
     KingpostError
         If the runs of a `Batch` differ in something other than their seeds.
     """
-    described = json.loads(run.attrs.get("scenario", "{}"))
+    described = scenario_of(run.attrs)
     seed = described.get("simulation", {}).get("seed", 0)
     if "run" not in run.dims:
         return [seed]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from ..results.entries import EventEntry, events_of
 from ..simulation.batch import FINISHED
 from ..simulation.records import REPEATING
 from .tables import table
@@ -16,13 +16,11 @@ if TYPE_CHECKING:
 # More events of one element are counted, too: a load leaves the water in every wave.
 MOST_OF_ONE = 4
 
-Event = dict[str, Any]
-
 
 def events(results: xarray.Dataset) -> list[str]:
     """Events of a run: a row for each important event, in order of time, then a row for each element with
     repeating events."""
-    found: list[Event] = json.loads(results.attrs.get("events", "[]"))
+    found = events_of(results.attrs)
     often = Counter((event["element"], event["what"]) for event in found)
     repeats = {kind for kind, count in often.items() if kind[1] in REPEATING or count > MOST_OF_ONE}
     single = [event for event in found if (event["element"], event["what"]) not in repeats]
@@ -34,14 +32,14 @@ def events(results: xarray.Dataset) -> list[str]:
     return [line for lines in tables for line in ("", *lines)][1:]
 
 
-def _in_order(events: list[Event]) -> list[str]:
+def _in_order(events: list[EventEntry]) -> list[str]:
     rows = [(f"{event['time_s']:.2f}", event["element"], event["what"]) for event in events]
     return table([("at, s", "", "event"), *rows], "><<") if rows else []
 
 
-def _counted(events: list[Event]) -> list[str]:
+def _counted(events: list[EventEntry]) -> list[str]:
     """A row for each element: the count of each of its events, the first and the last time."""
-    of_things: dict[str, list[Event]] = {}
+    of_things: dict[str, list[EventEntry]] = {}
     for event in events:
         of_things.setdefault(event["element"], []).append(event)
     rows = [("repeating events", "", "first at, s", "last at, s")]

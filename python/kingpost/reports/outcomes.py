@@ -5,18 +5,20 @@ For several runs, which differ in their seeds, each limit and each warning is pr
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..analysis import pooling
 from ..errors import KingpostError, shortened
+from ..results.entries import limits_of_runs, warnings_of_runs
 from ..simulation.outcomes import Outcome, in_words, of_run, with_partings
 from .tables import table, unit_cell
 
 if TYPE_CHECKING:
     import xarray
+
+T = TypeVar("T")
 
 
 def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
@@ -27,15 +29,15 @@ def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
         if "run" not in run.sizes:
             found.append(of_run(run.attrs, seeds[0]))
             continue
-        # Each attribute is a list with an entry for each run.
-        limits, warnings = (_of_each(run, name, len(seeds)) for name in ("limits", "warnings"))
+        limits = _of_each(run, "limits", limits_of_runs(run.attrs), len(seeds))
+        warnings = _of_each(run, "warnings", warnings_of_runs(run.attrs), len(seeds))
         found += [with_partings(*one) for one in zip(seeds, limits, warnings, strict=True)]
     return found
 
 
-def _of_each(runs: xarray.Dataset, name: str, count: int) -> list[Any]:
-    """An attribute of several runs: an entry for each, empty ones where there is none."""
-    entries = json.loads(runs.attrs.get(name, "[]")) or [[]] * count
+def _of_each(runs: xarray.Dataset, name: str, entries: list[list[T]], count: int) -> list[list[T]]:
+    """The entries of each of several runs, empty ones where there are none."""
+    entries = entries or [[]] * count
     if not isinstance(entries, list) or len(entries) != count:
         held = f"{len(entries)} entries" if isinstance(entries, list) else repr(shortened(str(entries)))
         raise KingpostError(

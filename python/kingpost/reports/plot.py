@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from ..analysis import pooling
 from ..errors import KingpostError
 from ..lettering import as_written
 from ..results.columns import unit_of
+from ..results.entries import LimitEntry, events_of, limits_of
 from ..results.units import engineering
 from .selection import chosen, of_time
 
@@ -101,13 +101,13 @@ def check(run: xarray.Dataset, patterns: Sequence[str]) -> None:
     _panels(run, patterns, {})
 
 
-def _limits(run: xarray.Dataset) -> dict[str, dict[str, Any]]:
+def _limits(run: xarray.Dataset) -> dict[str, LimitEntry]:
     """The scenario's limits by their columns."""
-    return {limit["column"]: limit for limit in json.loads(run.attrs.get("limits", "[]"))}
+    return {limit["column"]: limit for limit in limits_of(run.attrs)}
 
 
 def _panels(
-    run: xarray.Dataset, patterns: Sequence[str], limits: dict[str, dict[str, Any]]
+    run: xarray.Dataset, patterns: Sequence[str], limits: dict[str, LimitEntry]
 ) -> dict[str, list[str]]:
     """Columns grouped by the displayed unit."""
     # Without patterns the main columns are chosen.
@@ -147,7 +147,7 @@ def _series(run: xarray.Dataset, name: str) -> Iterator[xarray.DataArray]:
     yield from [series] if "run" not in series.dims else (series.isel(run=k) for k in range(run.sizes["run"]))
 
 
-def _draw_limit(axes: Axes, limit: dict[str, Any] | None, unit: str, colour: str) -> None:
+def _draw_limit(axes: Axes, limit: LimitEntry | None, unit: str, colour: str) -> None:
     """The bounds of a column, if they are in the panel's unit or in its SI unit."""
     if limit is None:
         return
@@ -158,7 +158,7 @@ def _draw_limit(axes: Axes, limit: dict[str, Any] | None, unit: str, colour: str
 
 
 def _draw_steps(every: Sequence[Axes], run: xarray.Dataset) -> None:
-    for event in json.loads(run.attrs.get("events", "[]")):
+    for event in events_of(run.attrs):
         if event["element"] != "operation":
             continue
         for axes in every:

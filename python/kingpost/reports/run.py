@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..results.columns import columns, unit_of
+from ..results.entries import events_of, limits_of, model_warnings_of, warnings_of
 from ..results.units import engineering
 from .selection import is_single_force, is_single_number
 from .tables import fixed, joules, largest, significant, table, unit_cell
@@ -60,14 +60,15 @@ def numbers(results: xarray.Dataset, scenario: Scenario) -> dict[str, Any]:
                "largest": series.values.max()}
         for name, series in columns(results)
     }  # fmt: skip
-    told = {name: json.loads(results.attrs.get(name, "[]"))
-            for name in ("limits", "events", "warnings", "model_warnings")}  # fmt: skip
     return {
         "title": scenario.title,
         "status": results.attrs["status"],
         "time_s": results["time"].values[-1],
         "records": results.sizes["time"],
-        **told,
+        "limits": limits_of(results.attrs),
+        "events": events_of(results.attrs),
+        "warnings": warnings_of(results.attrs),
+        "model_warnings": model_warnings_of(results.attrs),
         "columns": of_columns,
     }
 

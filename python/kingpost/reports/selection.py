@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from ..errors import KingpostError
 from ..results.columns import OVER_RUNS, Place, floating_bodies, nearest, places, unit_of
+from ..results.entries import limits_of
 
 if TYPE_CHECKING:
     import xarray
@@ -49,8 +49,9 @@ def chosen(results: xarray.Dataset, patterns: Sequence[str], option: str = "--ch
 def main_ones(results: xarray.Dataset, every: dict[str, Place]) -> list[str]:
     """The main columns: those with limits, position and angles of floating bodies, waves, joints, heights of
     named points such as a crane tip, and the forces of lines and other elements."""
-    limited = {limit["column"] for limit in json.loads(results.attrs.get("limits", "[]") or "[]")
-               if isinstance(limit, dict)}  # fmt: skip
+    several = "run" in results.sizes
+    limits = [] if several else limits_of(results.attrs)
+    limited = {limit["column"] for limit in limits}
     of_ships = {f"{body}.{quantity}" for body in floating_bodies(results) for quantity in OF_SHIPS}
     return [
         name

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from ..analysis import pooling, statistics
 from ..errors import KingpostError
+from ..results.entries import scenario_of
 from ..results.units import engineering
 from ..simulation.batch import FINISHED
 from . import outcomes
@@ -40,7 +40,7 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
     one."""
     if after_s is not None:
         return after_s
-    sea = json.loads(results.attrs.get("scenario", "{}")).get("sea")
+    sea = scenario_of(results.attrs).get("sea")
     ramp_s = float(sea["ramp_s"]) if sea else 0.0
     return ramp_s if ramp_s < float(results["time"].values[-1]) else 0.0
 
@@ -48,7 +48,7 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
 def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
     """Duration of the extremes: the length of the record for an operation, which is carried out once;
     otherwise three hours."""
-    operation = json.loads(results.attrs.get("scenario", "{}")).get("operation")
+    operation = scenario_of(results.attrs).get("operation")
     if operation and operation.get("enabled", True):
         return float(results["time"].values[-1]) - start_s(results, after_s)
     return statistics.THREE_HOURS_S

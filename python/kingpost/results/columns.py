@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import json
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -11,6 +10,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from ..errors import KingpostError
+from .entries import floating_bodies_of
 from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
@@ -250,4 +250,4 @@ def floating_bodies(results: xarray.Dataset) -> list[str]:
     >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))
     ['ship']
     """
-    return json.loads(results.attrs.get("floating_bodies", "[]"))
+    return floating_bodies_of(results.attrs)

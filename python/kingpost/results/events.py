@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import json
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from .entries import events_of, model_warnings_of, warnings_of, warnings_of_runs
 
 if TYPE_CHECKING:
     import xarray
@@ -32,7 +33,7 @@ def events(results: xarray.Dataset) -> xarray.Dataset:
     """
     import xarray
 
-    rows = json.loads(results.attrs.get("events", "[]"))
+    rows = events_of(results.attrs)
     texts = {name: np.array([row[name] for row in rows], dtype=str) for name in ("element", "what")}
     about = {
         "event_time": {"units": "s", "long_name": "time", "description": "time of the event"},
@@ -66,11 +67,12 @@ def warnings(results: xarray.Dataset) -> xarray.Dataset:
     """
     import xarray
 
-    known = [{"text": text} for text in json.loads(results.attrs.get("model_warnings", "[]"))]
-    told = json.loads(results.attrs.get("warnings", "[]"))
+    rows: list[dict[str, Any]] = [{"text": text} for text in model_warnings_of(results.attrs)]
     if "run" in results.sizes:
-        told = [one | {"run": run} for run, of_run in enumerate(told) for one in of_run]
-    rows = known + told
+        each = enumerate(warnings_of_runs(results.attrs))
+        rows += [{**one, "run": run} for run, of_run in each for one in of_run]
+    else:
+        rows += map(dict, warnings_of(results.attrs))
     columns = {
         "warning_time": ("warning", np.array([row.get("time_s", np.nan) for row in rows], float),
                          {"units": "s", "long_name": "time", "description": "time of the warning"}),

@@ -14,6 +14,8 @@ from .. import results
 from ..engine import engine
 from ..errors import KingpostError
 from ..given import lists
+from ..results import entries
+from ..results.entries import LimitEntry, WarningEntry
 from ..scenario import Overrides, Scenario, as_scenario
 from .outcomes import in_words, with_partings
 from .python_warnings import emit_warnings
@@ -134,9 +136,7 @@ class Batch:
         channels, warnings, limits = json.loads(published)
         LOG.info("%s: %s", self.scenario.title, summed_up)
         found = results.dataset(self.scenario, channels, _stacked(rows), summed_up)
-        found.attrs["warnings"] = json.dumps(warnings)
-        found.attrs["limits"] = json.dumps(limits)
-        found.attrs["model_warnings"] = json.dumps(known)
+        entries.write(found.attrs, warnings=warnings, limits=limits, model_warnings=known)
         emit_warnings([*known, *self._came_of(limits, warnings)])
         along = {name: ("run", np.array(values)) for name, values in self.parameters.items()}
         about = {"run": np.arange(len(status)), "status": ("run", np.array(status, str))}
@@ -152,12 +152,13 @@ class Batch:
                 break
         return []
 
-    def _came_of(self, limits: list[list[dict[str, Any]]], warnings: list[list[dict[str, Any]]]) -> list[str]:
+    def _came_of(self, limits: list[list[LimitEntry]], warnings: list[list[WarningEntry]]) -> list[str]:
         """Warnings of the runs; runs that differ only in their seeds are named by their seeds."""
         seeds = self.parameters.get(SEED) if len(self.parameters) == 1 else None
         counted_by = "run" if seeds is None else "seed"
         runs = zip(seeds or range(len(warnings)), limits, warnings, strict=True)
-        of_parting, others = in_words([with_partings(*run, counted_by=counted_by) for run in runs])
+        outcomes = [with_partings(seed, of, told, counted_by=counted_by) for seed, of, told in runs]
+        of_parting, others = in_words(outcomes)
         return [*of_parting, *others]
 
     def _variants(self) -> list[tuple[tuple[str, Any], ...]]:

@@ -6,12 +6,20 @@ words.
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ..results.entries import (
+    EventEntry,
+    LimitEntry,
+    WarningEntry,
+    events_of,
+    limits_of,
+    model_warnings_of,
+    warnings_of,
+)
 from .records import PARTS
 
 # Not the digits in a name such as leg_2.
@@ -36,8 +44,8 @@ class Outcome:
     """
 
     seed: int
-    limits: list[dict[str, Any]]
-    warnings: list[dict[str, Any]]
+    limits: list[LimitEntry]
+    warnings: list[WarningEntry]
     counted_by: str = "seed"
 
     @property
@@ -48,26 +56,28 @@ class Outcome:
 
 def of_run(attributes: Mapping[str, Any], seed: int) -> Outcome:
     """The outcome of a run, from the attributes of its data set."""
-    names = ("limits", "warnings", "events")
-    return with_partings(seed, *(json.loads(attributes.get(name, "[]")) for name in names))
+    return with_partings(seed, limits_of(attributes), warnings_of(attributes), events_of(attributes))
 
 
 def with_partings(
     seed: int,
-    limits: list[dict[str, Any]],
-    warnings: list[dict[str, Any]],
-    events: Sequence[dict[str, Any]] = (),
+    limits: list[LimitEntry],
+    warnings: list[WarningEntry],
+    events: Sequence[EventEntry] = (),
     counted_by: str = "seed",
 ) -> Outcome:
     """The outcome of a run; each rope that parted is among its warnings, with the time."""
     told = {warning["name"] for warning in warnings if warning["text"].startswith(PARTS)}
-    untold = [{"time_s": event["time_s"], "name": event["element"], "text": PARTS}
-              for event in events if event["what"] == PARTS and event["element"] not in told]  # fmt: skip
+    untold = [
+        WarningEntry(time_s=event["time_s"], name=event["element"], text=PARTS)
+        for event in events
+        if event["what"] == PARTS and event["element"] not in told
+    ]
     every = [_with_time_of_parting(warning) for warning in warnings + untold]
     return Outcome(seed, limits, every, counted_by)
 
 
-def _with_time_of_parting(warning: dict[str, Any]) -> dict[str, Any]:
+def _with_time_of_parting(warning: WarningEntry) -> WarningEntry:
     """A warning; if a rope parts, its text contains the time.
 
     >>> _with_time_of_parting({"time_s": 67.2913, "name": "whip", "text": "parts: its load"})["text"]
@@ -76,7 +86,8 @@ def _with_time_of_parting(warning: dict[str, Any]) -> dict[str, Any]:
     text = warning["text"]
     if not text.startswith(PARTS):
         return warning
-    return warning | {"text": f"{PARTED} {warning['time_s']:.2f} s{text.removeprefix(PARTS)}"}
+    parted = f"{PARTED} {warning['time_s']:.2f} s{text.removeprefix(PARTS)}"
+    return WarningEntry(time_s=warning["time_s"], name=warning["name"], text=parted)
 
 
 def every_warning(attributes: Mapping[str, Any]) -> list[str]:
@@ -87,7 +98,7 @@ def every_warning(attributes: Mapping[str, Any]) -> list[str]:
     ['ship: it heeled']
     """
     of_parting, others = in_words([of_run(attributes, int(attributes.get("seed", 0)))])
-    return [*json.loads(attributes.get("model_warnings", "[]")), *of_parting, *others]
+    return [*model_warnings_of(attributes), *of_parting, *others]
 
 
 def in_words(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:

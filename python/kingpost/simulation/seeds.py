@@ -15,6 +15,7 @@ import numpy as np
 from .. import results
 from ..engine import source_digest
 from ..errors import KingpostError
+from ..results import entries
 from .batch import FINISHED, MOST_MEMORY_GB, SEED, Batch
 from .simulate import Progress, Simulation
 
@@ -138,6 +139,4 @@ def _alone(scenario: Scenario, batch: xarray.Dataset, run: int) -> xarray.Datase
         recorded = np.isfinite(of_batch["kinetic_energy"].values)
         of_batch = of_batch.isel(time=np.arange(recorded.sum()))
     alone = of_batch.drop_vars(["run", "status", SEED])
-    own = {name: json.dumps(json.loads(batch.attrs[name])[run]) for name in ("warnings", "limits")}
-    own["model_warnings"] = batch.attrs["model_warnings"]
-    return alone.assign_attrs(results.attributes(scenario, status) | own)
+    return alone.assign_attrs(results.attributes(scenario, status) | entries.of_run(batch.attrs, run))

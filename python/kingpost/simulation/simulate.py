@@ -133,6 +133,7 @@ class Simulation(Observed, Equations):
         >>> results.sizes["time"]
         11
         """
+        from ..results import entries
         from ..results.dataset import dataset
 
         known = self.model_warnings
@@ -140,10 +141,13 @@ class Simulation(Observed, Equations):
         status = "finished" if error is None else str(error) or "interrupted"
         LOG.info("%s: %s at %g s, %d rows", self.scenario.title, status, self.time_s, len(rows))
         results = dataset(self.scenario, self.channels, rows, status)
-        results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
-        results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
-        results.attrs["limits"] = json.dumps([asdict(limit) for limit in self.limits])
-        results.attrs["model_warnings"] = json.dumps(known)
+        entries.write(
+            results.attrs,
+            events=[asdict(event) for event in self.events],
+            warnings=[asdict(warning) for warning in self.warnings],
+            limits=[asdict(limit) for limit in self.limits],
+            model_warnings=known,
+        )
         self.results = results
         emit_warnings(every_warning(results.attrs))
         if error is not None:

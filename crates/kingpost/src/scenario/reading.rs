@@ -27,6 +27,11 @@ pub(crate) trait FromNode: Sized {
     /// Visits the texts in a node that name other entries or files.
     fn visit_texts(_node: &mut ScenarioNode, _visit: &mut dyn FnMut(TextKind, &mut String)) {}
 
+    /// The fields that are places in the world; of an enum, those of a kind.
+    fn places(_kind: &str) -> &'static [(&'static str, PlaceKind)] {
+        &[]
+    }
+
     /// The kind of the text at a path; `None` if no such text is there.
     fn text_at(_path: &[&str]) -> Option<TextKind> {
         None
@@ -40,6 +45,15 @@ pub(crate) enum TextKind {
     Reference,
     /// The path of a file.
     File,
+}
+
+/// A place in the world that no body names: the mounting of a part moves it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlaceKind {
+    /// A point: x, y, z.
+    Point,
+    /// A place on the water and a heading: `x_m`, `y_m`, `heading_rad`.
+    Station,
 }
 
 /// A type of the names in a map.
@@ -286,6 +300,9 @@ impl<T: FromNode> FromNode for Option<T> {
 impl<T: FromNode> FromNode for Box<T> {
     fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
         T::read(node).map(Self::new)
+    }
+    fn places(kind: &str) -> &'static [(&'static str, PlaceKind)] {
+        T::places(kind)
     }
     fn allowed() -> String {
         T::allowed()

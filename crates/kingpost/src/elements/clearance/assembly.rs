@@ -3,6 +3,7 @@
 use crate::elements::contact::ContactSolid;
 use crate::elements::{AirGap, AnyElement, Clearance};
 use crate::model::{Attachment, Model};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::bodies::axis;
 use crate::scenario::assembly::rigid_bodies::rigid;
@@ -12,47 +13,41 @@ use crate::scenario::schema::{self, ClearanceShape, LocalName, Name, Pin, Scenar
 use crate::scenario::wording::one_of_with_hint;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
-/// One clearance, if it is enabled and both bodies exist.
-pub fn clearance<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::Clearance<S>,
-    model: &Model<S>,
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let field = |rest: &str| format!("sensors.{name}.clearance.{rest}");
-    let schema::Clearance { first, second, .. } = given;
-    let of_first = pin(scenario, &field("first"), &first.body, first.point.as_ref(), first.position_m)?;
-    let of_second = pin(scenario, &field("second"), &second.body, second.point.as_ref(), second.position_m)?;
-    let bends = scenario.bodies.get(&first.body).is_some_and(|body| body.flexible.is_some());
-    if first.body == second.body && !bends {
-        let allowed = format!("another body than first.body, {}", first.body);
-        return Err(FieldError::new(field("second.body"), &second.body, allowed));
+impl<S: Quantity> Assemble<S> for schema::Clearance<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let field = |rest: &str| format!("sensors.{name}.clearance.{rest}");
+        let Self { first, second, .. } = self;
+        let of_first = pin(at.scenario, &field("first"), &first.body, first.point.as_ref(), first.position_m)?;
+        let of_second = pin(at.scenario, &field("second"), &second.body, second.point.as_ref(), second.position_m)?;
+        let bends = at.scenario.bodies.get(&first.body).is_some_and(|body| body.flexible.is_some());
+        if first.body == second.body && !bends {
+            let allowed = format!("another body than first.body, {}", first.body);
+            return Err(FieldError::new(field("second.body"), &second.body, allowed));
+        }
+        let solid = solid(at.scenario, &field("second"), second)?;
+        let (Some(point), Some(place), true) = (
+            place(at.scenario, at.model, &field("first"), &of_first)?,
+            place(at.scenario, at.model, &field("second"), &of_second)?,
+            self.enabled,
+        ) else {
+            return Ok(Vec::new());
+        };
+        let rotation = rotation_from_roll_pitch_yaw(Vector3(second.orientation_rad));
+        let position = if is_own(second) { Vector3::zero() } else { place.in_body.position };
+        let place = Attachment { in_body: Frame { rotation, position }, ..place };
+        Ok(vec![Box::new(Clearance { name: name.to_owned(), point, place, solid })])
     }
-    let solid = solid(scenario, &field("second"), second)?;
-    let (Some(point), Some(place), true) = (
-        place(scenario, model, &field("first"), &of_first)?,
-        place(scenario, model, &field("second"), &of_second)?,
-        given.enabled,
-    ) else {
-        return Ok(None);
-    };
-    let rotation = rotation_from_roll_pitch_yaw(Vector3(second.orientation_rad));
-    let position = if is_own(second) { Vector3::zero() } else { place.in_body.position };
-    let place = Attachment { in_body: Frame { rotation, position }, ..place };
-    Ok(Some(Box::new(Clearance { name: name.to_owned(), point, place, solid })))
 }
 
-/// One air gap, if it is enabled and its body exists.
-pub fn air_gap<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::AirGap<S>,
-    model: &Model<S>,
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let field = format!("sensors.{name}.air_gap");
-    let pin = pin(scenario, &field, &given.body, given.point.as_ref(), given.position_m)?;
-    let Some(point) = place(scenario, model, &field, &pin)?.filter(|_| given.enabled) else { return Ok(None) };
-    Ok(Some(Box::new(AirGap { name: name.to_owned(), point })))
+impl<S: Quantity> Assemble<S> for schema::AirGap<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let field = format!("sensors.{name}.air_gap");
+        let pin = pin(at.scenario, &field, &self.body, self.point.as_ref(), self.position_m)?;
+        let Some(point) = place(at.scenario, at.model, &field, &pin)?.filter(|_| self.enabled) else {
+            return Ok(Vec::new());
+        };
+        Ok(vec![Box::new(AirGap { name: name.to_owned(), point })])
+    }
 }
 
 /// A point as a place on a body that exists.

@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::schema::{NonNegative, Positive, SignalName, yes};
+use crate::scenario::schema::{NonNegative, Positive, SetsInputs, SignalName, yes};
 
 /// Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
 /// these commands, so that a load stays where it should.
@@ -24,4 +24,10 @@ pub struct DriveFunction<S = f64> {
     /// 0: it has its full size at once.
     #[serde(default)]
     pub ramp_s: NonNegative,
+}
+
+impl<S> SetsInputs for DriveFunction<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        vec![("to".to_owned(), &*self.to)]
+    }
 }

@@ -19,6 +19,7 @@ pub struct DynamicPositioning<S = f64> {
     pub position_m: [S; 3],
     /// The position and heading to hold.
     #[serde(default)]
+    #[placed(Station)]
     pub target: StationTarget<S>,
     /// The controller's gains.
     pub gains: PositioningGains<S>,

@@ -1,5 +1,6 @@
 //! An inertial unit: accelerometers and gyroscopes, and the filter that finds the motion of a body from them.
 
+pub(crate) mod assembly;
 pub(crate) mod fields;
 mod gains;
 mod navigation;

@@ -3,7 +3,7 @@
 use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{Fraction, Positive, SignalName, yes};
+use crate::scenario::schema::{Fraction, Positive, SetsInputs, SignalName, yes};
 
 /// Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
 /// is zero.
@@ -48,4 +48,10 @@ fn undamped<S: Leaf>() -> Fraction<S> {
 
 fn tolerance<S: Leaf>() -> Fraction<S> {
     Fraction::literal(0.05)
+}
+
+impl<S> SetsInputs for InputShaper<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        vec![("to".to_owned(), &*self.to)]
+    }
 }

@@ -34,6 +34,7 @@ pub struct CatenaryLine<S = f64> {
     /// The upper end, on a body.
     pub fairlead: Pin<S>,
     /// The lower end in the world, m.
+    #[placed(Point)]
     pub anchor_m: [S; 3],
     /// Length without tension, m.
     pub unstretched_length_m: Positive<S>,

@@ -1,56 +1,58 @@
-//! Learned policies, and selectors of controllers.
+//! Assembly of a learned policy.
 
-use crate::elements::{Input, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector};
-use crate::scenario::assembly::controller_reader::{ControllerReader, all_finite, finite};
+use crate::elements::{AnyElement, Input, Policy, PolicyLayer, PolicyRead, PolicySteer};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
+use crate::scenario::assembly::columns::Column;
+use crate::scenario::assembly::finite::{all_finite, finite};
 use crate::scenario::assembly::{FieldError, columns};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
-use crate::scenario::wording::one_of_with_hint;
 
 /// Most numbers of a policy: each is read, and computed with, at every sample.
 const MOST_NUMBERS: usize = 100_000;
 
-impl<S: Quantity> ControllerReader<'_, S> {
-    pub(crate) fn policy(
-        &self,
-        name: &str,
-        given: &schema::Policy<S>,
-        inputs: &[Input],
-    ) -> Result<Policy<S>, FieldError> {
+impl<S: Quantity> Assemble<S> for schema::Policy<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         let lead = format!("controllers.{name}.policy");
-        let lists = [("reads", given.reads.len()), ("steers", given.steers.len()), ("layers", given.layers.len())];
+        let lists = [("reads", self.reads.len()), ("steers", self.steers.len()), ("layers", self.layers.len())];
         if let Some((list, _)) = lists.iter().find(|(_, count)| *count == 0) {
             return Err(FieldError::new(format!("{lead}.{list}"), "none", "at least one"));
         }
-        let each = given.reads.iter().enumerate();
-        let reads = each.map(|(k, read)| self.seen(&format!("{lead}.reads.{k}"), read)).collect::<Result<_, _>>()?;
+        let each = self.reads.iter().enumerate();
+        let reads =
+            each.map(|(k, read)| seen(&format!("{lead}.reads.{k}"), read, at.columns)).collect::<Result<_, _>>()?;
+        let inputs: Vec<Input> = self.steers.iter().filter_map(|steer| at.input(&steer.to)).collect();
         let several = inputs.len() > 1;
-        let each = inputs.iter().zip(&given.steers).enumerate();
+        let each = inputs.iter().zip(&self.steers).enumerate();
         let steers = each.map(|(k, (to, steer))| {
             let command = if several { format!("{name}.{}", to.name) } else { name.to_owned() };
             steered(&format!("{lead}.steers.{k}"), command, steer, to)
         });
         let steers = steers.collect::<Result<_, _>>()?;
-        let layers = layers(&lead, given)?;
-        let period_s = self.period_s(&format!("{lead}.period_s"), given.period_s)?;
-        Ok(Policy { name: name.to_owned(), reads, steers, layers, period_s, acts: given.enabled })
+        let layers = layers(&lead, self)?;
+        let period_s = at.period_s(&format!("{lead}.period_s"), self.period_s)?;
+        Ok(vec![Box::new(Policy { name: name.to_owned(), reads, steers, layers, period_s, acts: self.enabled })])
     }
+}
 
-    fn seen(&self, field: &str, given: &schema::PolicyRead<S>) -> Result<PolicyRead<S>, FieldError> {
-        let first = columns::find(&self.known, &format!("{field}.column"), &given.column)?;
-        let mut columns = vec![given.column.to_string()];
-        for (k, also) in given.also.iter().enumerate() {
-            let field = format!("{field}.also.{k}.column");
-            let column = columns::find(&self.known, &field, &also.column)?;
-            if column.unit != first.unit {
-                let found = format!("{}, in {}", column.name, column.unit);
-                return Err(FieldError::new(field, found, format!("a column in {}, as {}", first.unit, first.name)));
-            }
-            columns.push(also.column.to_string());
+fn seen<S: Quantity>(
+    field: &str,
+    given: &schema::PolicyRead<S>,
+    known: &[Column],
+) -> Result<PolicyRead<S>, FieldError> {
+    let first = columns::find(known, &format!("{field}.column"), &given.column)?;
+    let mut columns = vec![given.column.to_string()];
+    for (k, also) in given.also.iter().enumerate() {
+        let field = format!("{field}.also.{k}.column");
+        let column = columns::find(known, &field, &also.column)?;
+        if column.unit != first.unit {
+            let found = format!("{}, in {}", column.name, column.unit);
+            return Err(FieldError::new(field, found, format!("a column in {}, as {}", first.unit, first.name)));
         }
-        finite(&format!("{field}.reference"), given.reference)?;
-        Ok(PolicyRead { columns, reference: given.reference, scale: given.scale.get() })
+        columns.push(also.column.to_string());
     }
+    finite(&format!("{field}.reference"), given.reference)?;
+    Ok(PolicyRead { columns, reference: given.reference, scale: given.scale.get() })
 }
 
 fn steered<S: Quantity>(
@@ -103,22 +105,4 @@ fn layers<S: Quantity>(lead: &str, given: &schema::Policy<S>) -> Result<Vec<Poli
         return Err(FieldError::new(format!("{lead}.layers"), found, format!("at most {MOST_NUMBERS} numbers")));
     }
     Ok(layers)
-}
-
-pub(crate) fn selector(name: &str, given: &schema::Selector, to: Vec<Input>) -> Result<Selector, FieldError> {
-    let lead = format!("controllers.{name}.selector");
-    if given.steers.is_empty() {
-        return Err(FieldError::new(format!("{lead}.steers"), "none", "at least one"));
-    }
-    let branches: Vec<&str> = given.branches.iter().map(|branch| branch.as_str()).collect();
-    if let Some(k) = (1..branches.len()).find(|&k| branches[..k].contains(&branches[k])) {
-        let found = format!("{} a second time", branches[k]);
-        return Err(FieldError::new(format!("{lead}.branches.{k}"), found, "each name once"));
-    }
-    let Some(selected) = branches.iter().position(|branch| *branch == given.selected.as_str()) else {
-        let allowed = one_of_with_hint(&branches, &given.selected);
-        return Err(FieldError::new(format!("{lead}.selected"), &given.selected, allowed));
-    };
-    let branches = branches.into_iter().map(str::to_owned).collect();
-    Ok(Selector { name: name.to_owned(), branches, selected, to })
 }

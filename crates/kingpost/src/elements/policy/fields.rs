@@ -1,9 +1,9 @@
-//! Controllers that learned what they do, and the choice between controllers.
+//! Fields of a learned policy.
 
 use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{ColumnName, LocalName, Positive, SignalName, yes};
+use crate::scenario::schema::{ColumnName, Positive, SetsInputs, SignalName, yes};
 
 /// Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
 /// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
@@ -66,25 +66,12 @@ pub struct PolicyLayer<S = f64> {
     pub biases: Vec<S>,
 }
 
-/// Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
-/// branch, `name.branch.input`; those of the branches that are not selected go nowhere.
-#[fields]
-pub struct Selector {
-    /// The branch that passes.
-    pub selected: LocalName,
-    /// The branches.
-    pub branches: Vec<LocalName>,
-    /// The inputs that it sets.
-    pub steers: Vec<SelectorTarget>,
-}
-
-/// An input that a selector sets.
-#[fields]
-pub struct SelectorTarget {
-    /// The input.
-    pub to: SignalName,
-}
-
 fn one<S: Leaf>() -> Positive<S> {
     Positive::literal(1.0)
+}
+
+impl<S> SetsInputs for Policy<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        self.steers.iter().enumerate().map(|(k, steer)| (format!("steers.{k}.to"), &*steer.to)).collect()
+    }
 }

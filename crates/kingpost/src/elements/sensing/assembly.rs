@@ -1,15 +1,16 @@
 //! Encoders, load cells, satellite receivers, and the errors of all sensors that sample.
 
-use crate::elements::sensing::{DropOuts, Sampler, SensorNoise, SignalErrors};
-use crate::elements::{AnyElement, Encoder, LoadCell, Rope, SatelliteReceiver, SwingEstimator, SwingFilter, of_kind};
-use crate::model::{AxisMotion, Model};
+use crate::elements::sensing::{DropOuts, PositionAid, Sampler, SensorNoise, SignalErrors};
+use crate::elements::{AnyElement, Encoder, LoadCell, Rope, SatelliteReceiver, of_kind};
+use crate::model::AxisMotion;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::axes::axes;
 use crate::scenario::assembly::bodies::joint_name;
-use crate::scenario::assembly::rigid_bodies::rigid;
-use crate::scenario::assembly::{FieldError, known};
+use crate::scenario::assembly::{FieldError, known, sensors};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema::{self, Force, Positive, Scenario};
+use crate::scenario::schema::{self, Force, Positive, Scenario, Sensor};
+use crate::spatial::Vector3;
 
 /// Largest delay of a sensor, in samples: each is a number in a snapshot.
 const MOST_DELAY: usize = 1000;
@@ -43,72 +44,60 @@ pub fn sampler<S: Quantity>(
     Ok(Sampler { errors, drop_outs: drop_outs.transpose()?, noise, period_s, delay_samples })
 }
 
-/// An encoder of a joint that turns.
-pub fn encoder<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::Encoder<S>,
-    model: &Model<S>,
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let errors = vec![given.errors.as_ref().map(of_angle)];
-    let sampling = (given.period_s, given.delay_samples);
-    let sampler = sampler(scenario, [name, "encoder"], errors, sampling, given.drop_outs)?;
-    let field = format!("sensors.{name}.encoder.joint");
-    of_joint(scenario, (name, &field), (&given.joint, given.enabled), AxisMotion::Rotation, (model, sampler))
+impl<S: Quantity> Assemble<S> for schema::Encoder<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let errors = vec![self.errors.as_ref().map(of_angle)];
+        let sampling = (self.period_s, self.delay_samples);
+        let sampler = sampler(at.scenario, [name, "encoder"], errors, sampling, self.drop_outs)?;
+        let field = format!("sensors.{name}.encoder.joint");
+        of_joint(at, (name, &field), (&self.joint, self.enabled), AxisMotion::Rotation, sampler)
+    }
 }
 
-/// An encoder of a joint that slides.
-pub fn linear_encoder<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::LinearEncoder<S>,
-    model: &Model<S>,
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let errors = vec![given.errors.as_ref().map(of_length)];
-    let sampling = (given.period_s, given.delay_samples);
-    let sampler = sampler(scenario, [name, "linear_encoder"], errors, sampling, given.drop_outs)?;
-    let field = format!("sensors.{name}.linear_encoder.joint");
-    of_joint(scenario, (name, &field), (&given.joint, given.enabled), AxisMotion::Translation, (model, sampler))
+impl<S: Quantity> Assemble<S> for schema::LinearEncoder<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let errors = vec![self.errors.as_ref().map(of_length)];
+        let sampling = (self.period_s, self.delay_samples);
+        let sampler = sampler(at.scenario, [name, "linear_encoder"], errors, sampling, self.drop_outs)?;
+        let field = format!("sensors.{name}.linear_encoder.joint");
+        of_joint(at, (name, &field), (&self.joint, self.enabled), AxisMotion::Translation, sampler)
+    }
 }
 
 fn of_joint<S: Quantity>(
-    scenario: &Scenario<S>,
+    at: Surroundings<'_, S>,
     (name, field): (&str, &str),
     (joint, enabled): (&str, bool),
     motion: AxisMotion,
-    (model, sampler): (&Model<S>, Sampler<S>),
-) -> Result<Option<AnyElement<S>>, FieldError> {
+    sampler: Sampler<S>,
+) -> Result<Vec<AnyElement<S>>, FieldError> {
     let of_body = |(name, body): (&schema::Name, &schema::Body<S>)| {
         let axes = axes(&body.joint).into_iter().filter(|axis| axis.motion == motion);
         axes.map(|axis| axis.coordinate_name(joint_name(name, body))).collect::<Vec<_>>()
     };
-    let joints: Vec<String> = scenario.bodies.iter().flat_map(of_body).collect();
+    let joints: Vec<String> = at.scenario.bodies.iter().flat_map(of_body).collect();
     known(field, joint, joints.iter().map(String::as_str))?;
-    let Some(coordinate) = model.coordinate(joint).filter(|_| enabled) else { return Ok(None) };
-    let Some((_, position)) = model.axis_coordinate(coordinate) else { return Ok(None) };
-    Ok(Some(Box::new(Encoder { name: name.to_owned(), position, motion, sampler })))
+    let Some(coordinate) = at.model.coordinate(joint).filter(|_| enabled) else { return Ok(Vec::new()) };
+    let Some((_, position)) = at.model.axis_coordinate(coordinate) else { return Ok(Vec::new()) };
+    Ok(vec![Box::new(Encoder { name: name.to_owned(), position, motion, sampler })])
 }
 
-/// A load cell, if its rope exists.
-pub fn load_cell<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::LoadCell<S>,
-    elements: &[AnyElement<S>],
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let errors = vec![given.errors.as_ref().map(of_force)];
-    let sampling = (given.period_s, given.delay_samples);
-    let sampler = sampler(scenario, [name, "load_cell"], errors, sampling, given.drop_outs)?;
-    known(&format!("sensors.{name}.load_cell.rope"), &given.rope, ropes(scenario))?;
-    let mut built = of_kind::<S, Rope<S>>(elements);
-    if !given.enabled || !built.any(|rope| *rope.name == *given.rope) {
-        return Ok(None);
+impl<S: Quantity> Assemble<S> for schema::LoadCell<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let errors = vec![self.errors.as_ref().map(of_force)];
+        let sampling = (self.period_s, self.delay_samples);
+        let sampler = sampler(at.scenario, [name, "load_cell"], errors, sampling, self.drop_outs)?;
+        known(&format!("sensors.{name}.load_cell.rope"), &self.rope, ropes(at.scenario))?;
+        let mut built = of_kind::<S, Rope<S>>(at.elements);
+        if !self.enabled || !built.any(|rope| *rope.name == *self.rope) {
+            return Ok(Vec::new());
+        }
+        let end = match self.end {
+            schema::RopeEnd::First => "rope_first_tension",
+            schema::RopeEnd::Last => "rope_tension",
+        };
+        Ok(vec![Box::new(LoadCell { name: name.to_owned(), column: format!("{}.{end}", self.rope), sampler })])
     }
-    let end = match given.end {
-        schema::RopeEnd::First => "rope_first_tension",
-        schema::RopeEnd::Last => "rope_tension",
-    };
-    Ok(Some(Box::new(LoadCell { name: name.to_owned(), column: format!("{}.{end}", given.rope), sampler })))
 }
 
 /// Names of all ropes.
@@ -116,26 +105,57 @@ pub fn ropes<S>(scenario: &Scenario<S>) -> impl Iterator<Item = &str> {
     scenario.forces.iter().filter_map(|(name, force)| matches!(force, Force::Rope(_)).then_some(name.as_str()))
 }
 
-/// A satellite receiver, if its body exists.
-pub fn satellite_receiver<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::SatelliteReceiver<S>,
-    model: &Model<S>,
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let [level, vertical] =
-        [&given.horizontal_errors, &given.vertical_errors].map(|errors| errors.as_ref().map(of_length));
-    let sampling = (given.period_s, given.delay_samples);
-    let errors = vec![level, level, vertical];
-    let sampler = sampler(scenario, [name, "satellite_receiver"], errors, sampling, given.drop_outs)?;
-    let field = |rest: &str| format!("sensors.{name}.satellite_receiver.{rest}");
-    known(&field("body"), &given.body, scenario.bodies.keys().map(|body| body.as_str()))?;
-    if !given.enabled || model.body(&given.body).is_none() {
-        return Ok(None);
+impl<S: Quantity> Assemble<S> for schema::SatelliteReceiver<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let [level, vertical] =
+            [&self.horizontal_errors, &self.vertical_errors].map(|errors| errors.as_ref().map(of_length));
+        let sampling = (self.period_s, self.delay_samples);
+        let errors = vec![level, level, vertical];
+        let sampler = sampler(at.scenario, [name, "satellite_receiver"], errors, sampling, self.drop_outs)?;
+        let field = |rest: &str| format!("sensors.{name}.satellite_receiver.{rest}");
+        known(&field("body"), &self.body, at.scenario.bodies.keys().map(|body| body.as_str()))?;
+        if !self.enabled || at.model.body(&self.body).is_none() {
+            return Ok(Vec::new());
+        }
+        let pin = schema::Pin { body: self.body.clone(), position_m: self.position_m };
+        let antenna = attachment(at.scenario, at.model, &field("position_m"), &pin)?;
+        Ok(vec![Box::new(SatelliteReceiver { name: name.to_owned(), antenna, sampler })])
     }
-    let pin = schema::Pin { body: given.body.clone(), position_m: given.position_m };
-    let antenna = attachment(scenario, model, &field("position_m"), &pin)?;
-    Ok(Some(Box::new(SatelliteReceiver { name: name.to_owned(), antenna, sampler })))
+}
+
+/// The receiver that helps a unit at a point of a body.
+pub fn position_aid<S: Quantity>(
+    scenario: &Scenario<S>,
+    field: &str,
+    name: &str,
+    (body, position_m): (&schema::Name, [S; 3]),
+) -> Result<PositionAid<S>, FieldError> {
+    let enabled = scenario.sensors.iter().filter_map(|(name, sensor)| match sensor {
+        Sensor::SatelliteReceiver(receiver) if receiver.enabled => Some((name.as_str(), receiver)),
+        _ => None,
+    });
+    let receivers: Vec<(&str, &schema::SatelliteReceiver<S>)> = enabled.collect();
+    let Some((_, receiver)) = receivers.iter().find(|(enabled, _)| *enabled == name) else {
+        let names: Vec<&str> = receivers.iter().map(|(name, _)| *name).collect();
+        return Err(FieldError::new(
+            field,
+            name,
+            sensors::allowed(&names, name, "a satellite receiver that is enabled"),
+        ));
+    };
+    if receiver.body != *body {
+        let found = format!("{name}, which is on {}", receiver.body);
+        return Err(FieldError::new(field, found, format!("a satellite receiver on {body}")));
+    }
+    let [unit, antenna] = [position_m, receiver.position_m].map(Vector3);
+    let period_s = receiver.period_s.get();
+    Ok(PositionAid {
+        receiver: name.to_owned(),
+        arm: antenna - unit,
+        period_s,
+        age_s: period_s * receiver.delay_samples as f64,
+        has_status: receiver.drop_outs.is_some(),
+    })
 }
 
 pub fn of_angle<S: Quantity>(given: &schema::AngleErrors<S>) -> SignalErrors<S> {
@@ -161,28 +181,6 @@ pub fn of_rate<S: Quantity>(given: &schema::RateErrors<S>) -> SignalErrors<S> {
 pub fn of_acceleration<S: Quantity>(given: &schema::AccelerationErrors<S>) -> SignalErrors<S> {
     let (noise, resolution) = (given.noise_m_s2.get(), given.resolution_m_s2.get());
     SignalErrors { noise, bias: given.bias_m_s2, resolution }
-}
-
-/// A swing estimator.
-pub fn swing_estimator<S: Quantity>(
-    scenario: &Scenario<S>,
-    name: &str,
-    given: &schema::SwingEstimator<S>,
-    model: &Model<S>,
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let field = |rest: &str| format!("sensors.{name}.swing_estimator.{rest}");
-    rigid(scenario, field("body"), &given.body)?;
-    let sampling = (given.period_s, given.delay_samples);
-    let errors = vec![None; SwingEstimator::<S>::SIGNALS];
-    let sampler = sampler(scenario, [name, "swing_estimator"], errors, sampling, given.drop_outs)?;
-    let schema::SwingFilter { rate_noise_rad_s, swing_rad, swing_period_s } = given.filter;
-    long_enough(field("filter.swing_period_s"), swing_period_s, &sampler)?;
-    let [noise, swing, period] = [rate_noise_rad_s, swing_rad, swing_period_s].map(|number| number.get());
-    let filter = SwingFilter::new(sampler.period_s, noise, swing, period);
-    exists(field("filter"), filter.is_finite())?;
-    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
-    let rate_errors = given.rate_errors.as_ref().map(of_rate);
-    Ok(Some(Box::new(SwingEstimator { name: name.to_owned(), body, rate_errors, sampler, filter })))
 }
 
 /// The middle period of an oscillation that a filter follows from sample to sample.

@@ -27,6 +27,7 @@ pub struct SoftHold<S = f64> {
     pub damping_ratios: [NonNegative<S>; 3],
     /// Position at which the origin of the body's drawing frame is held, and the heading; without it, those at the
     /// start.
+    #[placed(Station)]
     pub target: Option<StationTarget<S>>,
 }
 

@@ -1,62 +1,59 @@
 //! Assembly of a state feedback: its columns, inputs, gains and limits.
 
-use crate::elements::{FeedbackRead, FeedbackSteer, Input, StateFeedback};
-use crate::scenario::assembly::controller_reader::{ControllerReader, all_finite, finite};
+use crate::elements::{AnyElement, FeedbackRead, FeedbackSteer, Input, StateFeedback};
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
+use crate::scenario::assembly::columns::Column;
+use crate::scenario::assembly::finite::{all_finite, finite};
 use crate::scenario::assembly::{FieldError, columns};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
 use crate::scenario::wording::one_of_with_hint;
 
-impl<S: Quantity> ControllerReader<'_, S> {
-    /// Assembles a feedback before the inputs that it sets.
-    pub(crate) fn feedback(
-        &self,
-        name: &str,
-        given: &schema::StateFeedback<S>,
-        inputs: &[Input],
-    ) -> Result<StateFeedback<S>, FieldError> {
+impl<S: Quantity> Assemble<S> for schema::StateFeedback<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         let lead = format!("controllers.{name}.state_feedback");
-        for (list, count) in [("reads", given.reads.len()), ("steers", given.steers.len())] {
+        for (list, count) in [("reads", self.reads.len()), ("steers", self.steers.len())] {
             if count == 0 {
                 return Err(FieldError::new(format!("{lead}.{list}"), "none", "at least one"));
             }
         }
-        let each = inputs.iter().zip(&given.steers).enumerate();
-        let steers = each.map(|(k, (to, steer))| steered(&format!("{lead}.steers.{k}"), name, given, steer, to));
+        let inputs: Vec<Input> = self.steers.iter().filter_map(|steer| at.input(&steer.to)).collect();
+        let each = inputs.iter().zip(&self.steers).enumerate();
+        let steers = each.map(|(k, (to, steer))| steered(&format!("{lead}.steers.{k}"), name, self, steer, to));
         let steers: Vec<FeedbackSteer<S>> = steers.collect::<Result<_, _>>()?;
-        let each = given.reads.iter().enumerate();
-        let reads = each.map(|(k, read)| self.read(&format!("{lead}.reads.{k}"), read, inputs));
+        let each = self.reads.iter().enumerate();
+        let reads = each.map(|(k, given)| read(&format!("{lead}.reads.{k}"), given, &inputs, at.columns));
         let reads = reads.collect::<Result<_, _>>()?;
-        let period_s = self.period_s(&format!("{lead}.period_s"), given.period_s)?;
-        Ok(StateFeedback { name: name.to_owned(), reads, steers, period_s, acts: given.enabled })
+        let period_s = at.period_s(&format!("{lead}.period_s"), self.period_s)?;
+        Ok(vec![Box::new(StateFeedback { name: name.to_owned(), reads, steers, period_s, acts: self.enabled })])
     }
+}
 
-    fn read(
-        &self,
-        field: &str,
-        given: &schema::FeedbackRead<S>,
-        inputs: &[Input],
-    ) -> Result<FeedbackRead<S>, FieldError> {
-        let column = columns::find(&self.known, &format!("{field}.column"), &given.column)?;
-        let follows = match &given.follows {
-            None => None,
-            Some(follows) => {
-                let Some(place) = inputs.iter().position(|input| input.name == **follows) else {
-                    let names: Vec<&str> = inputs.iter().map(|input| input.name.as_str()).collect();
-                    let allowed = one_of_with_hint(&names, follows);
-                    return Err(FieldError::new(format!("{field}.follows"), follows, allowed));
-                };
-                if inputs[place].unit != column.unit {
-                    let found = format!("{follows}, in {}", inputs[place].unit);
-                    let allowed = format!("an input in {}, as {}", column.unit, column.name);
-                    return Err(FieldError::new(format!("{field}.follows"), found, allowed));
-                }
-                Some(place)
+fn read<S: Quantity>(
+    field: &str,
+    given: &schema::FeedbackRead<S>,
+    inputs: &[Input],
+    known: &[Column],
+) -> Result<FeedbackRead<S>, FieldError> {
+    let column = columns::find(known, &format!("{field}.column"), &given.column)?;
+    let follows = match &given.follows {
+        None => None,
+        Some(follows) => {
+            let Some(place) = inputs.iter().position(|input| input.name == **follows) else {
+                let names: Vec<&str> = inputs.iter().map(|input| input.name.as_str()).collect();
+                let allowed = one_of_with_hint(&names, follows);
+                return Err(FieldError::new(format!("{field}.follows"), follows, allowed));
+            };
+            if inputs[place].unit != column.unit {
+                let found = format!("{follows}, in {}", inputs[place].unit);
+                let allowed = format!("an input in {}, as {}", column.unit, column.name);
+                return Err(FieldError::new(format!("{field}.follows"), found, allowed));
             }
-        };
-        finite(&format!("{field}.reference"), given.reference)?;
-        Ok(FeedbackRead { column: given.column.to_string(), reference: given.reference, follows })
-    }
+            Some(place)
+        }
+    };
+    finite(&format!("{field}.reference"), given.reference)?;
+    Ok(FeedbackRead { column: given.column.to_string(), reference: given.reference, follows })
 }
 
 /// An input that a feedback sets, with its row of gains and its limits.

@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::schema::{ColumnName, Positive, SignalName, yes};
+use crate::scenario::schema::{ColumnName, Positive, SetsInputs, SignalName, yes};
 
 /// Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
 /// reads, K and K_I the gains.
@@ -46,4 +46,10 @@ pub struct FeedbackSteer<S = f64> {
     pub lower: Option<S>,
     /// The largest.
     pub upper: Option<S>,
+}
+
+impl<S> SetsInputs for StateFeedback<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        self.steers.iter().enumerate().map(|(k, steer)| (format!("steers.{k}.to"), &*steer.to)).collect()
+    }
 }

@@ -1,5 +1,6 @@
 //! A swing estimator: gyroscopes on a load or a hook, and the filter that finds its inclination from them.
 
+pub(crate) mod assembly;
 pub(crate) mod fields;
 
 use crate::elements::motion_reference_unit::inclination;

@@ -1,13 +1,17 @@
-//! The contract of a force of the file: the elements that are assembled from its fields.
+//! The contract of a kind of the file: the elements that are assembled from its fields.
 
-use crate::elements::AnyElement;
+use crate::elements::{AnyElement, Input};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::columns::Column;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema::Scenario;
+use crate::scenario::schema::{Positive, Scenario};
 use crate::world::World;
 
-/// Parts of a setup that a force is assembled with.
+/// A sampling period may differ from a whole number of steps by this share of a step.
+const WHOLE: f64 = 1e-6;
+
+/// Parts of a setup that a kind is assembled with.
 #[derive(Clone, Copy)]
 pub(crate) struct Surroundings<'a, S> {
     pub(crate) scenario: &'a Scenario<S>,
@@ -15,9 +19,15 @@ pub(crate) struct Surroundings<'a, S> {
     pub(crate) world: &'a World<S>,
     /// q and v at the start.
     pub(crate) start: (&'a [S], &'a [S]),
+    /// The elements that stand before it: for a sensor all that it may measure, for a controller all others.
+    pub(crate) elements: &'a [AnyElement<S>],
+    /// The columns that a controller may read.
+    pub(crate) columns: &'a [Column],
+    /// The inputs that a controller may set.
+    pub(crate) inputs: &'a [Input],
 }
 
-/// A force of the file.
+/// A force, a sensor or a controller of the file.
 pub(crate) trait Assemble<S: Quantity> {
     /// Assembles its elements: none if it is disabled, or acts on a body that is.
     ///
@@ -29,5 +39,41 @@ pub(crate) trait Assemble<S: Quantity> {
 impl<S: Quantity, T: Assemble<S>> Assemble<S> for Box<T> {
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         (**self).assemble(name, at)
+    }
+}
+
+impl<'a, S: Quantity> Surroundings<'a, S> {
+    /// Before any element is assembled.
+    pub(crate) fn new(
+        scenario: &'a Scenario<S>,
+        model: &'a Model<S>,
+        world: &'a World<S>,
+        start: (&'a [S], &'a [S]),
+    ) -> Self {
+        Self { scenario, model, world, start, elements: &[], columns: &[], inputs: &[] }
+    }
+
+    /// The step of the run, s.
+    pub(crate) fn step_s(self) -> f64 {
+        self.scenario.simulation.step_s.get()
+    }
+
+    /// The sampling period: a whole number of steps.
+    ///
+    /// # Errors
+    /// A period that is none.
+    pub(crate) fn period_s(self, field: &str, given: Option<Positive>) -> Result<f64, FieldError> {
+        let step_s = self.step_s();
+        let Some(period_s) = given.map(|period| period.get()) else { return Ok(step_s) };
+        let steps = period_s / step_s;
+        if steps < 1.0 - WHOLE || (steps - libm::round(steps)).abs() > WHOLE {
+            return Err(FieldError::new(field, period_s, format!("a whole number of steps of {step_s} s")));
+        }
+        Ok(libm::round(steps) * step_s)
+    }
+
+    /// The input of a name. A controller is assembled once all its targets are inputs.
+    pub(crate) fn input(self, name: &str) -> Option<Input> {
+        self.inputs.iter().find(|input| input.name == name).cloned()
     }
 }

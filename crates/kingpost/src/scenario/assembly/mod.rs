@@ -6,9 +6,9 @@ pub(crate) mod axes;
 pub(crate) mod bodies;
 pub(crate) mod capacity;
 pub(crate) mod columns;
-pub(crate) mod controller_reader;
 pub(crate) mod controllers;
 pub(crate) mod equilibrium;
+pub(crate) mod finite;
 pub(crate) mod flexible;
 pub(crate) mod hinges;
 pub(crate) mod limits;
@@ -36,17 +36,18 @@ use crate::elements::hull::assembly as water;
 use crate::elements::lines::assembly as lines;
 use crate::elements::operation::assembly as operation;
 use crate::elements::ropes::assembly::at_start as ropes_at_start;
-use crate::elements::{AnyElement, Gravity, Layout};
+use crate::elements::{AnyElement, Layout};
 use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
 use crate::results::Channels;
 pub use crate::scenario::error::FieldError;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};
+use crate::scenario::schema::{self, EquationForm, Integrator, Name, Scenario};
 use crate::simulation::{MOST_DENSE, SchemeName, Settings, Setup, Simulation};
 use crate::spatial::Frame;
 use assemble::{Assemble, Surroundings};
+use indexmap::IndexMap;
 pub use sea_spectra::{SeaSpectrum, SeaWaves, read_sea_waves};
 
 /// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
@@ -102,14 +103,16 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;
     let (model, in_water) = water::build(scenario, model, &world)?;
-    let mut elements = forces(Surroundings { scenario, model: &model, world: &world, start: (&q, &v) })?;
+    let at = Surroundings::new(scenario, &model, &world, (&q, &v));
+    let mut elements = assembled(&scenario.forces, at)?;
     elements.extend(in_joints);
     elements.extend(in_water);
     elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
-    let sensors = sensors::build(scenario, &model, &elements)?;
+    let at = Surroundings::new(scenario, &model, &world, (&q, &v));
+    let sensors = assembled(&scenario.sensors, Surroundings { elements: &elements, ..at })?;
     elements.extend(sensors);
     elements.extend(wind_and_current::anemometers(&world, &model, &elements));
-    let controllers = controllers::add(scenario, &model, &mut elements)?;
+    let controllers = controllers::add(at, &mut elements)?;
     let wires = sensors::wires(scenario, &elements)?;
     for (first, positions) in elements.iter().filter_map(|element| element.given_positions(&world, 0.0)) {
         q[first..first + 6].copy_from_slice(&positions);
@@ -234,27 +237,16 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     Err(FieldError::new(field, found, "smaller numbers, with which all outputs are finite"))
 }
 
-/// The elements of all forces, in the order of the file.
-fn forces<S: Quantity>(at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+/// The elements of the entries of a section, in the order of the file.
+fn assembled<S: Quantity, K: Assemble<S>>(
+    entries: &IndexMap<Name, K>,
+    at: Surroundings<'_, S>,
+) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut elements = Vec::new();
-    for (name, force) in &at.scenario.forces {
-        elements.extend(force.assemble(name, at)?);
+    for (name, entry) in entries {
+        elements.extend(entry.assemble(name, at)?);
     }
     Ok(elements)
-}
-
-/// Gravity is one element: the world holds the sum of all.
-impl<S: Quantity> Assemble<S> for schema::Gravity<S> {
-    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
-        let acts = |force: &ForceSchema<S>| gravity_of(force).is_some_and(|gravity| gravity.enabled);
-        let first = at.scenario.forces.iter().find(|(_, force)| acts(force));
-        let is_first = first.is_some_and(|(first, _)| *first == *name);
-        Ok(if is_first { vec![Box::new(Gravity)] } else { Vec::new() })
-    }
-}
-
-fn gravity_of<S>(force: &ForceSchema<S>) -> Option<&schema::Gravity<S>> {
-    if let ForceSchema::Gravity(gravity) = force { Some(gravity) } else { None }
 }
 
 /// An error unless `found` is one of `names`.

@@ -1,6 +1,7 @@
 //! The sea's water and the gravity that keeps it level.
 
-use crate::scenario::assembly::{FieldError, gravity_of};
+use crate::elements::gravity::assembly::gravity_of;
+use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::sea::waves::Water;

@@ -3,7 +3,8 @@
 use serde_json::{Value, json};
 
 use super::super::error::{Fault, SourcePlace};
-use super::super::schema::Mounting;
+use super::super::reading::{FromNode, PlaceKind};
+use super::super::schema::{Drive, Force, Loop, Mounting, Sensor};
 use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
 use super::{Mount, WORLD, numbers, put};
@@ -191,27 +192,28 @@ impl Standing<'_> {
         }
     }
 
-    /// Entries with a position in the world that do not name it: anchors, and the target of a ship.
+    /// Entries with a place in the world that do not name it: anchors, and the target of a ship.
     fn in_the_world(&self, tree: &mut ScenarioNode, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
         let entry = format!("{section}.{name}.{kind}");
-        match (section, kind) {
-            ("forces", "catenary_line") => {
-                self.needs_the_world(&entry)?;
-                self.move_point(tree, &format!("{entry}.anchor_m"));
+        let places = match section {
+            "loops" => Loop::places(kind),
+            "forces" => Force::places(kind),
+            "drives" => Drive::places(kind),
+            _ => Sensor::places(kind),
+        };
+        let places = places.iter().map(|(field, place)| (format!("{entry}.{field}"), place));
+        let placed: Vec<(String, &PlaceKind)> = places.filter(|(field, _)| self.has(field)).collect();
+        for (field, place) in &placed {
+            self.needs_the_world(&entry)?;
+            match place {
+                PlaceKind::Point => drop(self.move_point(tree, field)),
+                PlaceKind::Station => {
+                    self.needs_to_be_level(&entry)?;
+                    self.move_target(tree, field);
+                }
             }
-            ("forces", "soft_hold") if self.has(&format!("{entry}.target")) => {
-                self.needs_the_world(&entry)?;
-                self.needs_to_be_level(&entry)?;
-                self.move_target(tree, &format!("{entry}.target"));
-            }
-            ("forces", "dynamic_positioning") => {
-                self.needs_the_world(&entry)?;
-                self.needs_to_be_level(&entry)?;
-                self.move_target(tree, &format!("{entry}.target"));
-            }
-            _ => return Ok(false),
         }
-        Ok(true)
+        Ok(!placed.is_empty())
     }
 
     fn number(&self, path: &str) -> f64 {

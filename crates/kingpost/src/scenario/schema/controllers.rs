@@ -3,13 +3,13 @@
 use kingpost_derive::fields;
 
 use crate::scenario::schema::{
-    CompensationDrive, DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector,
-    StateFeedback, ThreeAxisCompensation,
+    DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector, StateFeedback,
+    ThreeAxisCompensation,
 };
 
 /// Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
 /// name. A controller may stand before another.
-#[fields]
+#[fields(assembled, sets_inputs)]
 pub enum Controller<S = f64> {
     /// Shapes a command so that it leaves no swing.
     InputShaper(InputShaper<S>),
@@ -29,44 +29,13 @@ pub enum Controller<S = f64> {
     PlatformCompensation(PlatformCompensation<S>),
 }
 
-impl<S> Controller<S> {
-    /// The inputs that it sets, each with its field below the controller's name.
-    pub fn targets(&self) -> Vec<(String, &str)> {
-        match self {
-            Self::InputShaper(shaper) => vec![("input_shaper.to".to_owned(), &*shaper.to)],
-            Self::DriveFunction(function) => vec![("drive_function.to".to_owned(), &*function.to)],
-            Self::StateFeedback(feedback) => {
-                let steered = feedback.steers.iter().enumerate();
-                steered.map(|(k, steer)| (format!("state_feedback.steers.{k}.to"), &*steer.to)).collect()
-            }
-            Self::Policy(policy) => {
-                let steered = policy.steers.iter().enumerate();
-                steered.map(|(k, steer)| (format!("policy.steers.{k}.to"), &*steer.to)).collect()
-            }
-            Self::Selector(selector) => {
-                let set = selector.steers.iter().enumerate();
-                set.map(|(k, target)| (format!("selector.steers.{k}.to"), &*target.to)).collect()
-            }
-            Self::HeaveCompensation(given) if given.enabled => {
-                vec![("heave_compensation.drive".to_owned(), &*given.drive)]
-            }
-            Self::ThreeAxisCompensation(given) if given.enabled => {
-                let winch = ("three_axis_compensation.drive".to_owned(), &*given.drive);
-                joint_targets("three_axis_compensation", &given.joints).chain([winch]).collect()
-            }
-            Self::PlatformCompensation(given) if given.enabled => {
-                joint_targets("platform_compensation", &given.joints).collect()
-            }
-            Self::HeaveCompensation(_) | Self::ThreeAxisCompensation(_) | Self::PlatformCompensation(_) => Vec::new(),
-        }
-    }
+/// The inputs that a controller sets.
+pub trait SetsInputs {
+    /// The inputs, each with its field below the controller's name.
+    fn targets(&self) -> Vec<(String, &str)>;
 
-    /// Whether it sets drives and nothing that another controller commands.
-    pub fn is_compensation(&self) -> bool {
-        matches!(self, Self::HeaveCompensation(_) | Self::ThreeAxisCompensation(_) | Self::PlatformCompensation(_))
+    /// Whether they are those of drives, which no other controller commands.
+    fn sets_drives(&self) -> bool {
+        false
     }
-}
-
-fn joint_targets<'a>(kind: &'static str, joints: &'a [CompensationDrive]) -> impl Iterator<Item = (String, &'a str)> {
-    joints.iter().enumerate().map(move |(k, joint)| (format!("{kind}.joints.{k}.drive"), &*joint.drive))
 }

@@ -2,11 +2,9 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{
-    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Hydrodynamics, NonNegative,
-    QuadraticDamping, Rope, SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank,
-    ViscousDamping, WindLoad,
+    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Gravity, Hydrodynamics, QuadraticDamping,
+    Rope, SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank, ViscousDamping, WindLoad,
 };
 
 /// Forces that act on the bodies from outside.
@@ -48,19 +46,4 @@ pub enum Force<S = f64> {
     DynamicPositioning(Box<DynamicPositioning<S>>),
     /// Soft springs and dampers that keep a ship near its place.
     SoftHold(SoftHold<S>),
-}
-
-/// Weight of every body, downwards along the world's z axis.
-#[fields(default)]
-pub struct Gravity<S = f64> {
-    /// Whether the element acts.
-    pub enabled: bool,
-    /// Acceleration of free fall, m/s^2.
-    pub acceleration_m_s2: NonNegative<S>,
-}
-
-impl<S: Leaf> Default for Gravity<S> {
-    fn default() -> Self {
-        Self { enabled: true, acceleration_m_s2: NonNegative::literal(9.80665) }
-    }
 }

@@ -50,18 +50,19 @@ pub use crate::elements::dynamic_positioning::fields::{
 pub use crate::elements::flow::fields::{CurrentAtDepth, CurrentLoad, CurrentSpeed, FlowCoefficients, WindLoad};
 pub use crate::elements::free_flooding_tank::fields::{AirPump, FreeFloodingTank};
 pub use crate::elements::gas_spring::fields::GasSpring;
+pub use crate::elements::gravity::fields::Gravity;
 pub use crate::elements::hull::fields::{Hydrodynamics, Hydrostatics};
 pub use crate::elements::inertial_unit::fields::{InertialFilter, InertialUnit};
 pub use crate::elements::input_shaper::fields::{InputShaper, ShaperKind};
 pub use crate::elements::lines::fields::{CatenaryLine, SpringLine};
+pub use crate::elements::motion_reference_unit::fields::{HeaveFilter, MotionReferenceUnit};
 pub use crate::elements::operation::fields::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
-pub use crate::elements::policy::fields::{
-    AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer, Selector, SelectorTarget,
-};
+pub use crate::elements::policy::fields::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer};
 pub use crate::elements::quadratic_damping::fields::QuadraticDamping;
 pub use crate::elements::ropes::fields::{
     CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
 };
+pub use crate::elements::selector::fields::{Selector, SelectorTarget};
 pub use crate::elements::sensing::fields::crane::{Encoder, LinearEncoder, LoadCell, RopeEnd, SatelliteReceiver};
 pub use crate::elements::sensing::fields::errors::{
     AccelerationErrors, AngleErrors, DropOuts, ForceErrors, LengthErrors, RateErrors, SpeedErrors,
@@ -89,12 +90,12 @@ pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
-pub use controllers::Controller;
+pub use controllers::{Controller, SetsInputs};
 pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
 pub use flow::{CurrentProfile, CurrentTable, Logarithmic, PowerLaw, Wind, WindProfile};
-pub use forces::{Force, Gravity};
+pub use forces::Force;
 pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
@@ -104,7 +105,7 @@ pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::{Sea, Stretching};
-pub use sensors::{HeaveFilter, MotionReferenceUnit, Sensor, Wire};
+pub use sensors::{Sensor, Wire};
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,

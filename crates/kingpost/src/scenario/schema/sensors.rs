@@ -3,13 +3,12 @@
 use kingpost_derive::fields;
 
 use super::{
-    AirGap, AngleErrors, Clearance, DropOuts, Encoder, InertialUnit, LengthErrors, LinearEncoder, LoadCell, Name,
-    Positive, RateErrors, SatelliteReceiver, SignalName, SpeedErrors, SwingEstimator, yes,
+    AirGap, Clearance, Encoder, InertialUnit, LinearEncoder, LoadCell, MotionReferenceUnit, SatelliteReceiver,
+    SignalName, SwingEstimator, yes,
 };
-use crate::scenario::leaf::Leaf;
 
 /// Sensors. Clearances and air gaps are measured in every row of the results, the others at their own interval.
-#[fields]
+#[fields(assembled)]
 pub enum Sensor<S = f64> {
     /// Roll, pitch, heave, heave rate and angular velocity at a point of a body.
     MotionReferenceUnit(Box<MotionReferenceUnit<S>>),
@@ -29,61 +28,6 @@ pub enum Sensor<S = f64> {
     Clearance(Clearance<S>),
     /// The height of a point above the surface of the sea.
     AirGap(AirGap<S>),
-}
-
-/// Measures the motion of a point of a body. Its outputs, which wires can use, are `measured_roll` and
-/// `measured_pitch` (rad), `measured_heave` (m, relative to the start of the run), `measured_heave_rate` (m/s) and
-/// `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), constant between two samples; with horizontal motion also
-/// `measured_x`, `measured_y` (m, along the world's axes, relative to the start), `measured_x_velocity`,
-/// `measured_y_velocity` (m/s) and `measured_yaw` (rad).
-#[fields]
-pub struct MotionReferenceUnit<S = f64> {
-    /// Whether the sensor measures.
-    #[serde(default = "yes")]
-    pub enabled: bool,
-    /// The body.
-    pub body: Name,
-    /// The point, in the body's drawing frame, m.
-    #[serde(default)]
-    pub position_m: [S; 3],
-    /// Time between two samples, s.
-    pub period_s: Positive,
-    /// Delay of its outputs, in samples: 0 to 1000.
-    #[serde(default)]
-    pub delay_samples: usize,
-    /// Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with those of
-    /// the angles, as a unit with a gyrocompass does.
-    #[serde(default)]
-    pub horizontal_motion: bool,
-    /// The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
-    pub heave_filter: Option<HeaveFilter<S>>,
-    /// Errors of roll and pitch each; without them both are exact.
-    pub angle_errors: Option<AngleErrors<S>>,
-    /// Errors of heave, after its filter.
-    pub heave_errors: Option<LengthErrors<S>>,
-    /// Errors of the heave rate, after its filter.
-    pub heave_rate_errors: Option<SpeedErrors<S>>,
-    /// Errors of each component of the angular velocity.
-    pub rate_errors: Option<RateErrors<S>>,
-    /// Its failures; without them it always works.
-    pub drop_outs: Option<DropOuts>,
-}
-
-/// A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead. With a
-/// satellite receiver it removes nothing.
-#[fields]
-pub struct HeaveFilter<S = f64> {
-    /// Cut-off period, s.
-    pub cutoff_period_s: Positive<S>,
-    /// Damping ratio.
-    #[serde(default = "damping_ratio::<S>")]
-    pub damping_ratio: Positive<S>,
-    /// A satellite receiver on the same body, whose positions give back the motion that the filter removes.
-    pub receiver: Option<Name>,
-}
-
-fn damping_ratio<S: Leaf>() -> Positive<S> {
-    Positive::literal(0.7)
 }
 
 /// A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.

@@ -7,81 +7,74 @@ use crate::elements::drives::ControlledDrive;
 use crate::elements::{AnyElement, PlatformCompensation, ThreeAxisCompensation};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema::{self, Scenario};
+use crate::scenario::schema;
 
-/// The compensation in three axes, if it is enabled.
-pub fn three_axis<S: Quantity>(
-    (scenario, model): (&Scenario<S>, &Model<S>),
-    name: &str,
-    given: &schema::ThreeAxisCompensation<S>,
-    elements: &[AnyElement<S>],
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let lead = format!("controllers.{name}.three_axis_compensation");
-    check(scenario, name, &lead, given.period_s.get())?;
-    if !given.enabled {
-        return Ok(None);
+impl<S: Quantity> Assemble<S> for schema::ThreeAxisCompensation<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let lead = format!("controllers.{name}.three_axis_compensation");
+        check(at.scenario, name, &lead, self.period_s.get())?;
+        if !self.enabled {
+            return Ok(Vec::new());
+        }
+        let rope = hung((at.scenario, at.model), &lead, [&self.rope, &self.drive], at.elements)?;
+        let Hoist::Drum(drum) = rope.hoist else {
+            let allowed = format!("the drive of the drum of {}", self.rope);
+            return Err(FieldError::new(format!("{lead}.drive"), driving(at.scenario, &self.drive), allowed));
+        };
+        let joints = Joints { lead: &lead, given: &self.joints, least: 2, moves: "the tip of the crane" };
+        let mut drives = joints.drives(at.elements)?;
+        let chain = DrivenChain {
+            joints: joints.below(at.model, rope.tip.link, &drives)?,
+            damped_below: self.damped_below_m_s.get(),
+        };
+        drives.push(rope.drive);
+        let source =
+            MotionSource { sensor: self.sensor.as_ref(), horizontal: true, prediction: self.prediction.as_ref() };
+        Ok(vec![Box::new(ThreeAxisCompensation {
+            name: name.to_owned(),
+            estimator: estimator(&lead, &source, self.period_s.get(), (at.elements, &drives))?.with_measured_arms(),
+            chain,
+            tip: rope.tip,
+            falls: rope.falls,
+            drum,
+            winch: rope.drive.name.clone(),
+            winch_speed: rope.speed,
+            winch_limit: rope.drive.limits.speed,
+            feed_forward: self.feed_forward.get(),
+            gain: self.position_gain_per_s.get(),
+            begins_on: self.begins_on,
+        })])
     }
-    let rope = hung((scenario, model), &lead, [&given.rope, &given.drive], elements)?;
-    let Hoist::Drum(drum) = rope.hoist else {
-        let allowed = format!("the drive of the drum of {}", given.rope);
-        return Err(FieldError::new(format!("{lead}.drive"), driving(scenario, &given.drive), allowed));
-    };
-    let joints = Joints { lead: &lead, given: &given.joints, least: 2, moves: "the tip of the crane" };
-    let mut drives = joints.drives(elements)?;
-    let chain = DrivenChain {
-        joints: joints.below(model, rope.tip.link, &drives)?,
-        damped_below: given.damped_below_m_s.get(),
-    };
-    drives.push(rope.drive);
-    let source =
-        MotionSource { sensor: given.sensor.as_ref(), horizontal: true, prediction: given.prediction.as_ref() };
-    Ok(Some(Box::new(ThreeAxisCompensation {
-        name: name.to_owned(),
-        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?.with_measured_arms(),
-        chain,
-        tip: rope.tip,
-        falls: rope.falls,
-        drum,
-        winch: rope.drive.name.clone(),
-        winch_speed: rope.speed,
-        winch_limit: rope.drive.limits.speed,
-        feed_forward: given.feed_forward.get(),
-        gain: given.position_gain_per_s.get(),
-        begins_on: given.begins_on,
-    })))
 }
 
-/// The platform's compensation, if it is enabled and its body exists.
-pub fn platform<S: Quantity>(
-    (scenario, model): (&Scenario<S>, &Model<S>),
-    name: &str,
-    given: &schema::PlatformCompensation<S>,
-    elements: &[AnyElement<S>],
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let lead = format!("controllers.{name}.platform_compensation");
-    check(scenario, name, &lead, given.period_s.get())?;
-    if !given.enabled {
-        return Ok(None);
+impl<S: Quantity> Assemble<S> for schema::PlatformCompensation<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let lead = format!("controllers.{name}.platform_compensation");
+        check(at.scenario, name, &lead, self.period_s.get())?;
+        if !self.enabled {
+            return Ok(Vec::new());
+        }
+        let pin = schema::Pin { body: self.body.clone(), position_m: self.position_m };
+        let top = attachment(at.scenario, at.model, &lead, &pin)?;
+        let joints = Joints { lead: &lead, given: &self.joints, least: 3, moves: &self.body };
+        let drives = joints.drives(at.elements)?;
+        let chain = DrivenChain { joints: joints.below(at.model, top.link, &drives)?, damped_below: S::ZERO };
+        let source =
+            MotionSource { sensor: self.sensor.as_ref(), horizontal: false, prediction: self.prediction.as_ref() };
+        Ok(vec![Box::new(PlatformCompensation {
+            name: name.to_owned(),
+            base: unit(&lead, &source, at.elements)?.map(|unit| unit.place.body),
+            estimator: estimator(&lead, &source, self.period_s.get(), (at.elements, &drives))?.with_measured_arms(),
+            chain,
+            top,
+            feed_forward: self.feed_forward.get(),
+            gain: self.position_gain_per_s.get(),
+            begins_on: self.begins_on,
+        })])
     }
-    let pin = schema::Pin { body: given.body.clone(), position_m: given.position_m };
-    let top = attachment(scenario, model, &lead, &pin)?;
-    let joints = Joints { lead: &lead, given: &given.joints, least: 3, moves: &given.body };
-    let drives = joints.drives(elements)?;
-    let chain = DrivenChain { joints: joints.below(model, top.link, &drives)?, damped_below: S::ZERO };
-    let source =
-        MotionSource { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
-    Ok(Some(Box::new(PlatformCompensation {
-        name: name.to_owned(),
-        base: unit(&lead, &source, elements)?.map(|unit| unit.place.body),
-        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &drives))?.with_measured_arms(),
-        chain,
-        top,
-        feed_forward: given.feed_forward.get(),
-        gain: given.position_gain_per_s.get(),
-        begins_on: given.begins_on,
-    })))
 }
 
 /// The driven joints of a compensation.

@@ -8,40 +8,36 @@ use crate::elements::drives::ControlledDrive;
 use crate::elements::hull::HullFrame;
 use crate::elements::sensing::Sampler;
 use crate::elements::{AnyElement, HeaveCompensation, InertialUnit, MotionReferenceUnit, of_kind};
-use crate::model::Model;
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use hoists::{hung, named};
 
-/// The controller, if it is enabled.
-pub fn heave<S: Quantity>(
-    (scenario, model): (&Scenario<S>, &Model<S>),
-    name: &str,
-    given: &schema::HeaveCompensation<S>,
-    elements: &[AnyElement<S>],
-) -> Result<Option<AnyElement<S>>, FieldError> {
-    let lead = format!("controllers.{name}.heave_compensation");
-    check(scenario, name, &lead, given.period_s.get())?;
-    if !given.enabled {
-        return Ok(None);
+impl<S: Quantity> Assemble<S> for schema::HeaveCompensation<S> {
+    fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+        let lead = format!("controllers.{name}.heave_compensation");
+        check(at.scenario, name, &lead, self.period_s.get())?;
+        if !self.enabled {
+            return Ok(Vec::new());
+        }
+        let rope = hung((at.scenario, at.model), &lead, [&self.rope, &self.drive], at.elements)?;
+        let source =
+            MotionSource { sensor: self.sensor.as_ref(), horizontal: false, prediction: self.prediction.as_ref() };
+        Ok(vec![Box::new(HeaveCompensation {
+            name: name.to_owned(),
+            estimator: estimator(&lead, &source, self.period_s.get(), (at.elements, &[rope.drive]))?,
+            tip: rope.tip,
+            falls: rope.falls,
+            hoist: rope.hoist,
+            drive: rope.drive.name.clone(),
+            drive_speed: rope.speed,
+            drive_limit: rope.drive.limits.speed,
+            feed_forward: self.feed_forward.get(),
+            gain: self.position_gain_per_s.get(),
+            begins_on: self.begins_on,
+        })])
     }
-    let rope = hung((scenario, model), &lead, [&given.rope, &given.drive], elements)?;
-    let source =
-        MotionSource { sensor: given.sensor.as_ref(), horizontal: false, prediction: given.prediction.as_ref() };
-    Ok(Some(Box::new(HeaveCompensation {
-        name: name.to_owned(),
-        estimator: estimator(&lead, &source, given.period_s.get(), (elements, &[rope.drive]))?,
-        tip: rope.tip,
-        falls: rope.falls,
-        hoist: rope.hoist,
-        drive: rope.drive.name.clone(),
-        drive_speed: rope.speed,
-        drive_limit: rope.drive.limits.speed,
-        feed_forward: given.feed_forward.get(),
-        gain: given.position_gain_per_s.get(),
-        begins_on: given.begins_on,
-    })))
 }
 
 /// The period, and the inputs, which have its name: no drive and no rope may have it.

@@ -3,7 +3,7 @@
 use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{Fraction, Name, NonNegative, Positive, yes};
+use crate::scenario::schema::{Fraction, Name, NonNegative, Positive, SetsInputs, yes};
 
 /// Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
 /// input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
@@ -75,4 +75,14 @@ fn longest() -> Positive {
 
 fn noise_share() -> Positive {
     Positive::literal(0.03)
+}
+
+impl<S> SetsInputs for HeaveCompensation<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        self.enabled.then(|| ("drive".to_owned(), &*self.drive)).into_iter().collect()
+    }
+
+    fn sets_drives(&self) -> bool {
+        true
+    }
 }

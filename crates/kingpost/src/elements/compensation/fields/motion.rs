@@ -3,7 +3,7 @@
 use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{Fraction, HeavePrediction, Name, NonNegative, Positive, yes};
+use crate::scenario::schema::{Fraction, HeavePrediction, Name, NonNegative, Positive, SetsInputs, yes};
 
 /// Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of the
 /// world, and the winch the load's height. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
@@ -93,4 +93,29 @@ fn gain<S: Leaf>() -> NonNegative<S> {
 
 fn damped_below<S: Leaf>() -> NonNegative<S> {
     NonNegative::literal(0.1)
+}
+
+impl<S> SetsInputs for ThreeAxisCompensation<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        let winch = ("drive".to_owned(), &*self.drive);
+        if self.enabled { joint_targets(&self.joints).chain([winch]).collect() } else { Vec::new() }
+    }
+
+    fn sets_drives(&self) -> bool {
+        true
+    }
+}
+
+impl<S> SetsInputs for PlatformCompensation<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        if self.enabled { joint_targets(&self.joints).collect() } else { Vec::new() }
+    }
+
+    fn sets_drives(&self) -> bool {
+        true
+    }
+}
+
+fn joint_targets(joints: &[CompensationDrive]) -> impl Iterator<Item = (String, &str)> {
+    joints.iter().enumerate().map(|(k, joint)| (format!("joints.{k}.drive"), &*joint.drive))
 }

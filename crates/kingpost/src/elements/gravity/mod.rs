@@ -1,5 +1,8 @@
 //! Weight: `-m g` along the world's z on every body (eq. 59).
 
+pub mod assembly;
+pub mod fields;
+
 use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;

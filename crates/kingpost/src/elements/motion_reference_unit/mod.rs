@@ -1,5 +1,8 @@
 //! A motion reference unit: a sensor of a body's motion, with its own sampling period.
 
+pub mod assembly;
+pub mod fields;
+
 use super::hull::HullFrame;
 use super::sensing::{PositionAid, ReceiverSample, Sampler};
 use super::{Components, Context, Declaration, Element, ElementState, Output, Own, VectorFrame};

@@ -1,5 +1,8 @@
 //! A selector: of several commands for the same inputs, one passes.
 
+pub mod assembly;
+pub mod fields;
+
 use super::{Context, Declaration, Element, Input, Own};
 use crate::scalar::Scalar;
 

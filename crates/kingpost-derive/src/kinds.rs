@@ -1,0 +1,50 @@
+//! The roles of the kinds of an enum, each answered by the kind's own fields.
+
+use proc_macro2::TokenStream as Tokens;
+use quote::quote;
+use syn::{Data, DeriveInput};
+
+use crate::naming::snake_case;
+
+/// The assembly of the elements of each kind.
+pub fn assembly(item: &DeriveInput) -> Tokens {
+    let name = &item.ident;
+    let Data::Enum(data) = &item.data else { return Tokens::new() };
+    let kinds = data.variants.iter().map(|variant| &variant.ident);
+    quote! {
+        impl<S: crate::scenario::leaf::Quantity> crate::scenario::assembly::assemble::Assemble<S> for #name<S> {
+            fn assemble(
+                &self,
+                name: &str,
+                at: crate::scenario::assembly::assemble::Surroundings<'_, S>,
+            ) -> Result<Vec<crate::elements::AnyElement<S>>, crate::scenario::error::FieldError> {
+                match self {
+                    #(Self::#kinds(given) => given.assemble(name, at),)*
+                }
+            }
+        }
+    }
+}
+
+/// The inputs that each kind sets, with their fields below the name of the kind.
+pub fn inputs(item: &DeriveInput) -> Tokens {
+    let name = &item.ident;
+    let Data::Enum(data) = &item.data else { return Tokens::new() };
+    let kinds: Vec<_> = data.variants.iter().map(|variant| &variant.ident).collect();
+    let in_files = kinds.iter().map(|kind| snake_case(&kind.to_string()));
+    quote! {
+        impl<S> SetsInputs for #name<S> {
+            fn targets(&self) -> Vec<(String, &str)> {
+                let (kind, targets) = match self {
+                    #(Self::#kinds(given) => (#in_files, given.targets()),)*
+                };
+                targets.into_iter().map(|(field, input)| (format!("{kind}.{field}"), input)).collect()
+            }
+            fn sets_drives(&self) -> bool {
+                match self {
+                    #(Self::#kinds(given) => given.sets_drives(),)*
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,111 @@
+"""Events, warnings, limits and the scenario of a run, as its data set holds them.
+
+A data set holds them as JSON in its attributes, which every file format can carry. Only this module and
+`kept` read and write that text.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any, TypedDict, TypeVar
+
+T = TypeVar("T")
+
+
+class EventEntry(TypedDict):
+    """An event: its time, s, the element that watched for it, and its name."""
+
+    time_s: float
+    element: str
+    what: str
+
+
+class WarningEntry(TypedDict):
+    """A warning: its time, s, the name of what it is about, and its text."""
+
+    time_s: float
+    name: str
+    text: str
+
+
+class LimitEntry(TypedDict):
+    """How a limit held; its numbers are in `unit`, and None where there is none."""
+
+    name: str
+    column: str
+    unit: str
+    at_least: float | None
+    at_most: float | None
+    held: bool | None
+    worst: float | None
+    worst_time_s: float | None
+
+
+def write(attributes: dict[str, Any], **entries: Sequence[Any]) -> None:
+    """Write entries by the names of their attributes: events, warnings, limits, model_warnings.
+
+    >>> attributes = {}
+    >>> write(attributes, warnings=[{"time_s": 4.0, "name": "ship", "text": "it heeled"}])
+    >>> warnings_of(attributes)[0]["name"]
+    'ship'
+    """
+    attributes.update({name: json.dumps(list(of)) for name, of in entries.items()})
+
+
+def events_of(attributes: Mapping[str, Any]) -> list[EventEntry]:
+    """Events of a run, in order of time."""
+    return _read(attributes, "events", [])
+
+
+def warnings_of(attributes: Mapping[str, Any]) -> list[WarningEntry]:
+    """Warnings from the rows of a run, in order of time."""
+    return _read(attributes, "warnings", [])
+
+
+def limits_of(attributes: Mapping[str, Any]) -> list[LimitEntry]:
+    """The limits of a run, in the order of its scenario."""
+    return _read(attributes, "limits", [])
+
+
+def limits_of_runs(attributes: Mapping[str, Any]) -> list[list[LimitEntry]]:
+    """The limits of each run of a `Batch`."""
+    return _read(attributes, "limits", [])
+
+
+def warnings_of_runs(attributes: Mapping[str, Any]) -> list[list[WarningEntry]]:
+    """Warnings from the rows of each run of a `Batch`."""
+    return _read(attributes, "warnings", [])
+
+
+def model_warnings_of(attributes: Mapping[str, Any]) -> list[str]:
+    """Warnings about the model, from before the run."""
+    return _read(attributes, "model_warnings", [])
+
+
+def scenario_of(attributes: Mapping[str, Any]) -> dict[str, Any]:
+    """The resolved scenario of a run."""
+    return _read(attributes, "scenario", {})
+
+
+def digests_of(attributes: Mapping[str, Any]) -> dict[str, str]:
+    """Digests of the files that a scenario names."""
+    return _read(attributes, "files", {})
+
+
+def floating_bodies_of(attributes: Mapping[str, Any]) -> list[str]:
+    """Names of the bodies that float."""
+    return _read(attributes, "floating_bodies", [])
+
+
+def of_run(attributes: Mapping[str, Any], run: int) -> dict[str, Any]:
+    """The attributes of one run of a `Batch`."""
+    own: dict[str, Any] = {"model_warnings": attributes["model_warnings"]}
+    write(own, warnings=warnings_of_runs(attributes)[run], limits=limits_of_runs(attributes)[run])
+    return own
+
+
+def _read(attributes: Mapping[str, Any], name: str, absent: T) -> T:
+    """Read an attribute; one that is absent or empty is the empty entry of its form."""
+    text = attributes.get(name)
+    return json.loads(text) if text else absent
