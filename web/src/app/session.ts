@@ -226,7 +226,7 @@ export class Session implements Player {
     try {
       const { source } = this;
       const replay = await this.opening.asked(this.client.replay());
-      return source && savedFile(source.file, replay, this.pending());
+      return source && (await savedFile(source.file, replay, this.pending()));
     } catch (fault) {
       this.state.reportOfRun(faultOfSaving(fault as Fault));
       return null;
