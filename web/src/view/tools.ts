@@ -37,7 +37,7 @@ export class Tools {
       this.cameras,
       picture.camera,
       CAMERA_ICON,
-      oneOf("camera", picture.camera, choices, camera, (name) => this.view.look(name as CameraName)),
+      oneOf("camera", picture.camera, choices, camera, (name) => this.view.look(name)),
       tick("camera-dive", picture.dive, mayDive, (may) => this.view.dive(may)),
     );
   }

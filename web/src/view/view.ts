@@ -36,8 +36,9 @@ const FRAME_LENGTH = 0.14;
 /** Opacity of the water over the longest diagonal of a body. */
 const FOG = 0.22;
 
-/** The viewpoint. */
-export type CameraName = "free" | "load" | "cab" | "bridge" | "top" | "section";
+/** The viewpoints. */
+const CAMERAS = ["free", "load", "cab", "bridge", "top", "section"] as const;
+export type CameraName = (typeof CAMERAS)[number];
 
 /** The view from above is slightly tilted to starboard, so that the bow is to the right. */
 const FROM_ABOVE = [0, -0.002, 1] as const;
@@ -128,7 +129,7 @@ export class View {
   cameras(): CameraName[] {
     const { craft } = this.fleet;
     const offered = { free: true, load: craft?.load != null, cab: craft?.cab != null, bridge: craft?.bridge != null, top: true, section: this.hull() >= 0 };
-    return (Object.keys(offered) as CameraName[]).filter((name) => offered[name]);
+    return CAMERAS.filter((name) => offered[name]);
   }
 
   /** Looks from somewhere else. */
