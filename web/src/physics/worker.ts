@@ -1,4 +1,5 @@
 import { expectedAmplitudes } from "../forecast/sea";
+import { answer } from "../engine/answers";
 import { asFault } from "../engine/engine";
 import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
 import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";
@@ -41,7 +42,7 @@ async function sweep({ scenario, parameter, values }: Sweep): Promise<void> {
 function modesOf(text: string, file: string, overrides: string, files: string): NaturalMode[] {
   const engine = new Simulation(text, file, overrides, files);
   try {
-    return JSON.parse(engine.natural_modes_json()) as NaturalMode[];
+    return answer(engine, "natural_modes_json");
   } finally {
     engine.free();
   }
