@@ -26,8 +26,7 @@ export class Events {
     const fresh = answer(engine, "events_json", this.seen);
     this.seen += fresh.length;
     fresh.forEach((happened) => this.keep(happened));
-    const told = answer(engine, "lever_moves_json").filter(isEnd).map(({ time_s, input, value }) => ({ time_s, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) }));
-    return [...this.kept, ...told];
+    return [...this.kept, ...answer(engine, "lever_moves_json").filter(isEnd).map(byHand)];
   }
 
   private keep({ time_s, element, what }: EventRecord): void {
@@ -36,6 +35,10 @@ export class Events {
     this.alike.set(key, count);
     if (count <= MOST_ALIKE) this.kept.push({ time_s, name: element, text: what });
   }
+}
+
+function byHand({ time_s, input, value }: LeverMove): Warning {
+  return { time_s, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) };
 }
 
 /** Whether a lever stays where it was moved to. */

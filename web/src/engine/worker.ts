@@ -14,7 +14,7 @@ interface WorkerScope {
   postMessage(message: FromWorker, transfer?: Transferable[]): void;
 }
 
-const scope = self as unknown as WorkerScope;
+declare const self: WorkerScope;
 const ready = load();
 // The error goes to the first request.
 ready.catch(() => undefined);
@@ -82,8 +82,8 @@ function buffersOf(value: Replies[keyof Replies]): Transferable[] {
 let turn: Promise<void> = Promise.resolve();
 
 // In turn: otherwise a request could meet another scenario while one waits for a file.
-scope.onmessage = ({ data }) => {
-  if ("isThere" in data) scope.postMessage({ isAlive: true });
+self.onmessage = ({ data }) => {
+  if ("isThere" in data) self.postMessage({ isAlive: true });
   else turn = turn.then(() => settle(data));
 };
 
@@ -91,8 +91,8 @@ async function settle({ id, request }: { id: number; request: Request }): Promis
   try {
     await ready;
     const value = await answer(request);
-    scope.postMessage({ id, value }, buffersOf(value));
+    self.postMessage({ id, value }, buffersOf(value));
   } catch (thrown) {
-    scope.postMessage({ id, fault: asFault(thrown) });
+    self.postMessage({ id, fault: asFault(thrown) });
   }
 }

@@ -14,12 +14,12 @@ interface WorkerScope {
   postMessage(message: FromSweep): void;
 }
 
-const scope = self as unknown as WorkerScope;
+declare const self: WorkerScope;
 
-scope.onmessage = ({ data }) => {
+self.onmessage = ({ data }) => {
   void sweep(data).then(
-    () => scope.postMessage({ kind: "done" }),
-    (thrown) => scope.postMessage({ kind: "fault", fault: asFault(thrown) }),
+    () => self.postMessage({ kind: "done" }),
+    (thrown) => self.postMessage({ kind: "fault", fault: asFault(thrown) }),
   );
 };
 
@@ -27,13 +27,13 @@ async function sweep({ scenario, parameter, values }: Sweep): Promise<void> {
   await init({ module_or_path: moduleUrl });
   const files = JSON.stringify(await new FilesOfScenarios().of(scenario));
   const { text, file, overrides } = scenario;
-  scope.postMessage({ kind: "sea", sea: seaOf(text, file, JSON.stringify(overrides), files) });
+  self.postMessage({ kind: "sea", sea: seaOf(text, file, JSON.stringify(overrides), files) });
   for (const value of values) {
     try {
       const modes = modesOf(text, file, JSON.stringify({ ...overrides, [parameter]: value }), files);
-      scope.postMessage({ kind: "modes", found: { value, modes } });
+      self.postMessage({ kind: "modes", found: { value, modes } });
     } catch (thrown) {
-      scope.postMessage({ kind: "skipped", value, fault: asFault(thrown) });
+      self.postMessage({ kind: "skipped", value, fault: asFault(thrown) });
     }
   }
 }

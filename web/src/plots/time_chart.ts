@@ -156,7 +156,7 @@ function seriesOf(line: DrawnLine, colour: string): uPlot.Series {
   const series: uPlot.Series = { label: line.label, stroke: colour, scale: scaleOf(line.shown.unit), width: 2, pxAlign: 0, points: { show: false } };
   if (!line.line.wraps) return series;
   series.gaps = (u, seriesIndex, first, last) => {
-    const values = u.data[seriesIndex] as unknown as Float64Array;
+    const values = u.data[seriesIndex];
     const pixel = (i: number) => u.valToPos(u.data[0][i], "x", true);
     return wrapPlaces(values, first, last, line.half).map(([from, to]): [number, number] => [pixel(from), pixel(to)]);
   };
