@@ -26,7 +26,7 @@ function unquote(scalar: Scalar) {
   if (scalar.type === Scalar.QUOTE_DOUBLE && BARE.test(text) && !TAKEN.test(text)) scalar.type = Scalar.PLAIN;
 }
 
-/** Spreads a value over lines where it does not fit on that of its name; a large part of the file has an empty line above. */
+/** Spreads a value over lines if it does not fit beside its name; a large part of the file has an empty line above. */
 function layOut(value: Node, path: readonly unknown[]) {
   const [parent, above] = path.slice(-2);
   const key = isPair(above) && isScalar(above.key) ? above.key : null;

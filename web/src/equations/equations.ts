@@ -127,7 +127,8 @@ export class EquationsPanel {
     this.touch(null);
     const formula = found.formulas.find(({ name }) => name === matrix.name);
     const bodyOf = bodyFinder(model.bodies.map(({ name }) => name), model.joints);
-    this.table = new MatrixTable(matrix, formula, this.notation.value === "names" ? "names" : "paper", bodyOf, (block) => this.touch(block));
+    const notation = this.notation.value === "names" ? "names" : "paper";
+    this.table = new MatrixTable(matrix, formula, notation, bodyOf, (block) => this.touch(block));
     this.sheet.replaceChildren(this.table.element);
     this.formula.hidden = !formula;
     if (!formula) return;

@@ -29,7 +29,7 @@ export class TimeChart implements Chart {
   draw(content: Content): void {
     this.content = content;
     this.chart ??= this.make(content);
-    this.chart.setData(content.stretch.data as unknown as uPlot.AlignedData, false);
+    this.chart.setData(content.stretch.data, false);
     const [min, max] = content.range_s;
     this.chart.setScale("x", { min, max });
   }
@@ -94,7 +94,7 @@ export class TimeChart implements Chart {
       hooks: { drawAxes: [(u) => this.drawFan(u, style)], draw: [(u) => this.drawBounds(u, style), (u) => this.drawMoment(u, style)], setSelect: [(u) => this.select(u)] },
       series: [{}, ...lines.map((line) => seriesOf(line, style.colour(line.colour)))],
     };
-    return new uPlot(options, stretch.data as unknown as uPlot.AlignedData, this.area);
+    return new uPlot(options, stretch.data, this.area);
   }
 
   /** Range for the lines of a unit, their limits and their futures. */

@@ -38,7 +38,7 @@ interface Own {
 
 /** The choice of a scenario by the address, from the gallery or as a file; the address holds the choice and its values. */
 export class Scenarios {
-  private readonly select = byId<HTMLSelectElement>("gallery");
+  private readonly select = byId("gallery", HTMLSelectElement);
   private readonly own = new Map<string, Own>();
   private gallery: Gallery;
   private shown = "";

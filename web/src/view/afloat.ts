@@ -40,7 +40,8 @@ export function meshHullOf({ mesh, origin_m }: HullInfo & { mesh: MeshInfo }, pa
 
 /** The box around a mesh, body axes. */
 export function boxOfMesh({ vertices_m }: MeshInfo): Box {
-  const end = (of: (...values: number[]) => number) => vec3((k) => vertices_m.reduce((so, vertex) => of(so, vertex[k]), vertices_m[0][k]));
+  const end = (of: (...values: number[]) => number) =>
+    vec3((k) => vertices_m.reduce((so, vertex) => of(so, vertex[k]), vertices_m[0][k]));
   return { low: end(Math.min), high: end(Math.max) };
 }
 

@@ -50,7 +50,11 @@ const FRAGMENT = /* glsl */ `
 /** The background: sky and level sea to the horizon, or a plain room if there is no sea. */
 export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
   private readonly eye = new Float32Array(3);
-  private readonly own = { hasSea: { value: false }, studioHigh: { value: new Color() }, studioLow: { value: new Color() } };
+  private readonly own = {
+    hasSea: { value: false },
+    studioHigh: { value: new Color() },
+    studioLow: { value: new Color() },
+  };
 
   constructor(air: Air) {
     super(

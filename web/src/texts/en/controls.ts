@@ -14,7 +14,11 @@ export const controls = {
   restart_now: "Restart with these values",
 };
 
-const limits: Record<string, string> = { speed: "at its largest speed", effort: "torque or force at its limit", power: "power at its limit" };
+const limits: Record<string, string> = {
+  speed: "at its largest speed",
+  effort: "torque or force at its limit",
+  power: "power at its limit",
+};
 
 export const levers = {
   title: "Levers",
@@ -41,7 +45,11 @@ export const levers = {
   close: "Close",
 };
 
-const labels: Record<string, string> = { "simulation.integrator": "Integrator", "simulation.form": "Equations", "simulation.step_s": "Step size" };
+const labels: Record<string, string> = {
+  "simulation.integrator": "Integrator",
+  "simulation.form": "Equations",
+  "simulation.step_s": "Step size",
+};
 
 export const settings = {
   title: "Advanced",
