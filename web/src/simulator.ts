@@ -11,6 +11,7 @@ import { faultOfGallery } from "./app/faults";
 import { Rest } from "./app/rest";
 import { Session } from "./app/session";
 import { EngineClient } from "./engine/client";
+import { asFault } from "./engine/engine";
 import type { Fault } from "./engine/engine";
 import { EquationsPanel } from "./equations/equations";
 import { exportTool } from "./export/dialog";
@@ -73,7 +74,7 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
       try {
         await offered;
       } catch (fault) {
-        return session.beEmpty(faultOfGallery(fault as Fault));
+        return session.beEmpty(faultOfGallery(asFault(fault)));
       }
       await scenarios.goTo(state);
       if (!session.run && session.fault) session.beEmpty(session.fault);

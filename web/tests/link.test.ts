@@ -46,7 +46,7 @@ const faultOf = (hash: string) => runIn(hash).then(
   () => null,
   (fault: Fault) => fault,
 );
-const linkOf = async (bytes: Uint8Array) => `#k1=${await packed(bytes)}.${digestOf(bytes)}`;
+const linkOf = async (bytes: Uint8Array<ArrayBuffer>) => `#k1=${await packed(bytes)}.${digestOf(bytes)}`;
 const linkOfJson = (json: unknown) => linkOf(new TextEncoder().encode(JSON.stringify(json)));
 
 describe("a link", () => {

@@ -55,7 +55,7 @@ describe("a saved scenario", () => {
       for (const lever of levers) runner.input(lever, value);
       frame = step(steps);
     }
-    const file = save();
+    const file = await save();
     expect([file.name, file.differs]).toEqual([`${name}-saved.yaml`, null]);
     expect(file.text.includes("the 4 lever moves made by hand")).toBe(levers.length > 0);
     expectSameBits(await ran(file.text, frame.row[0]), columns.byName(frame.row));
@@ -64,7 +64,7 @@ describe("a saved scenario", () => {
   it("keeps the scenario's own operation where no lever was moved", async () => {
     const { columns, save, step } = await opened("lift_off_from_barge");
     const { row } = step(10);
-    const { text } = save();
+    const { text } = await save();
     expect(text).toContain("wait with a slack rope");
     expectSameBits(await ran(text, row[0]), columns.byName(row));
   });
@@ -74,7 +74,7 @@ describe("a saved scenario", () => {
     step(5);
     runner.parameter("wind_speed_m_s", 15);
     const { row } = step(20);
-    const { text, differs } = save();
+    const { text, differs } = await save();
     expect(differs).toContain("wind_speed_m_s at 1 s");
     expect(text).toContain(`# ${differs}`);
     expect(bits([(await ran(text, row[0]))["hull.position.x"]])).not.toEqual(bits([columns.byName(row)["hull.position.x"]]));
@@ -84,12 +84,12 @@ describe("a saved scenario", () => {
     const { runner, save, step } = await opened("lowering_by_winch", { "simulation.duration_s": 0.5 });
     runner.input("hoist", -1);
     step(10);
-    expect((await simulationOf(save().text, "")).resolved_json()).toContain('"duration_s": 1.0');
+    expect((await simulationOf((await save()).text, "")).resolved_json()).toContain('"duration_s": 1.0');
   });
 
-  it("names the files that must lie beside it", () => {
+  it("names the files that must lie beside it", async () => {
     const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "newmark", moves: 1, parameters: [], files: ["hydro/mine.hydro.json"] };
-    const { name, text } = savedFile("ships/mine-saved.yaml", replay);
+    const { name, text } = await savedFile("ships/mine-saved.yaml", replay);
     expect(name).toBe("mine-saved.yaml");
     expect(text).toContain("# It needs these files in the same folder: hydro/mine.hydro.json.\n");
     expect(text).toContain("the lever move made by hand");

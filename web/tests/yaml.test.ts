@@ -21,13 +21,11 @@ it("quotes what YAML would read as something else", () => {
   );
 });
 
-it("folds a long text, and a long list of numbers, where that changes nothing", () => {
+it("folds a long text where that changes nothing, and gives each value of a long list a line", () => {
   const text = "a ship: its crane # 1".concat(" and its load".repeat(12));
   const [first, second] = yamlOf(JSON.stringify({ text })).trimEnd().split("\n").slice(1);
   expect([first.length <= 120, `${first.trim()} ${second.trim()}`]).toEqual([true, text]);
   expect(yamlOf(JSON.stringify({ text: `${text}  two spaces` }))).toContain('text: "a ship');
   const numbers = Array.from({ length: 60 }, (_, i) => i);
-  const lines = yamlOf(JSON.stringify({ numbers })).split("\n");
-  expect(lines.every((line) => line.length <= 120)).toBe(true);
-  expect(JSON.parse(lines.join("").replace("numbers:", ""))).toEqual(numbers);
+  expect(yamlOf(JSON.stringify({ numbers }))).toBe(["numbers:", ...numbers.map((one) => `  - ${one}`), ""].join("\n"));
 });

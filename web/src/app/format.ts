@@ -1,8 +1,9 @@
 import type { SimulationSettings } from "../generated/scenario";
 import { texts } from "../texts";
 
-const INTEGRATORS: Record<NonNullable<SimulationSettings["integrator"]>, string> = texts.settings.integrators;
-const FORMS: Record<NonNullable<SimulationSettings["form"]>, string> = texts.settings.forms;
+type Names<Field extends "integrator" | "form"> = Record<NonNullable<SimulationSettings[Field]>, string>;
+const INTEGRATORS: Record<string, string> = texts.settings.integrators satisfies Names<"integrator">;
+const FORMS: Record<string, string> = texts.settings.forms satisfies Names<"form">;
 
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -39,13 +40,13 @@ export function length(metres: number): string {
 }
 
 export function integratorName(name: string): string {
-  return INTEGRATORS[name as keyof typeof INTEGRATORS] ?? name;
+  return INTEGRATORS[name] ?? name;
 }
 
 export const INTEGRATOR_NAMES = Object.keys(INTEGRATORS);
 
 export function formName(name: string): string {
-  return FORMS[name as keyof typeof FORMS] ?? name;
+  return FORMS[name] ?? name;
 }
 
 export const FORM_NAMES = Object.keys(FORMS);

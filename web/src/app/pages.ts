@@ -5,6 +5,11 @@ import { byId } from "../ui/dom";
 import type { Choice } from "../ui/scenarios";
 import { texts } from "../texts";
 import { START, asksForStart } from "./address";
+import { isObject } from "./objects";
+
+function isChoice(state: unknown): state is Choice {
+  return isObject(state) && typeof state.choice === "string";
+}
 
 /** Shows one of the two pages: the start page, or the simulator, which is loaded when it is first asked for. */
 export class Pages {
@@ -17,7 +22,7 @@ export class Pages {
     /** The scenario that the server was started with. */
     private readonly opening: Promise<string | undefined>,
   ) {
-    addEventListener("popstate", ({ state }) => void this.show(state as Choice | null));
+    addEventListener("popstate", ({ state }) => void this.show(isChoice(state) ? state : null));
     byId("to-start").addEventListener("click", (event) => {
       event.preventDefault();
       void this.goToStart();

@@ -3,7 +3,6 @@ import { isOfEngine } from "../engine/faults";
 import type { Replay } from "../engine/messages";
 import { texts } from "../texts";
 import { fixed } from "./format";
-import { yamlOf } from "./yaml";
 
 const words = texts.saved;
 
@@ -22,7 +21,7 @@ const IMPLICIT = ["newmark", "generalized_alpha", "implicit_midpoint"];
  * The file of a scenario that was opened as `opened`, with values set and levers moved by hand. `pending` are the parameters whose values
  * wait for a reset.
  */
-export function savedFile(opened: string, replay: Replay, pending: string[] = []): SavedFile {
+export async function savedFile(opened: string, replay: Replay, pending: string[] = []): Promise<SavedFile> {
   const differs = differenceOf(replay);
   const says = [words.by(seconds(replay.time_s))];
   if (replay.moves > 0) says.push(words.moves(replay.moves));
@@ -30,6 +29,7 @@ export function savedFile(opened: string, replay: Replay, pending: string[] = []
   says.push(differs ?? words.same);
   if (differs === null && IMPLICIT.includes(replay.integrator)) says.push(words.implicit);
   if (replay.files.length > 0) says.push(words.needs(replay.files.join(", ")));
+  const { yamlOf } = await import("./yaml");
   return { name: nameOf(opened), text: `${says.map((line) => `# ${line}\n`).join("")}\n${yamlOf(replay.scenario)}`, differs };
 }
 

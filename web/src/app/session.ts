@@ -1,5 +1,6 @@
 import type { Change } from "../engine/changes";
 import type { EngineClient } from "../engine/client";
+import { asFault } from "../engine/engine";
 import type { Fault, Value, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import type { Frame } from "../engine/messages";
@@ -165,7 +166,7 @@ export class Session implements Player {
     } catch (fault) {
       if (run === this.run && !isOfEngine(fault)) {
         this.state.become("stopped");
-        this.report(fault as Fault);
+        this.report(asFault(fault));
       }
       return null;
     }
@@ -226,9 +227,9 @@ export class Session implements Player {
     try {
       const { source } = this;
       const replay = await this.opening.asked(this.client.replay());
-      return source && savedFile(source.file, replay, this.pending());
+      return source && (await savedFile(source.file, replay, this.pending()));
     } catch (fault) {
-      this.state.reportOfRun(faultOfSaving(fault as Fault));
+      this.state.reportOfRun(faultOfSaving(asFault(fault)));
       return null;
     }
   }

@@ -43,9 +43,12 @@ export class SetValues {
 
   /** The control values for a new start: without those that the run set again from a link. */
   forStart(): Values {
-    const kept = Object.entries({ ...this.wanted, ...Object.fromEntries(this.before) }).filter(([, value]) => value !== undefined);
+    const kept: Values = {};
+    for (const [name, value] of Object.entries({ ...this.wanted, ...Object.fromEntries(this.before) })) {
+      if (value !== undefined) kept[name] = value;
+    }
     this.before.clear();
-    return (this.wanted = Object.fromEntries(kept) as Values);
+    return (this.wanted = kept);
   }
 
   /** All values of the present run; a new object after a change. */

@@ -20,6 +20,8 @@ import type {
 import type { Equations } from "../generated/equations";
 import type { HydrostaticReport } from "../generated/hydrostatics";
 import type { SimulationSettings } from "../generated/scenario";
+import { parsed } from "./answers";
+import type { Resolved } from "./answers";
 import { faultOfBreakdown } from "./faults";
 
 export type { Channel, DrawnLine, Warning };
@@ -49,7 +51,7 @@ export type ModelInfo = Omit<Description, "bodies"> & { bodies: BodyInfo[] };
 
 /** Reads the description of a model from `model_json`, where a shape is under its kind, as in a scenario file. */
 export function readModel(json: string): ModelInfo {
-  const described = JSON.parse(json) as Description;
+  const described = parsed("model_json", json);
   return { ...described, bodies: described.bodies.map((body) => ({ ...body, shape: readShape(body.shape) })) };
 }
 
@@ -65,10 +67,6 @@ function readShape(tagged: BodyDescription["shape"]): Shape | null {
 /** The settings of a resolved scenario, none of them left out. */
 export type Settings = Required<SimulationSettings>;
 
-export function readSettings(resolvedJson: string): Settings {
-  return (JSON.parse(resolvedJson) as { simulation: Settings }).simulation;
-}
-
 /** The axis that a joint turns about or slides along, if it has one. */
 export interface JointAxis {
   /** The child. */
@@ -79,17 +77,13 @@ export interface JointAxis {
   arm_m: [number, number, number];
 }
 
-type ResolvedBody = { joint?: Record<string, { axis?: unknown; child_position_m?: unknown }>; centre_of_mass_m?: unknown };
-
 /** The joints of a resolved scenario that have one axis. */
-export function readJointAxes(resolvedJson: string): JointAxis[] {
-  const { bodies = {} } = JSON.parse(resolvedJson) as { bodies?: Record<string, ResolvedBody> };
+export function readJointAxes({ bodies = {} }: Resolved): JointAxis[] {
   return Object.entries(bodies).flatMap(([body, { joint, centre_of_mass_m }]) => {
     const [given] = Object.values(joint ?? {});
     if (!isVector(given?.axis)) return [];
     const [at, centre] = [given.child_position_m, centre_of_mass_m].map((one) => (isVector(one) ? one : [0, 0, 0]));
-    const arm_m = at.map((one, k) => one - centre[k]) as JointAxis["arm_m"];
-    return [{ body, axis: given.axis, arm_m }];
+    return [{ body, axis: given.axis, arm_m: [at[0] - centre[0], at[1] - centre[1], at[2] - centre[2]] }];
   });
 }
 
@@ -97,8 +91,7 @@ export function readJointAxes(resolvedJson: string): JointAxis[] {
 const TIMELINE = "operation.enabled";
 
 /** The name that switches the timeline of a resolved scenario off: the parameter for it, otherwise the field itself. */
-export function readTimelineSwitch(resolvedJson: string): string {
-  const { parameters = [] } = JSON.parse(resolvedJson) as { parameters?: { name: string; writes?: string[] }[] };
+export function readTimelineSwitch({ parameters = [] }: Resolved): string {
   return parameters.find(({ writes }) => writes?.includes(TIMELINE))?.name ?? TIMELINE;
 }
 
@@ -171,9 +164,8 @@ export function asFault(thrown: unknown): Fault {
   if (typeof thrown === "object" && thrown !== null && "message" in thrown) {
     const { message } = thrown;
     if ("kind" in thrown && typeof thrown.kind === "string") {
-      const known: Record<string, unknown> = { ...thrown, kind: thrown.kind, message: String(message) };
-      const present = Object.entries(known).filter(([, value]) => value !== null && value !== undefined);
-      return Object.fromEntries(present) as unknown as Fault;
+      const present = Object.entries(thrown).filter(([, value]) => value !== null && value !== undefined);
+      return { ...Object.fromEntries(present), kind: thrown.kind, message: String(message) };
     }
     return { kind: "internal", message: String(message) };
   }

@@ -1,8 +1,9 @@
 import { texts } from "../texts";
+import { answer } from "./answers";
 import type { Engine, Warning } from "./engine";
 import type { LeverMove } from "./messages";
 
-interface EventRecord {
+export interface EventRecord {
   time_s: number;
   element: string;
   what: string;
@@ -22,12 +23,10 @@ export class Events {
 
   /** Only new events are requested from the engine. */
   of(engine: Engine): Warning[] {
-    const fresh = JSON.parse(engine.events_json(this.seen)) as EventRecord[];
+    const fresh = answer(engine, "events_json", this.seen);
     this.seen += fresh.length;
     fresh.forEach((happened) => this.keep(happened));
-    const moves = JSON.parse(engine.lever_moves_json()) as LeverMove[];
-    const told = moves.filter(isEnd).map(({ time_s, input, value }) => ({ time_s, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) }));
-    return [...this.kept, ...told];
+    return [...this.kept, ...answer(engine, "lever_moves_json").filter(isEnd).map(byHand)];
   }
 
   private keep({ time_s, element, what }: EventRecord): void {
@@ -36,6 +35,10 @@ export class Events {
     this.alike.set(key, count);
     if (count <= MOST_ALIKE) this.kept.push({ time_s, name: element, text: what });
   }
+}
+
+function byHand({ time_s, input, value }: LeverMove): Warning {
+  return { time_s, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) };
 }
 
 /** Whether a lever stays where it was moved to. */

@@ -5,7 +5,7 @@ import type { Fault } from "./engine";
 export const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "saved", "setting", "two_operations"];
 
 /** A fault between the page and the engine, in words. The kind `engine` means that the engine is dead. */
-export function isOfEngine(fault: unknown): boolean {
+export function isOfEngine(fault: unknown): fault is Fault & { kind: "engine" } {
   return typeof fault === "object" && fault !== null && "kind" in fault && fault.kind === "engine";
 }
 

@@ -68,8 +68,7 @@ export class ScenarioFiles {
 
   async take(names: readonly string[]): Promise<Texts> {
     const texts = await Promise.all(names.map((name) => this.text(name)));
-    const there = names.map((name, i) => [name, texts[i]] as const).filter(([, text]) => text !== null);
-    return Object.fromEntries(there) as Texts;
+    return Object.fromEntries(names.flatMap((name, i) => (texts[i] === null ? [] : [[name, texts[i]] as const])));
   }
 
   private async text(name: string): Promise<string | null> {

@@ -1,8 +1,9 @@
 import { Changes } from "./changes";
 import type { Change } from "./changes";
 import { digestOf } from "./digest";
-import { asFault, readJointAxes, readModel, readSettings, readTimelineSwitch } from "./engine";
-import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
+import { answer } from "./answers";
+import { asFault, readJointAxes, readModel, readTimelineSwitch } from "./engine";
+import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values } from "./engine";
 import { Events } from "./events";
 import type { Frame, LeverMove, Opened, Replay, Restored, Snapshot } from "./messages";
 import { SurfaceGrid } from "./surface";
@@ -77,15 +78,15 @@ export class Runner {
     this.changes = new Changes(changes, engine.step_s());
     const start = nothing();
     this.record(start);
-    const resolved = engine.resolved_json();
+    const resolved = answer(engine, "resolved_json");
     return {
       model,
-      lines: JSON.parse(engine.lines_json()),
-      settings: readSettings(resolved),
+      lines: answer(engine, "lines_json"),
+      settings: resolved.simulation,
       joint_axes: readJointAxes(resolved),
       timeline_switch: readTimelineSwitch(resolved),
-      channels: JSON.parse(engine.channels_json()),
-      inputs: JSON.parse(engine.inputs_json()),
+      channels: answer(engine, "channels_json"),
+      inputs: answer(engine, "inputs_json"),
       digest: digestOf(text, ...Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)).flat()),
       frame: this.frame(start),
     };
@@ -131,7 +132,7 @@ export class Runner {
     this.events = new Events();
     this.again = [...moves];
     this.moveAgain();
-    return { inputs: JSON.parse(engine.inputs_json()), frame: this.frame(nothing()) };
+    return { inputs: answer(engine, "inputs_json"), frame: this.frame(nothing()) };
   }
 
   /**
@@ -140,9 +141,9 @@ export class Runner {
    */
   hydrostatics(without: readonly string[] | null = null): Hydrostatics {
     try {
-      if (!without) return JSON.parse(this.current().hydrostatics_json()) as Hydrostatics;
+      if (!without) return answer(this.current(), "hydrostatics_json");
       const lighter = this.openEngine(withoutBodies(this.current().resolved_json(), without), this.source.file, "{}", this.source.files);
-      const found = JSON.parse(lighter.hydrostatics_json()) as Hydrostatics;
+      const found = answer(lighter, "hydrostatics_json");
       lighter.free();
       return found;
     } catch (thrown) {
@@ -152,7 +153,7 @@ export class Runner {
 
   /** The matrices of the method at the engine's state. */
   equations(): Equations {
-    return JSON.parse(this.current().equations_json()) as Equations;
+    return answer(this.current(), "equations_json");
   }
 
   /** Time at which it acts, s. */
@@ -205,9 +206,9 @@ export class Runner {
     return {
       scenario: engine.replay_json(),
       time_s: engine.time_s(),
-      integrator: readSettings(engine.resolved_json()).integrator,
-      moves: (JSON.parse(engine.lever_moves_json()) as unknown[]).length,
-      parameters: JSON.parse(engine.parameters_set_json()) as Replay["parameters"],
+      integrator: answer(engine, "resolved_json").simulation.integrator,
+      moves: answer(engine, "lever_moves_json").length,
+      parameters: answer(engine, "parameters_set_json"),
     };
   }
 
@@ -291,7 +292,7 @@ export class Runner {
       poses: poses_now,
       line_points: engine.line_points(),
       surface: this.grid?.surface(engine, poses_now) ?? null,
-      warnings: JSON.parse(engine.warnings_json()) as Warning[],
+      warnings: answer(engine, "warnings_json"),
       events: this.events.of(engine),
       isPart: false,
       fault: this.fault,

@@ -1,12 +1,8 @@
-interface Resolved {
-  bodies?: Record<string, { enabled?: boolean }>;
-  operation?: { enabled?: boolean };
-  limits?: unknown;
-}
+import { parsed } from "./answers";
 
 /** A resolved scenario without some of its bodies, and without their drives, limits and operations. */
 export function withoutBodies(resolvedJson: string, bodies: readonly string[]): string {
-  const scenario = JSON.parse(resolvedJson) as Resolved;
+  const scenario = parsed("resolved_json", resolvedJson);
   for (const name of bodies) if (scenario.bodies?.[name]) scenario.bodies[name].enabled = false;
   if (scenario.operation) scenario.operation.enabled = false;
   delete scenario.limits;

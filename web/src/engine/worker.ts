@@ -1,12 +1,12 @@
-import init, { file_names, Simulation } from "./pkg/kingpost_wasm.js";
+import init, { Simulation } from "./pkg/kingpost_wasm.js";
 import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
 import { faultOfLoading } from "./faults";
 import { isOfGallery } from "./files";
-import type { FromWorker, Frame, Replay, Request, ToWorker } from "./messages";
+import type { FromWorker, Replay, Replies, Request, ToWorker } from "./messages";
 import { fetched, said } from "./network";
 import { Runner } from "./runner";
-import { FilesOfScenarios } from "./scenario_files";
+import { fileNames, FilesOfScenarios } from "./scenario_files";
 
 /** The part of a worker's global scope that is used here. */
 interface WorkerScope {
@@ -14,7 +14,7 @@ interface WorkerScope {
   postMessage(message: FromWorker, transfer?: Transferable[]): void;
 }
 
-const scope = self as unknown as WorkerScope;
+declare const self: WorkerScope;
 const ready = load();
 // The error goes to the first request.
 ready.catch(() => undefined);
@@ -38,11 +38,10 @@ const files = new FilesOfScenarios();
 /** The present run as a scenario, with the names of the files that must be in its folder. */
 function replay(): Replay {
   const found = runner.replay();
-  const names = JSON.parse(file_names(found.scenario, "", "{}", "{}")) as string[];
-  return { ...found, files: names.filter((name) => !isOfGallery(name)) };
+  return { ...found, files: fileNames(found.scenario).filter((name) => !isOfGallery(name)) };
 }
 
-async function answer(request: Request): Promise<unknown> {
+async function answer(request: Request): Promise<Replies[keyof Replies]> {
   switch (request.kind) {
     case "open":
       return runner.open(request.text, request.file, request.overrides, await files.of(request), request.changes);
@@ -71,21 +70,20 @@ async function answer(request: Request): Promise<unknown> {
 }
 
 /** The buffers of a frame in an answer; they are transferred, not copied. */
-function buffersOf(value: unknown): Transferable[] {
+function buffersOf(value: Replies[keyof Replies]): Transferable[] {
   if (typeof value !== "object" || value === null) return [];
   if ("frame" in value) return buffersOf(value.frame);
   if (!("rows" in value)) return [];
-  const frame = value as Frame;
-  const { rows, row_poses, row_line_points, row, poses, line_points, surface, keyframes } = frame;
+  const { rows, row_poses, row_line_points, row, poses, line_points, surface, keyframes } = value;
   const arrays = [rows, row_poses, row_line_points, row, poses, line_points, surface?.elevation_m, ...keyframes.map(({ bytes }) => bytes)];
-  return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
+  return arrays.flatMap((array) => (array?.buffer instanceof ArrayBuffer ? [array.buffer] : []));
 }
 
 let turn: Promise<void> = Promise.resolve();
 
 // In turn: otherwise a request could meet another scenario while one waits for a file.
-scope.onmessage = ({ data }) => {
-  if ("isThere" in data) scope.postMessage({ isAlive: true });
+self.onmessage = ({ data }) => {
+  if ("isThere" in data) self.postMessage({ isAlive: true });
   else turn = turn.then(() => settle(data));
 };
 
@@ -93,8 +91,8 @@ async function settle({ id, request }: { id: number; request: Request }): Promis
   try {
     await ready;
     const value = await answer(request);
-    scope.postMessage({ id, value }, buffersOf(value));
+    self.postMessage({ id, value }, buffersOf(value));
   } catch (thrown) {
-    scope.postMessage({ id, fault: asFault(thrown) });
+    self.postMessage({ id, fault: asFault(thrown) });
   }
 }

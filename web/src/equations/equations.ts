@@ -9,7 +9,6 @@ import { inCell } from "./blocks";
 import { showFormula } from "./formula";
 import { Ledger } from "./ledger";
 import { MatrixTable } from "./matrix_table";
-import type { Notation } from "./matrix_table";
 import { bodyFinder } from "./moved";
 import { highlightOf } from "./highlight";
 import type { Highlight } from "./highlight";
@@ -128,7 +127,8 @@ export class EquationsPanel {
     this.touch(null);
     const formula = found.formulas.find(({ name }) => name === matrix.name);
     const bodyOf = bodyFinder(model.bodies.map(({ name }) => name), model.joints);
-    this.table = new MatrixTable(matrix, formula, this.notation.value as Notation, bodyOf, (block) => this.touch(block));
+    const notation = this.notation.value === "names" ? "names" : "paper";
+    this.table = new MatrixTable(matrix, formula, notation, bodyOf, (block) => this.touch(block));
     this.sheet.replaceChildren(this.table.element);
     this.formula.hidden = !formula;
     if (!formula) return;

@@ -1,5 +1,5 @@
 import type { BodyInfo, ModelInfo } from "../engine/engine";
-import { rotate } from "../view/fit";
+import { rotate, vec3 } from "../view/fit";
 
 export type Vector = [number, number, number];
 export type Inertia = Vector[];
@@ -22,7 +22,7 @@ export function rigidsOf({ bodies, joints }: ModelInfo): Rigid[] {
 
 /** Inertia of bodies that move as one about their common centre of mass, in the axes of the first; poses are x y z qw qx qy qz a body. */
 export function inertiaOf(rigid: Rigid, bodies: readonly BodyInfo[], poses: ArrayLike<number>): Inertia {
-  const placeOf = (body: number) => [0, 1, 2].map((k) => poses[7 * body + k]) as Vector;
+  const placeOf = (body: number) => vec3((k) => poses[7 * body + k]);
   const mass = rigid.reduce((sum, body) => sum + bodies[body].mass_kg, 0);
   const centre = [0, 1, 2].map((k) => rigid.reduce((sum, body) => sum + bodies[body].mass_kg * placeOf(body)[k], 0) / (mass || 1));
   const first = axesOf(rigid[0], poses);
@@ -59,7 +59,7 @@ export type Surface = (unit: Vector) => Vector;
 
 /** Angular momentum about the centre of mass, body axes, N m s: J omega. */
 export function momentumOf(inertia: readonly (readonly number[])[], omega: Vector): Vector {
-  return inertia.map((row) => row[0] * omega[0] + row[1] * omega[1] + row[2] * omega[2]) as Vector;
+  return vec3((k) => dot(inertia[k], omega));
 }
 
 export function sizeOf(vector: Vector): number {

@@ -1,3 +1,4 @@
+import { vec3 } from "../view/fit";
 import { blocksOf, stretchesOf } from "./blocks";
 import type { Block, NamedMatrix } from "./blocks";
 
@@ -29,6 +30,6 @@ export function motionsOf(b: NamedMatrix, column: number, bodyOf: (label: string
 
 function motionOf(body: number, [linear, angular]: Block[]): BodyMotion | null {
   if (linear.isZero && angular.isZero) return null;
-  const vector = ({ values }: Block) => values.map(([value]) => value) as [number, number, number];
+  const vector = ({ values }: Block) => vec3((k) => values[k][0]);
   return { body, linear: vector(linear), angular: vector(angular) };
 }

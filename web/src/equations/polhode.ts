@@ -1,6 +1,7 @@
 import type { Run, Session } from "../app/session";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
+import { vec3 } from "../view/fit";
 import { circlesOf, energyEllipsoid, inertiaOf, momentumOf, momentumSphere, rigidsOf, sizeOf } from "./momentum";
 import type { Rigid, Vector } from "./momentum";
 
@@ -53,12 +54,12 @@ export class Polhode {
     const { bodies } = run.model;
     const inertia = inertiaOf(rigid, bodies, moment.poses);
     const places = ["x", "y", "z"].map((axis) => run.columns.at(`${bodies[rigid[0]].name}.angular_velocity.${axis}`));
-    const momentumIn = (row: ArrayLike<number>) => momentumOf(inertia, places.map((place) => row[place]) as Vector);
+    const momentumIn = (row: ArrayLike<number>) => momentumOf(inertia, vec3((k) => row[places[k]]));
     const { items } = recording.rows;
     const from = Math.max(0, recording.rows.indexAt(time_s - PATH_S));
     const path = items.slice(from, recording.rows.indexAt(time_s) + 1).map(({ row }) => momentumIn(row));
     const now = momentumIn(moment.row);
-    const omega = places.map((place) => moment.row[place]) as Vector;
+    const omega = vec3((k) => moment.row[places[k]]);
     const energy_J = (omega[0] * now[0] + omega[1] * now[1] + omega[2] * now[2]) / 2;
     this.draw(path, now, energy_J, inertia);
     const text = texts.equations.polhode_now(sizeOf(now).toPrecision(3), energy_J.toPrecision(3));

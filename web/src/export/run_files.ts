@@ -1,5 +1,6 @@
 import { stemOf } from "../app/saved";
 import type { Run, Session } from "../app/session";
+import { parsed } from "../engine/answers";
 import { eventsAsCsv, rowsAsCsv, written } from "./csv";
 import { parquetOf } from "./parquet";
 import { gathered, keptOf } from "./rows";
@@ -61,7 +62,7 @@ export class RunFiles {
       title: model.title,
       status: this.status(model.duration_s),
       source: this.session.source?.file ?? "",
-      ...(scenario ? { scenario, seed: String((JSON.parse(scenario) as { simulation: { seed?: number } }).simulation.seed ?? "") } : {}),
+      ...(scenario ? { scenario, seed: String(parsed("resolved_json", scenario).simulation.seed) } : {}),
       gravity_m_s2: written(model.gravity_m_s2),
       water_density_kg_m3: written(model.sea?.density_kg_m3 ?? 0),
       floating_bodies: JSON.stringify(bodies),

@@ -1,3 +1,4 @@
+import { answer } from "../engine/answers";
 import { asFault } from "../engine/engine";
 import type { Fault } from "../engine/engine";
 import type { Conditioned } from "./conditioned";
@@ -23,7 +24,7 @@ export class Futures {
     open: (resolved: string) => EngineInSeas,
   ) {
     this.seas = new SeasAhead(engine, expectedAmplitudes(engine, open));
-    const { wind } = JSON.parse(engine.resolved_json()) as { wind?: { gusts?: { enabled: boolean } } };
+    const { wind } = answer(engine, "resolved_json");
     this.isGusty = wind?.gusts?.enabled ?? false;
   }
 

@@ -10,8 +10,8 @@ const WIDE = "(min-width: 600px)";
 
 /** The button that switches the futures on, and a line on what they are and how reliable they are. */
 export class ForecastLine {
-  private readonly button = byId<HTMLButtonElement>("look-ahead");
-  private readonly box = byId<HTMLDetailsElement>("ahead");
+  private readonly button = byId("look-ahead", HTMLButtonElement);
+  private readonly box = byId("ahead", HTMLDetailsElement);
   private readonly inShort = this.box.querySelector("summary")!;
   private readonly inFull = this.box.querySelector("p")!;
 

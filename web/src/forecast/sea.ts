@@ -1,3 +1,4 @@
+import { answer } from "../engine/answers";
 import type { Engine } from "../engine/engine";
 import { Conditioned } from "./conditioned";
 import type { Past } from "./messages";
@@ -88,10 +89,10 @@ export class SeasAhead {
  * amplitudes of the spectra.
  */
 export function expectedAmplitudes(engine: EngineInSeas, open: (resolved: string) => EngineInSeas): Float64Array {
-  const resolved = JSON.parse(engine.resolved_json()) as { sea?: { waves?: Record<string, Record<string, unknown>> } };
+  const resolved = answer(engine, "resolved_json");
   let isDrawn = false;
   for (const system of Object.values(resolved.sea?.waves ?? {})) {
-    for (const { realisation } of Object.values(system) as { realisation?: { amplitudes?: string } }[]) {
+    for (const { realisation } of Object.values(system)) {
       if (realisation?.amplitudes !== "random") continue;
       realisation.amplitudes = "deterministic";
       isDrawn = true;

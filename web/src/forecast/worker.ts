@@ -1,5 +1,4 @@
 import { asFault } from "../engine/engine";
-import type { Fault } from "../engine/engine";
 import { FilesOfScenarios } from "../engine/scenario_files";
 import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
 import { Futures } from "./futures";
@@ -15,7 +14,7 @@ interface WorkerScope {
 
 type Look = ToForeseer & { kind: "look" };
 
-const scope = self as unknown as WorkerScope;
+declare const self: WorkerScope;
 const files = new FilesOfScenarios();
 let ready: Promise<unknown> = Promise.resolve();
 /** The present job; a message may replace it while a future is computed. */
@@ -23,7 +22,7 @@ let asked: Look | null = null;
 let isBusy = false;
 let open: { scenario: string; futures: Futures } | null = null;
 
-scope.onmessage = ({ data }) => {
+self.onmessage = ({ data }) => {
   if (data.kind === "module") ready = init({ module_or_path: data.module });
   else {
     asked = data.kind === "look" ? data : null;
@@ -38,7 +37,7 @@ async function serve(): Promise<void> {
     const look: Look = asked;
     await answer(look).catch((thrown) => {
       open = null;
-      scope.postMessage({ kind: "fault", job: look.job, fault: thrown as Fault });
+      self.postMessage({ kind: "fault", job: look.job, fault: asFault(thrown) });
     });
     if (asked === look) asked = null;
   }
@@ -46,26 +45,22 @@ async function serve(): Promise<void> {
 }
 
 async function answer(look: Look): Promise<void> {
-  try {
-    const futures = await opened(look.scenario);
-    futures.begin(look.start);
-    for (const seed of look.seeds) {
-      const running = futures.run(seed);
-      let next = running.next();
-      for (let since_ms = performance.now(); !next.done; next = running.next()) {
-        if (performance.now() - since_ms < TURN_MS) continue;
-        await messagesHeard();
-        if (asked !== look) return;
-        since_ms = performance.now();
-      }
-      scope.postMessage({ kind: "future", job: look.job, future: next.value }, [next.value.rows.buffer]);
+  const futures = await opened(look.scenario);
+  futures.begin(look.start);
+  for (const seed of look.seeds) {
+    const running = futures.run(seed);
+    let next = running.next();
+    for (let since_ms = performance.now(); !next.done; next = running.next()) {
+      if (performance.now() - since_ms < TURN_MS) continue;
       await messagesHeard();
       if (asked !== look) return;
+      since_ms = performance.now();
     }
-    scope.postMessage({ kind: "done", job: look.job });
-  } catch (thrown) {
-    throw asFault(thrown);
+    self.postMessage({ kind: "future", job: look.job, future: next.value }, [next.value.rows.buffer]);
+    await messagesHeard();
+    if (asked !== look) return;
   }
+  self.postMessage({ kind: "done", job: look.job });
 }
 
 /** The scenario stays open from one job to the next. */

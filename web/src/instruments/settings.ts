@@ -1,5 +1,4 @@
 import { chosenPalette, choosePalette, PALETTES } from "../app/palette";
-import type { PaletteName } from "../app/palette";
 import { texts } from "../texts";
 import { make } from "../ui/dom";
 import type { Alarm } from "./alarm";
@@ -10,7 +9,7 @@ export function paletteChoice(): HTMLElement {
   const options = [make("option", { value: "" }, palettes.device), ...PALETTES.map((name) => make("option", { value: name }, palettes[name]))];
   const select = make("select", { "data-testid": "palette" }, ...options);
   select.value = chosenPalette() ?? "";
-  select.addEventListener("change", () => choosePalette((select.value || null) as PaletteName | null));
+  select.addEventListener("change", () => choosePalette(PALETTES.find((name) => name === select.value) ?? null));
   return make("label", { class: "setting" }, palette, select);
 }
 

@@ -1,3 +1,4 @@
+import { isObject } from "../app/objects";
 import { AXES } from "./axes";
 import type { Place, Places } from "./axes";
 
@@ -52,12 +53,12 @@ function kept(key: string): string | null {
 function placesIn(stored: unknown): Places {
   const places: Places = {};
   for (const axis of AXES) {
-    const place = (stored as Record<string, unknown> | null)?.[axis];
+    const place = isObject(stored) ? stored[axis] : null;
     if (isPlace(place)) places[axis] = place;
   }
   return places;
 }
 
 function isPlace(stored: unknown): stored is Place {
-  return typeof stored === "object" && stored !== null && "input" in stored && typeof stored.input === "string" && "reversed" in stored && typeof stored.reversed === "boolean";
+  return isObject(stored) && typeof stored.input === "string" && typeof stored.reversed === "boolean";
 }

@@ -23,7 +23,7 @@ const SHAKE_MS = 25;
 /** Two sticks over the picture, for the inputs that are set by hand. A lever that is moved during a pause acts when the run continues. */
 export class Levers {
   private readonly box = byId("sticks");
-  private readonly button = byId<HTMLButtonElement>("levers-button");
+  private readonly button = byId("levers-button", HTMLButtonElement);
   private readonly message = make("p", { class: "sticks-message", role: "status", "data-testid": "sticks-message" });
   private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
   private sticks: Stick[] = [];

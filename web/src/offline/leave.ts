@@ -10,15 +10,17 @@ interface LeavingScope {
   addEventListener(type: "install" | "activate", listener: (event: Event & { waitUntil(work: Promise<unknown>): void }) => void): void;
 }
 
-const scope = self as unknown as LeavingScope;
+declare const self: LeavingScope;
 
-scope.addEventListener("install", (event) => event.waitUntil(scope.skipWaiting()));
-scope.addEventListener("activate", (event) => event.waitUntil(leave()));
+self.addEventListener("install", (event) => event.waitUntil(self.skipWaiting()));
+self.addEventListener("activate", (event) => event.waitUntil(leave()));
 
 async function leave(): Promise<void> {
-  await caches.delete(`kingpost ${scope.registration.scope}`);
-  await scope.registration.unregister();
+  await caches.delete(`kingpost ${self.registration.scope}`);
+  await self.registration.unregister();
   // Reload pages that the other worker served.
-  const windows = await scope.clients.matchAll({ type: "window" });
+  const windows = await self.clients.matchAll({ type: "window" });
   await Promise.all(windows.map((window) => window.navigate(window.url)));
 }
+
+export {};

@@ -29,18 +29,18 @@ export type ToOffline = { claim: string } | { takeOver: true };
 /** Other windows have the older build: they would mix it with the newer one. */
 export type FromOffline = { others: number };
 
-const scope = self as unknown as WorkerScope;
-const files = scope.kingpost_files;
-const folder = scope.registration.scope;
+declare const self: WorkerScope;
+const files = self.kingpost_files;
+const folder = self.registration.scope;
 const opened = () => caches.open(`kingpost ${folder}`);
 
-scope.addEventListener("install", (event) => event.waitUntil(keepAll()));
-scope.addEventListener("activate", (event) => event.waitUntil(dropOthers()));
-scope.addEventListener("fetch", (event) => {
+self.addEventListener("install", (event) => event.waitUntil(keepAll()));
+self.addEventListener("activate", (event) => event.waitUntil(dropOthers()));
+self.addEventListener("fetch", (event) => {
   const path = pathOf(event.request.url);
   if (event.request.method === "GET" && path !== null) event.respondWith(kept(path, event.request));
 });
-scope.addEventListener("message", (event) => {
+self.addEventListener("message", (event) => {
   const { data, ports } = event;
   event.waitUntil("claim" in data ? claim(data.claim) : takeOver(ports[0]));
 });
@@ -84,14 +84,14 @@ async function kept(path: string, request: Request): Promise<Response> {
 
 /** A page of another build is not served from here. */
 async function claim(script: string): Promise<void> {
-  if (pathOf(script) !== null) await scope.clients.claim();
+  if (pathOf(script) !== null) await self.clients.claim();
 }
 
 async function takeOver(port: MessagePort): Promise<void> {
-  const windows = await scope.clients.matchAll({ type: "window", includeUncontrolled: true });
+  const windows = await self.clients.matchAll({ type: "window", includeUncontrolled: true });
   const others = windows.filter(({ url }) => url.startsWith(folder)).length - 1;
   if (others > 0) port.postMessage({ others } satisfies FromOffline);
-  else await scope.skipWaiting();
+  else await self.skipWaiting();
 }
 
 /** The path of a file of this build, without its query; null for another address. */

@@ -33,7 +33,7 @@ export class HeelChart extends Figure<HeelContent> {
     stroke(u, [[left, 0], [right, 0]], "y", { colour: style.colour("edge"), width: 1 });
     for (const { heel, colour, name } of levels) {
       stroke(u, [[left, heel], [right, heel]], "y", { colour: style.colour(colour), width: 1, dash: [4, 3] });
-      word(u, name, [u.bbox.left + 6, u.valToPos(heel, "y", true) - 2], style.axis.font as string, style.colour("muted"), "left");
+      word(u, name, [u.bbox.left + 6, u.valToPos(heel, "y", true) - 2], String(style.axis.font), style.colour("muted"), "left");
     }
     stroke(u, points, "y", { colour: style.colour("roll"), width: 2 });
     if (furthest) dot(u, furthest, "y", style.colour("roll"), style.colour("surface"));

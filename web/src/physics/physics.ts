@@ -29,8 +29,9 @@ export class PhysicsPanel {
   ) {
     this.lessons = { loss: new LossLesson(session, background), resonance: new ResonanceLesson(session, periods) };
     const choice = make("div", { class: "segmented lesson-choice", role: "group", "aria-label": texts.physics.lesson });
-    for (const [key, name] of Object.entries(texts.physics.lessons) as [keyof typeof this.lessons, string][]) {
-      const button = make("button", { type: "button", "aria-pressed": String(key === this.chosen), "data-testid": `show-lesson-${key}` }, name);
+    for (const key of ["loss", "resonance"] as const) {
+      const state = { "aria-pressed": String(key === this.chosen), "data-testid": `show-lesson-${key}` };
+      const button = make("button", { type: "button", ...state }, texts.physics.lessons[key]);
       button.addEventListener("click", () => this.choose(key, choice));
       choice.append(button);
     }

@@ -1,4 +1,5 @@
 import { expectedAmplitudes } from "../forecast/sea";
+import { answer } from "../engine/answers";
 import { asFault } from "../engine/engine";
 import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
 import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";
@@ -13,12 +14,12 @@ interface WorkerScope {
   postMessage(message: FromSweep): void;
 }
 
-const scope = self as unknown as WorkerScope;
+declare const self: WorkerScope;
 
-scope.onmessage = ({ data }) => {
+self.onmessage = ({ data }) => {
   void sweep(data).then(
-    () => scope.postMessage({ kind: "done" }),
-    (thrown) => scope.postMessage({ kind: "fault", fault: asFault(thrown) }),
+    () => self.postMessage({ kind: "done" }),
+    (thrown) => self.postMessage({ kind: "fault", fault: asFault(thrown) }),
   );
 };
 
@@ -26,13 +27,13 @@ async function sweep({ scenario, parameter, values }: Sweep): Promise<void> {
   await init({ module_or_path: moduleUrl });
   const files = JSON.stringify(await new FilesOfScenarios().of(scenario));
   const { text, file, overrides } = scenario;
-  scope.postMessage({ kind: "sea", sea: seaOf(text, file, JSON.stringify(overrides), files) });
+  self.postMessage({ kind: "sea", sea: seaOf(text, file, JSON.stringify(overrides), files) });
   for (const value of values) {
     try {
       const modes = modesOf(text, file, JSON.stringify({ ...overrides, [parameter]: value }), files);
-      scope.postMessage({ kind: "modes", found: { value, modes } });
+      self.postMessage({ kind: "modes", found: { value, modes } });
     } catch (thrown) {
-      scope.postMessage({ kind: "skipped", value, fault: asFault(thrown) });
+      self.postMessage({ kind: "skipped", value, fault: asFault(thrown) });
     }
   }
 }
@@ -41,7 +42,7 @@ async function sweep({ scenario, parameter, values }: Sweep): Promise<void> {
 function modesOf(text: string, file: string, overrides: string, files: string): NaturalMode[] {
   const engine = new Simulation(text, file, overrides, files);
   try {
-    return JSON.parse(engine.natural_modes_json()) as NaturalMode[];
+    return answer(engine, "natural_modes_json");
   } finally {
     engine.free();
   }

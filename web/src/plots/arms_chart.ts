@@ -47,7 +47,9 @@ export class ArmsChart implements Chart {
   draw(): void {
     this.curves = this.read();
     this.chart ??= this.make();
-    const all = this.curves.flatMap(({ points, heel, arm_m }) => (Number.isNaN(arm_m) ? points : [...points, [heel, arm_m] as [number, number]]));
+    const all = this.curves.flatMap(({ points, heel, arm_m }): readonly (readonly [number, number])[] =>
+      Number.isNaN(arm_m) ? points : [...points, [heel, arm_m]],
+    );
     const [left, right] = [Math.min(0, ...this.curves.map(({ heel }) => heel)), Math.max(1, ...all.map(([x]) => x))];
     const heights = all.map(([, y]) => y);
     const [bottom, top] = heightsOf(Math.min(0, ...heights), Math.max(0, ...heights), 1e-3, []);

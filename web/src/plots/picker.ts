@@ -5,7 +5,7 @@ import type { Figure, Figures } from "./figures";
 import { hasWords, inWords, labelOf } from "./lines";
 import type { Line } from "./lines";
 import { CHART_KINDS, PARTS } from "./view";
-import type { ChartKind, PlotView } from "./view";
+import type { PlotView } from "./view";
 
 /** Actions of a picker on its plot. */
 export interface Picked {
@@ -37,7 +37,8 @@ export class Picker {
   constructor() {
     for (const value of CHART_KINDS) this.kind.append(make("option", { value }, texts.plots.kinds[value]));
     for (const parts of PARTS) this.parts.append(make("option", { value: parts }, texts.plots.smoothings[parts]));
-    this.kind.addEventListener("change", () => this.change((view) => (view.kind = this.kind.value as ChartKind)));
+    const kind = () => CHART_KINDS.find((one) => one === this.kind.value);
+    this.kind.addEventListener("change", () => this.change((view) => (view.kind = kind() ?? view.kind)));
     this.parts.addEventListener("change", () => this.change((view) => (view.parts = Number(this.parts.value))));
     this.search.addEventListener("input", () => this.offer());
     this.smoothing = make("label", { class: "picker-field" }, texts.plots.smoothing, this.parts);

@@ -40,8 +40,10 @@ export class SpectrumChart implements Chart {
     this.reckon(content, this.transformOf);
     this.chart ??= this.make(content);
     const [first] = this.found;
-    const data = first ? [first.omega, ...this.found.map(({ density }) => density)] : [[0, 1], ...content.lines.map(() => [null, null])];
-    this.chart.setData(data as unknown as uPlot.AlignedData, false);
+    const data: uPlot.AlignedData = first
+      ? [first.omega, ...this.found.map(({ density }) => density)]
+      : [[0, 1], ...content.lines.map(() => [null, null])];
+    this.chart.setData(data, false);
     this.chart.setScale("x", { min: 0, max: this.end() });
   }
 

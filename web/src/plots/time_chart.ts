@@ -29,7 +29,7 @@ export class TimeChart implements Chart {
   draw(content: Content): void {
     this.content = content;
     this.chart ??= this.make(content);
-    this.chart.setData(content.stretch.data as unknown as uPlot.AlignedData, false);
+    this.chart.setData(content.stretch.data, false);
     const [min, max] = content.range_s;
     this.chart.setScale("x", { min, max });
   }
@@ -94,7 +94,7 @@ export class TimeChart implements Chart {
       hooks: { drawAxes: [(u) => this.drawFan(u, style)], draw: [(u) => this.drawBounds(u, style), (u) => this.drawMoment(u, style)], setSelect: [(u) => this.select(u)] },
       series: [{}, ...lines.map((line) => seriesOf(line, style.colour(line.colour)))],
     };
-    return new uPlot(options, stretch.data as unknown as uPlot.AlignedData, this.area);
+    return new uPlot(options, stretch.data, this.area);
   }
 
   /** Range for the lines of a unit, their limits and their futures. */
@@ -156,7 +156,7 @@ function seriesOf(line: DrawnLine, colour: string): uPlot.Series {
   const series: uPlot.Series = { label: line.label, stroke: colour, scale: scaleOf(line.shown.unit), width: 2, pxAlign: 0, points: { show: false } };
   if (!line.line.wraps) return series;
   series.gaps = (u, seriesIndex, first, last) => {
-    const values = u.data[seriesIndex] as unknown as Float64Array;
+    const values = u.data[seriesIndex];
     const pixel = (i: number) => u.valToPos(u.data[0][i], "x", true);
     return wrapPlaces(values, first, last, line.half).map(([from, to]): [number, number] => [pixel(from), pixel(to)]);
   };

@@ -1,3 +1,4 @@
+import { isObject } from "../app/objects";
 import type { Figures } from "./figures";
 import { MOST_LINES } from "./figures";
 import type { Angle } from "./units";
@@ -84,8 +85,4 @@ function plotFrom(kept: unknown, figures: Figures): PlotView | null {
   const kind = CHART_KINDS.find((one) => one === kept.kind) ?? "time";
   if (lines.length === 0 && kind !== "arms") return null;
   return { kind, lines, isTold: kept.isTold === true, parts: PARTS.find((one) => one === kept.parts) ?? 8 };
-}
-
-function isObject(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null;
 }

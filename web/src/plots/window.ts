@@ -1,3 +1,5 @@
+import { isObject } from "../app/objects";
+
 /** Most records that the plots show. */
 const MOST_RECORDS = 20000;
 
@@ -30,10 +32,10 @@ export function rangeInSight(now_s: number, shown_s: number, duration_s: number,
 }
 
 /** Pairs of neighbouring places between which an angle jumps around the circle. */
-export function wrapPlaces(values: ArrayLike<number>, first: number, last: number, half: number): [number, number][] {
+export function wrapPlaces(values: ArrayLike<number | null | undefined>, first: number, last: number, half: number): [number, number][] {
   const places: [number, number][] = [];
   for (let i = first + 1; i <= last; i++) {
-    if (Math.abs(values[i] - values[i - 1]) > half) places.push([i - 1, i]);
+    if (Math.abs(Number(values[i]) - Number(values[i - 1])) > half) places.push([i - 1, i]);
   }
   return places;
 }
@@ -46,10 +48,11 @@ export const FOLLOWING: WindowChoice = { kind: "follow" };
 export const LAST_S = [10, 30, 60, 300];
 
 export function isWindow(value: unknown): value is WindowChoice {
-  const one = value as WindowChoice | null | undefined;
-  if (one?.kind === "last") return one.length_s > 0;
-  if (one?.kind === "between") return one.from_s < one.to_s;
-  return one?.kind === "follow" || one?.kind === "all";
+  if (!isObject(value)) return false;
+  const { kind, length_s, from_s, to_s } = value;
+  if (kind === "last") return typeof length_s === "number" && length_s > 0;
+  if (kind === "between") return typeof from_s === "number" && typeof to_s === "number" && from_s < to_s;
+  return kind === "follow" || kind === "all";
 }
 
 /** The data of the run that plots need: newest time, shown time, duration and longest visible stretch. */

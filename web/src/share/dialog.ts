@@ -1,6 +1,6 @@
 import { fixed } from "../app/format";
 import type { Session } from "../app/session";
-import type { Fault } from "../engine/engine";
+import { asFault } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import { texts } from "../texts";
 import { make } from "../ui/dom";
@@ -42,7 +42,7 @@ export class ShareDialog {
       await this.showQr();
     } catch (fault) {
       if (isOfEngine(fault)) this.dialog.close();
-      this.say([(fault as Fault).message]);
+      this.say([asFault(fault).message]);
     }
   }
 

@@ -1,30 +1,32 @@
+type Bytes = Uint8Array<ArrayBuffer>;
+
 /** Bytes as a short text for an address: deflated, in base64url without padding. */
-export async function packed(bytes: Uint8Array): Promise<string> {
+export async function packed(bytes: Bytes): Promise<string> {
   const parts: string[] = [];
   await each(through(bytes, new CompressionStream("deflate-raw")), (part) => parts.push(String.fromCharCode(...part)));
   return btoa(parts.join("")).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
 /** Unpacks the bytes. Throws a RangeError if there are more than `most`, and another error if they are damaged. */
-export async function unpacked(text: string, most: number): Promise<Uint8Array> {
+export async function unpacked(text: string, most: number): Promise<Bytes> {
   const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
-  const parts: Uint8Array[] = [];
+  const parts: Bytes[] = [];
   let length = 0;
   await each(through(bytes, new DecompressionStream("deflate-raw")), (part) => {
     length += part.length;
     if (length > most) throw new RangeError(`more than ${most} bytes`);
     parts.push(part);
   });
-  return new Uint8Array(await new Blob(parts as BlobPart[]).arrayBuffer());
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
-function through(bytes: Uint8Array, stream: GenericTransformStream): ReadableStream<Uint8Array> {
-  return new Blob([bytes as BlobPart]).stream().pipeThrough(stream as ReadableWritablePair<Uint8Array, Uint8Array<ArrayBuffer>>);
+function through(bytes: Bytes, stream: CompressionStream | DecompressionStream): ReadableStream<Bytes> {
+  return new Blob([bytes]).stream().pipeThrough(stream);
 }
 
 /** Part by part, so that the reader can stop early. */
-async function each(stream: ReadableStream<Uint8Array>, take: (part: Uint8Array) => void): Promise<void> {
+async function each(stream: ReadableStream<Bytes>, take: (part: Bytes) => void): Promise<void> {
   const reader = stream.getReader();
   try {
     for (let next = await reader.read(); !next.done; next = await reader.read()) take(next.value);

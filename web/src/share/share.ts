@@ -4,7 +4,7 @@ import type { ShareDialog } from "./dialog";
 
 /** Makes a link to the present run; the code for it is loaded at the first use. */
 export function enableSharing(session: Session): void {
-  const button = byId<HTMLButtonElement>("share");
+  const button = byId("share", HTMLButtonElement);
   let dialog: Promise<ShareDialog> | null = null;
   button.addEventListener("click", () => {
     dialog ??= import("./dialog").then(({ ShareDialog }) => new ShareDialog(session));

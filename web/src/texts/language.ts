@@ -2,6 +2,11 @@
 export const LANGUAGES = { en: "English", nb: "Norsk (bokmål)" } as const;
 export type Language = keyof typeof LANGUAGES;
 
+/** Whether the app has texts for a code. */
+export function isLanguage(code: string): code is Language {
+  return code in LANGUAGES;
+}
+
 const KEY = "kingpost.language";
 /** Browsers' codes for Norwegian; the app has bokmål. */
 const NORWEGIAN = ["nb", "no", "nn"];
@@ -9,8 +14,7 @@ const NORWEGIAN = ["nb", "no", "nn"];
 /** The chosen language; otherwise the first of the browser's that the app has; otherwise English. */
 export function languageOf(chosen: string | null, preferred: readonly string[]): Language {
   const known = [chosen ?? "", ...preferred].map((tag) => tag.toLowerCase().split("-")[0]);
-  const here = known.map((code) => (NORWEGIAN.includes(code) ? "nb" : code)).find((code) => code in LANGUAGES);
-  return (here as Language | undefined) ?? "en";
+  return known.map((code) => (NORWEGIAN.includes(code) ? "nb" : code)).find(isLanguage) ?? "en";
 }
 
 /** The language of the page; a worker's name is the language of its page. */

@@ -1,3 +1,4 @@
+import { isObject } from "../app/objects";
 import { language, texts } from "./index";
 
 /** Attributes of the page's elements that hold the key of a text: `data-text="transport.start"`. */
@@ -14,7 +15,7 @@ export function fillPage(): void {
 
 /** The text of a key such as `transport.start`. */
 function textOf(key: string): string {
-  const found = key.split(".").reduce<unknown>((texts, part) => (texts as Record<string, unknown> | undefined)?.[part], texts);
+  const found = key.split(".").reduce<unknown>((area, part) => (isObject(area) ? area[part] : undefined), texts);
   if (typeof found !== "string") throw new Error(`the page names no text: ${key}`);
   return found;
 }

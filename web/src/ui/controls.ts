@@ -8,7 +8,7 @@ import { byId, make } from "./dom";
 
 /** The controls of the scenario's parameters: switches together, then choices, then numbers. */
 export class Controls {
-  private readonly form = byId<HTMLFormElement>("parameters");
+  private readonly form = byId("parameters", HTMLFormElement);
   private readonly levers = make("div", { id: "levers" });
   private readonly restart = this.restartButton();
   private items: Item[] = [];

@@ -1,8 +1,10 @@
-/** The element with this id; a missing one is a bug of the page. */
-export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
+/** The element with this id; a missing one, or one of another kind, is a bug of the page. */
+export function byId(id: string): HTMLElement;
+export function byId<T extends Element>(id: string, kind: new () => T): T;
+export function byId(id: string, kind: new () => Element = HTMLElement): Element {
   const found = document.getElementById(id);
-  if (!found) throw new Error(`the page has no element ${id}`);
-  return found as T;
+  if (!(found instanceof kind)) throw new Error(`the page has no element ${id}`);
+  return found;
 }
 
 export function byTestId(id: string): HTMLElement {

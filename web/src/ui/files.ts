@@ -10,7 +10,7 @@ export function enableFiles(open: (texts: Record<string, string>) => void, refus
     if (large) return refuse(large, MOST_BYTES);
     if (files.length > 0) open(Object.fromEntries(await Promise.all(files.map(async (file) => [file.name, await file.text()] as const))));
   };
-  const input = byId<HTMLInputElement>("file");
+  const input = byId("file", HTMLInputElement);
   for (const button of document.querySelectorAll("[data-opens-file]")) button.addEventListener("click", () => input.click());
   input.addEventListener("change", () => {
     const files = [...(input.files ?? [])];

@@ -1,12 +1,11 @@
 import { language, texts } from "../texts";
-import { chooseLanguage, LANGUAGES } from "../texts/language";
-import type { Language } from "../texts/language";
+import { chooseLanguage, isLanguage, LANGUAGES } from "../texts/language";
 import { make } from "./dom";
 
 /** A choice of the language, by the languages' own names. */
 export function languageChoice(testId: string): HTMLElement {
   const options = Object.entries(LANGUAGES).map(([code, name]) => make("option", { value: code, lang: code, selected: code === language }, name));
   const select = make("select", { title: texts.page.language_help, "data-testid": testId }, ...options);
-  select.addEventListener("change", () => chooseLanguage(select.value as Language));
+  select.addEventListener("change", () => isLanguage(select.value) && chooseLanguage(select.value));
   return make("label", { class: "setting" }, texts.page.language, select);
 }

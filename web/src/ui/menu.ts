@@ -27,17 +27,23 @@ function listenOnce(element: HTMLDetailsElement, panel: HTMLElement): void {
     element.querySelector("summary")!.focus();
   });
   document.addEventListener("pointerdown", ({ target }) => {
-    if (!element.contains(target as Node)) element.open = false;
+    if (!(target instanceof Node && element.contains(target))) element.open = false;
   });
 }
 
-export interface Choice {
-  name: string;
+export interface Choice<Name extends string> {
+  name: Name;
   label: string;
 }
 
 /** A choice, as radio buttons. */
-export function oneOf(group: string, legend: string, choices: readonly Choice[], chosen: string, choose: (name: string) => void): HTMLElement {
+export function oneOf<Name extends string>(
+  group: string,
+  legend: string,
+  choices: readonly Choice<Name>[],
+  chosen: Name,
+  choose: (name: Name) => void,
+): HTMLElement {
   const items = choices.map(({ name, label }) => {
     const input = make("input", { type: "radio", name: group, value: name, checked: name === chosen, "data-testid": `${group}-${name}` });
     input.addEventListener("change", () => choose(name));

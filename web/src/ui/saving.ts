@@ -4,7 +4,7 @@ import { download } from "./download";
 
 /** Saves the scenario as a file, with the parameters and the lever moves. */
 export function enableSaving(session: Session): void {
-  const button = byId<HTMLButtonElement>("save");
+  const button = byId("save", HTMLButtonElement);
   button.addEventListener("click", () => void saveScenario(session));
   session.listen({ statusChanged: (status) => (button.disabled = status === "loading" || status === "empty") });
 }

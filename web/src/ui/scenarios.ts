@@ -6,6 +6,7 @@ import { Gallery } from "../app/gallery";
 import { OPENING, openingOf } from "../app/opening";
 import type { Source } from "../app/run";
 import type { Session } from "../app/session";
+import { asFault } from "../engine/engine";
 import type { Fault, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import { scenarioAmong } from "../engine/files";
@@ -37,7 +38,7 @@ interface Own {
 
 /** The choice of a scenario by the address, from the gallery or as a file; the address holds the choice and its values. */
 export class Scenarios {
-  private readonly select = byId<HTMLSelectElement>("gallery");
+  private readonly select = byId("gallery", HTMLSelectElement);
   private readonly own = new Map<string, Own>();
   private gallery: Gallery;
   private shown = "";
@@ -105,7 +106,7 @@ export class Scenarios {
       this.linked(link);
       return null;
     } catch (fault) {
-      return fault as Fault;
+      return asFault(fault);
     }
   }
 
@@ -129,7 +130,7 @@ export class Scenarios {
     try {
       return await this.open(name, await this.gallery.read(name), values);
     } catch (fault) {
-      this.session.report(fault as Fault);
+      this.session.report(asFault(fault));
       this.select.value = this.shown;
       return false;
     }

@@ -10,7 +10,7 @@ const NEAR = 1 / 100;
 
 /** The whole recording as a track: the moment that is shown, marks of events, and access to any moment. */
 export class Scrubber {
-  private readonly range = byId<HTMLInputElement>("cursor");
+  private readonly range = byId("cursor", HTMLInputElement);
   private readonly list = byId("marks");
   private readonly time = byTestId("cursor-time");
   private marks: Mark[] = [];

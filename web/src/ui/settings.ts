@@ -20,7 +20,7 @@ export class Settings {
         session.set("simulation.step_s", value),
       ),
     ];
-    const form = byId<HTMLFormElement>("settings");
+    const form = byId("settings", HTMLFormElement);
     form.addEventListener("submit", (event) => event.preventDefault());
     form.append(...this.items.map((item) => item.element), languageChoice("language-setting"));
     session.listen({ valuesChanged: () => this.show() });

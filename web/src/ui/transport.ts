@@ -10,10 +10,10 @@ const PAUSE = "M4 3h4v14H4zM12 3h4v14h-4z";
 
 /** Start and pause, step, reset and speed, and the line with the state of the run. */
 export class Transport {
-  private readonly start = byId<HTMLButtonElement>("start");
-  private readonly step = byId<HTMLButtonElement>("step");
-  private readonly reset = byId<HTMLButtonElement>("reset");
-  private readonly speed = byId<HTMLSelectElement>("speed");
+  private readonly start = byId("start", HTMLButtonElement);
+  private readonly step = byId("step", HTMLButtonElement);
+  private readonly reset = byId("reset", HTMLButtonElement);
+  private readonly speed = byId("speed", HTMLSelectElement);
   private readonly hint = byId("hint");
   private isBack = false;
 
@@ -49,7 +49,7 @@ export class Transport {
     const dead = (status === "stopped" && !isBack) || status === "loading" || status === "empty";
     setText(byId("start-label"), running ? words.pause : isBack ? words.from_here : status === "paused" ? words.resume : words.start);
     this.start.title = isBack ? words.from_here_help : "";
-    byId("start-icon").setAttribute("d", running ? PAUSE : PLAY);
+    byId("start-icon", SVGElement).setAttribute("d", running ? PAUSE : PLAY);
     this.start.disabled = dead;
     this.step.disabled = dead;
     this.reset.disabled = status === "loading" || this.session.source === null;

@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Color, Group, Mesh, MeshStandardMateri
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 import type { HullInfo, MeshInfo } from "../engine/engine";
 import type { Box, Vec3 } from "./fit";
-import { cross, unit } from "./fit";
+import { cross, unit, vec3 } from "./fit";
 import { bowArrowOf } from "./hull";
 import type { Palette } from "./palette";
 
@@ -41,7 +41,7 @@ export function meshHullOf({ mesh, origin_m }: HullInfo & { mesh: MeshInfo }, pa
 /** The box around a mesh, body axes. */
 export function boxOfMesh({ vertices_m }: MeshInfo): Box {
   const end = (of: (...values: number[]) => number) =>
-    [0, 1, 2].map((k) => vertices_m.reduce((so, vertex) => of(so, vertex[k]), vertices_m[0][k])) as unknown as Vec3;
+    vec3((k) => vertices_m.reduce((so, vertex) => of(so, vertex[k]), vertices_m[0][k]));
   return { low: end(Math.min), high: end(Math.max) };
 }
 

@@ -1,5 +1,5 @@
 import { Color, Vector2, Vector3 } from "three";
-import type { DataTexture, IUniform } from "three";
+import type { DataTexture } from "three";
 import type { Palette } from "./palette";
 import { ripplesOf } from "./ripples";
 
@@ -10,9 +10,10 @@ export const TO_SUN = new Vector3(-0.72, -0.46, 1.05).normalize();
 const BRIGHTNESS = { day: 1.15, night: 1 };
 
 /** Shared values of the shaders of sky and sea, so that they meet without an edge. */
-export type Air = { [uniform in keyof ReturnType<typeof airOf>]: IUniform };
+export type Air = ReturnType<typeof airOf>;
 
 export function airOf() {
+  const ripples: { value: DataTexture | null } = { value: null };
   return {
     zenith: { value: new Color() },
     haze: { value: new Color() },
@@ -30,7 +31,7 @@ export function airOf() {
     farSlope: { value: 0 },
     /** Displacement of the ripples, tiles. */
     drift: { value: new Vector2() },
-    ripples: { value: null as DataTexture | null },
+    ripples,
     underWater: { value: false },
   };
 }
@@ -38,8 +39,13 @@ export function airOf() {
 /** Paints the air and the water in the theme's colours. */
 export function paintAir(air: Air, palette: Palette): void {
   const brightness = palette.isDark ? BRIGHTNESS.night : BRIGHTNESS.day;
-  const pairs = { zenith: palette.zenith, haze: palette.haze, sunColour: palette.sun, deep: palette.deep, shallow: palette.shallow, foamColour: palette.foam };
-  for (const [name, colour] of Object.entries(pairs)) (air[name as keyof Air].value as Color).copy(colour).multiplyScalar(brightness);
+  const paint = (uniform: { value: Color }, colour: Color) => uniform.value.copy(colour).multiplyScalar(brightness);
+  paint(air.zenith, palette.zenith);
+  paint(air.haze, palette.haze);
+  paint(air.sunColour, palette.sun);
+  paint(air.deep, palette.deep);
+  paint(air.shallow, palette.shallow);
+  paint(air.foamColour, palette.foam);
   air.ripples.value ??= ripplesOf();
 }
 

@@ -1,5 +1,10 @@
 export type Vec3 = readonly [number, number, number];
 
+/** The vector of three components, each computed from its index. */
+export function vec3(of: (k: number) => number): [number, number, number] {
+  return [of(0), of(1), of(2)];
+}
+
 export function dot(a: Vec3, b: Vec3): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -71,7 +76,7 @@ export function frame(points: readonly Vec3[], back: Vec3, up: Vec3, lens: Lens)
       const values = seen.map((place) => place[k]);
       return ((Math.min(...values) + Math.max(...values)) / 2) * distance;
     });
-    target = [0, 1, 2].map((k) => target[k] + off[0] * right[k] + off[1] * top[k]) as unknown as Vec3;
+    target = vec3((k) => target[k] + off[0] * right[k] + off[1] * top[k]);
     distance = fitDistance(points, target, back, up, lens);
   }
   return { target, distance };

@@ -1,5 +1,5 @@
-import { Box3, DoubleSide, FrontSide, Group, Mesh, Sprite } from "three";
-import type { Material, Object3D, Plane } from "three";
+import { Box3, DoubleSide, FrontSide, Group, Material, Mesh, Sprite } from "three";
+import type { Object3D, Plane } from "three";
 import type { Run } from "../app/session";
 import type { Frame } from "../engine/messages";
 import { craftOf } from "./craft/craft";
@@ -66,8 +66,8 @@ export class Fleet {
   /** Cuts a body along a plane and shows its inside, or removes the cut. */
   cut(body: number, plane: Plane | null): void {
     this.bodies[body]?.traverse((object) => {
-      if (!(object instanceof Mesh)) return;
-      const material = object.material as Material;
+      if (!(object instanceof Mesh && object.material instanceof Material)) return;
+      const { material } = object;
       material.clippingPlanes = plane ? [plane] : null;
       material.side = plane ? DoubleSide : FrontSide;
       material.needsUpdate = true;
@@ -83,14 +83,13 @@ export class Fleet {
 function boxOfObject(object: Object3D): Box {
   const { min, max } = new Box3().setFromObject(object);
   const none = min.x > max.x;
-  return { low: none ? [0, 0, 0] : (min.toArray() as [number, number, number]), high: none ? [0, 0, 0] : (max.toArray() as [number, number, number]) };
+  return { low: none ? [0, 0, 0] : min.toArray(), high: none ? [0, 0, 0] : max.toArray() };
 }
-
 
 export function dispose(object: Object3D): void {
   if (object instanceof Sprite) object.material.map?.dispose();
   if (object instanceof Mesh || object instanceof Sprite) {
     object.geometry.dispose();
-    (object.material as Material).dispose();
+    object.material.dispose();
   }
 }

@@ -49,9 +49,10 @@ export class Marks {
     // Visible through the hull, because most centres of mass lie inside one.
     for (const part of [arrow.line, arrow.cone]) {
       part.renderOrder = 1;
-      const material = part.material as { depthTest: boolean; transparent: boolean };
-      material.depthTest = false;
-      material.transparent = true;
+      for (const material of [part.material].flat()) {
+        material.depthTest = false;
+        material.transparent = true;
+      }
     }
     this.group.add(arrow);
     this.arrows.push({ arrow, body, isTurning, direction });
@@ -69,7 +70,7 @@ export class Marks {
 
   private frames(): Box3Helper[] {
     const found: Box3Helper[] = [];
-    this.group.parent?.traverse((object) => object.name === MARK && found.push(object as Box3Helper));
+    this.group.parent?.traverse((object) => object instanceof Box3Helper && object.name === MARK && found.push(object));
     return found;
   }
 }

@@ -28,7 +28,7 @@ export interface Scene {
 export function createScene(session: Session, background: BackgroundEngine): Scene {
   let view: View;
   try {
-    view = new View(byId<HTMLCanvasElement>("canvas"));
+    view = new View(byId("canvas", HTMLCanvasElement));
   } catch {
     const message = byId("scene-message");
     message.hidden = false;

@@ -152,7 +152,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.lay(x_m.length);
     const drawn = drawnWaves({ x_m, y_m, elevation_m }, (i, j) => this.shares[i * x_m.length + j]);
     this.drawn = drawn;
-    const { position, slope, foam } = this.geometry.attributes as Record<string, BufferAttribute>;
+    const { position, slope, foam } = this.geometry.attributes;
     for (let i = 0, at = 0; i < x_m.length; i++) for (let j = 0; j < y_m.length; j++, at++) position.setXYZ(at, x_m[i], y_m[j], drawn.height_m[at]);
     slope.array.set(drawn.slope);
     foam.array.set(drawn.foam);

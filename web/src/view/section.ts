@@ -1,4 +1,5 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, MeshBasicMaterial, Plane, Vector3 } from "three";
+import type { Object3D } from "three";
 import type { Box } from "./fit";
 import type { Palette } from "./palette";
 
@@ -26,8 +27,8 @@ export class Section extends Group {
   }
 
   /** Where the hull is now. */
-  place(hull: { position: Vector3; quaternion: { x: number } }, box: Box, heightAt: (x: number, y: number) => number | null): void {
-    const turned = (x: number, y: number, z: number) => new Vector3(x, y, z).applyQuaternion(hull.quaternion as never);
+  place(hull: Pick<Object3D, "position" | "quaternion">, box: Box, heightAt: (x: number, y: number) => number | null): void {
+    const turned = (x: number, y: number, z: number) => new Vector3(x, y, z).applyQuaternion(hull.quaternion);
     const [forward, port] = [turned(1, 0, 0).setZ(0).normalize(), turned(0, 1, 0)];
     this.plane.setFromNormalAndCoplanarPoint(port, hull.position);
     const length = box.high[0] - box.low[0];
@@ -57,7 +58,7 @@ function strip(opacity: number): Strip {
 }
 
 function lay({ geometry }: Strip, i: number, { x, y }: Vector3, low: number, high: number): void {
-  const position = geometry.attributes.position as BufferAttribute;
+  const position = geometry.attributes.position;
   position.setXYZ(2 * i, x, y, low);
   position.setXYZ(2 * i + 1, x, y, high);
 }

@@ -50,14 +50,18 @@ const FRAGMENT = /* glsl */ `
 /** The background: sky and level sea to the horizon, or a plain room if there is no sea. */
 export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
   private readonly eye = new Float32Array(3);
+  private readonly own = {
+    hasSea: { value: false },
+    studioHigh: { value: new Color() },
+    studioLow: { value: new Color() },
+  };
 
   constructor(air: Air) {
-    const own = { hasSea: { value: false }, studioHigh: { value: new Color() }, studioLow: { value: new Color() } };
     super(
       new SphereGeometry(1, 32, 24).rotateX(Math.PI / 2),
       new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, side: BackSide, depthWrite: false, dithering: true }),
     );
-    this.material.uniforms = { ...air, ...own, eye: { value: this.eye } };
+    this.material.uniforms = { ...air, ...this.own, eye: { value: this.eye } };
     this.frustumCulled = false;
     // After the opaque objects, so that only the remaining pixels are painted.
     this.renderOrder = 1;
@@ -65,16 +69,16 @@ export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
   }
 
   paint(palette: Palette): void {
-    (this.material.uniforms.studioHigh.value as Color).copy(palette.studioHigh);
-    (this.material.uniforms.studioLow.value as Color).copy(palette.studioLow);
+    this.own.studioHigh.value.copy(palette.studioHigh);
+    this.own.studioLow.value.copy(palette.studioLow);
   }
 
   get hasSea(): boolean {
-    return this.material.uniforms.hasSea.value as boolean;
+    return this.own.hasSea.value;
   }
 
   set hasSea(hasSea: boolean) {
-    this.material.uniforms.hasSea.value = hasSea;
+    this.own.hasSea.value = hasSea;
   }
 
   /** With ripples, or as flat colours. */

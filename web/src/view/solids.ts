@@ -4,6 +4,7 @@ import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.j
 import type { BodyInfo, HullInfo, MeshInfo, ModelInfo, Shape } from "../engine/engine";
 import { boxOfMesh, meshHullOf } from "./afloat";
 import type { Box, Vec3 } from "./fit";
+import { vec3 } from "./fit";
 import { hullOf } from "./hull";
 import type { Palette } from "./palette";
 
@@ -103,7 +104,7 @@ function halfSizes(body: BodyInfo): [number, number, number] {
     case "box":
       return [shape.length_m / 2, shape.width_m / 2, shape.height_m / 2];
     case "cylinder":
-      return [..."xyz"].map((axis) => (axis === shape.axis ? shape.length_m / 2 : shape.radius_m)) as [number, number, number];
+      return vec3((k) => ("xyz"[k] === shape.axis ? shape.length_m / 2 : shape.radius_m));
     case "sphere":
       return [shape.radius_m, shape.radius_m, shape.radius_m];
     default: {

@@ -10,7 +10,7 @@ const SHOW_ICON = "M2 10s3-5 8-5 8 5 8 5-3 5-8 5-8-5-8-5zM10 12.2a2.2 2.2 0 1 0 
 
 /** The menus on the picture: the viewpoint, and additional drawings. */
 export class Tools {
-  private readonly cameras = byId<HTMLDetailsElement>("cameras");
+  private readonly cameras = byId("cameras", HTMLDetailsElement);
   private offered = "";
 
   constructor(
@@ -37,7 +37,7 @@ export class Tools {
       this.cameras,
       picture.camera,
       CAMERA_ICON,
-      oneOf("camera", picture.camera, choices, camera, (name) => this.view.look(name as CameraName)),
+      oneOf("camera", picture.camera, choices, camera, (name) => this.view.look(name)),
       tick("camera-dive", picture.dive, mayDive, (may) => this.view.dive(may)),
     );
   }
@@ -51,7 +51,7 @@ export class Tools {
     const { show, shown, shown_help } = texts.picture;
     const { view } = this;
     menuOf(
-      byId<HTMLDetailsElement>("show"),
+      byId("show", HTMLDetailsElement),
       show,
       SHOW_ICON,
       tick("frames", shown.frames, false, (isOn) => this.showFrames(isOn)),

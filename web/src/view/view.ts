@@ -36,12 +36,12 @@ const FRAME_LENGTH = 0.14;
 /** Opacity of the water over the longest diagonal of a body. */
 const FOG = 0.22;
 
-/** The viewpoint. */
-export type CameraName = "free" | "load" | "cab" | "bridge" | "top" | "section";
+/** The viewpoints. */
+const CAMERAS = ["free", "load", "cab", "bridge", "top", "section"] as const;
+export type CameraName = (typeof CAMERAS)[number];
 
-/** The view from above is slightly tilted to starboard, so that the bow is to the right. */
-const FROM_ABOVE = [0, -0.002, 1] as const;
-const FROM_STARBOARD = [0, -1, 0.1] as const;
+/** Directions of views: that from above is slightly tilted to starboard, so that the bow is to the right. */
+const FROM: Partial<Record<CameraName, Vec3>> = { top: [0, -0.002, 1], section: [0, -1, 0.1] };
 
 /** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
 export class View {
@@ -128,7 +128,7 @@ export class View {
   cameras(): CameraName[] {
     const { craft } = this.fleet;
     const offered = { free: true, load: craft?.load != null, cab: craft?.cab != null, bridge: craft?.bridge != null, top: true, section: this.hull() >= 0 };
-    return (Object.keys(offered) as CameraName[]).filter((name) => offered[name]);
+    return CAMERAS.filter((name) => offered[name]);
   }
 
   /** Looks from somewhere else. */
@@ -140,7 +140,7 @@ export class View {
     if (from === "load" && craft?.load != null) this.eye.goAlong(craft.load);
     else if (from === "cab" && craft?.cab) this.eye.standAt(craft.cab, craft.load);
     else if (from === "bridge" && craft?.bridge) this.eye.standAt(craft.bridge, null);
-    else this.eye.lookFrom({ top: FROM_ABOVE, section: FROM_STARBOARD }[from as string]);
+    else this.eye.lookFrom(FROM[from]);
     this.stale = true;
   }
 

@@ -1,4 +1,5 @@
 import type { EngineClient } from "../../engine/client";
+import { asFault } from "../../engine/engine";
 import type { Fault, Values } from "../../engine/engine";
 import { isOfEngine } from "../../engine/faults";
 import type { Opened } from "../../engine/messages";
@@ -50,7 +51,7 @@ export class Opening {
         return true;
       } catch (fault) {
         this.due = null;
-        this.refuseOpening(source, overrides, fault as Fault);
+        this.refuseOpening(source, overrides, asFault(fault));
         return false;
       }
     });
@@ -98,7 +99,7 @@ export class Opening {
       try {
         this.accept(await this.read(this.state.source, overrides), overrides, this.state.run ? null : this.state.source);
       } catch (fault) {
-        this.refuse(overrides, fault as Fault);
+        this.refuse(overrides, asFault(fault));
       }
     });
   }
@@ -134,7 +135,7 @@ export class Opening {
   /** The engine's answer to a request about the present run; if the engine has died, the run starts again in another one. */
   async asked<T>(answer: Promise<T>): Promise<T> {
     return answer.catch((fault: unknown) => {
-      if (isOfEngine(fault)) void this.recover(fault as Fault);
+      if (isOfEngine(fault)) void this.recover(fault);
       throw fault;
     });
   }

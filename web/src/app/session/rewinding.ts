@@ -1,4 +1,4 @@
-import type { Fault } from "../../engine/engine";
+import { asFault } from "../../engine/engine";
 import type { Recording } from "../recording/recording";
 import { rewind } from "../recording/rewind";
 import type { Run } from "../run";
@@ -56,7 +56,7 @@ export class Rewinding {
       recording.dropAfter(frame);
     } catch (fault) {
       this.opening.due = null;
-      return this.state.reportOfRun(fault as Fault);
+      return this.state.reportOfRun(asFault(fault));
     }
     this.state.shown.follow();
     if (this.state.status === "stopped") this.state.dismissFault();

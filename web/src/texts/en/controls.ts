@@ -14,6 +14,12 @@ export const controls = {
   restart_now: "Restart with these values",
 };
 
+const limits: Record<string, string> = {
+  speed: "at its largest speed",
+  effort: "torque or force at its limit",
+  power: "power at its limit",
+};
+
 export const levers = {
   title: "Levers",
   about_title: "The sticks",
@@ -25,7 +31,7 @@ export const levers = {
   sides: { left: "Left stick", right: "Right stick" },
   asked: (percent: number) => `command ${percent} %`,
   does: (rate: string) => `rate ${rate}`,
-  limits: { speed: "at its largest speed", effort: "torque or force at its limit", power: "power at its limit" } as Record<string, string>,
+  limits,
   at_limit: (limit: string) => `${limit} at its limit`,
   stands: "The run is paused: the levers act when it continues.",
   gamepad: (name: string) => `Gamepad connected: its two sticks move the levers. ${name}`,
@@ -39,9 +45,15 @@ export const levers = {
   close: "Close",
 };
 
+const labels: Record<string, string> = {
+  "simulation.integrator": "Integrator",
+  "simulation.form": "Equations",
+  "simulation.step_s": "Step size",
+};
+
 export const settings = {
   title: "Advanced",
-  labels: { "simulation.integrator": "Integrator", "simulation.form": "Equations", "simulation.step_s": "Step size" } as Record<string, string>,
+  labels,
   integrators: {
     forward_euler: "Forward Euler",
     midpoint_euler: "Midpoint Euler",

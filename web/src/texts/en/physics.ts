@@ -4,6 +4,8 @@ export const physics = {
   lessons: { loss: "Lose the load", resonance: "Find the resonance" },
 };
 
+const sides: Record<number, string> = { 1: "starboard", [-1]: "port" };
+
 export const loss = {
   intro: "A ship holds a load over her side; ballast keeps her upright. When the load is cut, the ballast rolls her to the other side. Her righting arms show how far.",
   none: "This scenario has no load that can be released from a hull with a mesh.",
@@ -32,7 +34,7 @@ export const loss = {
   beyond_flooding: (angle: string) => `beyond ${angle}°, where water enters`,
   furthest: "She has rolled to",
   degrees: (heel: string, side: string) => `${heel}° to ${side}`,
-  sides: { 1: "starboard", [-1]: "port" } as Record<number, string>,
+  sides,
   flooding: "Water enters at, °",
   asked: { exposed: "Exposed waters require 1.4", sheltered: "Other waters require 1.0" },
   held: "held",

@@ -1,3 +1,5 @@
+const smoothings: Record<number, string> = { 2: "Fine", 4: "Medium", 8: "Smooth", 16: "Very smooth" };
+
 export const plots = {
   title: "Plots",
   plot: (place: number) => `Plot ${place}`,
@@ -32,7 +34,7 @@ export const plots = {
   resolution: (step: string, segments: number, from_s: string, to_s: string) =>
     `Welch's method, Hann window: ${segments} ${segments === 1 ? "segment" : "segments"} of the records from ${from_s} to ${to_s} s, resolution ${step} rad/s. One-sided: the area under a curve is the variance.`,
   smoothing: "Spectrum",
-  smoothings: { 2: "Fine", 4: "Medium", 8: "Smooth", 16: "Very smooth" } as Record<number, string>,
+  smoothings,
   arms_wait: "The righting arms are being computed.",
   arms_none: "No hull of this scenario has a mesh, so there are no righting arms.",
   crane_as_at: (time_s: string) => `crane as at ${time_s} s`,

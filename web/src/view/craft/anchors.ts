@@ -1,5 +1,6 @@
 import type { DrawnLine, ModelInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
+import { vec3 } from "../fit";
 import { edgesOf } from "../solids";
 import { distance, nearestOf, Place } from "./place";
 import type { Role } from "./roles";
@@ -77,7 +78,7 @@ function nearestBody(scene: Scene, among: readonly number[], world: Vec3): numbe
 export function pointsOf({ lines, line_points }: Pick<Scene, "lines" | "line_points">): Vec3[][] {
   let from = 0;
   return lines.map(({ points }) => {
-    const places = Array.from({ length: points }, (_, i): Vec3 => [0, 1, 2].map((k) => line_points[from + 3 * i + k]) as unknown as Vec3);
+    const places = Array.from({ length: points }, (_, i): Vec3 => vec3((k) => line_points[from + 3 * i + k]));
     from += 3 * points;
     return places;
   });
@@ -112,7 +113,7 @@ function linkAnchors(scene: Scene): Anchor[] {
     const axis = "xyz".indexOf(shape.axis);
     const others = roles.flatMap((one, k) => (one === "column" || one === "boom" || one === "hull" ? [k] : []));
     return [-1, 1].flatMap((side): Anchor[] => {
-      const end = [0, 1, 2].map((k) => (k === axis ? (side * shape.length_m) / 2 : 0)) as unknown as Vec3;
+      const end = vec3((k) => (k === axis ? (side * shape.length_m) / 2 : 0));
       const world = new Place(poses, i).toWorld(end);
       const body = nearestBody(scene, others, world);
       if (body < 0 || distanceFrom(scene, body, world) > LINK_REACH * shape.length_m) return [];
@@ -140,8 +141,8 @@ export function sheavesOf(scene: Scene): Sheave[] {
       const body = nearestBody(scene, bodiesNamed(scene, line.name), middle);
       if (body < 0) return [];
       const place = new Place(scene.poses, body);
-      const [point, tip] = [place.toBody(middle), place.toBody([0, 1, 2].map((k) => middle[k] + axis[k]) as unknown as Vec3)];
-      return [{ body, middle: point, radius, axis: [0, 1, 2].map((k) => tip[k] - point[k]) as unknown as Vec3 }];
+      const [point, tip] = [place.toBody(middle), place.toBody(vec3((k) => middle[k] + axis[k]))];
+      return [{ body, middle: point, radius, axis: vec3((k) => tip[k] - point[k]) }];
     });
   });
 }
@@ -154,7 +155,7 @@ interface Wrap {
 
 /** The straight parts of a polyline between sheaves. */
 function wrapsOf(places: readonly Vec3[]): Wrap[] {
-  const ways = places.slice(1).map((place, i) => minus(place, places[i]).map((part) => part / distance(place, places[i])) as unknown as Vec3);
+  const ways = places.slice(1).map((place, i) => over(minus(place, places[i]), distance(place, places[i])));
   const turns = ways.slice(1).map((way, i) => Math.acos(Math.min(1, Math.max(-1, inner(way, ways[i])))));
   const wraps: Wrap[] = [];
   for (let i = 0; i < turns.length; i++) {
@@ -172,22 +173,24 @@ function wrapsOf(places: readonly Vec3[]): Wrap[] {
 function tangentTo(from: Vec3, come: Vec3, to: Vec3, go: Vec3): Wrap | null {
   const along = inner(come, go);
   const normal = (of: Vec3, less: Vec3, sign: number): Vec3 => {
-    const way = [0, 1, 2].map((k) => sign * (of[k] - along * less[k])) as unknown as Vec3;
-    const length = Math.hypot(...way) || 1;
-    return way.map((part) => part / length) as unknown as Vec3;
+    const way = vec3((k) => sign * (of[k] - along * less[k]));
+    return over(way, Math.hypot(...way) || 1);
   };
   const [inFrom, inTo] = [normal(go, come, 1), normal(come, go, -1)];
   const apart = minus(inTo, inFrom);
   const radius = inner(minus(from, to), apart) / Math.max(1e-9, inner(apart, apart));
   if (!(radius > 0.05 && radius < 3)) return null;
-  const middle = [0, 1, 2].map((k) => from[k] + radius * inFrom[k]) as unknown as Vec3;
+  const middle = vec3((k) => from[k] + radius * inFrom[k]);
   const axis: Vec3 = [come[1] * go[2] - come[2] * go[1], come[2] * go[0] - come[0] * go[2], come[0] * go[1] - come[1] * go[0]];
-  const length = Math.hypot(...axis) || 1;
-  return { middle, radius, axis: axis.map((part) => part / length) as unknown as Vec3 };
+  return { middle, radius, axis: over(axis, Math.hypot(...axis) || 1) };
 }
 
 function minus(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
+function over(a: Vec3, by: number): Vec3 {
+  return [a[0] / by, a[1] / by, a[2] / by];
 }
 
 function inner(a: Vec3, b: Vec3): number {

@@ -1,6 +1,7 @@
 import { Color, Matrix4, Vector3 } from "three";
 import type { BodyInfo, DrawnLine, ModelInfo } from "../../engine/engine";
 import type { Vec3 } from "../fit";
+import { vec3 } from "../fit";
 import type { Palette } from "../palette";
 import { boxOf, edgesOf, shapedHullOf } from "../solids";
 import { anchorsOf, sheavesOf } from "./anchors";
@@ -207,7 +208,7 @@ class Builder {
   private footSide(i: number, parent: number, axis: number): number {
     const { boxes, poses, model } = this.scene;
     const away = [boxes[i].low[axis], boxes[i].high[axis]].map((end) => {
-      const world = new Place(poses, i).toWorld([0, 1, 2].map((k) => (k === axis ? end : 0)) as unknown as Vec3);
+      const world = new Place(poses, i).toWorld(vec3((k) => (k === axis ? end : 0)));
       const point = new Place(poses, parent).toBody(world);
       return distance(point, nearestOf(model.bodies[parent], boxes[parent], point));
     });
@@ -222,7 +223,7 @@ class Builder {
     const axis = longestAxis(boxes[i]);
     const side = this.footSide(i, parent, axis);
     const end = side > 0 ? boxes[i].high[axis] : boxes[i].low[axis];
-    const foot = new Place(poses, i).toWorld([0, 1, 2].map((k) => (k === axis ? end : 0)) as unknown as Vec3);
+    const foot = new Place(poses, i).toWorld(vec3((k) => (k === axis ? end : 0)));
     if (roles[parent] === "column") this.hold(parent, new Place(poses, parent).toBody(foot), 0.16 * Math.min(...edgesOf(boxes[i])));
   }
 
@@ -260,7 +261,7 @@ class Builder {
       const top = Math.max(point[2], shape?.kind === "box" || shape?.kind === "sphere" || shape?.kind === "point" ? boxes[i].high[2] : point[2]);
       if (towards[2] <= 0 || towards[2] < 0.5 * Math.hypot(...towards)) return;
       const share = (top - point[2]) / towards[2];
-      const eye = [0, 1, 2].map((k) => point[k] + share * towards[k]) as unknown as Vec3;
+      const eye = vec3((k) => point[k] + share * towards[k]);
       this.load ??= i;
       addHook(this.works[i], eye, Math.min(0.55 * Math.cbrt(mass_kg / 1000), 0.3 * length));
     });

@@ -1,5 +1,6 @@
 import type { Color } from "three";
 import type { Box, Vec3 } from "../fit";
+import { vec3 } from "../fit";
 import { straight } from "./pieces";
 import type { Pieces } from "./pieces";
 import type { Work } from "./work";
@@ -47,7 +48,7 @@ export function addHook({ fittings, palette }: Work, eye: Vec3, size: number): v
 
 /** A crate, a module or a container of the size of the model's box: posts and beams, with panels slightly inside. */
 export function addCargo({ body }: Work, { low, high }: Box, colour: Color): void {
-  const size = [0, 1, 2].map((k) => high[k] - low[k]) as unknown as [number, number, number];
+  const size = vec3((k) => high[k] - low[k]);
   const [x, y, z] = size;
   const bar = 0.06 * Math.min(x, y, z);
   const dark = colour.clone().multiplyScalar(0.62);

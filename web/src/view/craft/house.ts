@@ -46,7 +46,8 @@ export function addHouse(work: Work, outline: Outline, site: Site): Vec3 {
 export function grown(plan: Plan, by: number): Plan {
   const ends = [0, 1].map((k) => plan.map((place) => place[k])).map((values) => [Math.min(...values), Math.max(...values)]);
   const share = ends.map(([low, high]) => ({ middle: (low + high) / 2, factor: 1 + (2 * by) / Math.max(1e-6, high - low) }));
-  return plan.map((place) => [0, 1].map((k) => share[k].middle + share[k].factor * (place[k] - share[k].middle)) as [number, number]);
+  const moved = (value: number, k: number) => share[k].middle + share[k].factor * (value - share[k].middle);
+  return plan.map(([x, y]) => [moved(x, 0), moved(y, 1)]);
 }
 
 /** A row of windows along the walls of a plan, evenly all around. */

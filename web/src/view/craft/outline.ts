@@ -65,7 +65,7 @@ type Segment = [[number, number], [number, number]];
 
 /** Where a mesh crosses a height, in plan. */
 function crossings({ vertices_m, triangles }: MeshInfo, z: number): Segment[] {
-  return triangles.flatMap((triangle) => {
+  return triangles.flatMap((triangle): Segment[] => {
     const corners = triangle.map((i): Vec3 => vertices_m[i]);
     const cut = [0, 1, 2].flatMap((k): [number, number][] => {
       const [a, b] = [corners[k], corners[(k + 1) % 3]];
@@ -73,7 +73,7 @@ function crossings({ vertices_m, triangles }: MeshInfo, z: number): Segment[] {
       const t = (z - a[2]) / (b[2] - a[2]);
       return [[a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]];
     });
-    return cut.length === 2 ? [cut as unknown as Segment] : [];
+    return cut.length === 2 ? [[cut[0], cut[1]]] : [];
   });
 }
 

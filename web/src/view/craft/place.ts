@@ -1,6 +1,7 @@
 import { Quaternion, Vector3 } from "three";
 import type { BodyInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
+import { vec3 } from "../fit";
 
 /** The pose of a body: transforms places from its axes to the world and back. */
 export class Place {
@@ -28,17 +29,17 @@ export class Place {
 
 /** The point of a body's solid nearest to a place, body axes; the place itself if it is inside. */
 export function nearestOf({ shape }: BodyInfo, { low, high }: Box, point: Vec3): Vec3 {
-  const clamped = [0, 1, 2].map((k) => Math.min(high[k], Math.max(low[k], point[k]))) as unknown as [number, number, number];
+  const clamped = vec3((k) => Math.min(high[k], Math.max(low[k], point[k])));
   if (shape?.kind === "sphere") {
     const length = Math.hypot(...point);
-    return length <= shape.radius_m ? point : (point.map((part) => (part * shape.radius_m) / length) as unknown as Vec3);
+    return length <= shape.radius_m ? point : vec3((k) => (point[k] * shape.radius_m) / length);
   }
   if (shape?.kind !== "cylinder") return clamped;
   const axis = "xyz".indexOf(shape.axis);
   const [a, b] = [0, 1, 2].filter((k) => k !== axis);
   const away = Math.hypot(point[a], point[b]);
   const share = away > shape.radius_m ? shape.radius_m / away : 1;
-  const found: [number, number, number] = [...clamped];
+  const found = vec3((k) => clamped[k]);
   [found[a], found[b]] = [point[a] * share, point[b] * share];
   return found;
 }

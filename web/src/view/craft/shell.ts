@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Color, Vector3 } from "three";
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 import type { MeshInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
-import { cross, unit } from "../fit";
+import { cross, middleOf, unit } from "../fit";
 import type { Palette } from "../palette";
 import type { Outline } from "./outline";
 import { lofted } from "./pieces";
@@ -122,7 +122,7 @@ function below(corners: readonly Vec3[], z: number, sign: number): Vec3[] {
     const kept = here >= 0 ? [corner] : [];
     if (here * there >= 0) return kept;
     const t = here / (here - there);
-    return [...kept, [corner[0] + t * (next[0] - corner[0]), corner[1] + t * (next[1] - corner[1]), z] as Vec3];
+    return [...kept, [corner[0] + t * (next[0] - corner[0]), corner[1] + t * (next[1] - corner[1]), z]];
   });
 }
 
@@ -140,8 +140,7 @@ function painted(positions: number[], colours: number[], ball: Vec3 | null): Buf
 
 /** The centre of the sphere that a mesh approximates; null for any other mesh. */
 function ballOf({ vertices_m }: MeshInfo): Vec3 | null {
-  const ends = [0, 1, 2].map((k) => vertices_m.map((vertex) => vertex[k])).map((values) => [Math.min(...values), Math.max(...values)]);
-  const middle = ends.map(([low, high]) => (low + high) / 2) as unknown as Vec3;
+  const middle = middleOf(vertices_m);
   const away = vertices_m.map(([x, y, z]) => Math.hypot(x - middle[0], y - middle[1], z - middle[2]));
   const [least, most] = [Math.min(...away), Math.max(...away)];
   return most - least < ROUND * most ? middle : null;

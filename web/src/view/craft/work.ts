@@ -1,6 +1,7 @@
 import { Group, Mesh, MeshBasicMaterial, MeshStandardMaterial } from "three";
 import type { Matrix4 } from "three";
 import type { Box, Vec3 } from "../fit";
+import { vec3 } from "../fit";
 import type { Palette } from "../palette";
 import { Pieces } from "./pieces";
 
@@ -47,6 +48,6 @@ export function overlap(a: Box, b: Box): boolean {
 }
 
 export function boxAround(points: readonly Vec3[]): Box {
-  const end = (of: (...values: number[]) => number) => [0, 1, 2].map((k) => of(...points.map((point) => point[k]))) as unknown as Vec3;
+  const end = (of: (...values: number[]) => number) => vec3((k) => of(...points.map((point) => point[k])));
   return { low: end(Math.min), high: end(Math.max) };
 }

@@ -1,6 +1,7 @@
 import type { Hydrostatics, ModelInfo } from "../../engine/engine";
 import { Place } from "../craft/place";
 import type { Vec3 } from "../fit";
+import { vec3 } from "../fit";
 
 /** Points over the keel that decide the stability of a hull, in the world. */
 export interface FloatingSigns {
@@ -40,5 +41,5 @@ function centreOf(model: ModelInfo, poses: ArrayLike<number>, body: number): Vec
     sum = sum.map((part, k) => part + one.mass_kg * at[k]);
     mass_kg += one.mass_kg;
   });
-  return sum.map((part) => part / mass_kg) as unknown as Vec3;
+  return vec3((k) => sum[k] / mass_kg);
 }

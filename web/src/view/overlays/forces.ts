@@ -5,6 +5,7 @@ import { pointsOf } from "../craft/anchors";
 import { Place } from "../craft/place";
 import { rolesOf } from "../craft/roles";
 import type { Vec3 } from "../fit";
+import { vec3 } from "../fit";
 
 /** A force or a moment at a place of the world, N or N m. */
 export interface Load {
@@ -55,9 +56,9 @@ function forceOf(channels: readonly Channel[], name: string): number {
 }
 
 function along(from: Vec3, to: Vec3, length: number): Vec3 {
-  const way = [0, 1, 2].map((k) => to[k] - from[k]);
+  const way = vec3((k) => to[k] - from[k]);
   const distance = Math.hypot(...way) || 1;
-  return way.map((part) => (part * length) / distance) as unknown as Vec3;
+  return vec3((k) => (way[k] * length) / distance);
 }
 
 /** Forces with components on hulls in the water, at the hull's origin. */
@@ -95,7 +96,7 @@ function vectorIn({ labels, offset }: Channel, thing: number, prefix: string, ro
   if (thing < 0 || !components) return null;
   const places = AXES.map((axis) => components.indexOf(prefix + axis));
   if (places.some((at) => at < 0)) return null;
-  return places.map((at) => row[offset + thing * components.length + at]) as unknown as Vec3;
+  return vec3((k) => row[offset + thing * components.length + places[k]]);
 }
 
 /** Body axes have the full rotation; a slow frame or a heading only the ship's course. */

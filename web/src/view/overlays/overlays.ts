@@ -4,6 +4,7 @@ import type { Moment } from "../../app/recording/recording";
 import type { Equations, Hydrostatics } from "../../engine/engine";
 import { Place } from "../craft/place";
 import type { Vec3 } from "../fit";
+import { vec3 } from "../fit";
 import type { Fleet } from "../fleet";
 import type { Palette } from "../palette";
 import { Arrows } from "./arrows";
@@ -102,13 +103,13 @@ export class Overlays extends Group {
     return loads.map(({ at, vector, unit }) => {
       const isMoment = unit === "N m";
       const factor = isMoment ? this.metresPer.moment : this.metresPer.force;
-      return { from: at, way: vector.map((part) => part * factor) as unknown as Vec3, colour: isMoment ? palette.axes.z : palette.axes.x, isMoment };
+      return { from: at, way: vec3((k) => vector[k] * factor), colour: isMoment ? palette.axes.z : palette.axes.x, isMoment };
     });
   }
 
   private strokeOf({ body, point, direction }: JointAxis, poses: ArrayLike<number>): [Vec3, Vec3] {
     const place = new Place(poses, body);
-    const end = (sign: number) => place.toWorld([0, 1, 2].map((k) => point[k] + sign * AXIS * this.fleet.size * direction[k]) as unknown as Vec3);
+    const end = (sign: number) => place.toWorld(vec3((k) => point[k] + sign * AXIS * this.fleet.size * direction[k]));
     return [end(-1), end(1)];
   }
 }

@@ -51,9 +51,9 @@ export class Letters extends Group {
 
   private write(texts: readonly string[], ink: string, halo: string): void {
     for (const one of this.children) {
-      const { material } = one as Sprite;
-      material.map?.dispose();
-      material.dispose();
+      if (!(one instanceof Sprite)) continue;
+      one.material.map?.dispose();
+      one.material.dispose();
     }
     this.clear();
     for (const [i, text] of texts.entries()) {
