@@ -27,6 +27,8 @@ LARGEST_DEG = 60.0
 UNSURE = 1.25
 ALLOWED = {"period_s": (0.1, 1e4), "density_kg_m3": (1.0, 1e5), "viscosity_m2_s": (1e-9, 1.0)}
 """Wider than for any ship and liquid; KG goes up to the length of the hull."""
+LARGEST_M_S = 100.0
+"""Faster than any ship."""
 SEA_WATER_KG_M3 = 1025.0
 SEA_WATER_M2_S = 1.19e-6
 """Kinematic viscosity of sea water at 15 degrees C (ITTC 7.5-02-01-03); fresh water has 1.14e-6."""
@@ -98,8 +100,8 @@ def from_sections(
         if not (lower <= value <= upper and value > 0):
             words = f"{lower:g} to {upper:g}" if lower else f"a number greater than 0, up to {upper:g}"
             raise RollDampingError(name, f"{value:g}", words)
-    if not (math.isfinite(speed_m_s) and speed_m_s >= 0):
-        raise RollDampingError("speed_m_s", f"{speed_m_s:g}", "0 or more")
+    if not 0 <= speed_m_s <= LARGEST_M_S:
+        raise RollDampingError("speed_m_s", f"{speed_m_s:g}", f"0 to {LARGEST_M_S:g}")
     frequency = 2 * math.pi / period_s
     depth = float(sections.draught_m.max()) - keel_to_gravity_m
     friction = friction_damping(sections, depth, frequency, density_kg_m3, viscosity_m2_s, speed_m_s)

@@ -1,6 +1,5 @@
 import { stemOf } from "../app/saved";
 import type { Run, Session } from "../app/session";
-import { parsed } from "../engine/answers";
 import { eventsAsCsv, rowsAsCsv, written } from "./csv";
 import { parquetOf } from "./parquet";
 import { gathered, keptOf } from "./rows";
@@ -62,7 +61,7 @@ export class RunFiles {
       title: model.title,
       status: this.status(model.duration_s),
       source: this.session.source?.file ?? "",
-      ...(scenario ? { scenario, seed: String(parsed("resolved_json", scenario).simulation.seed) } : {}),
+      ...(scenario ? { scenario, seed: seedOf(scenario) } : {}),
       gravity_m_s2: written(model.gravity_m_s2),
       water_density_kg_m3: written(model.sea?.density_kg_m3 ?? 0),
       floating_bodies: JSON.stringify(bodies),
@@ -79,4 +78,9 @@ export class RunFiles {
     if (status === "stopped" && fault) return fault.message;
     return shown.recording!.now.time_s >= duration_s - 1e-9 ? FINISHED : `paused at ${shown.recording!.now.time_s} s`;
   }
+}
+
+/** The seed of a resolved scenario as it is written: JSON.parse would round one beyond 2^53. */
+function seedOf(scenario: string): string {
+  return /"seed":\s*(\d+)/.exec(scenario)?.[1] ?? "0";
 }

@@ -2,12 +2,15 @@
 
 use super::error::FieldError;
 use super::named_files::NamedFiles;
-use super::schema::{Force, Hydrodynamics, Joint, Scenario, Waves};
+use super::reading::{FileKind, FromNode, TextKind};
+use super::schema::{Force, Hydrodynamics, Scenario};
+use super::writing::ToValue;
 use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
 use crate::sea::waves::ElevationTable;
 use crate::state::digest;
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
+use serde_json::Value;
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -121,14 +124,6 @@ impl Files {
     }
 }
 
-/// The kind of a file that a scenario names.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Database,
-    Record,
-    Raos,
-}
-
 impl Scenario {
     /// The water on the hull of a force of this name.
     pub(crate) fn hydrodynamics(&self, force: &str) -> Option<&Hydrodynamics> {
@@ -142,14 +137,9 @@ impl Scenario {
     }
 
     /// Names of the files that it uses, in its order, each once.
-    pub fn file_names(&self) -> Vec<&str> {
-        let mut names = Vec::new();
-        for (_, name, _) in self.file_fields() {
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
-        names
+    pub fn file_names(&self) -> Vec<String> {
+        let names: IndexSet<String> = self.file_fields().into_iter().map(|(_, name, _)| name).collect();
+        names.into_iter().collect()
     }
 
     /// A digest that is equal only for scenarios that, with their files, describe the same run; title, description and
@@ -192,42 +182,41 @@ impl Scenario {
         let mut taken = NamedFiles::default();
         for (field, name, kind) in self.file_fields() {
             match kind {
-                Kind::Database => drop(taken.databases.insert(name.to_owned(), files.database(&field, name)?)),
-                Kind::Record => drop(taken.records.insert(name.to_owned(), files.record(&field, name)?)),
-                Kind::Raos => drop(taken.raos.insert(name.to_owned(), files.raos(&field, name)?)),
+                FileKind::Database => drop(taken.databases.insert(name.clone(), files.database(&field, &name)?)),
+                FileKind::ElevationRecord => drop(taken.records.insert(name.clone(), files.record(&field, &name)?)),
+                FileKind::Raos => drop(taken.raos.insert(name.clone(), files.raos(&field, &name)?)),
+                FileKind::Text => drop(taken.texts.insert(name.clone(), files.text(&field, &name, "a file")?.into())),
             }
-            taken.digests.insert(name.to_owned(), files.digest(name));
+            taken.digests.insert(name.clone(), files.digest(&name));
         }
         self.files = taken;
         Ok(())
     }
 
-    /// Enabled fields that name files, and the names.
-    fn file_fields(&self) -> Vec<(String, &str, Kind)> {
-        let mut fields = Vec::new();
-        for (name, waves) in self.sea.iter().flat_map(|sea| &sea.waves) {
-            if let Waves::Record(record) = waves
-                && record.enabled
-            {
-                fields.push((format!("sea.waves.{name}.record.file"), record.file.as_str(), Kind::Record));
+    /// Fields of enabled entries that name files, the names, and their contents.
+    fn file_fields(&self) -> Vec<(String, String, FileKind)> {
+        let mut found = Vec::new();
+        walk(&self.to_value(), &mut Vec::new(), &mut found);
+        found
+    }
+}
+
+fn walk(value: &Value, path: &mut Vec<String>, found: &mut Vec<(String, String, FileKind)>) {
+    let mut inside = |segment: String, value: &Value| {
+        path.push(segment);
+        walk(value, path, found);
+        path.pop();
+    };
+    match value {
+        Value::Object(fields) if fields.get("enabled") == Some(&Value::Bool(false)) => {}
+        Value::Object(fields) => fields.iter().for_each(|(name, field)| inside(name.clone(), field)),
+        Value::Array(entries) => entries.iter().enumerate().for_each(|(k, entry)| inside(k.to_string(), entry)),
+        Value::String(text) => {
+            let segments: Vec<&str> = path.iter().map(String::as_str).collect();
+            if let Some(TextKind::File(kind)) = Scenario::text_at(&segments) {
+                found.push((path.join("."), text.clone(), kind));
             }
         }
-        for (name, body) in &self.bodies {
-            if let Joint::MovedByWaves(joint) = &body.joint
-                && body.enabled
-            {
-                let field = format!("bodies.{name}.joint.moved_by_waves.raos");
-                fields.push((field, joint.raos.as_str(), Kind::Raos));
-            }
-        }
-        for (name, force) in &self.forces {
-            if let Force::Hydrodynamics(water) = force
-                && water.enabled
-            {
-                let field = format!("forces.{name}.hydrodynamics.database");
-                fields.push((field, water.database.as_str(), Kind::Database));
-            }
-        }
-        fields
+        _ => {}
     }
 }

@@ -12,6 +12,7 @@ pub struct NamedFiles {
     pub(super) databases: IndexMap<String, Arc<Database>>,
     pub(super) records: IndexMap<String, Arc<ElevationTable>>,
     pub(super) raos: IndexMap<String, Arc<RaoTable>>,
+    pub(super) texts: IndexMap<String, Arc<str>>,
     /// Digest of the text of each file.
     pub(super) digests: IndexMap<String, u64>,
 }
@@ -25,6 +26,11 @@ impl NamedFiles {
     /// The record of the sea's elevation of a file.
     pub fn record(&self, name: &str) -> Option<&Arc<ElevationTable>> {
         self.records.get(name)
+    }
+
+    /// The text of a file that its kind reads.
+    pub fn text(&self, name: &str) -> Option<&Arc<str>> {
+        self.texts.get(name)
     }
 
     /// The displacement RAOs of a file.

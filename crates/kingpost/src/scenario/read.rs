@@ -146,7 +146,7 @@ pub fn file_names(
         if !mounted.incomplete {
             let scenario = resolved(&mut tree, &overrides)?;
             let more = scenario.file_names().into_iter().filter(|name| !names.iter().any(|known| known == name));
-            let more: Vec<String> = more.map(str::to_owned).collect();
+            let more: Vec<String> = more.collect();
             names.extend(more);
         }
         Ok(names)

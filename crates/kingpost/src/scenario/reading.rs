@@ -43,8 +43,21 @@ pub(crate) trait FromNode: Sized {
 pub(crate) enum TextKind {
     /// The name of another entry of the scenario, of one of its axes, inputs or columns.
     Reference,
-    /// The path of a file.
-    File,
+    /// The path of a file with this content.
+    File(FileKind),
+}
+
+/// Content of a file that a scenario names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FileKind {
+    /// A hydrodynamic database.
+    Database,
+    /// A record of the sea's elevation.
+    ElevationRecord,
+    /// Displacement RAOs.
+    Raos,
+    /// A text that its kind reads.
+    Text,
 }
 
 /// A place in the world that no body names: the mounting of a part moves it.

@@ -7,7 +7,7 @@ use std::ops::Deref;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::reading::{FromName, FromNode, ReadFault, TextKind, visit_text};
+use super::reading::{FileKind, FromName, FromNode, ReadFault, TextKind, visit_text};
 use super::tree::ScenarioNode;
 use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, TEXT, VERSION};
 use super::writing::ToValue;
@@ -154,8 +154,20 @@ formed_text!(
     ColumnName, TEXT, is_any, Some(TextKind::Reference), {"type": "string"}
 );
 formed_text!(
-    /// A file beside the scenario or in the gallery, by its path.
-    FilePath, TEXT, is_any, Some(TextKind::File), {"type": "string"}
+    /// A hydrodynamic database beside the scenario or in the gallery, by its path.
+    DatabasePath, TEXT, is_any, Some(TextKind::File(FileKind::Database)), {"type": "string"}
+);
+formed_text!(
+    /// A record of the sea's elevation, by its path.
+    RecordPath, TEXT, is_any, Some(TextKind::File(FileKind::ElevationRecord)), {"type": "string"}
+);
+formed_text!(
+    /// A file of displacement RAOs, by its path.
+    RaosPath, TEXT, is_any, Some(TextKind::File(FileKind::Raos)), {"type": "string"}
+);
+formed_text!(
+    /// A file that its kind reads, by its path.
+    FilePath, TEXT, is_any, Some(TextKind::File(FileKind::Text)), {"type": "string"}
 );
 
 impl FromName for Name {

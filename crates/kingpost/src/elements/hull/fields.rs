@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::schema::{FilePath, Name, Positive, yes};
+use crate::scenario::schema::{DatabasePath, Name, Positive, yes};
 
 /// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
 /// It does not contain weight: `gravity` acts on every body.
@@ -14,7 +14,7 @@ pub struct Hydrodynamics<S = f64> {
     /// The body that is the hull; its joint is floating.
     pub body: Name,
     /// File of the hydrodynamic database, beside the scenario's own.
-    pub database: FilePath,
+    pub database: DatabasePath,
     /// The database's origin in the body's drawing frame, m; the axes are the body's. It lies on the water plane at the
     /// database's draught.
     #[serde(default)]

@@ -38,7 +38,7 @@ pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str
         visit_section(tree, section, &mut |kind, text| match kind {
             TextKind::Reference if text != super::WORLD => text.insert_str(0, prefix),
             TextKind::Reference => {}
-            TextKind::File => *text = part_names::from_folder_of(file, text),
+            TextKind::File(_) => *text = part_names::from_folder_of(file, text),
         });
     }
     Ok(())

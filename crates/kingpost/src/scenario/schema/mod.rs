@@ -80,7 +80,8 @@ pub use crate::elements::viscous_damping::fields::{DampedAgainst, ViscousDamping
 pub use crate::scenario::named_files::NamedFiles;
 pub use crate::scenario::range::{Direction, Fraction, NonNegative, Positive};
 pub use crate::scenario::text::{
-    Colour, ColumnName, CoordinateName, FilePath, LocalName, Name, SignalName, Version, WORLD,
+    Colour, ColumnName, CoordinateName, DatabasePath, FilePath, LocalName, Name, RaosPath, RecordPath, SignalName,
+    Version, WORLD,
 };
 pub use axes::{
     AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,

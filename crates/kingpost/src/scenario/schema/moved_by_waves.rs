@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use super::{FilePath, Name};
+use super::{Name, RaosPath};
 
 /// A body that moves with the waves by displacement RAOs, whatever forces act on it. Its parent is the world. Its
 /// coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes relative to their mean
@@ -12,7 +12,7 @@ pub struct MovedByWaves<S = f64> {
     /// Name of the joint; without it, the body's name.
     pub name: Option<Name>,
     /// The file of the RAOs: CSV whose column names state the conventions, or OrcaFlex's YAML with one vessel type.
-    pub raos: FilePath,
+    pub raos: RaosPath,
     /// Whether port and starboard are alike, for a CSV file with waves from 0 to 180 degrees only.
     pub symmetric: Option<bool>,
     /// The origin of the file's vessel axes in this body's drawing frame, m.

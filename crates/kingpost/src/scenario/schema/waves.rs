@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use super::{Positive, yes};
+use super::{Positive, RecordPath, yes};
 use crate::scenario::leaf::Leaf;
 
 /// One wave system of the sea. Directions are those towards which the waves travel, from the world's x axis towards y:
@@ -141,7 +141,7 @@ pub struct ElevationRecord {
     #[serde(default = "yes")]
     pub enabled: bool,
     /// CSV file beside the scenario's own, with the header `time_s,elevation_m` and equal intervals of time.
-    pub file: String,
+    pub file: RecordPath,
     /// Where it was measured, x and y in the world, m.
     #[serde(default)]
     pub position_m: [f64; 2],
