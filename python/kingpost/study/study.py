@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..scenario import Scenario
-from . import file, run
-from .locks import Part
-from .opened import open_results
-from .plan import Plan, plan
+from .design import file
+from .design.plan import Plan, plan
+from .running import run
+from .running.locks import Part
+from .store.reading import open_results
 
 if TYPE_CHECKING:
     import xarray

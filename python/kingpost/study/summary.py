@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from ..simulation.outcomes import NUMBER
-from . import store
-from .opened import open_results
-from .plan import Plan
+from .design.plan import Plan
 from .reduce import ENDED_EARLY, EXCEEDED, FINISHED, HELD, NOT_BUILT, NOT_RUN, UNKNOWN
+from .store import layout
+from .store.reading import open_results
 
 WARNED = 10
 """Kinds of warnings that are told."""
@@ -40,7 +40,7 @@ def of_results(folder: Path, plan: Plan) -> dict[str, Any]:
     """How the runs ended, how limits held, and what the engine warned of."""
     found = open_results(folder)
     status = found["status"].values
-    ends = {int(run): text for marker in store.markers(folder) for run, text in marker["ends"].items()}
+    ends = {int(run): text for marker in layout.markers(folder) for run, text in marker["ends"].items()}
     names = {"finished": FINISHED, "ended_early": ENDED_EARLY, "not_built": NOT_BUILT, "not_run": NOT_RUN}
     return {
         **{name: int((status == code).sum()) for name, code in names.items()},
@@ -71,7 +71,7 @@ def _limit(found: Any, k: int, plan: Plan) -> dict[str, Any]:
 
 def _warnings(folder: Path) -> list[dict[str, Any]]:
     alike: dict[tuple[str, str], dict[str, Any]] = {}
-    for marker in store.markers(folder):
+    for marker in layout.markers(folder):
         for one in marker["warnings"]:
             entry = alike.setdefault((one["name"], NUMBER.sub("#", one["text"])), one | {"runs": 0})
             entry["runs"] += one["runs"]
@@ -113,7 +113,7 @@ def warning_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
     for one in found["warnings"][:WARNED]:
         yield f"warning, in {one['runs']} of {runs} runs, first: {one['name']}: {one['text']}"
     if (more := len(found["warnings"]) - WARNED) > 0:
-        yield f"warning, {more} more kinds of warnings: {store.UNITS}/*.json have them"
+        yield f"warning, {more} more kinds of warnings: {layout.UNITS}/*.json have them"
 
 
 def _limit_words(limit: dict[str, Any]) -> str:

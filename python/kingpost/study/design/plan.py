@@ -1,0 +1,299 @@
+"""Plan of a study: its scenario, cases, columns, units and what they depend on."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from functools import cached_property
+from itertools import islice
+from typing import Any
+
+from ...engine import source_digest
+from ...errors import ScenarioError
+from ...scenario import Scenario
+from ...simulation.batch import SEED
+from ...simulation.simulate import Simulation
+from ..reduce import Kept
+from ..sea_states import scatter
+from ..sea_states.quantities import quantities
+from . import fingerprint
+from .cases import LATIN_HYPERCUBE, SCATTER, Cases, cases, values_of
+from .file import StudyFile
+from .job import LANES, MOST_BYTES, Job, columns, run_bytes
+
+MOST_RUNS = 1_000_000
+"""Runs of one study."""
+MOST_UNITS, MOST_RUNS_OF_UNIT = 64, 32
+MOST_CHECKED = 100
+"""Values of an axis, and corners of all axes, that are tried before the first run."""
+MOST_NAMED = 3
+"""Values of an axis that an error names as those that build."""
+TAKEN = {
+    *("run", "case", "seed", "sample", "cell", "status", "statistic", "statistics"),
+    *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most", "limit_from_s"),
+    *("limit_held", "limit_worst", "limit_time"),
+    *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
+}
+"""Names of the results, which no axis can have."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A study made ready to run.
+
+    Attributes
+    ----------
+    file
+        What the study says.
+    scenario
+        What all runs start from.
+    cases
+        The points of the axes.
+    columns
+        Columns that have statistics, with their units.
+    limits
+        Those that count: name, column, unit, at_least, at_most.
+    kept
+        What is kept of each run.
+    run_bytes
+        What the rows of a run take.
+    """
+
+    file: StudyFile
+    scenario: Scenario
+    cases: Cases
+    columns: dict[str, str]
+    limits: list[dict[str, Any]]
+    kept: Kept
+    run_bytes: float
+
+    @cached_property
+    def seeds(self) -> list[int]:
+        """The seeds of every case."""
+        seeds = self.file.content["seeds"]
+        return list(range(seeds["first"], seeds["first"] + seeds["count"]))
+
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return self.cases.count * len(self.seeds)
+
+    @cached_property
+    def runs_of_unit(self) -> int:
+        """How many runs are computed, written and resumed together: whole groups of lanes, and so few that
+        there is work for many workers. It follows from the number of runs alone."""
+        wanted = -(-self.runs // MOST_UNITS)
+        return min(MOST_RUNS_OF_UNIT, max(1, -(-wanted // LANES)) * LANES)
+
+    @property
+    def units(self) -> int:
+        """How many units there are."""
+        return -(-self.runs // self.runs_of_unit)
+
+    def runs_in(self, unit: int) -> range:
+        """The runs of a unit."""
+        first = unit * self.runs_of_unit
+        return range(first, min(first + self.runs_of_unit, self.runs))
+
+    def job(self, unit: int) -> Job:
+        """Return the job that a worker is handed for a unit."""
+        base = list(self.scenario.overrides)
+        variants = [[*base, *self.overrides(run)] for run in self.runs_in(unit)]
+        scenario = self.scenario
+        return Job(unit, scenario.text, scenario.file, scenario.files, variants, self.kept, self.run_bytes)
+
+    def overrides(self, run: int) -> list[tuple[str, Any]]:
+        """Return the names and values that a run sets over the scenario."""
+        case, seed = divmod(run, len(self.seeds))
+        return [*self.cases.overrides(case), (SEED, self.seeds[seed])]
+
+    @cached_property
+    def depends_on(self) -> dict[str, str]:
+        """Digests of all that decides the numbers, by part."""
+        kept = self.kept
+        recorded = [kept.columns, kept.peaks, kept.keep, kept.cycles, kept.slopes, kept.after_s]
+        parts = {
+            "scenario": self.scenario.resolved,
+            "files": self.scenario.digests,
+            "axes": [[name, self.cases.values[name]] for name in self.cases.names],
+            "seeds": self.seeds,
+            "what is recorded": recorded,
+            "units": self.runs_of_unit,
+        }
+        digests = {name: fingerprint.of_value(value) for name, value in parts.items()}
+        return {**digests, "engine": source_digest(), "reduction": fingerprint.reduction()}
+
+    @cached_property
+    def fingerprint(self) -> str:
+        """SHA-256 of all that decides the numbers."""
+        return fingerprint.of_value(self.depends_on)
+
+    @cached_property
+    def sea(self) -> dict[str, str]:
+        """The axis of each quantity of the sea: as the study says, else by the fields that the axes write."""
+        writes = {one["name"]: one["writes"] for one in self.scenario.resolved.get("parameters", [])}
+        found = quantities({name: writes.get(name, [name]) for name in self.cases.names})
+        return found | self.file.content["sea"]
+
+
+def plan(file: StudyFile) -> Plan:
+    """Make a study ready, with every value of its axes and the corners of all of them tried.
+
+    A case in between that is no scenario has the status ``not_built``; the others run.
+
+    Raises
+    ------
+    ScenarioError
+        With the place of what is wrong in the study.
+    """
+    scenario = file.scenario()
+    simulation = Simulation(scenario)
+    known = columns(simulation.channels)
+    limits = [vars(limit) for limit in simulation.limits]
+    kept = _kept(file, known, limits)
+    size = run_bytes(scenario.resolved["simulation"], simulation.channels)
+    _check_length(file, scenario, size)
+    _check_axes(file, scenario)
+    found = Plan(
+        file, scenario, _cases(file), {name: known[name] for name in kept.columns}, limits, kept, size
+    )
+    if not 1 <= found.runs <= MOST_RUNS:
+        raise file.error("axes", f"{found.runs} runs", f"from 1 to {MOST_RUNS} runs")
+    _check_corners(file, scenario, found.cases)
+    if name := file.content.get("scatter"):
+        # Before hours of runs, not behind them.
+        scatter.read(file.beside(name))
+    return found
+
+
+def _cases(file: StudyFile) -> Cases:
+    content = file.content
+
+    def cells() -> list[tuple[float, float]]:
+        return scatter.read(file.beside(content["scatter"])).cells()
+
+    return cases(content["axes"], content.get("samples"), cells)
+
+
+def _kept(file: StudyFile, known: dict[str, str], limits: list[dict[str, Any]]) -> Kept:
+    content = file.content
+    rainflow = content.get("rainflow", {"columns": [], "slopes": []})
+    peaks = content.get("peaks", {"columns": [], "keep": 0})
+    recorded = _matching(file, "record", content["record"], known)
+    with_peaks = _matching(file, "peaks.columns", peaks["columns"], known)
+    with_cycles = _matching(file, "rainflow.columns", rainflow["columns"], known)
+    wanted = {limit["column"] for limit in limits}.union(recorded, with_peaks, with_cycles)
+    names = tuple(name for name in known if name in wanted)
+    if not names:
+        raise file.error("record", "no column and no limit", "columns, as hull.roll, or limits")
+    return Kept(
+        names,
+        tuple(limit["name"] for limit in limits),
+        content["after_s"],
+        tuple(names.index(name) for name in names if name in with_peaks),
+        peaks["keep"],
+        tuple(names.index(name) for name in names if name in with_cycles),
+        tuple(float(slope) for slope in rainflow["slopes"]),
+    )
+
+
+def _matching(file: StudyFile, field: str, patterns: Sequence[str], known: dict[str, str]) -> set[str]:
+    found: set[str] = set()
+    for k, pattern in enumerate(patterns):
+        names = [name for name in known if fnmatchcase(name, pattern)]
+        if not names:
+            near = difflib.get_close_matches(pattern, known, n=3) or list(islice(known, 3))
+            raise file.error(f"{field}.{k}", f"{pattern!r}", f"a column of the run, as {', '.join(near)}")
+        found.update(names)
+    return found
+
+
+def _check_length(file: StudyFile, scenario: Scenario, size: float) -> None:
+    settings, after_s = scenario.resolved["simulation"], file.content["after_s"]
+    step_s = max(settings["record_every_s"], settings["step_s"])
+    if after_s > settings["duration_s"] - step_s:
+        allowed = f"before the last records of a run, which lasts {settings['duration_s']:g} s"
+        raise file.error("after_s", f"{after_s:g}", allowed)
+    if size > MOST_BYTES:
+        allowed = f"at most {MOST_BYTES / 1e9:g} GB: record less often (set: simulation.record_every_s)"
+        raise file.error("set", f"{size / 1e9:.1f} GB of rows in a run", allowed)
+
+
+def _tried(axis: dict[str, Any]) -> list[tuple[str, Any]]:
+    """Values of an axis with their places in the file."""
+    if LATIN_HYPERCUBE in axis:
+        return [(f"{LATIN_HYPERCUBE}.{end}", axis[LATIN_HYPERCUBE][end]) for end in ("from", "to")]
+    if SCATTER in axis:
+        return []
+    values = values_of(axis)
+    places = [f"values.{k}" if "values" in axis else "range" for k in range(len(values))]
+    tried = list(zip(places, values, strict=True))
+    return tried if len(tried) <= MOST_CHECKED else [*tried[: MOST_CHECKED - 1], tried[-1]]
+
+
+def _check_axes(file: StudyFile, scenario: Scenario) -> None:
+    """Every axis has a name of its own that the scenario knows, and values that are allowed there."""
+    writes = {one["name"]: one["writes"] for one in scenario.resolved.get("parameters", [])}
+    written: dict[str, str] = {}
+    for name, axis in file.content["axes"].items():
+        if name in TAKEN:
+            allowed = "a name that no variable of the results has; the path of the field that it writes"
+            raise file.error(f"axes.{name}", f"{name}, a variable of the results", allowed)
+        for path in writes.get(name, [name]):
+            if path == SEED:
+                allowed = "what cases differ in; seeds has the seeds of all of them"
+                raise file.error(f"axes.{name}", "the seed", allowed)
+            if path in written:
+                allowed = f"one axis for {path}: {written[path]} writes it too"
+                raise file.error(f"axes.{name}", "a field a second time", allowed)
+            written[path] = name
+        tried = _tried(axis)
+        for place, value in tried:
+            others = [other for _, other in tried if other != value]
+            _try(file, scenario, [(name, value)], {name: f"axes.{name}.{place}"}, others)
+
+
+def _check_corners(file: StudyFile, scenario: Scenario, found: Cases) -> None:
+    """The combinations of the axes' first and last points build."""
+    where = {name: f"axes.{name}" for name in found.names}
+    for case in islice(found.corners(), MOST_CHECKED if found.names else 0):
+        _try(file, scenario, found.overrides(case), where)
+
+
+def _try(
+    file: StudyFile,
+    scenario: Scenario,
+    pairs: list[tuple[str, Any]],
+    where: dict[str, str],
+    others: Sequence[Any] = (),
+) -> None:
+    try:
+        scenario.with_overrides(dict(pairs))
+    except ScenarioError as error:
+        placed = file.placed(error, where)
+        if placed is not error:
+            raise placed from None
+        # It stands in the scenario: which case led to it is in the study.
+        values = ", ".join(f"{name}: {value}" for name, value in pairs)
+        if len(pairs) > 1:
+            raise file.error_of("axes", f"with {values}: {error}") from None
+        (name, value), works = pairs[0], _that_build(scenario, pairs[0][0], others)
+        allowed = "a value with which the scenario builds" + (f", as {works}" if works else "")
+        words = f"found {value}, allowed: {allowed}; with {values}: {error}"
+        raise file.error_of(where[name], words, str(value), allowed) from None
+
+
+def _that_build(scenario: Scenario, name: str, values: Sequence[Any]) -> str:
+    """The values of an axis, at most three, with which the scenario builds."""
+    found: list[str] = []
+    for value in values:
+        try:
+            scenario.with_overrides({name: value})
+        except ScenarioError:
+            continue
+        found.append(f"{value:g}" if isinstance(value, float) else str(value))
+        if len(found) == MOST_NAMED:
+            break
+    return ", ".join(found)
