@@ -28,6 +28,7 @@ def of_value(value: Any) -> str:
 
 def reduction() -> str:
     """SHA-256 of what reduces the rows of a run: the text of all functions that decide its numbers."""
+    # Imports are part of the text of `reduce`: if that file moves, no study can be resumed.
     parts = (reduce, peaks, up_crossing_period, fatigue)
     return hashlib.sha256("".join(inspect.getsource(part) for part in parts).encode()).hexdigest()
 
