@@ -166,7 +166,7 @@ def _pair(given: str, name: str) -> tuple[str, str]:
     return first.strip(), second.strip()
 
 
-def _like(text: str, values: object) -> object:
+def _like(text: str, values: object) -> float | str:
     """A value of an axis by its text."""
     import numpy as np
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
 
 import numpy as np
 
-LATIN_HYPERCUBE, SCATTER = "latin_hypercube", "scatter"
+from ...scenario import ParameterValue
+from .content import Axis, Interval, Samples
+
 SAMPLE, CELL = "sample", "cell"
 
 
@@ -29,7 +30,7 @@ class Cases:
     """
 
     names: tuple[str, ...]
-    values: dict[str, list[Any]]
+    values: dict[str, list[ParameterValue]]
     drawn: dict[str, list[int]]
     count: int
     sizes: tuple[int, ...] = ()
@@ -43,12 +44,12 @@ class Cases:
                 case = case * size + end
             yield case
 
-    def overrides(self, case: int) -> list[tuple[str, Any]]:
+    def overrides(self, case: int) -> list[tuple[str, ParameterValue]]:
         """Return the names and values that a case sets over the scenario."""
         return [(name, self.values[name][case]) for name in self.names]
 
 
-def values_of(axis: Mapping[str, Any]) -> list[Any]:
+def values_of(axis: Axis) -> list[ParameterValue]:
     """The values of an axis that stands by itself.
 
     >>> values_of({"range": {"from": 6.0, "to": 8.0, "count": 3}})
@@ -62,7 +63,7 @@ def values_of(axis: Mapping[str, Any]) -> list[Any]:
     return np.linspace(numbers["from"], numbers["to"], numbers["count"]).tolist()
 
 
-def latin_hypercube(axes: Mapping[str, Mapping[str, Any]], count: int, seed: int) -> list[tuple[float, ...]]:
+def latin_hypercube(axes: Mapping[str, Interval], count: int, seed: int) -> list[tuple[float, ...]]:
     """Samples of several axes: each axis is cut into as many strips as there are samples, and each strip has
     one (McKay, Beckman & Conover, *Technometrics* 21(2), 1979), by `scipy.stats.qmc.LatinHypercube`.
 
@@ -79,8 +80,8 @@ def latin_hypercube(axes: Mapping[str, Mapping[str, Any]], count: int, seed: int
 
 
 def cases(
-    axes: Mapping[str, Mapping[str, Any]],
-    samples: Mapping[str, int] | None = None,
+    axes: Mapping[str, Axis],
+    samples: Samples | None = None,
     cells: Callable[[], Sequence[tuple[float, float]]] | None = None,
 ) -> Cases:
     """The cases of a study.
@@ -98,9 +99,9 @@ def cases(
     >>> [found.overrides(case) for case in range(found.count)][:2]
     [[('x', 1), ('y', 'a')], [('x', 1), ('y', 'b')]]
     """
-    factors: list[tuple[tuple[str, ...], list[tuple[Any, ...]], str]] = []
-    hypercube = {name: axis[LATIN_HYPERCUBE] for name, axis in axes.items() if LATIN_HYPERCUBE in axis}
-    scattered = {name: axis[SCATTER] for name, axis in axes.items() if SCATTER in axis}
+    factors: list[tuple[tuple[str, ...], Sequence[tuple[ParameterValue, ...]], str]] = []
+    hypercube = {name: axis["latin_hypercube"] for name, axis in axes.items() if "latin_hypercube" in axis}
+    scattered = {name: axis["scatter"] for name, axis in axes.items() if "scatter" in axis}
     for name, axis in axes.items():
         if name in hypercube:
             if name == next(iter(hypercube)):
@@ -113,7 +114,7 @@ def cases(
                 factors.append((tuple(scattered), _of_scatter(scattered, cells()), CELL))
         else:
             factors.append(((name,), [(value,) for value in values_of(axis)], ""))
-    values: dict[str, list[Any]] = {name: [] for name in axes}
+    values: dict[str, list[ParameterValue]] = {name: [] for name in axes}
     indices = list(product(*(range(len(points)) for _, points, _ in factors)))
     draws: dict[str, list[int]] = {}
     for k, (names, points, drawn_as) in enumerate(factors):

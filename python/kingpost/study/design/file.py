@@ -6,12 +6,12 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from ... import gallery
 from ...engine import engine
 from ...errors import KingpostError, ScenarioError
-from ...scenario import Scenario, load
+from ...scenario import Json, Scenario, load
+from .content import Content
 
 SET = "--set "
 """How the engine names the place of a value that is set over a scenario."""
@@ -37,7 +37,7 @@ class StudyFile:
 
     text: str
     file: str
-    content: dict[str, Any]
+    content: Content
     places: dict[str, list[int]] = field(default_factory=dict)
 
     def error(self, path: str, found: str, allowed: str) -> ScenarioError:
@@ -109,13 +109,13 @@ class StudyFile:
         except ScenarioError as error:
             raise self.placed(error, {name: f"set.{name}" for name in given}) from None
 
-    def _limits(self, base: Scenario) -> dict[str, dict[str, Any]]:
+    def _limits(self, base: Scenario) -> dict[str, dict[str, Json]]:
         merged = base.resolved.get("limits", {}) | self.content["limits"]
         after_s = self.content["after_s"]
         return {name: limit | {"from_s": max(limit["from_s"], after_s)} for name, limit in merged.items()}
 
 
-def read(source: str | Path | Mapping[str, Any]) -> StudyFile:
+def read(source: str | Path | Mapping[str, object]) -> StudyFile:
     """Read a study from its file, or from a dictionary of its fields.
 
     Raises

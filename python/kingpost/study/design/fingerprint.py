@@ -6,7 +6,6 @@ import hashlib
 import inspect
 import json
 from collections.abc import Mapping
-from typing import Any
 
 from ...analysis import fatigue
 from ...analysis.extremes import peaks
@@ -17,7 +16,7 @@ MOST_NAMED = 3
 """Fields that differ which a message names."""
 
 
-def of_value(value: Any) -> str:
+def of_value(value: object) -> str:
     """SHA-256 of a value as JSON.
 
     >>> of_value({"b": 1, "a": [2]}) == of_value({"a": [2], "b": 1})
@@ -42,7 +41,7 @@ def differences(before: Mapping[str, str], now: Mapping[str, str]) -> list[str]:
     return [name for name in {**before, **now} if before.get(name) != now.get(name)]
 
 
-def fields(before: Any, now: Any, path: str = "") -> list[str]:
+def fields(before: object, now: object, path: str = "") -> list[str]:
     """Dotted paths at which two values differ.
 
     >>> fields({"sea": {"depth_m": 10}, "title": "x"}, {"sea": {"depth_m": 20}, "title": "x"})

@@ -8,35 +8,25 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cached_property
 from itertools import islice
-from typing import Any
 
 from ...engine import source_digest
-from ...errors import ScenarioError
-from ...scenario import Scenario
+from ...scenario import ParameterValue, Scenario
 from ...simulation.batch import SEED
+from ...simulation.records import Limit
 from ...simulation.simulate import Simulation
 from ..reduce import Kept
 from ..sea_states import scatter
 from ..sea_states.quantities import quantities
 from . import fingerprint
-from .cases import LATIN_HYPERCUBE, SCATTER, Cases, cases, values_of
+from .cases import Cases, cases
+from .content import Peaks, Rainflow
 from .file import StudyFile
 from .job import LANES, MOST_BYTES, Job, columns, run_bytes
+from .trials import check_axes, check_corners
 
 MOST_RUNS = 1_000_000
 """Runs of one study."""
 MOST_UNITS, MOST_RUNS_OF_UNIT = 64, 32
-MOST_CHECKED = 100
-"""Values of an axis, and corners of all axes, that are tried before the first run."""
-MOST_NAMED = 3
-"""Values of an axis that an error names as those that build."""
-TAKEN = {
-    *("run", "case", "seed", "sample", "cell", "status", "statistic", "statistics"),
-    *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most", "limit_from_s"),
-    *("limit_held", "limit_worst", "limit_time"),
-    *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
-}
-"""Names of the results, which no axis can have."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +55,7 @@ class Plan:
     scenario: Scenario
     cases: Cases
     columns: dict[str, str]
-    limits: list[dict[str, Any]]
+    limits: list[Limit]
     kept: Kept
     run_bytes: float
 
@@ -104,7 +94,7 @@ class Plan:
         scenario = self.scenario
         return Job(unit, scenario.text, scenario.file, scenario.files, variants, self.kept, self.run_bytes)
 
-    def overrides(self, run: int) -> list[tuple[str, Any]]:
+    def overrides(self, run: int) -> list[tuple[str, ParameterValue]]:
         """Return the names and values that a run sets over the scenario."""
         case, seed = divmod(run, len(self.seeds))
         return [*self.cases.overrides(case), (SEED, self.seeds[seed])]
@@ -151,17 +141,17 @@ def plan(file: StudyFile) -> Plan:
     scenario = file.scenario()
     simulation = Simulation(scenario)
     known = columns(simulation.channels)
-    limits = [vars(limit) for limit in simulation.limits]
+    limits = simulation.limits
     kept = _kept(file, known, limits)
     size = run_bytes(scenario.resolved["simulation"], simulation.channels)
     _check_length(file, scenario, size)
-    _check_axes(file, scenario)
+    check_axes(file, scenario)
     found = Plan(
         file, scenario, _cases(file), {name: known[name] for name in kept.columns}, limits, kept, size
     )
     if not 1 <= found.runs <= MOST_RUNS:
         raise file.error("axes", f"{found.runs} runs", f"from 1 to {MOST_RUNS} runs")
-    _check_corners(file, scenario, found.cases)
+    check_corners(file, scenario, found.cases)
     if name := file.content.get("scatter"):
         # Before hours of runs, not behind them.
         scatter.read(file.beside(name))
@@ -177,20 +167,20 @@ def _cases(file: StudyFile) -> Cases:
     return cases(content["axes"], content.get("samples"), cells)
 
 
-def _kept(file: StudyFile, known: dict[str, str], limits: list[dict[str, Any]]) -> Kept:
+def _kept(file: StudyFile, known: dict[str, str], limits: list[Limit]) -> Kept:
     content = file.content
-    rainflow = content.get("rainflow", {"columns": [], "slopes": []})
-    peaks = content.get("peaks", {"columns": [], "keep": 0})
+    rainflow = content.get("rainflow", Rainflow(columns=[], slopes=[]))
+    peaks = content.get("peaks", Peaks(columns=[], keep=0))
     recorded = _matching(file, "record", content["record"], known)
     with_peaks = _matching(file, "peaks.columns", peaks["columns"], known)
     with_cycles = _matching(file, "rainflow.columns", rainflow["columns"], known)
-    wanted = {limit["column"] for limit in limits}.union(recorded, with_peaks, with_cycles)
+    wanted = {limit.column for limit in limits}.union(recorded, with_peaks, with_cycles)
     names = tuple(name for name in known if name in wanted)
     if not names:
         raise file.error("record", "no column and no limit", "columns, as hull.roll, or limits")
     return Kept(
         names,
-        tuple(limit["name"] for limit in limits),
+        tuple(limit.name for limit in limits),
         content["after_s"],
         tuple(names.index(name) for name in names if name in with_peaks),
         peaks["keep"],
@@ -219,81 +209,3 @@ def _check_length(file: StudyFile, scenario: Scenario, size: float) -> None:
     if size > MOST_BYTES:
         allowed = f"at most {MOST_BYTES / 1e9:g} GB: record less often (set: simulation.record_every_s)"
         raise file.error("set", f"{size / 1e9:.1f} GB of rows in a run", allowed)
-
-
-def _tried(axis: dict[str, Any]) -> list[tuple[str, Any]]:
-    """Values of an axis with their places in the file."""
-    if LATIN_HYPERCUBE in axis:
-        return [(f"{LATIN_HYPERCUBE}.{end}", axis[LATIN_HYPERCUBE][end]) for end in ("from", "to")]
-    if SCATTER in axis:
-        return []
-    values = values_of(axis)
-    places = [f"values.{k}" if "values" in axis else "range" for k in range(len(values))]
-    tried = list(zip(places, values, strict=True))
-    return tried if len(tried) <= MOST_CHECKED else [*tried[: MOST_CHECKED - 1], tried[-1]]
-
-
-def _check_axes(file: StudyFile, scenario: Scenario) -> None:
-    """Every axis has a name of its own that the scenario knows, and values that are allowed there."""
-    writes = {one["name"]: one["writes"] for one in scenario.resolved.get("parameters", [])}
-    written: dict[str, str] = {}
-    for name, axis in file.content["axes"].items():
-        if name in TAKEN:
-            allowed = "a name that no variable of the results has; the path of the field that it writes"
-            raise file.error(f"axes.{name}", f"{name}, a variable of the results", allowed)
-        for path in writes.get(name, [name]):
-            if path == SEED:
-                allowed = "what cases differ in; seeds has the seeds of all of them"
-                raise file.error(f"axes.{name}", "the seed", allowed)
-            if path in written:
-                allowed = f"one axis for {path}: {written[path]} writes it too"
-                raise file.error(f"axes.{name}", "a field a second time", allowed)
-            written[path] = name
-        tried = _tried(axis)
-        for place, value in tried:
-            others = [other for _, other in tried if other != value]
-            _try(file, scenario, [(name, value)], {name: f"axes.{name}.{place}"}, others)
-
-
-def _check_corners(file: StudyFile, scenario: Scenario, found: Cases) -> None:
-    """The combinations of the axes' first and last points build."""
-    where = {name: f"axes.{name}" for name in found.names}
-    for case in islice(found.corners(), MOST_CHECKED if found.names else 0):
-        _try(file, scenario, found.overrides(case), where)
-
-
-def _try(
-    file: StudyFile,
-    scenario: Scenario,
-    pairs: list[tuple[str, Any]],
-    where: dict[str, str],
-    others: Sequence[Any] = (),
-) -> None:
-    try:
-        scenario.with_overrides(dict(pairs))
-    except ScenarioError as error:
-        placed = file.placed(error, where)
-        if placed is not error:
-            raise placed from None
-        # It stands in the scenario: which case led to it is in the study.
-        values = ", ".join(f"{name}: {value}" for name, value in pairs)
-        if len(pairs) > 1:
-            raise file.error_of("axes", f"with {values}: {error}") from None
-        (name, value), works = pairs[0], _that_build(scenario, pairs[0][0], others)
-        allowed = "a value with which the scenario builds" + (f", as {works}" if works else "")
-        words = f"found {value}, allowed: {allowed}; with {values}: {error}"
-        raise file.error_of(where[name], words, str(value), allowed) from None
-
-
-def _that_build(scenario: Scenario, name: str, values: Sequence[Any]) -> str:
-    """The values of an axis, at most three, with which the scenario builds."""
-    found: list[str] = []
-    for value in values:
-        try:
-            scenario.with_overrides({name: value})
-        except ScenarioError:
-            continue
-        found.append(f"{value:g}" if isinstance(value, float) else str(value))
-        if len(found) == MOST_NAMED:
-            break
-    return ", ".join(found)

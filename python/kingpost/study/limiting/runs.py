@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+from collections.abc import Hashable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,7 +16,10 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
+    from ...scenario import ParameterValue
+
     Numbers = NDArray[np.float64]
+    Values = dict[str, list[ParameterValue]]
 
 FEWEST_SEEDS = 5
 CERTAIN, NEVER = -3.4, 30.0
@@ -44,7 +48,7 @@ def limiting_heights(
     Parameters
     ----------
     results
-        Of a study whose axes are a grid: `limit_worst`, `limit_held` and `status` along ``run``, the axes,
+        Of a study whose axes are a grid: `limit_worst` and `status` along ``run``, the axes,
         ``at_least`` and ``at_most`` as coordinates, the attributes ``axes``, ``sea``, ``duration_s`` and
         ``after_s``; the coordinate ``limit_from_s`` of limits that begin later.
     acceptance
@@ -78,13 +82,11 @@ def limiting_heights(
     record_s = _records_s(results)
     operation_s = float(results.attrs["operation_s"] if operation_s is None else operation_s)
     grid, values = _grid(results, axes)
-    beyond, held, status = (
-        of[grid] for of in (_beyond(results), results["limit_held"].values, results["status"].values)
-    )
+    beyond, status = _beyond(results)[grid], results["status"].values[grid]
     missing = int((status == NOT_RUN).sum())
     if missing:
         raise KingpostError(f"runs: found {missing} that have not run, allowed: all, as with --resume")
-    reduced = _reduced(beyond, held, status, record_s, operation_s, confidence)
+    reduced = _reduced(beyond, status, record_s, operation_s, confidence)
     # Height last, from low to high.
     at = axes.index(height)
     order = np.argsort(values[height])
@@ -98,7 +100,7 @@ def limiting_heights(
     dims = ["limit", *others]
     smallest = found[0].min(axis=0)
     governs = np.asarray(results["limit"].values, str)[np.argmin(found[0], axis=0)]
-    variables: dict[str, Any] = {
+    variables: dict[str, tuple[object, ...]] = {
         "limiting_height": (dims, found[0], metre),
         "limiting_height_low": (dims, found[1], metre),
         "limiting_height_high": (dims, found[2], metre),
@@ -114,9 +116,11 @@ def limiting_heights(
     return xarray.Dataset(variables, coordinates, about)
 
 
-def _coordinates(results: xarray.Dataset, names: list[str], values: dict[str, list[Any]]) -> dict[Any, Any]:
+def _coordinates(results: xarray.Dataset, names: list[str], values: Values) -> dict[Hashable, object]:
     """Those of the axes, and what is known of each limit."""
-    found: dict[Any, Any] = {name: (name, np.asarray(values[name]), results[name].attrs) for name in names}
+    found: dict[Hashable, object] = {
+        name: (name, np.asarray(values[name]), results[name].attrs) for name in names
+    }
     of_limits = (name for name in results.coords if results[name].dims == ("limit",))
     return found | {name: results[name].variable for name in of_limits}
 
@@ -131,7 +135,7 @@ def _axes(results: xarray.Dataset) -> tuple[list[str], str]:
     return axes, height
 
 
-def _grid(results: xarray.Dataset, axes: list[str]) -> tuple[NDArray[np.intp], dict[str, list[Any]]]:
+def _grid(results: xarray.Dataset, axes: list[str]) -> tuple[NDArray[np.intp], Values]:
     """Places of the runs, along the axes and then the seeds; and the values of each axis."""
     values = {name: list(dict.fromkeys(results[name].values.tolist())) for name in axes}
     shape = [len(values[name]) for name in axes]
@@ -167,15 +171,14 @@ def _records_s(results: xarray.Dataset) -> Numbers:
 
 def _reduced(
     beyond: Numbers,
-    held: NDArray[Any],
-    status: NDArray[Any],
+    status: NDArray[np.int8],
     record_s: Numbers,
     operation_s: float,
     confidence: float,
 ) -> Numbers:
     """Reduced variates of P, of its upper and of its lower end, along limits and axes.
 
-    `beyond` and `held` are along axes, seeds and limits, `record_s` along limits.
+    `beyond` is along axes, seeds and limits, `record_s` along limits.
     """
     shape = beyond.shape[:-2]
     found = np.empty((3, beyond.shape[-1], *shape))

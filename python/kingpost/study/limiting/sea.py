@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from ...errors import KingpostError
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
+
+    from ...scenario import ParameterValue
 
 OUTSIDE = "outside the study"
 NO_LIMIT = "no limit"
@@ -58,7 +60,10 @@ class LimitingSea:
 
     @classmethod
     def of(
-        cls, found: xarray.Dataset, at: Mapping[str, Any] | None = None, sea: Mapping[str, str] | None = None
+        cls,
+        found: xarray.Dataset,
+        at: Mapping[str, ParameterValue] | None = None,
+        sea: Mapping[str, str] | None = None,
     ) -> LimitingSea:
         """That of limiting heights by runs (`limiting_heights`) or by the screen.
 
@@ -129,7 +134,7 @@ class LimitingSea:
         return np.full(len(self.limits), np.nan) if place is None else _between(heights, place, axis=1)
 
 
-def _at(heights: xarray.DataArray, name: str, value: Any) -> xarray.DataArray:
+def _at(heights: xarray.DataArray, name: str, value: ParameterValue | None) -> xarray.DataArray:
     values = heights[name].values.tolist()
     if value is None and len(values) == 1:
         return heights.isel({name: 0}, drop=True)

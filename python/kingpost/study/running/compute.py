@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
-from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from ...engine import engine, source_digest
 from ...errors import KingpostError
+from ...results.channels import Channel
 from ...simulation.outcomes import NUMBER
 from .. import reduce
-from ..design.job import LANES, MOST_BYTES, Job, Result
+from ..design.job import LANES, MOST_BYTES, Job, Result, WarningCount
 
 TOGETHER_BYTES = 200_000_000
 """Rows that a worker has in memory at a time."""
@@ -23,7 +24,7 @@ def compute(job: Job) -> Result:
     """Run and reduce a unit."""
     arrays = reduce.empty(job.kept, len(job.variants))
     ends: dict[int, str] = {}
-    warned: dict[tuple[str, str], dict[str, Any]] = {}
+    warned: dict[tuple[str, str], WarningCount] = {}
     together = max(1, int(TOGETHER_BYTES / max(job.run_bytes, 1.0)))
     together = together // LANES * LANES or together
     for first in range(0, len(job.variants), together):
@@ -35,9 +36,9 @@ def compute(job: Job) -> Result:
 def _some(
     job: Job,
     runs: range,
-    arrays: dict[str, NDArray[Any]],
+    arrays: dict[str, NDArray[np.generic]],
     ends: dict[int, str],
-    warned: dict[tuple[str, str], dict[str, Any]],
+    warned: dict[tuple[str, str], WarningCount],
 ) -> None:
     """Runs side by side; each alone where one of them is no scenario or has other bodies."""
     variants = json.dumps([job.variants[run] for run in runs])
@@ -66,16 +67,16 @@ def _some(
         if ended is not None:
             ends[run] = str(ended)
         reduce.reduce(arrays, run, rows[k], at, limits[k], ended is None, job.kept)
-        _count(warnings[k], warned)
+        _count([(one["name"], one["text"]) for one in warnings[k]], warned)
 
 
-def _count(warnings: list[dict[str, Any]], warned: dict[tuple[str, str], dict[str, Any]]) -> None:
-    of_run = {(one["name"], NUMBER.sub("#", one["text"])): one["text"] for one in reversed(warnings)}
+def _count(warnings: list[tuple[str, str]], warned: dict[tuple[str, str], WarningCount]) -> None:
+    of_run = {(name, NUMBER.sub("#", text)): text for name, text in reversed(warnings)}
     for (name, pattern), text in of_run.items():
         entry = warned.setdefault((name, pattern), {"name": name, "text": text, "runs": 0})
         entry["runs"] += 1
 
 
-def _places(channels: list[dict[str, Any]]) -> dict[str, int]:
+def _places(channels: list[Channel]) -> dict[str, int]:
     """Where each flat column is in a row."""
     return {name: channel["offset"] + k for channel in channels for k, name in enumerate(channel["columns"])}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..design.plan import Plan
 from .screen import screen
@@ -46,15 +46,16 @@ def of_plan(plan: Plan) -> xarray.Dataset:
     return found.assign_attrs(sea=json.dumps(plan.sea))
 
 
-def _axes(plan: Plan) -> dict[str, list[Any]]:
+def _axes(plan: Plan) -> dict[str, list[object]]:
     """The values of each axis; of those drawn together lists of values, under their names with commas."""
     kinds = {name: next(iter(axis)) for name, axis in plan.file.content["axes"].items()}
     values = plan.cases.values
-    axes: dict[str, list[Any]] = {}
+    axes: dict[str, list[object]] = {}
+    for name, kind in kinds.items():
+        if kind in ("values", "range"):
+            axes[name] = list(dict.fromkeys(values[name]))
     for drawn in ("latin_hypercube", "scatter"):
         if names := [name for name, kind in kinds.items() if kind == drawn]:
             together = zip(*(values[name] for name in names), strict=True)
             axes[",".join(names)] = [list(one) for one in dict.fromkeys(together)]
-    alone = {name: list(dict.fromkeys(values[name])) for name, kind in kinds.items()
-             if kind in ("values", "range")}  # fmt: skip
-    return alone | axes
+    return axes

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -38,9 +38,9 @@ NOTHING = 1e-6
 
 def screen(
     scenario: Scenario | str | Path,
-    axes: Mapping[str, Sequence[Any]],
+    axes: Mapping[str, Sequence[object]],
     columns: Sequence[str] = (),
-    limits: Mapping[str, Any] | None = None,
+    limits: Mapping[str, object] | None = None,
     operation_s: float = spectral.HALF_HOUR_S,
     acceptance: float = ACCEPTANCE,
     height: str | None = None,
@@ -103,7 +103,7 @@ def screen(
     return _dataset(base, named, statistics, operation_s, acceptance, _height_axis(named, height))
 
 
-def _check(operation_s: float, acceptance: float, axes: Mapping[str, Sequence[Any]]) -> None:
+def _check(operation_s: float, acceptance: float, axes: Mapping[str, Sequence[object]]) -> None:
     if not (operation_s > 0 and np.isfinite(operation_s)):
         raise KingpostError(f"operation_s: found {operation_s:g}, allowed: finite and greater than 0")
     if not 0 < acceptance < 1:
@@ -165,7 +165,7 @@ def _statistics(base: Scenario, axes: Sequence[Axis], columns: Sequence[str]) ->
     return Statistics(first.columns, first.units, not_linear, bounds, mean, m0, m2, worst, list(warnings))
 
 
-def _cases_by_model(axes: Sequence[Axis]) -> Iterator[tuple[dict[str, Any], list[tuple[int, ...]]]]:
+def _cases_by_model(axes: Sequence[Axis]) -> Iterator[tuple[dict[str, object], list[tuple[int, ...]]]]:
     """Yield the overrides of each model, with its cases by the number of each axis' value."""
     of_model = [axis for axis in axes if not axis.is_of_the_sea]
     for chosen in product(*(range(len(axis.values)) for axis in of_model)):
@@ -175,7 +175,7 @@ def _cases_by_model(axes: Sequence[Axis]) -> Iterator[tuple[dict[str, Any], list
         yield overrides, list(product(*numbers))
 
 
-def _in_words(overrides: Mapping[str, Any]) -> str:
+def _in_words(overrides: Mapping[str, object]) -> str:
     return ", ".join(f"{name} {value}" for name, value in overrides.items()) or "the scenario"
 
 
@@ -208,7 +208,7 @@ def _dataset(
         )
         for one, k in zip(found.bounds, at, strict=True)
     ]
-    variables: dict[str, Any] = {
+    variables: dict[str, tuple[object, ...]] = {
         "mean": ([*dims, "column"], found.mean),
         "standard_deviation": ([*dims, "column"], sigma),
         "zero_up_crossing_period": ([*dims, "column"], period, {"units": "s"}),
@@ -243,7 +243,7 @@ def _dataset(
         variables["limiting_height_of_all"] = (over, smallest, metre)
         variables["governs"] = (over, governs)
     unit = ("column", np.array(found.units, str))
-    coordinates: dict[str, Any] = {axis.name: (axis.name, _labels(axis)) for axis in axes} | {
+    coordinates: dict[str, object] = {axis.name: (axis.name, _labels(axis)) for axis in axes} | {
         "column": np.array(found.columns, str),
         "limit": np.array([one.name for one in found.bounds], str),
         results.unit_coordinate("mean"): unit,
@@ -259,6 +259,6 @@ def _dataset(
     return xarray.Dataset(variables, coordinates, attributes)
 
 
-def _labels(axis: Axis) -> Any:
+def _labels(axis: Axis) -> NDArray[np.generic]:
     """Values of an axis as a coordinate; of several drawn together their number."""
     return np.arange(len(axis.values)) if "," in axis.name else np.asarray(axis.values)

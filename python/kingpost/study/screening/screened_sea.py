@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -104,7 +104,7 @@ def of_screen(
     if not kept:
         raise next(iter(refused.values()))
     height, drawn = sea["significant_height"], f"{sea['peak_period']},{sea['direction']}"
-    axes: dict[str, list[Any]] = {height: [1.0], drawn: [list(one) for one in kept]}
+    axes: dict[str, list[object]] = {height: [1.0], drawn: [list(one) for one in kept]}
     found = screen(scenario, axes, operation_s=operation_s, acceptance=acceptance, height=height)
     heights = found["limiting_height_of_all"].values.ravel().tolist()
     governs = found["governs"].values.ravel().tolist()

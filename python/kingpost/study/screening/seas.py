@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -49,15 +49,17 @@ class Axis:
     """
 
     name: str
-    values: list[Any]
-    overrides: list[dict[str, Any]]
-    changes: list[dict[tuple[str, ...], Any]]
+    values: list[object]
+    overrides: list[dict[str, object]]
+    changes: list[dict[tuple[str, ...], object]]
 
     @classmethod
-    def of(cls, base: Scenario, name: str, values: Sequence[Any]) -> Axis:
+    def of(cls, base: Scenario, name: str, values: Sequence[object]) -> Axis:
         """An axis of a scenario."""
         names = [part.strip() for part in name.split(",")]
-        overrides = [dict(zip(names, value if len(names) > 1 else [value], strict=True)) for value in values]
+        are_drawn = len(names) > 1
+        each = (value if are_drawn and isinstance(value, Iterable) else [value] for value in values)
+        overrides = [dict(zip(names, one, strict=True)) for one in each]
         flat = _flat(base.resolved)
         resolved = [_flat(base.with_overrides(one).resolved) for one in overrides]
         # What a value makes the same as the base is changed by it too, where another value changes it.
@@ -77,7 +79,7 @@ class Axis:
         return self.is_of_the_sea and bool(paths) and all(path[-1] == HEIGHT for path in paths)
 
 
-def _flat(tree: Any, path: tuple[str, ...] = ()) -> dict[tuple[str, ...], Any]:
+def _flat(tree: object, path: tuple[str, ...] = ()) -> dict[tuple[str, ...], object]:
     """The leaves of a resolved scenario by their paths; lists are leaves."""
     if not isinstance(tree, dict) or (path and not tree):
         return {path: tree}
@@ -92,10 +94,10 @@ def sea_of(resolved: Mapping[str, Any], axes: Sequence[Axis], case: tuple[int, .
     for axis, k in zip(axes, case, strict=True):
         flat |= {path[2:]: value for path, value in axis.changes[k].items() if path[:2] == ("sea", "waves")}
     names = list(waves) + [path[0] for path in flat if path[0] not in waves]
-    directions = {
-        name: next((v for p, v in flat.items() if p[0] == name and p[-1] == "direction_rad"), 0.0)
-        for name in dict.fromkeys(names)
-    }
+    directions = dict.fromkeys(names, 0.0)
+    for path, value in reversed(flat.items()):
+        if path[-1] == "direction_rad" and isinstance(value, int | float):
+            directions[path[0]] = value
     tree: dict[str, Any] = {}
     for path, value in flat.items():
         if value is None:

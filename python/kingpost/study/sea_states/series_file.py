@@ -21,7 +21,7 @@ import csv
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -202,7 +202,7 @@ def _at_point(data: xarray.Dataset, at: tuple[float, float] | None, file: str) -
 
 
 def _checked(
-    time: NDArray[Any],
+    time: NDArray[np.datetime64],
     height: NDArray[np.float64],
     period: NDArray[np.float64],
     direction: NDArray[np.float64] | None,

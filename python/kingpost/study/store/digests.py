@@ -5,13 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 
-def digest(arrays: Mapping[str, NDArray[Any]]) -> str:
+def digest(arrays: Mapping[str, NDArray[np.generic]]) -> str:
     """SHA-256 of the numbers of a unit, with their names, types and shapes."""
     found = hashlib.sha256()
     for name in sorted(arrays):
@@ -22,7 +21,7 @@ def digest(arrays: Mapping[str, NDArray[Any]]) -> str:
     return found.hexdigest()
 
 
-def frame_digest(coordinates: Mapping[str, NDArray[Any]], attributes: Mapping[str, Any]) -> str:
+def frame_digest(coordinates: Mapping[str, NDArray[np.generic]], attributes: Mapping[str, object]) -> str:
     """SHA-256 of coordinates and attributes: what the numbers of a study stand for."""
     texts = {name: np.array(values.tolist(), str) if values.dtype.kind == "T" else values
              for name, values in coordinates.items()}  # fmt: skip

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +18,7 @@ def write_frame(path: Path, plan: Plan) -> None:
     """Write a Zarr group with all arrays, the coordinates filled and the others empty."""
     import zarr
 
-    group = zarr.create_group(str(path), zarr_format=3, attributes=group_attributes(plan))
+    group = zarr.create_group(str(path), zarr_format=3, attributes={**group_attributes(plan)})
     for name, (dim, values, about) in coordinates(plan).items():
         array = group.create_array(
             name,
@@ -27,7 +26,7 @@ def write_frame(path: Path, plan: Plan) -> None:
             chunks=values.shape,
             dtype=values.dtype,
             dimension_names=(dim,),
-            attributes=about,
+            attributes={**about},
         )
         array[:] = values
     for name, one in variables(plan.kept).items():
@@ -42,19 +41,23 @@ def write_frame(path: Path, plan: Plan) -> None:
         )
 
 
-def _flags(meanings: Mapping[int, str]) -> dict[str, Any]:
+def _flags(meanings: Mapping[int, str]) -> dict[str, list[int] | str]:
     return {"flag_values": list(meanings), "flag_meanings": " ".join(meanings.values())}
 
 
-FLAGS = {"status": _flags(STATUS), "limit_held": _flags(HELD_MEANINGS), "limit_time": {"units": "s"}}
+FLAGS: dict[str, Mapping[str, list[int] | str]] = {
+    "status": _flags(STATUS),
+    "limit_held": _flags(HELD_MEANINGS),
+    "limit_time": {"units": "s"},
+}
 
 
-def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[Any], dict[str, Any]]]:
+def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[np.generic], dict[str, str]]]:
     """Dimension, values and attributes of each coordinate."""
     seeds, count = plan.seeds, plan.cases.count
     texts = np.dtypes.StringDType()
     units = {one["name"]: one["unit"] for one in plan.scenario.model["parameters"]}
-    found: dict[str, tuple[str, NDArray[Any], dict[str, Any]]] = {
+    found: dict[str, tuple[str, NDArray[np.generic], dict[str, str]]] = {
         "run": ("run", np.arange(plan.runs), {}),
         "case": ("run", np.repeat(np.arange(count), len(seeds)), {}),
         "seed": ("run", np.tile(np.array(seeds, "u8"), count), {}),
@@ -70,13 +73,14 @@ def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[Any], dict[str, Any]
     found["column_unit"] = ("column", np.array(list(plan.columns.values()), texts), {})
     found["statistic"] = ("statistic", np.array(STATISTICS, texts), {})
     if plan.limits:
-        for name, key in (("limit", "name"), ("limit_column", "column"), ("limit_unit", "unit")):
-            found[name] = ("limit", np.array([one[key] for one in plan.limits], texts), {})
-        for key in ("at_least", "at_most"):
-            bounds = [np.nan if one[key] is None else one[key] for one in plan.limits]
-            found[key] = ("limit", np.array(bounds, float), {})
+        found["limit"] = ("limit", np.array([one.name for one in plan.limits], texts), {})
+        found["limit_column"] = ("limit", np.array([one.column for one in plan.limits], texts), {})
+        found["limit_unit"] = ("limit", np.array([one.unit for one in plan.limits], texts), {})
+        # No bound is NaN.
+        found["at_least"] = ("limit", np.array([one.at_least for one in plan.limits], float), {})
+        found["at_most"] = ("limit", np.array([one.at_most for one in plan.limits], float), {})
         of_scenario = plan.scenario.resolved["limits"]
-        starts_s = [max(of_scenario[one["name"]]["from_s"], plan.kept.after_s) for one in plan.limits]
+        starts_s = [max(of_scenario[one.name]["from_s"], plan.kept.after_s) for one in plan.limits]
         found["limit_from_s"] = ("limit", np.array(starts_s, float), {"units": "s"})
     if plan.kept.peaks:
         found["peak"] = ("peak", np.arange(plan.kept.keep), {})
@@ -85,13 +89,13 @@ def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[Any], dict[str, Any]
     return found
 
 
-def group_attributes(plan: Plan) -> dict[str, Any]:
+def group_attributes(plan: Plan) -> dict[str, str | float]:
     """Attributes of the whole group, with the names of its coordinates."""
     named = " ".join(name for name, (dims, _, _) in coordinates(plan).items() if dims != name)
     return {**_attributes(plan), "coordinates": named}
 
 
-def _attributes(plan: Plan) -> dict[str, Any]:
+def _attributes(plan: Plan) -> dict[str, str | float]:
     content, settings = plan.file.content, plan.scenario.resolved["simulation"]
     length_s = settings["duration_s"] - content["after_s"]
     return {

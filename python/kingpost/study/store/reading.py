@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...errors import KingpostError, shortened
 from .digests import digest, frame_digest
-from .layout import ABOUT, RESULTS, UNITS, about_of
+from .layout import ABOUT, RESULTS, UNITS, About, about_of
 
 if TYPE_CHECKING:
     import xarray
@@ -61,7 +61,7 @@ def open_results(folder: Path) -> xarray.Dataset:
     return found.assign_coords(texts)
 
 
-def _not_done(folder: Path, about: dict[str, Any], arrays: Mapping[str, NDArray[Any]]) -> list[slice]:
+def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generic]]) -> list[slice]:
     """The runs of the units without a marker.
 
     Raises
@@ -86,7 +86,7 @@ def _not_done(folder: Path, about: dict[str, Any], arrays: Mapping[str, NDArray[
     return missing
 
 
-def _is_whole(marker: Path, about: dict[str, Any], arrays: Mapping[str, NDArray[Any]], runs: slice) -> bool:
+def _is_whole(marker: Path, about: About, arrays: Mapping[str, NDArray[np.generic]], runs: slice) -> bool:
     try:
         said = json.loads(marker.read_text(encoding="utf-8"))
         expected = (said["fingerprint"], said["runs"], said["sha256"])

@@ -12,9 +12,12 @@ import tempfile
 import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from ...engine import engine
 from ...errors import KingpostError, OutputError
@@ -25,7 +28,10 @@ from ..design.plan import Plan
 from ..reduce import variables
 from .digests import digest, frame_digest
 from .frame import coordinates, group_attributes, write_frame
-from .layout import ABOUT, FORMAT, RESULTS, SCENARIO, STUDY, UNITS, about_of
+from .layout import ABOUT, FORMAT, RESULTS, SCENARIO, STUDY, UNITS, About, Marker, about_of
+
+if TYPE_CHECKING:
+    import zarr
 
 BEGINNING = ".beginning-"
 """How the name of a folder begins that is gone once a study has begun."""
@@ -48,7 +54,7 @@ class Store:
         self.folder = folder
         self.plan = plan
         self.variables = variables(plan.kept)
-        self._arrays: dict[str, Any] = {}
+        self._arrays: dict[str, zarr.Array] = {}
 
     def begin(self, resume: bool, alone: bool = False) -> None:
         """Lay out the folder, or find the same study in it; what of its frame is damaged is written anew.
@@ -103,7 +109,7 @@ class Store:
             for path in self.folder.glob(below):
                 path.unlink(missing_ok=True)
 
-    def _about(self) -> dict[str, Any]:
+    def _about(self) -> About:
         plan = self.plan
         versions = {name: version(name) for name in ("numpy", "scipy", "zarr")}
         return {
@@ -116,7 +122,7 @@ class Store:
             "axes": {name: plan.cases.values[name] for name in plan.cases.names},
             "seeds": plan.seeds,
             "columns": plan.columns,
-            "limits": plan.limits,
+            "limits": [asdict(limit) for limit in plan.limits],
             "files": plan.scenario.digests,
             "frame": self._frame_digest(),
             "versions": {"kingpost": engine.__version__, **versions},
@@ -126,7 +132,7 @@ class Store:
         values = {name: one for name, (_, one, _) in coordinates(self.plan).items()}
         return frame_digest(values, group_attributes(self.plan))
 
-    def _check_same(self, found: dict[str, Any]) -> None:
+    def _check_same(self, found: About) -> None:
         parts = fingerprint.differences(found["depends_on"], self.plan.depends_on)
         if not parts:
             return
@@ -164,7 +170,7 @@ class Store:
         with _written(self.folder / RESULTS):
             for name in self.variables:
                 self._array(name)[runs.start : runs.stop] = result.arrays[name]
-        marker = {
+        marker: Marker = {
             "unit": result.unit,
             "runs": [runs.start, runs.stop],
             "fingerprint": self.plan.fingerprint,
@@ -190,13 +196,13 @@ class Store:
         if expected[:2] != (self.plan.fingerprint, [runs.start, runs.stop]):
             return False
         try:
-            arrays = {name: self._array(name)[runs.start : runs.stop] for name in self.variables}
+            arrays = {name: np.asarray(self._array(name)[runs.start : runs.stop]) for name in self.variables}
         except Exception:
             # Whatever a damaged chunk leads to, in the library or its codecs: the unit runs again.
             return False
         return digest(arrays) == expected[2]
 
-    def _array(self, name: str) -> Any:
+    def _array(self, name: str) -> zarr.Array:
         import zarr
 
         if name not in self._arrays:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from ...errors import KingpostError
 from ..limiting.sea import LimitingHeight
 from ..sea_states.series import Series
 from .windows import GAP, SERIES_ENDS, Window, windows
-from .workable import Workable, workable
+from .workable import How, Workable, workable
 
 AHEAD_H = 72.0
 
@@ -89,7 +89,7 @@ def decide(
     reference_h: float,
     now: np.datetime64 | None = None,
     ahead_h: float = AHEAD_H,
-    **how: Any,
+    **how: Unpack[How],
 ) -> Decision:
     """Whether an operation of a reference period may begin now, and its windows in what is ahead.
 

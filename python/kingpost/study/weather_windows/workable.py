@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -74,6 +74,15 @@ class Workable:
         if np.isnan(self.series.height_m[record]) or np.isnan(self.series.period_s[record]):
             return NO_DATA
         return NOT_STUDIED if np.isnan(self.allowed_m[record]) else self.governs[record]
+
+
+class How(TypedDict, total=False):
+    """Optional parameters of `workable`."""
+
+    x_axis_deg: float | None
+    direction_rad: float | None
+    peak_enhancement: float
+    longest_step_h: float | None
 
 
 def workable(
