@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...errors import KingpostError
 from ...reading import decimal
+from .errors import SeaFileError
 
 CENTRES, LOWER, UPPER = "centres", "lower edges", "upper edges"
 CLASSES = (CENTRES, LOWER, UPPER)
@@ -30,23 +30,8 @@ HEADER = (
 """Description of the header of a table, for messages."""
 
 
-class ScatterError(KingpostError):
-    """A scatter table that is wrong.
-
-    Attributes
-    ----------
-    file, line
-        Where; `None` where there is no such place.
-    field, found, allowed
-        What is wrong, what stands there and what may stand there.
-    """
-
-    def __init__(
-        self, field: str, found: object, allowed: str, file: str | None = None, line: int | None = None
-    ):
-        place = "".join(f"{part}:" for part in (file, line) if part is not None)
-        super().__init__(f"{place} {field}: found {found}, allowed: {allowed}".strip())
-        self.file, self.line, self.field, self.found, self.allowed = file, line, field, found, allowed
+class ScatterError(SeaFileError):
+    """A scatter table that is wrong."""
 
 
 @dataclass(frozen=True)

@@ -8,29 +8,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...errors import KingpostError
+from .errors import SeaFileError
 from .periods import PEAK, ratio
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-class SeriesError(KingpostError):
-    """A series that is wrong.
-
-    Attributes
-    ----------
-    file, line
-        Where; `None` where there is no such place.
-    field, found, allowed
-        What is wrong, what stands there and what may stand there.
-    """
-
-    def __init__(
-        self, field: str, found: object, allowed: str, file: str | None = None, line: int | None = None
-    ) -> None:
-        place = "".join(f"{part}:" for part in (file, line) if part is not None)
-        super().__init__(f"{place} {field}: found {found}, allowed: {allowed}".strip())
-        self.file, self.line, self.field, self.found, self.allowed = file, line, field, found, allowed
+class SeriesError(SeaFileError):
+    """A series that is wrong."""
 
 
 @dataclass(frozen=True)
