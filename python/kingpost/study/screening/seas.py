@@ -12,6 +12,7 @@ import numpy as np
 from ...analysis import spectral
 from ...errors import KingpostError
 from ...scenario import Scenario
+from ...simulation.records import WaveSystem
 from ...simulation.simulate import Simulation
 
 if TYPE_CHECKING:
@@ -138,24 +139,24 @@ def moments(
                 at = np.searchsorted(found.directions_rad, np.array(one["directions_rad"]) - spectral.BESIDE)
                 sums[:, case] += known[:, at].mean(axis=1)
             if one["lines"]:
-                sums[:, case] += spectral.moments_in(found, [one | {"directions_rad": []}])
+                sums[:, case] += spectral.moments_in(found, [{**one, "directions_rad": []}])
     said = dict.fromkeys(
         [*found.warnings, *(w for one in densities for w in spectral.beyond_the_data(found, one))]
     )
     return found, sums, list(said)
 
 
-def _weighted(found: spectral.Transfer, system: Mapping[str, Any]) -> Numbers | None:
+def _weighted(found: spectral.Transfer, system: WaveSystem) -> Numbers | None:
     if not system["directions_rad"]:
         return None
     return spectral.moments_of(found, np.asarray(system["density_m2_s"]) * found.weights)
 
 
-def _turned(systems: Sequence[dict[str, Any]], numbers: Sequence[int], sea: Sea) -> list[dict[str, Any]]:
+def _turned(systems: Sequence[WaveSystem], numbers: Sequence[int], sea: Sea) -> list[WaveSystem]:
     """Systems as they go in a sea, of those that go to 0."""
 
-    def turn(one: dict[str, Any], direction: float) -> dict[str, Any]:
-        lines = [[omega, direction, variance] for omega, _, variance in one["lines"]]
-        return one | {"directions_rad": [direction + to for to in one["directions_rad"]], "lines": lines}
+    def turn(one: WaveSystem, direction: float) -> WaveSystem:
+        lines = [(omega, direction, variance) for omega, _, variance in one["lines"]]
+        return {**one, "directions_rad": [direction + to for to in one["directions_rad"]], "lines": lines}
 
     return [turn(one, sea.directions_rad[k]) for one, k in zip(systems, numbers, strict=True)]
