@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from types import NoneType
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -20,7 +20,9 @@ from . import gallery, markup
 from .engine import engine
 from .errors import KingpostError, ScenarioError
 
-Overrides = Mapping[str, Any]
+Overrides = Mapping[str, object]
+ParameterValue: TypeAlias = bool | float | str
+Json: TypeAlias = "bool | float | str | list[Json] | dict[str, Json] | None"
 DEEPEST = 64
 """Levels of a value that is set, as of a file."""
 
@@ -44,7 +46,7 @@ class Scenario:
 
     text: str
     file: str
-    overrides: tuple[tuple[str, Any], ...] = ()
+    overrides: tuple[tuple[str, Json], ...] = ()
 
     def __post_init__(self) -> None:
         # Validates: a scenario that exists is one that can run.
@@ -67,7 +69,7 @@ class Scenario:
         vars(copied).update(vars(self))
         return copied
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         # The engine's scenario stays in its process; another one builds its own.
         return {name: value for name, value in vars(self).items() if name != "_built"}
 
@@ -145,7 +147,7 @@ class Scenario:
         return json.loads(self._built.hydrostatics_json())
 
     @property
-    def parameters(self) -> dict[str, Any]:
+    def parameters(self) -> dict[str, ParameterValue]:
         """The values of the scenario's parameters by name.
 
         >>> load("paper", crane_x_m=5).parameters["crane_x_m"]
@@ -163,7 +165,7 @@ class Scenario:
         """
         if name in self.parameters:
             return self.parameters[name]
-        value: Any = self.resolved
+        value: object = self.resolved
         for k, key in enumerate(keys := name.split(".")):
             entries = dict(enumerate(value)) if isinstance(value, list) else value
             at = int(key) if isinstance(value, list) and key.isdigit() else key
@@ -185,7 +187,7 @@ class Scenario:
     __iter__ = None
     """Not iterable: iterate over `parameters` or `resolved`."""
 
-    def __setitem__(self, name: str, value: Any) -> None:
+    def __setitem__(self, name: str, value: object) -> None:
         """Set a parameter, or a field by its dotted path.
 
         Raises
@@ -213,7 +215,7 @@ class Scenario:
             markup.table("Forces, drives and sensors", elements) if elements else "",
         ])  # fmt: skip
 
-    def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
+    def with_overrides(self, overrides: Overrides | None = None, **parameters: object) -> Scenario:
         """Return the scenario with further overrides; the last value of a name counts.
 
         Parameters
@@ -241,7 +243,7 @@ class Scenario:
         return Scenario(self.text, self.file, self.overrides + added) if added else copy(self)
 
 
-def load(path_or_name: str | Path, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
+def load(path_or_name: str | Path, overrides: Overrides | None = None, **parameters: object) -> Scenario:
     """Read and validate a scenario.
 
     Parameters
@@ -294,14 +296,14 @@ def _with_place(error: ScenarioError, file: str) -> ScenarioError:
     )
 
 
-def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[str, Any], ...]:
+def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[str, Json], ...]:
     if not isinstance(overrides, Mapping | NoneType):
         raise KingpostError(f"overrides: found {overrides!r}, allowed: a dictionary of names and values")
     given = (*(overrides or {}).items(), *parameters.items())
     return tuple((str(name), _plain(value, str(name))) for name, value in given)
 
 
-def _plain(value: Any, name: str, level: int = 0) -> Any:
+def _plain(value: object, name: str, level: int = 0) -> Json:
     """The value of an override as JSON; the engine's reader validates it."""
     if level > DEEPEST:
         raise KingpostError(f"{name}: found fields that are too deep, allowed: at most {DEEPEST} levels")

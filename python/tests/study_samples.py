@@ -8,8 +8,8 @@ from typing import Any
 
 import xarray
 import zarr
-from kingpost.study import store
-from kingpost.study.digests import digest
+from kingpost.study.store import layout
+from kingpost.study.store.digests import digest
 
 RUNS = 24
 SLEWING: dict[str, Any] = {
@@ -45,14 +45,20 @@ def written(study: dict[str, Any], path: Path) -> Path:
 
 def folder_of(results: xarray.Dataset, folder: Path) -> Path:
     """A study's folder that holds made-up results, as one finished unit."""
-    results.to_zarr(folder / store.RESULTS, zarr_format=3, consolidated=False)
-    group = zarr.open_group(str(folder / store.RESULTS), mode="r")
+    results.to_zarr(folder / layout.RESULTS, zarr_format=3, consolidated=False)
+    group = zarr.open_group(str(folder / layout.RESULTS), mode="r")
     raw: dict[str, Any] = {str(name): group[str(name)] for name in results.data_vars}
     numbers_digest = digest({name: one[...] for name, one in raw.items()})
     runs = results.sizes["run"]
-    about = {"version": store.FORMAT, "depends_on": {}, "fingerprint": "", "runs": runs, "runs_of_unit": runs}
-    (folder / store.ABOUT).write_text(json.dumps(about), encoding="utf-8")
-    (folder / store.UNITS).mkdir()
+    about = {
+        "version": layout.FORMAT,
+        "depends_on": {},
+        "fingerprint": "",
+        "runs": runs,
+        "runs_of_unit": runs,
+    }
+    (folder / layout.ABOUT).write_text(json.dumps(about), encoding="utf-8")
+    (folder / layout.UNITS).mkdir()
     marker = {"fingerprint": "", "runs": [0, runs], "sha256": numbers_digest}
-    (folder / store.UNITS / "000000.json").write_text(json.dumps(marker), encoding="utf-8")
+    (folder / layout.UNITS / "000000.json").write_text(json.dumps(marker), encoding="utf-8")
     return folder

@@ -31,19 +31,40 @@ def imports(path: Path, modules: set[str]) -> Iterator[str]:
             yield full if full in modules else base
 
 
-def test_no_two_files_import_each_other_not_even_for_types() -> None:
-    """Source: the definition of a directed graph without circles. `__init__` offers what is in its folder,
-    and the version stands in that of the package."""
+def graph() -> dict[str, set[str]]:
+    """Modules with those that each imports. `__init__` offers what is in its folder, and the version stands
+    in that of the package."""
     paths = {module_of(path): path for path in PACKAGE.rglob("*.py")}
-    graph = {
+    return {
         module: {used for used in imports(path, set(paths)) if used}
         for module, path in paths.items()
         if path.name not in ("__init__.py", "__main__.py")
     }
-    circle: list[str] = []
+
+
+def circle_in(graph: dict[str, set[str]]) -> list[str]:
+    """Nodes of a circle; empty where there is none."""
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
-        circle = error.args[1]
-    assert circle == []
-    assert len(graph) > 100
+        return list(error.args[1])
+    return []
+
+
+def test_no_two_files_import_each_other_not_even_for_types() -> None:
+    """Source: the definition of a directed graph without circles."""
+    assert circle_in(graph()) == []
+    assert len(graph()) > 100
+
+
+def test_no_two_folders_beside_each_other_import_each_other() -> None:
+    """Source: the definition of a directed graph without circles, of the files and folders in each folder."""
+    beside: dict[tuple[str, ...], dict[str, set[str]]] = {}
+    for module, used in graph().items():
+        for own, other in ((module.split("."), name.split(".")) for name in used):
+            shared = next((k for k, (a, b) in enumerate(zip(own, other, strict=False)) if a != b), None)
+            if shared is not None:
+                folder = beside.setdefault(tuple(own[:shared]), {})
+                folder.setdefault(own[shared], set()).add(other[shared])
+    assert beside[("study",)]["running"] >= {"design", "store"}
+    assert {folder: circle_in(graph) for folder, graph in beside.items() if circle_in(graph)} == {}

@@ -13,7 +13,7 @@ from kingpost.hydro import database_file, hull_files, importers
 from kingpost.learn import network
 from kingpost.results import files as results_files
 from kingpost.roll_damping import sections
-from kingpost.study import scatter, series
+from kingpost.study.sea_states import scatter, series_file
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs POSIX pipes and links")
 SHORT = ["run", "paper", "--set", "simulation.duration_s=0.01", "-q", "-o"]
@@ -70,8 +70,8 @@ def test_a_link_to_a_scenario_finds_the_files_beside_the_scenario(tmp_path: Path
 
 
 READERS = {
-    "series": (series.read, ".csv"),
-    "NetCDF series": (series.read, ".nc"),
+    "series": (series_file.read, ".csv"),
+    "NetCDF series": (series_file.read, ".nc"),
     "scatter table": (scatter.read, ".csv"),
     "roll damping": (sections.read_columns, ".csv"),
     "database": (database_file.read, ".hydro.json"),

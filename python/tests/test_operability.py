@@ -10,10 +10,10 @@ import pytest
 import xarray
 from kingpost import KingpostError
 from kingpost.reports.limiting import operable
-from kingpost.study import scatter
-from kingpost.study.limiting_runs import limiting_heights
-from kingpost.study.limiting_sea import OUTSIDE, LimitingSea
-from kingpost.study.operability import operability
+from kingpost.study.limiting.operability import operability
+from kingpost.study.limiting.runs import limiting_heights
+from kingpost.study.limiting.sea import OUTSIDE, LimitingSea
+from kingpost.study.sea_states import scatter
 
 HEIGHTS, PERIODS, DIRECTIONS = (1.0, 1.5, 2.0, 3.0), (6.0, 8.0, 12.0), (150.0, 180.0)
 RECORD_S, ACCEPTANCE = 600.0, 0.1

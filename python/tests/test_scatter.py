@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kingpost import KingpostError
-from kingpost.study import periods, scatter
-from kingpost.study.scatter import ScatterError
+from kingpost.study.sea_states import periods, scatter
+from kingpost.study.sea_states.scatter import ScatterError
 
 MATRIX = """# North Sea, made up
 # classes: centres

@@ -6,8 +6,8 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost.analysis.spectral import exceedance, spectral_response
-from kingpost.study.limiting import limiting_height
-from kingpost.study.screen import screen
+from kingpost.study.screening.limiting_height import limiting_height
+from kingpost.study.screening.screen import screen
 
 HELD = {"bodies.pedestal.joint.revolute.mode": "held", "waves": True}
 LIMITS = {

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import xarray
 from kingpost import KingpostError
-from kingpost.study import series
-from kingpost.study.sea_states import Series, SeriesError
+from kingpost.study.sea_states import series_file
+from kingpost.study.sea_states.series import Series, SeriesError
 
 PLAIN = "time,hs,tp,mwd\n2026-05-01T00:00,1.5,8,350\n2026-05-01T03:00,1.6,8.5,10\n"
 
@@ -21,7 +21,7 @@ def written(folder: Path, text: str, name: str = "sea.csv") -> Path:
 
 
 def test_a_plain_file_is_read_in_utc(tmp_path: Path) -> None:
-    found = series.read(written(tmp_path, PLAIN))
+    found = series_file.read(written(tmp_path, PLAIN))
     assert [str(time) for time in found.time] == ["2026-05-01T00:00:00", "2026-05-01T03:00:00"]
     assert found.height_m.tolist() == [1.5, 1.6]
     assert found.period_s.tolist() == [8.0, 8.5]
@@ -41,7 +41,10 @@ def test_a_plain_file_is_read_in_utc(tmp_path: Path) -> None:
     ],
 )
 def test_names_units_zones_and_separators_say_the_same(tmp_path: Path, text: str) -> None:
-    found, plain = series.read(written(tmp_path, text)), series.read(written(tmp_path, PLAIN, "plain.csv"))
+    found, plain = (
+        series_file.read(written(tmp_path, text)),
+        series_file.read(written(tmp_path, PLAIN, "plain.csv")),
+    )
     assert (found.time == plain.time).all()
     assert found.height_m.tolist() == plain.height_m.tolist()
     assert found.period_s.tolist() == plain.period_s.tolist()
@@ -52,12 +55,12 @@ def test_names_units_zones_and_separators_say_the_same(tmp_path: Path, text: str
 
 def test_a_quoted_number_that_may_group_thousands_is_refused(tmp_path: Path) -> None:
     with pytest.raises(KingpostError, match="found '1,500', allowed: a number"):
-        series.read(written(tmp_path, 'time,hs,tp\n2026-05-01,"1,500",8\n2026-05-02,1,8\n'))
+        series_file.read(written(tmp_path, 'time,hs,tp\n2026-05-01,"1,500",8\n2026-05-02,1,8\n'))
 
 
 def test_gaps_and_uneven_steps_stay(tmp_path: Path) -> None:
     text = "time,hs,tp\n2026-05-01T00,1,8\n2026-05-01T01,,8\n2026-05-01T02,1,nan\n2026-05-01T09,1,0\n"
-    found = series.read(written(tmp_path, text))
+    found = series_file.read(written(tmp_path, text))
     assert found.hours.tolist() == [0, 1, 2, 9]
     assert np.isnan(found.height_m).tolist() == [False, True, False, False]
     assert np.isnan(found.period_s).tolist() == [False, False, True, True]
@@ -102,21 +105,21 @@ def era5(points: tuple[int, int] = (1, 1)) -> xarray.Dataset:
 
 def test_era5_of_one_point_and_of_the_nearest_of_several(tmp_path: Path) -> None:
     era5().to_netcdf(tmp_path / "one.nc", engine="h5netcdf")
-    one = series.read(tmp_path / "one.nc")
+    one = series_file.read(tmp_path / "one.nc")
     assert one.height_m.tolist() == pytest.approx([1.0, 1.1])
     assert one.period_s.tolist() == pytest.approx([7.0, 7.1])
     assert one.direction_from_deg is not None
     assert one.direction_from_deg.tolist() == pytest.approx([90.0, 90.1])
     assert str(one.time[1]) == "2026-05-01T01:00:00"
     era5((3, 4)).to_netcdf(tmp_path / "many.nc", engine="h5netcdf")
-    near = series.read(tmp_path / "many.nc", at=(59.6, -356.1))
+    near = series_file.read(tmp_path / "many.nc", at=(59.6, -356.1))
     # Row 1 and column 2 of 3 x 4: number 6, a step of 12 in time.
     assert near.height_m.tolist() == pytest.approx([1.6, 2.8])
     assert near.place == "latitude 59.5, longitude 4"
     with pytest.raises(SeriesError, match="latitude: found 3 values from 59 to 60, allowed: one point"):
-        series.read(tmp_path / "many.nc")
+        series_file.read(tmp_path / "many.nc")
     with pytest.raises(SeriesError, match="latitude: found 40, outside of 59 to 60, allowed"):
-        series.read(tmp_path / "many.nc", at=(40.0, 4.0))
+        series_file.read(tmp_path / "many.nc", at=(40.0, 4.0))
 
 
 def test_other_names_are_given(tmp_path: Path) -> None:
@@ -125,15 +128,15 @@ def test_other_names_are_given(tmp_path: Path) -> None:
     with pytest.raises(
         SeriesError, match=r"sea.csv:1: Hs: found time, H_sig, T, wave_dir, allowed: a column"
     ):
-        series.read(path)
+        series_file.read(path)
     columns = {"height": "H_sig", "period": "T", "direction": "wave_dir"}
     asked = "direction: found the column wave_dir, allowed: what it means: --direction-is from or to"
     with pytest.raises(SeriesError, match=asked):
-        series.read(path, columns)
+        series_file.read(path, columns)
     asked = "period: found the column T, allowed: which period it is: --period-is peak, zero_up_crossing"
     with pytest.raises(SeriesError, match=asked):
-        series.read(path, columns, "to")
-    found = series.read(path, columns, "to", period="energy")
+        series_file.read(path, columns, "to")
+    found = series_file.read(path, columns, "to", period="energy")
     assert found.period == "energy"
     assert found.direction_from_deg is not None
     assert found.direction_from_deg.tolist() == [170, 190]
@@ -162,13 +165,13 @@ def test_other_names_are_given(tmp_path: Path) -> None:
 )
 def test_a_wrong_series_is_said_with_its_line(tmp_path: Path, text: str, message: str) -> None:
     with pytest.raises(SeriesError, match=message) as caught:
-        series.read(written(tmp_path, text))
+        series_file.read(written(tmp_path, text))
     assert isinstance(caught.value, KingpostError)
 
 
 def test_a_period_with_its_kind_in_words_needs_no_option(tmp_path: Path) -> None:
     path = written(tmp_path, PLAIN.replace("tp", "Zero-up-crossing period(s)"))
-    assert series.read(path).period == "zero_up_crossing"
+    assert series_file.read(path).period == "zero_up_crossing"
 
 
 def test_directions_that_may_be_radians_are_asked_about(tmp_path: Path) -> None:
@@ -177,16 +180,16 @@ def test_directions_that_may_be_radians_are_asked_about(tmp_path: Path) -> None:
     with pytest.raises(
         SeriesError, match=r"mwd: found no unit, and all values from 0.785398 to 4.71239, allowed: --"
     ):
-        series.read(written(tmp_path, text))
+        series_file.read(written(tmp_path, text))
     for found in (
-        series.read(written(tmp_path, text), direction_unit="rad"),
-        series.read(written(tmp_path, text.replace("mwd", "mwd (rad)"))),
+        series_file.read(written(tmp_path, text), direction_unit="rad"),
+        series_file.read(written(tmp_path, text.replace("mwd", "mwd (rad)"))),
     ):
         assert found.direction_from_deg == pytest.approx([270, 45], abs=1e-4)
-    small = series.read(written(tmp_path, text.replace("mwd", "mwd (deg)"))).direction_from_deg
+    small = series_file.read(written(tmp_path, text.replace("mwd", "mwd (deg)"))).direction_from_deg
     assert small == pytest.approx([4.712389, 0.785398])
     with pytest.raises(SeriesError, match="direction_unit: found 'grad', allowed: deg, rad"):
-        series.read(written(tmp_path, text), direction_unit="grad")
+        series_file.read(written(tmp_path, text), direction_unit="grad")
 
 
 @pytest.mark.parametrize(
@@ -198,15 +201,15 @@ def test_directions_that_may_be_radians_are_asked_about(tmp_path: Path) -> None:
 )
 def test_heights_and_periods_that_no_sea_has_are_refused(tmp_path: Path, row: str, message: str) -> None:
     with pytest.raises(SeriesError, match=message):
-        series.read(written(tmp_path, f"time,hs,tp,mwd\n{row}\n"))
+        series_file.read(written(tmp_path, f"time,hs,tp,mwd\n{row}\n"))
 
 
 def test_files_that_are_none_are_said(tmp_path: Path) -> None:
     with pytest.raises(SeriesError, match=r"no\.csv: file: found none"):
-        series.read(tmp_path / "no.csv")
+        series_file.read(tmp_path / "no.csv")
     with pytest.raises(SeriesError, match=r"bad\.nc: file: found what xarray cannot open"):
-        series.read(written(tmp_path, "no NetCDF", "bad.nc"))
+        series_file.read(written(tmp_path, "no NetCDF", "bad.nc"))
     with pytest.raises(SeriesError, match="columns: found 'wind', allowed: time, height"):
-        series.read(written(tmp_path, PLAIN), {"wind": "u10"})
+        series_file.read(written(tmp_path, PLAIN), {"wind": "u10"})
     with pytest.raises(SeriesError, match="columns: found 'u10', allowed: time, hs, tp, mwd"):
-        series.read(written(tmp_path, PLAIN), {"height": "u10"})
+        series_file.read(written(tmp_path, PLAIN), {"height": "u10"})

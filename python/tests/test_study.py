@@ -10,7 +10,7 @@ import pytest
 from kingpost import statistics
 from kingpost.analysis.fatigue import rainflow
 from kingpost.study import reduce
-from kingpost.study.cases import cases
+from kingpost.study.design.cases import cases
 from study_samples import RUNS, SLEWING, written
 
 WRITTEN = "bodies.tower.joint.revolute.position_m.0"

@@ -16,8 +16,8 @@ import pytest
 import xarray
 from kingpost import link
 from kingpost.cli import main
-from kingpost.study import limiting_runs
-from kingpost.study.screened import of_plan
+from kingpost.study.limiting import runs as limiting_runs
+from kingpost.study.screening.cases import of_plan
 from kingpost.study.study import Study
 from kingpost.study_report import limiting, pdf, report
 from kingpost.study_report.blocks import Picture, Table

@@ -16,8 +16,8 @@ from pathlib import Path
 import kingpost
 import pytest
 from kingpost.cli import main
-from kingpost.study import locks, pools
-from kingpost.study.store import Store
+from kingpost.study.running import locks, pools
+from kingpost.study.store.writing import Store
 from lanes import THOROUGH
 from study_samples import RUNS, SLEWING, numbers, written
 
@@ -131,7 +131,7 @@ def test_a_study_is_not_written_over_and_another_one_not_resumed(whole, tmp_path
 def test_results_of_another_engine_are_not_resumed(whole, monkeypatch) -> None:
     """Source: the fingerprint has the digest of the engine's sources."""
     _, folder = whole
-    monkeypatch.setattr("kingpost.study.plan.source_digest", lambda: "another")
+    monkeypatch.setattr("kingpost.study.design.plan.source_digest", lambda: "another")
     with pytest.raises(kingpost.KingpostError, match="differs in engine;"):
         kingpost.Study(SLEWING).run(folder, resume=True)
 

@@ -13,15 +13,11 @@ import pytest
 import xarray
 from kingpost import KingpostError
 from kingpost.cli import main
-from kingpost.study.decision import decide
-from kingpost.study.sea_states import Series
-from kingpost.study.window_statistics import by_month, persistence, waiting_h
-from kingpost.study.windows import (
-    Workable,
-    reference_period_h,
-    windows,
-    workable,
-)
+from kingpost.study.sea_states.series import Series
+from kingpost.study.weather_windows.decision import decide
+from kingpost.study.weather_windows.statistics import by_month, persistence, waiting_h
+from kingpost.study.weather_windows.windows import reference_period_h, windows
+from kingpost.study.weather_windows.workable import Workable, workable
 from study_samples import folder_of
 
 START = np.datetime64("2026-01-01T00:00:00", "s")
@@ -300,7 +296,7 @@ def test_the_screen_is_asked_for_the_seas_of_the_forecast_that_the_scenario_can_
         return xarray.Dataset({"limiting_height_of_all": (("hs", "sea"), heights),
                                "governs": (("hs", "sea"), np.full(heights.shape, "pitch"))})  # fmt: skip
 
-    monkeypatch.setitem(sys.modules, "kingpost.study.screen", SimpleNamespace(screen=screen))
+    monkeypatch.setitem(sys.modules, "kingpost.study.screening.screen", SimpleNamespace(screen=screen))
     arguments = forecast(tmp_path, "offshore_vessel", "--set", "waves=true", "--heading-deg", "20", "--set",
                          "limits={pitch: {column: hull.pitch, within: 3, unit: deg}}")  # fmt: skip
     file = tmp_path / "forecast.csv"

@@ -16,6 +16,8 @@ from ..simulation.simulate import Progress
 if TYPE_CHECKING:
     import xarray
 
+    from ..results.channels import Channel
+
 DERIVATIVE = "_derivative"
 """Suffix of the name of a variable's derivatives."""
 PER_UNIT = " per unit of the parameter"
@@ -84,7 +86,7 @@ def gradient(
 def _with_derivatives(
     run: xarray.Dataset,
     scenario: Scenario,
-    channels: list[dict[str, Any]],
+    channels: list[Channel],
     names: list[str],
     derivatives: list[np.ndarray],
 ) -> xarray.Dataset:

@@ -21,6 +21,7 @@ from .. import results
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario
 from ..simulation.python_warnings import record_warnings
+from ..simulation.records import WaveSystem
 from ..simulation.simulate import Simulation
 from .response import frequencies_that_all_cover
 from .statistics import EULER
@@ -279,13 +280,13 @@ def _peaks(resonances: list[dict[str, float]], omega: Numbers) -> list[str]:
     ]
 
 
-def directions_of(systems: Sequence[dict[str, Any]]) -> Numbers:
+def directions_of(systems: Sequence[WaveSystem]) -> Numbers:
     """Every direction of the wave systems of a sea, rad, each once."""
     every = [one["directions_rad"] + [line[1] for line in one["lines"]] for one in systems]
     return np.unique(np.concatenate([np.asarray(one, float) for one in every]))
 
 
-def nodes_of(systems: Sequence[dict[str, Any]]) -> Numbers:
+def nodes_of(systems: Sequence[WaveSystem]) -> Numbers:
     """Frequencies where the density of the systems changes its form, and beside the ends of bands, rad/s."""
     ends = [
         end * (1 + side) for one in systems for end in one["band_rad_s"] or () for side in (-BESIDE, BESIDE)
@@ -293,12 +294,12 @@ def nodes_of(systems: Sequence[dict[str, Any]]) -> Numbers:
     return np.unique([*ends, *(node for one in systems for node in one["nodes_rad_s"])])
 
 
-def lines_of(systems: Sequence[dict[str, Any]]) -> Numbers:
+def lines_of(systems: Sequence[WaveSystem]) -> Numbers:
     """Frequencies of the waves that have a single one, rad/s, each once."""
     return np.unique([line[0] for one in systems for line in one["lines"]])
 
 
-def moments_in(found: Transfer, systems: Sequence[dict[str, Any]]) -> tuple[Numbers, Numbers, Numbers]:
+def moments_in(found: Transfer, systems: Sequence[WaveSystem]) -> tuple[Numbers, Numbers, Numbers]:
     """m0 and m2 of each column in a sea with its density on the grid, and m0 by `Transfer.halved`."""
     parts = np.zeros((3, len(found.columns)))
     for one in systems:
@@ -386,7 +387,7 @@ def exceedance(
     return np.where(beyond, 1.0, -np.expm1(-crossings))
 
 
-def beyond_the_data(found: Transfer, systems: Sequence[dict[str, Any]]) -> list[str]:
+def beyond_the_data(found: Transfer, systems: Sequence[WaveSystem]) -> list[str]:
     """Warn of wave systems with energy at frequencies that no database covers: there no waves act."""
     said = []
     for one in systems:

@@ -187,7 +187,8 @@ def characteristic_wave(simulation: Simulation) -> tuple[float, float]:
         grid = np.linspace(lowest, highest, FREQUENCIES)
         (systems,) = simulation.sea_spectra(grid, 1)
         density = sum(np.asarray(one["density_m2_s"]) for one in systems if one["band_rad_s"])
-        m0, m2 = m0 + np.trapezoid(density, grid), m2 + np.trapezoid(grid**2 * density, grid)
+        m0 += float(np.trapezoid(density, grid))
+        m2 += float(np.trapezoid(grid**2 * density, grid))
     if m2 == 0:
         return 0.0, 0.0
     amplitude = CHARACTERISTIC * 4 * math.sqrt(m0) if bands else sum(math.sqrt(2 * line[2]) for line in lines)

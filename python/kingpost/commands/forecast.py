@@ -7,12 +7,12 @@ import math
 from typing import TYPE_CHECKING
 
 from ..errors import KingpostError, flag
-from ..study.periods import MOMENTS, PEAK
+from ..study.sea_states.periods import MOMENTS, PEAK
 from .common import DONE, add_output, scenario_of, show
 
 if TYPE_CHECKING:
-    from ..study.limiting_sea import LimitingHeight
-    from ..study.sea_states import Series
+    from ..study.limiting.sea import LimitingHeight
+    from ..study.sea_states.series import Series
 
 HELP = "go or no-go and weather windows, from a forecast of the sea"
 
@@ -73,13 +73,13 @@ def run(options: argparse.Namespace) -> int:
     import numpy as np
 
     from ..reports.forecast import text
-    from ..study import series as of_series
-    from ..study.decision import decide
-    from ..study.sea_states import moment
-    from ..study.windows import reference_period_h
+    from ..study.sea_states import series_file
+    from ..study.sea_states.series import moment
+    from ..study.weather_windows.decision import decide
+    from ..study.weather_windows.windows import reference_period_h
 
     reference_h = reference_period_h(options.operation_hours, options.contingency_hours)
-    found = of_series.read(
+    found = series_file.read(
         options.series,
         dict(_pair(given, "columns") for given in options.columns),
         options.direction_is,
@@ -118,7 +118,7 @@ def _limiting(
         raise KingpostError(f"SCENARIO, --study: found {found}, allowed: one of them")
     if options.study is not None:
         return _of_study(options)
-    from ..study.limiting_screen import of_screen
+    from ..study.screening.screened_sea import of_screen
 
     scenario = scenario_of(options)
     exposure_s = 1800.0 if options.exposure_s is None else options.exposure_s
@@ -137,8 +137,8 @@ def _limiting(
 
 
 def _of_study(options: argparse.Namespace) -> tuple[LimitingHeight, list[str]]:
-    from ..study.limiting_runs import limiting_heights
-    from ..study.limiting_sea import LimitingSea
+    from ..study.limiting.runs import limiting_heights
+    from ..study.limiting.sea import LimitingSea
     from ..study.study import open_study
 
     results = open_study(options.study)
@@ -166,7 +166,7 @@ def _pair(given: str, name: str) -> tuple[str, str]:
     return first.strip(), second.strip()
 
 
-def _like(text: str, values: object) -> object:
+def _like(text: str, values: object) -> float | str:
     """A value of an axis by its text."""
     import numpy as np
 

@@ -89,7 +89,7 @@ def run(options: argparse.Namespace) -> int:
 def _screen(study: Study, options: argparse.Namespace) -> int:
     """The limiting sea by linear response, printed, and the operable share of the scatter table."""
     from ..reports.limiting import screen
-    from ..study.screened import of_plan
+    from ..study.screening.cases import of_plan
 
     found = of_plan(study.plan)
     shares = _shares(study, found) if "limiting_height" in found else []
@@ -124,7 +124,7 @@ def _run(
     part: tuple[int, int] | None,
 ) -> None:
     from .. import progress
-    from ..study.run import run
+    from ..study.running.run import run
 
     with ExitStack() as shown:
 
@@ -155,11 +155,11 @@ def _report(study: Study, folder: Path, options: argparse.Namespace) -> int:
 def _limiting(study: Study, folder: Path) -> list[str]:
     """Limiting heights and the operable share; nothing where the study cannot say them yet, or at all."""
     from ..reports import limiting
-    from ..study import limiting_runs
-    from ..study.opened import open_results
+    from ..study.limiting.runs import limiting_heights
+    from ..study.store.reading import open_results
 
     try:
-        heights = limiting_runs.limiting_heights(open_results(folder))
+        heights = limiting_heights(open_results(folder))
     except KingpostError:
         return []
     return ["", *limiting.heights(heights), *_shares(study, heights)]
@@ -168,7 +168,7 @@ def _limiting(study: Study, folder: Path) -> list[str]:
 def _shares(study: Study, heights: xarray.Dataset) -> list[str]:
     """The operable share of the study's scatter table, by limiting heights; nothing where it has none."""
     from ..reports import limiting
-    from ..study.operable import of_plan
+    from ..study.limiting.operable_share import of_plan
 
     lines = []
     for direction, share in of_plan(study.plan, heights):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..study.decision import Decision
+from ..study.weather_windows.decision import Decision
 from .tables import table
 
 MOST_RECORDS = 30

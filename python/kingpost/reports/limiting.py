@@ -13,7 +13,7 @@ from .tables import table
 if TYPE_CHECKING:
     import xarray
 
-    from ..study.operability import Operability
+    from ..study.limiting.operability import Operability
 
 MOST_LISTED = 8
 MOST_ROWS = 60

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..scenario import Scenario
+    from .channels import Channel
 
 CONVENTIONS = "CF-1.11"
 STANDARD_NAMES = {
@@ -33,7 +34,7 @@ AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x f
 
 
 def dataset(
-    scenario: Scenario, channels: Iterable[dict[str, Any]], rows: NDArray[np.float64], status: str
+    scenario: Scenario, channels: Iterable[Channel], rows: NDArray[np.float64], status: str
 ) -> xarray.Dataset:
     """Label recorded rows.
 
@@ -72,7 +73,9 @@ def dataset(
         labels = dict(zip(channel["dims"], channel["labels"], strict=True))
         shape = (*rows.shape[:-1], *(len(names) for names in labels.values()))
         values = rows[..., start : start + length].reshape(shape)
-        about = {key: channel[key] for key in ("long_name", "description", "frame", "column")}
+        about: dict[str, object] = {
+            key: channel[key] for key in ("long_name", "description", "frame", "column")
+        }
         about["of_elements"] = int(channel["of_elements"])
         if standard := STANDARD_NAMES.get(channel["variable"]):
             about["standard_name"] = standard

@@ -13,6 +13,7 @@ from ..errors import KingpostError
 from ..given import numbers
 from .linear import Equilibrium, Linearization, labelled
 from .matrices import MovingFrame
+from .records import WaveSystem
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -252,7 +253,7 @@ class Equations:
         frequencies_rad_s: ArrayLike,
         directions: int = 1,
         seas: Sequence[dict[str, Any]] | None = None,
-    ) -> list[list[dict[str, Any]]]:
+    ) -> list[list[WaveSystem]]:
         """The energy of each wave system of a sea over frequency, as runs draw their waves from it.
 
         Parameters

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..engine import engine
+    from ..results.channels import Channel
     from ..scenario import Scenario
 
 
@@ -159,7 +160,7 @@ class Observed:
         return [unit for _, unit in self._engine.coordinates()]
 
     @cached_property
-    def channels(self) -> list[dict[str, Any]]:
+    def channels(self) -> list[Channel]:
         """The recorded channels: name, unit, frame, dimensions, labels and place in a row."""
         return json.loads(self._engine.channels_json())
 

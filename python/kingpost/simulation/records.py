@@ -1,4 +1,5 @@
-"""Records that a simulation returns: state, inputs, lines, events, warnings, limits, lever moves.
+"""Records that a simulation returns: state, inputs, lines, events, warnings, limits, lever moves,
+wave systems.
 
 Units are SI, angles in radians; the world's z points up.
 """
@@ -6,7 +7,7 @@ Units are SI, angles in radians; the world's z points up.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict
 
 if TYPE_CHECKING:
     import numpy as np
@@ -184,3 +185,15 @@ class LeverMove:
     time_s: float
     input: str
     value: float
+
+
+class WaveSystem(TypedDict):
+    """Energy of a wave system, with equal shares in its directions: see `Simulation.sea_spectra`."""
+
+    name: str
+    directions_rad: list[float]
+    band_rad_s: tuple[float, float] | None
+    nodes_rad_s: list[float]
+    density_m2_s: list[float]
+    variance_m2: float
+    lines: list[tuple[float, float, float]]

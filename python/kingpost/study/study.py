@@ -6,13 +6,14 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import Executor
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from ..scenario import Scenario
-from . import file, run
-from .locks import Part
-from .opened import open_results
-from .plan import Plan, plan
+from ..scenario import ParameterValue, Scenario
+from .design import file
+from .design.plan import Plan, plan
+from .running import run
+from .running.locks import Part
+from .store.reading import open_results
 
 if TYPE_CHECKING:
     import xarray
@@ -48,7 +49,7 @@ class Study:
     (('run', 'column', 'statistic'), [0, 0, 0, 0])
     """
 
-    def __init__(self, source: str | Path | Mapping[str, Any]) -> None:
+    def __init__(self, source: str | Path | Mapping[str, object]) -> None:
         self.file = file.read(source)
         self.plan: Plan = plan(self.file)
 
@@ -67,11 +68,11 @@ class Study:
         return self.plan.scenario
 
     @cached_property
-    def axes(self) -> dict[str, list[Any]]:
+    def axes(self) -> dict[str, list[ParameterValue]]:
         """The values of each axis, each once, in their order."""
         return {name: list(dict.fromkeys(values)) for name, values in self.plan.cases.values.items()}
 
-    def overrides(self, run: int) -> dict[str, Any]:
+    def overrides(self, run: int) -> dict[str, ParameterValue]:
         """Return the values that a run sets over `scenario`: with them it is that very run.
 
         Parameters

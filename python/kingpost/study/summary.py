@@ -5,21 +5,74 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
+from ..scenario import ParameterValue
 from ..simulation.outcomes import NUMBER
-from . import store
-from .opened import open_results
-from .plan import Plan
+from .design.job import WarningCount
+from .design.plan import Plan
 from .reduce import ENDED_EARLY, EXCEEDED, FINISHED, HELD, NOT_BUILT, NOT_RUN, UNKNOWN
+from .store import layout
+from .store.reading import open_results
+
+if TYPE_CHECKING:
+    import xarray
 
 WARNED = 10
 """Kinds of warnings that are told."""
 
 
-def of_plan(plan: Plan) -> dict[str, Any]:
+class PlanSummary(TypedDict):
+    """Runs that a study will make; `seeds` are the first and the last."""
+
+    title: str
+    scenario: str
+    axes: dict[str, list[ParameterValue]]
+    cases: int
+    seeds: list[int]
+    runs: int
+    duration_s: float
+    after_s: float
+    columns: int
+    limits: list[str]
+
+
+class EndedRun(TypedDict):
+    """Reason why a run ended early or was not built."""
+
+    run: int
+    text: str
+
+
+class LimitSummary(TypedDict):
+    """Runs in which a limit held, and the worst value with its run and what that sets."""
+
+    name: str
+    column: str
+    unit: str
+    held: int
+    exceeded: int
+    unknown: int
+    worst: float | None
+    worst_run: int | None
+    worst_in: dict[str, ParameterValue]
+
+
+class ResultSummary(TypedDict):
+    """Runs by how they ended, and what limits and warnings say of them."""
+
+    finished: int
+    ended_early: int
+    not_built: int
+    not_run: int
+    ends: list[EndedRun]
+    limits: list[LimitSummary]
+    warnings: list[WarningCount]
+
+
+def of_plan(plan: Plan) -> PlanSummary:
     """Summarise the runs that a study will make."""
     settings = plan.scenario.resolved["simulation"]
     return {
@@ -32,34 +85,37 @@ def of_plan(plan: Plan) -> dict[str, Any]:
         "duration_s": settings["duration_s"],
         "after_s": plan.kept.after_s,
         "columns": len(plan.columns),
-        "limits": [limit["name"] for limit in plan.limits],
+        "limits": [limit.name for limit in plan.limits],
     }
 
 
-def of_results(folder: Path, plan: Plan) -> dict[str, Any]:
+def of_results(folder: Path, plan: Plan) -> ResultSummary:
     """How the runs ended, how limits held, and what the engine warned of."""
     found = open_results(folder)
     status = found["status"].values
-    ends = {int(run): text for marker in store.markers(folder) for run, text in marker["ends"].items()}
-    names = {"finished": FINISHED, "ended_early": ENDED_EARLY, "not_built": NOT_BUILT, "not_run": NOT_RUN}
+    ends = {int(run): text for marker in layout.markers(folder) for run, text in marker["ends"].items()}
     return {
-        **{name: int((status == code).sum()) for name, code in names.items()},
+        "finished": int((status == FINISHED).sum()),
+        "ended_early": int((status == ENDED_EARLY).sum()),
+        "not_built": int((status == NOT_BUILT).sum()),
+        "not_run": int((status == NOT_RUN).sum()),
         "ends": [{"run": run, "text": ends[run]} for run in sorted(ends)],
         "limits": [_limit(found, k, plan) for k in range(len(plan.limits))],
         "warnings": _warnings(folder),
     }
 
 
-def _limit(found: Any, k: int, plan: Plan) -> dict[str, Any]:
+def _limit(found: xarray.Dataset, k: int, plan: Plan) -> LimitSummary:
+    limit = plan.limits[k]
     held, worst = found["limit_held"].values[:, k], found["limit_worst"].values[:, k]
     least, most = (float(found[name].values[k]) for name in ("at_least", "at_most"))
     margin = np.fmin(worst - least, most - worst)
     known = bool(np.isfinite(margin).any())
     run = int(np.nanargmin(margin)) if known else None
     return {
-        "name": plan.limits[k]["name"],
-        "column": plan.limits[k]["column"],
-        "unit": plan.limits[k]["unit"],
+        "name": limit.name,
+        "column": limit.column,
+        "unit": limit.unit,
         "held": int((held == HELD).sum()),
         "exceeded": int((held == EXCEEDED).sum()),
         "unknown": int((held == UNKNOWN).sum()),
@@ -69,16 +125,17 @@ def _limit(found: Any, k: int, plan: Plan) -> dict[str, Any]:
     }
 
 
-def _warnings(folder: Path) -> list[dict[str, Any]]:
-    alike: dict[tuple[str, str], dict[str, Any]] = {}
-    for marker in store.markers(folder):
+def _warnings(folder: Path) -> list[WarningCount]:
+    alike: dict[tuple[str, str], WarningCount] = {}
+    for marker in layout.markers(folder):
         for one in marker["warnings"]:
-            entry = alike.setdefault((one["name"], NUMBER.sub("#", one["text"])), one | {"runs": 0})
+            none: WarningCount = {**one, "runs": 0}
+            entry = alike.setdefault((one["name"], NUMBER.sub("#", one["text"])), none)
             entry["runs"] += one["runs"]
     return sorted(alike.values(), key=lambda one: (-one["runs"], one["name"]))
 
 
-def plan_lines(about: dict[str, Any]) -> Iterator[str]:
+def plan_lines(about: PlanSummary) -> Iterator[str]:
     """Yield the lines of text on the runs that a study will make."""
     yield about["title"]
     yield f"scenario        {about['scenario']}"
@@ -93,19 +150,18 @@ def plan_lines(about: dict[str, Any]) -> Iterator[str]:
     yield f"columns         {about['columns']}{limits}"
 
 
-def result_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
+def result_lines(found: ResultSummary, runs: int) -> Iterator[str]:
     """The results, a line each."""
     yield f"finished        {found['finished']} of {runs} runs"
-    for name, words in (("ended_early", "ended early"), ("not_built", "are no scenario")):
-        if found[name]:
-            yield f"                {found[name]} {words}"
-    if found["not_run"]:
-        yield f"                {found['not_run']} are left"
+    others = (found["ended_early"], "ended early"), (found["not_built"], "are no scenario")
+    for count, words in (*others, (found["not_run"], "are left")):
+        if count:
+            yield f"                {count} {words}"
     for limit in found["limits"]:
         yield f"limit           {_limit_words(limit)}"
 
 
-def warning_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
+def warning_lines(found: ResultSummary, runs: int) -> Iterator[str]:
     """Yield the warnings that a reader should not miss, a line each."""
     if found["ends"]:
         first = found["ends"][0]
@@ -113,10 +169,10 @@ def warning_lines(found: dict[str, Any], runs: int) -> Iterator[str]:
     for one in found["warnings"][:WARNED]:
         yield f"warning, in {one['runs']} of {runs} runs, first: {one['name']}: {one['text']}"
     if (more := len(found["warnings"]) - WARNED) > 0:
-        yield f"warning, {more} more kinds of warnings: {store.UNITS}/*.json have them"
+        yield f"warning, {more} more kinds of warnings: {layout.UNITS}/*.json have them"
 
 
-def _limit_words(limit: dict[str, Any]) -> str:
+def _limit_words(limit: LimitSummary) -> str:
     """The outcome of a limit in one line.
 
     >>> _limit_words({"name": "lift", "held": 1, "exceeded": 1, "worst": 0.5, "unit": "1", "worst_run": 61,
@@ -133,12 +189,12 @@ def _limit_words(limit: dict[str, Any]) -> str:
     return f"{words}, worst {worst} in run {limit['worst_run']} ({where})"
 
 
-def _listed(values: list[Any]) -> str:
+def _listed(values: list[ParameterValue]) -> str:
     shown = [_shown(value) for value in values]
     return ", ".join(shown) if len(shown) <= 8 else f"{len(shown)} values, {shown[0]} to {shown[-1]}"
 
 
-def _shown(value: Any) -> str:
+def _shown(value: ParameterValue) -> str:
     return (
         f"{value:g}" if isinstance(value, float) else value if isinstance(value, str) else json.dumps(value)
     )

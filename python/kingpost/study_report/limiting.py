@@ -10,9 +10,9 @@ import numpy as np
 
 from ..errors import KingpostError
 from ..reports.limiting import height_text
-from ..study.operability import Operability
-from ..study.operable import of_plan
-from ..study.plan import Plan
+from ..study.design.plan import Plan
+from ..study.limiting.operability import Operability
+from ..study.limiting.operable_share import of_plan
 from .blocks import Block, Paragraph, Picture, Section, Table
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ COLUMNS = 3
 MOST_PANELS = 24
 FEW = 12
 """So many cases are read in a list; of more there is a table of two axes before it."""
-BY_RUNS = "Command: kingpost study study.yaml -o DIR --resume; in Python kingpost.study.limiting_runs."
+BY_RUNS = "Command: kingpost study study.yaml -o DIR --resume; in Python kingpost.study.limiting.runs."
 BY_SCREEN = "Command: kingpost study study.yaml --screen."
 MONTHS = ("January", "February", "March", "April", "May", "June", "July", "August", "September", "October",
           "November", "December")  # fmt: skip

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from ..study.store.layout import About
 from .blocks import Block, Command, Paragraph, Section, Table
 
 VERIFICATION = "verification.json"
@@ -22,7 +23,7 @@ CHECKED = (
 )
 
 
-def section(folder: Path, about: Mapping[str, Any], digests: Mapping[str, str]) -> Section:
+def section(folder: Path, about: About, digests: Mapping[str, str]) -> Section:
     """The files that the report was made from and the commands that make it again.
 
     Parameters

@@ -13,11 +13,11 @@ import numpy as np
 from .. import output
 from ..engine import engine
 from ..errors import KingpostError
-from ..study import store
-from ..study.limiting_runs import limiting_heights
-from ..study.opened import open_results
-from ..study.plan import Plan
-from ..study.screened import of_plan
+from ..study.design.plan import Plan
+from ..study.limiting.runs import limiting_heights
+from ..study.screening.cases import of_plan
+from ..study.store import layout
+from ..study.store.reading import open_results
 from ..study.summary import of_results
 from . import extremes, limiting, model, origin, pdf, runs
 from .blocks import Report, html
@@ -71,7 +71,7 @@ def write(plan: Plan, folder: str | Path, path: str | Path, app: str = APP) -> P
 
 def of_study(plan: Plan, folder: Path, app: str = APP) -> Report:
     """The report as blocks."""
-    results, about = open_results(folder), store.about_of(folder)
+    results, about = open_results(folder), layout.about_of(folder)
     if about is None:
         raise KingpostError(f"{folder}: found no study, allowed: the folder of a study")
     content, names = plan.file.content, list(plan.cases.names)
@@ -158,6 +158,6 @@ def _doubts(results: xarray.Dataset) -> Iterator[str]:
 
 
 def _digests(folder: Path) -> Iterator[tuple[str, str]]:
-    for name in (store.STUDY, store.SCENARIO, store.ABOUT):
+    for name in (layout.STUDY, layout.SCENARIO, layout.ABOUT):
         with open(folder / name, "rb") as file:
             yield name, hashlib.file_digest(file, "sha256").hexdigest()

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,7 +16,9 @@ from ..reports.tables import unit_cell
 from ..results.units import engineering
 from ..simulation.outcomes import NUMBER
 from ..simulation.simulate import run
+from ..study.design.job import WarningCount
 from ..study.reduce import FINISHED, HELD, UNKNOWN
+from ..study.summary import ResultSummary
 from .blocks import Block, Command, Heading, Link, Paragraph, Picture, Section, Table
 
 if TYPE_CHECKING:
@@ -127,7 +129,7 @@ def status_blocks(runs: xarray.Dataset, ends: Sequence[str]) -> list[Block]:
     return blocks
 
 
-def warnings_table(warnings: Sequence[Mapping[str, Any]], count: int) -> list[Block]:
+def warnings_table(warnings: Sequence[WarningCount], count: int) -> list[Block]:
     """The warnings of the engine, each kind once."""
     rows = [(f"{one['name']}: {one['text']}", f"{one['runs']} of {count}") for one in warnings]
     origin = "Files: units/*.json, field warnings. Texts that differ in their numbers alone count as one."
@@ -137,7 +139,7 @@ def warnings_table(warnings: Sequence[Mapping[str, Any]], count: int) -> list[Bl
 def section(
     runs: xarray.Dataset,
     axes: Sequence[str],
-    came_of: Mapping[str, Any],
+    came_of: ResultSummary,
     scenario_of: Callable[[int], Scenario],
     app: str,
 ) -> Section:

@@ -1,0 +1,1 @@
+"""Design of a study: its file, cases, fingerprint, plan and units of work."""

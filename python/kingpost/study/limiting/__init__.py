@@ -1,0 +1,1 @@
+"""Limiting sea states by runs in time, and the operability that follows from limiting heights."""

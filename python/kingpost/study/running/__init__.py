@@ -1,0 +1,1 @@
+"""Running a study: units computed by worker processes, locks of the folder."""

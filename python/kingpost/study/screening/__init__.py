@@ -1,0 +1,1 @@
+"""Screening by linear response: limits in every case without a run."""

@@ -1,0 +1,108 @@
+"""The limiting sea by variances: the significant height at which a limit is exceeded as accepted."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...analysis import spectral
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Numbers = NDArray[np.float64]
+
+STRAIGHT = 1e-9
+"""Share by which a moment may be off a sum of what goes with the height squared and what stays."""
+HEIGHTS_M = (1e-6, 1e6)
+"""Between these a height is looked for."""
+HALVINGS = 60
+"""Bisections of `HEIGHTS_M`, whose ratio is 1e12: down to rounding."""
+
+
+def limiting_height(
+    heights_m: Numbers,
+    bounds: tuple[float | None, float | None],
+    mean: Numbers,
+    m0: Numbers,
+    m2: Numbers,
+    operation_s: float,
+    acceptance: float,
+) -> Numbers:
+    """The significant height at which a limit is exceeded with the probability that is accepted.
+
+    Parameters
+    ----------
+    heights_m
+        Of the cases, m.
+    bounds
+        The smallest and the largest value that the limit allows.
+    mean, m0, m2
+        Of its column: heights first, then whatever else.
+    operation_s
+        How long the operation lasts, s.
+    acceptance
+        The probability.
+
+    Returns
+    -------
+    numpy.ndarray
+        m; infinite where no height reaches it, 0 where it is reached without waves, and NaN where the
+        heights would have to reach farther, or the column has no response.
+
+    >>> m0 = (0.25 * np.array([1.0, 2.0])) ** 2
+    >>> found = limiting_height(np.array([1.0, 2.0]), (None, 3.0), 0 * m0, m0, m0, 1800.0, 0.1)
+    >>> sigma = 0.25 * found
+    >>> round(float(spectral.exceedance((None, 3.0), 0.0, sigma, 2 * np.pi, 1800.0)), 6)
+    0.1
+    """
+    sums = [_by_height(heights_m, moment) for moment in (m0, m2)]
+    if any(one is None for one in sums):
+        sigma, period = spectral.deviation_and_period(m0, m2)
+        reached = spectral.exceedance(bounds, mean, sigma, period, operation_s)
+        return _between(heights_m, np.where(np.isnan(sigma), np.nan, reached), acceptance)
+    of_m0, of_m2 = (one for one in sums if one is not None)
+
+    def exceeded(height: Numbers) -> NDArray[np.bool_]:
+        sigma, period = spectral.deviation_and_period(
+            of_m0[0] * height**2 + of_m0[1], of_m2[0] * height**2 + of_m2[1]
+        )
+        return spectral.exceedance(bounds, mean[0], sigma, period, operation_s) > acceptance
+
+    low, high = (np.full(m0.shape[1:], end) for end in HEIGHTS_M)
+    always, never = exceeded(low), ~exceeded(high)
+    for _ in range(HALVINGS):
+        middle = np.sqrt(low * high)
+        above = exceeded(middle)
+        low, high = np.where(above, low, middle), np.where(above, middle, high)
+    found = np.where(always, 0.0, np.where(never, np.inf, np.sqrt(low * high)))
+    return np.where(np.isnan(m0).any(axis=0), np.nan, found)
+
+
+def _by_height(heights: Numbers, moment: Numbers) -> tuple[Numbers, Numbers] | None:
+    """Split a moment into what goes with the height squared and what stays; None where it is no such sum."""
+    squares = heights**2
+    if len(heights) == 1:
+        return moment[0] / squares[0], np.zeros(moment.shape[1:])
+    least, most = int(np.argmin(squares)), int(np.argmax(squares))
+    goes = (moment[most] - moment[least]) / (squares[most] - squares[least])
+    stays = moment[least] - goes * squares[least]
+    by = goes * squares.reshape(-1, *[1] * (moment.ndim - 1)) + stays
+    with np.errstate(invalid="ignore"):
+        off = np.abs(by - moment) > STRAIGHT * np.abs(moment).max(axis=0)
+    return None if np.any(off) or np.any(goes < 0) else (goes, np.maximum(stays, 0.0))
+
+
+def _between(heights: Numbers, probability: Numbers, acceptance: float) -> Numbers:
+    """Where a probability passes what is accepted, linear in its logarithm between two heights."""
+    order = np.argsort(heights)
+    heights, p = heights[order], np.log(np.clip(probability[order], 1e-300, 1.0))
+    wanted = np.log(acceptance)
+    found = np.full(p.shape[1:], np.nan)
+    for k in range(len(heights) - 2, -1, -1):
+        passes = (p[k] <= wanted) & (p[k + 1] > wanted)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            share = (wanted - p[k]) / (p[k + 1] - p[k])
+        found = np.where(passes, heights[k] + share * (heights[k + 1] - heights[k]), found)
+    return found

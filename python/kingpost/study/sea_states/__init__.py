@@ -1,0 +1,1 @@
+"""Sea states of a place: scatter tables, series over time, periods."""

@@ -1,0 +1,108 @@
+"""The results of a study as they are read: whole, or an error that names what is damaged.
+
+The digest of each unit stands in its marker, that of the frame (coordinates and attributes) in the study's
+description. A unit without a marker has not run to its end, and its numbers do not count.
+"""
+
+from __future__ import annotations
+
+import json
+import warnings
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import KingpostError, shortened
+from .digests import digest, frame_digest
+from .layout import ABOUT, RESULTS, UNITS, About, about_of
+
+if TYPE_CHECKING:
+    import xarray
+
+MOST_NAMED = 5
+"""The most damaged units that an error names."""
+AGAIN = "`kingpost study FILE --resume` computes what is damaged anew"
+
+
+def open_results(folder: Path) -> xarray.Dataset:
+    """The results of a study, in memory, each number verified.
+
+    Raises
+    ------
+    KingpostError
+        If there is no study, or a part of it is damaged: the description, the frame or the numbers of a unit.
+    """
+    import xarray
+    import zarr
+
+    about, path = about_of(folder), folder / RESULTS
+    if about is None or not (path / "zarr.json").is_file():
+        missing = ABOUT if about is None else RESULTS
+        raise KingpostError(f"{folder}: found no {missing} in it, allowed: the folder of a study")
+    with _named(path):
+        found = xarray.open_zarr(str(path), consolidated=False, chunks=None).load()
+        group = zarr.open_group(str(path), mode="r")
+        raw: dict[str, Any] = {str(name): group[str(name)] for name in found.variables}
+        arrays = {str(name): raw[str(name)][...] for name in found.data_vars}
+        fills = {name: raw[name].fill_value for name in arrays}
+        frame = frame_digest({str(name): raw[str(name)][...] for name in found.coords}, dict(group.attrs))
+    if about.get("frame", frame) != frame:
+        raise KingpostError(f"{path}: found a damaged frame of the results, allowed: whole; {AGAIN}")
+    for runs in _not_done(folder, about, arrays):
+        for name in arrays:
+            found[name].values[runs] = fills[name]
+    # Texts as other data sets have them.
+    texts = {name: (one.dims, np.array(one.values.tolist(), str), one.attrs)
+             for name, one in found.coords.items() if one.dtype.kind == "T"}  # fmt: skip
+    return found.assign_coords(texts)
+
+
+def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generic]]) -> list[slice]:
+    """The runs of the units without a marker.
+
+    Raises
+    ------
+    KingpostError
+        If a marker cannot be read, or the numbers of a unit are not those that it was written with.
+    """
+    size, damaged, missing = int(about["runs_of_unit"]), [], []
+    for unit, first in enumerate(range(0, int(about["runs"]), size)):
+        runs = slice(first, min(first + size, int(about["runs"])))
+        marker = folder / UNITS / f"{unit:06d}.json"
+        if not marker.exists():
+            missing.append(runs)
+        elif not _is_whole(marker, about, arrays, runs):
+            damaged.append(unit)
+    if damaged:
+        named = ", ".join(str(unit) for unit in damaged[:MOST_NAMED])
+        more = f" and {len(damaged) - MOST_NAMED} more" if len(damaged) > MOST_NAMED else ""
+        raise KingpostError(
+            f"{folder}: found damaged numbers in unit {named}{more}, allowed: those written; {AGAIN}"
+        )
+    return missing
+
+
+def _is_whole(marker: Path, about: About, arrays: Mapping[str, NDArray[np.generic]], runs: slice) -> bool:
+    try:
+        said = json.loads(marker.read_text(encoding="utf-8"))
+        expected = (said["fingerprint"], said["runs"], said["sha256"])
+    except (OSError, ValueError, TypeError, KeyError):
+        return False
+    found = digest({name: array[runs] for name, array in arrays.items()})
+    return expected == (about["fingerprint"], [runs.start, runs.stop], found)
+
+
+@contextmanager
+def _named(path: Path) -> Iterator[None]:
+    """Whatever a damaged chunk leads to, in the library or its codecs, as one error in words."""
+    try:
+        # Of parts that the library does not know it warns: the digests say more.
+        with warnings.catch_warnings(action="ignore"):
+            yield
+    except Exception as error:
+        reason = shortened(" ".join(str(error).split()) or type(error).__name__)
+        raise KingpostError(f"{path}: found damaged results ({reason}), allowed: whole; {AGAIN}") from None
