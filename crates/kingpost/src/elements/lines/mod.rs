@@ -58,7 +58,7 @@ pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Context<'_, S>) -> V
 }
 
 /// Adds a force in world axes at an end; on the world itself nothing is added.
-fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
+pub(super) fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
     let Some(body) = end.body else { return };
     let force = at.links.to_body_axes(at.model, body, pull);
     loads.wrenches.push((body, Wrench { moment: end.in_body.position.cross(force), force }));
