@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -68,3 +69,10 @@ def test_no_two_folders_beside_each_other_import_each_other() -> None:
                 folder.setdefault(own[shared], set()).add(other[shared])
     assert beside[("study",)]["running"] >= {"design", "store"}
     assert {folder: circle_in(graph) for folder, graph in beside.items() if circle_in(graph)} == {}
+
+
+def test_attributes_with_entries_are_read_and_written_as_json_in_one_place() -> None:
+    """Source: `kingpost.results.entries`; `kept` checks the form of what a file holds."""
+    reads = re.compile(r"json\.loads\([^)]*\battr|attrs\[[^]]*\] = json\.|assign_attrs\([^)]*json\.")
+    readers = {module_of(path) for path in PACKAGE.rglob("*.py") if reads.search(path.read_text("utf-8"))}
+    assert readers <= {"results.entries", "results.kept"}

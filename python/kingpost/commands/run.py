@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import KingpostError, RunError
 from ..output import check as check_output
 from ..results import units as results_units
+from ..results.entries import limits_of, warnings_of
 from ..results.files import check_patterns
 from ..scenario import Scenario
 from ..simulation.simulate import Simulation
@@ -181,6 +181,11 @@ def _of_seeds(scenario: Scenario, runs: Sequence[OfSeed]) -> str:
 
 
 def _numbers_of(one: OfSeed) -> dict[str, Any]:
-    told = {name: json.loads(one.attributes.get(name, "[]")) for name in ("limits", "warnings")}
-    of = {"file": str(one.path), "seed": one.attributes["seed"], "status": one.attributes["status"]}
-    return of | {"was_there": one.was_there} | told
+    return {
+        "file": str(one.path),
+        "seed": one.attributes["seed"],
+        "status": one.attributes["status"],
+        "was_there": one.was_there,
+        "limits": limits_of(one.attributes),
+        "warnings": warnings_of(one.attributes),
+    }

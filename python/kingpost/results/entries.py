@@ -42,15 +42,15 @@ class LimitEntry(TypedDict):
     worst_time_s: float | None
 
 
-def write(attributes: dict[str, Any], **entries: Sequence[Any]) -> None:
-    """Write entries by the names of their attributes: events, warnings, limits, model_warnings.
+def write(attributes: dict[str, Any], **entries: Sequence[Any] | Mapping[str, Any]) -> None:
+    """Write entries by the names of their attributes: events, warnings, limits, model_warnings, sea.
 
     >>> attributes = {}
     >>> write(attributes, warnings=[{"time_s": 4.0, "name": "ship", "text": "it heeled"}])
     >>> warnings_of(attributes)[0]["name"]
     'ship'
     """
-    attributes.update({name: json.dumps(list(of)) for name, of in entries.items()})
+    attributes.update({name: json.dumps(of) for name, of in entries.items()})
 
 
 def events_of(attributes: Mapping[str, Any]) -> list[EventEntry]:
@@ -96,6 +96,16 @@ def digests_of(attributes: Mapping[str, Any]) -> dict[str, str]:
 def floating_bodies_of(attributes: Mapping[str, Any]) -> list[str]:
     """Names of the bodies that float."""
     return _read(attributes, "floating_bodies", [])
+
+
+def sea_of(attributes: Mapping[str, Any]) -> dict[str, str]:
+    """The axes of a study that set its sea, by their quantity: significant_height, peak_period, direction."""
+    return _read(attributes, "sea", {})
+
+
+def axes_of(attributes: Mapping[str, Any]) -> list[str]:
+    """Names of the axes of a study."""
+    return _read(attributes, "axes", [])
 
 
 def of_run(attributes: Mapping[str, Any], run: int) -> dict[str, Any]:

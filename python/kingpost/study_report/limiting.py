@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, cast
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from ..errors import KingpostError
 from ..reports.limiting import height_text
+from ..results.entries import sea_of
 from ..study.design.plan import Plan
 from ..study.limiting.operability import Operability
 from ..study.limiting.operable_share import of_plan
@@ -64,7 +64,7 @@ def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> S
 
 
 def _sea(found: xarray.Dataset) -> dict[str, str]:
-    return dict(json.loads(found.attrs.get("sea", "{}")))
+    return sea_of(found.attrs)
 
 
 def _axes(found: xarray.Dataset) -> list[str]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...results.entries import sea_of
 from ..design.plan import Plan
 from ..sea_states import scatter
 from .operability import Operability, operability
@@ -31,7 +31,7 @@ def of_plan(plan: Plan, found: xarray.Dataset) -> Iterator[tuple[str, Operabilit
         Limiting heights, by runs or by linear response.
     """
     name = plan.file.content.get("scatter")
-    sea = dict(json.loads(found.attrs.get("sea", "{}")))
+    sea = sea_of(found.attrs)
     if not name or sea.get("peak_period") not in found["limiting_height"].dims:
         return
     table = scatter.read(plan.file.beside(name))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,7 @@ import numpy as np
 
 from ...analysis.extremes import Extreme, extreme
 from ...errors import KingpostError
+from ...results.entries import axes_of, sea_of
 from ..reduce import FINISHED, NOT_RUN
 
 if TYPE_CHECKING:
@@ -126,8 +126,8 @@ def _coordinates(results: xarray.Dataset, names: list[str], values: Values) -> d
 
 
 def _axes(results: xarray.Dataset) -> tuple[list[str], str]:
-    axes = list(json.loads(results.attrs["axes"]))
-    height = json.loads(results.attrs.get("sea", "{}")).get("significant_height")
+    axes = axes_of(results.attrs)
+    height = sea_of(results.attrs).get("significant_height")
     if height not in axes:
         raise KingpostError(f"significant height: found no axis of it among {', '.join(axes)}, allowed: one")
     if "limit" not in results.sizes:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...errors import KingpostError
+from ...results.entries import sea_of
 
 if TYPE_CHECKING:
     import xarray
@@ -82,7 +82,7 @@ class LimitingSea:
         KingpostError
             When there is no axis of the peak period, or one of several values is left.
         """
-        names = dict(json.loads(found.attrs.get("sea", "{}"))) | dict(sea or {})
+        names = sea_of(found.attrs) | dict(sea or {})
         period, direction = names.get("peak_period"), names.get("direction")
         heights = found["limiting_height"]
         if period not in heights.dims:

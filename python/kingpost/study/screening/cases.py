@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING
 
+from ...results import entries
 from ..design.plan import Plan
 from .screen import screen
 
@@ -43,7 +43,8 @@ def of_plan(plan: Plan) -> xarray.Dataset:
         acceptance=content["acceptance"],
         height=plan.sea.get("significant_height"),
     )
-    return found.assign_attrs(sea=json.dumps(plan.sea))
+    entries.write(found.attrs, sea=plan.sea)
+    return found
 
 
 def _axes(plan: Plan) -> dict[str, list[object]]:
