@@ -7,7 +7,7 @@
 mod merge;
 mod names;
 mod overrides;
-mod stand;
+mod placement;
 
 use indexmap::IndexMap;
 use serde_json::{Value, json};
@@ -132,7 +132,7 @@ impl Mounter<'_> {
         names::into_whole(&mut tree, &prefix, &file, mount.name)?;
         names::places_with_prefix(&mut tree, &prefix, from);
         let whole = mount.remapped(reading::read::<Scenario>(&tree))?.to_value();
-        let frames = stand::on_the_mounting(&mut tree, &whole, mount)?;
+        let frames = placement::on_the_mounting(&mut tree, &whole, mount)?;
         Ok(Some(merge::Part { tree, frames }))
     }
 

@@ -3,7 +3,7 @@
 use kingpost_derive::fields;
 
 use crate::scenario::schema::{
-    DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector, StateFeedback,
+    DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector, SetsInputs, StateFeedback,
     ThreeAxisCompensation,
 };
 
@@ -27,15 +27,4 @@ pub enum Controller<S = f64> {
     ThreeAxisCompensation(ThreeAxisCompensation<S>),
     /// Driven joints below the pedestal keep it level and at its height.
     PlatformCompensation(PlatformCompensation<S>),
-}
-
-/// The inputs that a controller sets.
-pub trait SetsInputs {
-    /// The inputs, each with its field below the controller's name.
-    fn targets(&self) -> Vec<(String, &str)>;
-
-    /// Whether they are those of drives, which no other controller commands.
-    fn sets_drives(&self) -> bool {
-        false
-    }
 }

@@ -19,6 +19,7 @@ mod moved_by_waves;
 mod parameter;
 mod sea;
 mod sensors;
+mod sets_inputs;
 mod waves;
 
 use indexmap::IndexMap;
@@ -91,7 +92,7 @@ pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
-pub use controllers::{Controller, SetsInputs};
+pub use controllers::Controller;
 pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
@@ -107,6 +108,7 @@ pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::{Sea, Stretching};
 pub use sensors::{Sensor, Wire};
+pub use sets_inputs::SetsInputs;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,
