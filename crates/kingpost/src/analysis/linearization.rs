@@ -3,7 +3,7 @@
 use crate::elements::{ElementState, EvaluationMode, Input};
 use crate::integrate::Stage;
 use crate::ledger;
-use crate::model::Mode;
+use crate::model::MotionType;
 use crate::plant::{Along, DIRECTIONS, Number, Plant, Tangent};
 use crate::scenario::{BuiltScenario, Scenario, ScenarioError};
 use crate::simulation::{Setup, Simulation};
@@ -211,7 +211,7 @@ impl Linearizer {
 /// The prescribed coordinates of a plant, with their names.
 fn prescribed(plant: &Plant<Number>) -> Vec<(usize, String)> {
     let names = plant.model.coordinate_names().into_iter().enumerate();
-    names.filter(|(i, _)| plant.model.modes[*i] == Mode::Prescribed).collect()
+    names.filter(|(i, _)| plant.model.modes[*i] == MotionType::Prescribed).collect()
 }
 
 /// States of a plant with their names and units, and the kind of each: those of drives and forces follow the ledger's

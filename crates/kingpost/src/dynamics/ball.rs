@@ -4,7 +4,7 @@
 //! `[J, C; C^T, L]` about the ball, only `L - C^T J^-1 C` remains of it (Featherstone 2008, sec. 7.2, with S taken
 //! about the joint).
 
-use crate::model::{Link, Mode};
+use crate::model::{Link, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
@@ -44,7 +44,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         bias: &Wrench<S>,
         force: &[S],
     ) -> (SpatialInertia<S>, Wrench<S>) {
-        if self.plan.mode != Mode::Free {
+        if self.plan.mode != MotionType::Free {
             return (*inertia, *bias);
         }
         let to_ball = Frame::translation(-self.position);
@@ -91,7 +91,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         let to_ball = Frame::translation(-self.position);
         let load = inertia.times(carried) + *bias;
         let missing = applied - to_ball.wrench_to_parent(&load).moment;
-        let rate = if self.plan.mode == Mode::Free {
+        let rate = if self.plan.mode == MotionType::Free {
             inertia.to_parent(&to_ball).angular.inverse() * missing
         } else {
             Vector3::zero()
@@ -103,7 +103,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
 
     /// The part of a bias that the ball transmits, without velocities and other loads.
     pub(super) fn passes(&self, inertia: &SpatialInertia<S>, bias: &Wrench<S>) -> Wrench<S> {
-        if self.plan.mode != Mode::Free {
+        if self.plan.mode != MotionType::Free {
             return *bias;
         }
         let to_ball = Frame::translation(-self.position);

@@ -2,7 +2,7 @@
 
 use super::ball::Ball;
 use super::{LinkKinematics, Loads, forward};
-use crate::model::{LinkJoint, Mode, Model};
+use crate::model::{LinkJoint, Model, MotionType};
 use crate::spatial::{SpatialInertia, Twist};
 
 /// A pivot of M* below this share of the coordinate's inertia with a locked branch is rounding.
@@ -24,7 +24,7 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
         };
         // A floating joint's coordinates list the translation first, its twists the rotation.
         let coordinate = |k: usize| at + if directions.len() == 6 { (k + 3) % 6 } else { k };
-        let moving = (0..directions.len()).filter(|&k| model.modes[coordinate(k)] == Mode::Free);
+        let moving = (0..directions.len()).filter(|&k| model.modes[coordinate(k)] == MotionType::Free);
         let moving: Vec<usize> = moving.collect();
         let free_directions: Vec<(Twist, f64)> =
             moving.iter().map(|&k| (directions[k], model.rotor_inertia[coordinate(k)])).collect();

@@ -3,7 +3,7 @@
 
 use crate::dynamics::{Kinematics, LinkKinematics};
 use crate::elements::{BodyPair, Context, PresentSupport, Support};
-use crate::model::{Attachment, JointKind, Mode, Model};
+use crate::model::{Attachment, JointKind, Model, MotionType};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
 use serde::Serialize;
@@ -255,7 +255,7 @@ const SMALLEST_SHARE: f64 = 1e-9;
 fn free_axes(model: &Model, at: &Kinematics, body: usize, restraints: &Restraints) -> Vec<Vector3> {
     let node = &model.tree.nodes[body];
     let own = node.velocities..node.velocities + node.kind.velocity_count();
-    let free = own.filter(|i| model.modes[*i] == Mode::Free && !restraints.coordinates.contains(i));
+    let free = own.filter(|i| model.modes[*i] == MotionType::Free && !restraints.coordinates.contains(i));
     let mut axes: Vec<Vector3> = Vec::new();
     for i in free {
         let axis = at.world[body].rotation * at.columns[i].angular;

@@ -16,7 +16,7 @@ mod watch;
 pub use watch::EnergyBalance;
 
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::model::{JointKind, Mode, Model, Node, Tree};
+use crate::model::{JointKind, Model, MotionType, Node, Tree};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3, Wrench};
 
@@ -99,7 +99,7 @@ impl<S: Scalar> Entries<'_, S> {
                 add(position, rotation * force, rotation * moment);
             }
             for at in (node.velocities..).take(node.kind.velocity_count()) {
-                if self.model.modes[at] == Mode::Prescribed {
+                if self.model.modes[at] == MotionType::Prescribed {
                     prescribed_power += (along(i, at) - self.loads.force[at]) * self.v[at];
                 }
             }

@@ -1,7 +1,7 @@
 //! The links of the recursion: fused bodies that are fixed to one another, each in a frame that makes its joint simple.
 
 use super::joint::Floating;
-use super::{Body, JointKind, Mode, Node, Tree};
+use super::{Body, JointKind, MotionType, Node, Tree};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, RigidInertia, SpatialInertia, Symmetric3, Vector3};
 
@@ -15,7 +15,7 @@ pub struct Link<S = f64> {
     /// Whether the translation or the rotation of a floating joint is held.
     pub floating: Floating,
     /// The mode of a joint with one axis, or whether a ball is held.
-    pub mode: Mode,
+    pub mode: MotionType,
     /// First entry in q.
     pub positions: usize,
     /// First entry in v.

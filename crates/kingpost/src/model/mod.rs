@@ -14,7 +14,7 @@ mod tree;
 
 pub use beam::Beam;
 pub use charts::Charts;
-pub use joint::{AxisMotion, Joint, JointKind, Mode};
+pub use joint::{AxisMotion, Joint, JointKind, MotionType};
 pub use links::{Carrier, Link, LinkInertia, LinkJoint, Moments};
 pub use loops::{Attachment, Constraint, Loop, RotationAxis};
 pub use section::Section;
@@ -83,7 +83,7 @@ pub struct Model<S = f64> {
     /// Length of v.
     pub velocity_count: usize,
     /// Mode of each coordinate of v.
-    pub modes: Vec<Mode>,
+    pub modes: Vec<MotionType>,
     /// By coordinate of v: the inertia of the drive's rotor times the gear ratio squared, kg m^2 or kg; 0 for floating
     /// and spherical joints. It acts along the coordinate, in M* and in the kinetic energy. The rotor's momentum in
     /// space is neglected, because its position is not known.
@@ -254,6 +254,6 @@ impl<S: Scalar> Model<S> {
 
     /// Indices into v of the free coordinates: the rows of M*, N* and F*.
     pub fn free_coordinates(&self) -> Vec<usize> {
-        (0..self.velocity_count).filter(|&i| self.modes[i] == Mode::Free).collect()
+        (0..self.velocity_count).filter(|&i| self.modes[i] == MotionType::Free).collect()
     }
 }

@@ -1,6 +1,6 @@
 //! The kinematic tree that the dynamics runs over, and its local coordinates.
 
-use super::joint::{JointKind, Mode};
+use super::joint::{JointKind, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia};
 
@@ -13,7 +13,7 @@ pub struct Node<S = f64> {
     pub kind: JointKind<S>,
     /// Whether a joint of one axis moves freely, is held or follows a prescribed motion, and whether
     /// a spherical joint is held; floating joints and lists of axes have their own modes.
-    pub mode: Mode,
+    pub mode: MotionType,
     /// First entry in q.
     pub positions: usize,
     /// First entry in v.

@@ -20,7 +20,7 @@ use crate::dynamics::{
 use crate::elements::{AnyElement, EvaluationMode, Layout, Watched};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
-use crate::model::{Mode, Model, Node};
+use crate::model::{Model, MotionType, Node};
 use crate::scalar::Scalar;
 use crate::state::State;
 use crate::world::World;
@@ -369,7 +369,7 @@ impl Plant {
     /// Accelerations by the matrices; NaN if M* is singular.
     fn solve(&mut self, q: &[f64], v: &[f64], variation: Variation, v_dot: &mut [f64]) {
         let matrices = MovingFrame::assemble(&self.model, q, v, &self.loads, variation);
-        let given = |(mode, a): (&Mode, &f64)| if *mode == Mode::Prescribed { *a } else { 0.0 };
+        let given = |(mode, a): (&MotionType, &f64)| if *mode == MotionType::Prescribed { *a } else { 0.0 };
         let accelerations = self.model.modes.iter().zip(&self.loads.acceleration).map(given);
         v_dot.iter_mut().zip(accelerations).for_each(|(v_dot, given)| *v_dot = given);
         let solved = matrices.solve();
@@ -429,7 +429,7 @@ impl<S: Scalar> System<S> for Plant<S> {
     }
 
     fn is_free(&self, coordinate: usize) -> bool {
-        self.model.modes[coordinate] == Mode::Free
+        self.model.modes[coordinate] == MotionType::Free
     }
 
     fn jacobian(&mut self, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>) {

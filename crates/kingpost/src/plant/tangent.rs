@@ -3,7 +3,7 @@
 use super::{Observation, ObservedPart, Plant};
 use crate::elements::EvaluationMode;
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
-use crate::model::Mode;
+use crate::model::MotionType;
 use crate::scalar::{Dual, Scalar};
 
 /// Directions that one evaluation carries.
@@ -160,7 +160,7 @@ impl Tangent {
                     i if i < 2 * n => Along::Velocity(i - n),
                     i => Along::Extra(first + i - 2 * n),
                 };
-                if column >= 2 * n || self.plant.model.modes[column % n] == Mode::Free {
+                if column >= 2 * n || self.plant.model.modes[column % n] == MotionType::Free {
                     along[count] = direction;
                     count += 1;
                 }

@@ -3,7 +3,7 @@
 use super::errors::check_array;
 use super::{Input, InputError, Setup, Simulation, Watching, stage};
 use crate::dynamics::moving_frame::{Equations, MovingFrame, Naming, Symbols};
-use crate::model::Mode;
+use crate::model::MotionType;
 use crate::plant::{Number, Plant, Tangent};
 use crate::spatial::{Frame, Quaternion};
 use crate::state::{SnapshotError, State};
@@ -86,7 +86,7 @@ impl Simulation {
         check_array("q", q, model.position_count)?;
         check_array("v", v, model.velocity_count)?;
         let entry = |name, index, found, allowed| Err(InputError::Entry { name, index, found, allowed });
-        if let Some(i) = (0..v.len()).find(|&i| model.modes[i] == Mode::Held && v[i] != 0.0) {
+        if let Some(i) = (0..v.len()).find(|&i| model.modes[i] == MotionType::Held && v[i] != 0.0) {
             return entry("v", i, v[i], "0, for a coordinate that is held");
         }
         for first in model.quaternions() {

@@ -12,7 +12,7 @@ pub mod trees;
 
 use kingpost::analysis::Linearizer;
 use kingpost::dynamics::Loads;
-use kingpost::model::{Mode, Model};
+use kingpost::model::{Model, MotionType};
 use kingpost::scenario::ScenarioError;
 use kingpost::simulation::{Setup, Simulation};
 use kingpost::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, Wrench, exp};
@@ -246,7 +246,7 @@ impl Random {
         for first in model.quaternions() {
             q[first..first + 4].copy_from_slice(&Quaternion::exp(self.vector(2.0)).0);
         }
-        let v = model.modes.iter().map(|mode| if *mode == Mode::Held { 0.0 } else { self.uniform(-2.0, 2.0) });
+        let v = model.modes.iter().map(|mode| if *mode == MotionType::Held { 0.0 } else { self.uniform(-2.0, 2.0) });
         let v = v.collect();
         (q, v)
     }

@@ -5,7 +5,7 @@
 use super::Random;
 use kingpost::dynamics::Loads;
 use kingpost::model::joint::{AxisList, ElementaryAxis, Fixed, Floating, Prismatic, Revolute, Spherical};
-use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Model, MotionType};
 use kingpost::spatial::{Quaternion, Wrench, exp};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -48,7 +48,7 @@ pub struct Branch {
     pub parent: Option<usize>,
     pub kind: Kind,
     /// Modes of the axes, as many as there are.
-    pub modes: [Mode; MOST_AXES],
+    pub modes: [MotionType; MOST_AXES],
     /// Whether its inertia is a full 6x6.
     pub full_inertia: bool,
     /// Seed of its masses, lengths, angles, rates and loads.
@@ -67,7 +67,7 @@ pub fn trees() -> impl Strategy<Value = Tree> {
 
 fn branch() -> impl Strategy<Value = Branch> {
     let parent = prop::option::weighted(0.9, 0..MOST_BODIES);
-    let mode = prop_oneof![4 => Just(Mode::Free), 1 => Just(Mode::Held), 1 => Just(Mode::Prescribed)];
+    let mode = prop_oneof![4 => Just(MotionType::Free), 1 => Just(MotionType::Held), 1 => Just(MotionType::Prescribed)];
     let modes = proptest::array::uniform5(mode);
     let parts = (parent, kind(), modes, prop::bool::weighted(0.3), any::<u64>().no_shrink());
     parts.prop_map(|(parent, kind, modes, full_inertia, numbers)| Branch { parent, kind, modes, full_inertia, numbers })
@@ -152,7 +152,7 @@ impl Tree {
             if let Some((first, _)) = node.kind.quaternion() {
                 q[node.positions + first..][..4].copy_from_slice(&Quaternion::exp(random.vector(2.0)).0);
             }
-            let rate = |i| if model.modes[i] == Mode::Held { 0.0 } else { random.uniform(-2.0, 2.0) };
+            let rate = |i| if model.modes[i] == MotionType::Held { 0.0 } else { random.uniform(-2.0, 2.0) };
             v.extend(velocities(model, body).map(rate));
         }
         (q, v)
@@ -189,11 +189,11 @@ impl Branch {
     }
 
     /// The mode of a joint that has one for all of it; a spherical joint cannot be prescribed.
-    fn mode(&self) -> Mode {
+    fn mode(&self) -> MotionType {
         match (self.kind, self.modes[0]) {
             (Kind::Revolute | Kind::Prismatic, mode) => mode,
-            (Kind::Spherical, Mode::Held) => Mode::Held,
-            _ => Mode::Free,
+            (Kind::Spherical, MotionType::Held) => MotionType::Held,
+            _ => MotionType::Free,
         }
     }
 

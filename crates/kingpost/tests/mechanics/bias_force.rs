@@ -7,7 +7,7 @@ use common::Random;
 use kingpost::dynamics::moving_frame::{MovingFrame, Variation};
 use kingpost::dynamics::{Kinematics, Loads};
 use kingpost::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
-use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model, Shape};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Model, MotionType, Shape};
 use kingpost::scalar::{Dual, Scalar};
 use kingpost::spatial::{Frame, SpatialInertia, Vector3, exp};
 use nalgebra::DVector;
@@ -63,7 +63,7 @@ fn tree<S: Scalar>(seed: u64) -> Model<S> {
         let kind = joint(&mut random, i);
         let mass = S::constant(random.uniform(0.5, 5.0));
         let inertia = inertia(&mut random, mass);
-        let joint = Joint { name: format!("joint_{i}"), kind, mode: Mode::Free };
+        let joint = Joint { name: format!("joint_{i}"), kind, mode: MotionType::Free };
         BodyDefinition { name: format!("body_{i}"), parent, joint, mass, inertia, points: Vec::new() }
     };
     Model::new((0..n).map(describe).collect())

@@ -7,14 +7,14 @@ use kingpost::elements::drives::{Motor, PrescribedMotion, Profile, Pulse, Servo}
 use kingpost::elements::hull::HullFrame;
 use kingpost::elements::{AnyElement, DampedAgainst, Gravity, JointDamping, ViscousDamping};
 use kingpost::model::joint::{Floating, Prismatic, Revolute};
-use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Model, MotionType};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 use kingpost::spatial::{Frame, SpatialInertia, Symmetric3, Vector3};
 use kingpost::world::World;
 
 fn body(name: &str, parent: Option<usize>, kind: JointKind, mass: f64, moments: [f64; 3]) -> BodyDefinition {
-    let joint = Joint { name: name.to_owned(), kind, mode: Mode::Free };
+    let joint = Joint { name: name.to_owned(), kind, mode: MotionType::Free };
     let inertia = SpatialInertia::rigid(mass, Symmetric3::diagonal(moments));
     BodyDefinition { name: name.to_owned(), parent, joint, mass, inertia, points: Vec::new() }
 }
@@ -173,7 +173,7 @@ fn a_prescribed_joint_follows_its_rate_and_its_drive_does_the_work() {
     let pulse = Profile::pulse(Pulse { start_s: 0.0, rise_s: 0.2, hold_s: 0.3, reverse_s: 0.0 });
     let motion = PrescribedMotion { coordinate: 1, rate: 2.0, profile: pulse };
     let mut arm = body("arm", Some(0), hinge([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 3.0, [0.5; 3]);
-    arm.joint.mode = Mode::Prescribed;
+    arm.joint.mode = MotionType::Prescribed;
     let bodies = vec![body("cart", None, slide([0.0, 1.0, 0.0]), 5.0, [1.0; 3]), arm];
     let mut simulation = simulation(bodies, vec![], vec![Box::new(motion)], 0.005, (vec![0.0; 2], vec![0.0; 2]));
     simulation.step(80).unwrap();

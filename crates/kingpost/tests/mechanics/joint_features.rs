@@ -6,7 +6,7 @@ use common::values;
 use kingpost::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse};
 use kingpost::elements::{AnyElement, CoulombFriction, JointSpring, JointStop, StopSide};
 use kingpost::model::joint::Prismatic;
-use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Model, MotionType};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 use kingpost::spatial::{Frame, SpatialInertia, Symmetric3, Vector3};
@@ -16,7 +16,7 @@ const MASS: f64 = 3.0;
 const STEP_S: f64 = 1e-4;
 
 /// A mass on a slide along x, at `q` with the speed `v`.
-fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
+fn slide(mode: MotionType, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
     let prismatic = Prismatic::new(Frame::identity(), Vector3::new(1.0, 0.0, 0.0), Vector3::zero());
     let body = BodyDefinition {
         name: "mass".to_owned(),
@@ -60,7 +60,7 @@ fn run(simulation: &mut Simulation, seconds: f64, tolerance: f64) -> (f64, f64) 
 fn a_mass_on_a_spring_swings_about_its_rest_as_a_cosine() {
     let (stiffness, rest, start) = (48.0, 0.4, 1.0);
     let spring = Box::new(JointSpring { position: 0, coordinate: 0, stiffness, rest });
-    let mut simulation = Simulation::new(slide(Mode::Free, vec![spring], start, 0.0));
+    let mut simulation = Simulation::new(slide(MotionType::Free, vec![spring], start, 0.0));
     let (q, v) = run(&mut simulation, 1.3, 1e-11);
     let (w, a) = ((stiffness / MASS).sqrt(), start - rest);
     assert!((q - rest - a * (w * 1.3).cos()).abs() < 1e-12, "{q}");
@@ -75,7 +75,7 @@ fn a_stop_gives_back_the_speed_that_hunt_and_crossley_derive() {
     for (side, direction) in [(StopSide::Upper, 1.0), (StopSide::Lower, -1.0)] {
         for speed in [0.05, 0.8, 6.0] {
             let stop = JointStop { position: 0, coordinate: 0, side, limit: 0.2 * direction, stiffness, dissipation };
-            let setup = slide(Mode::Free, vec![Box::new(stop)], 0.1 * direction, speed * direction);
+            let setup = slide(MotionType::Free, vec![Box::new(stop)], 0.1 * direction, speed * direction);
             let mut simulation = Simulation::new(setup);
             // To the limit, through the contact of about half a period, and some way back.
             // Entry and exit fall within a step, where the stiffness jumps: k u h^2 / m of speed is lost.
@@ -98,7 +98,7 @@ fn a_stop_never_pulls() {
     // Drawn out of the stop faster than it can follow, the mass feels nothing.
     let stop =
         JointStop { position: 0, coordinate: 0, side: StopSide::Upper, limit: 0.0, stiffness: 1e4, dissipation: 1.0 };
-    let setup = slide(Mode::Free, vec![Box::new(stop)], 0.01, -2.0);
+    let setup = slide(MotionType::Free, vec![Box::new(stop)], 0.01, -2.0);
     let mut simulation = Simulation::new(setup);
     let (_, v) = run(&mut simulation, 0.01, 1e-11);
     assert!((v + 2.0).abs() < 1e-14, "{v}");
@@ -114,7 +114,7 @@ fn coulomb_friction_slows_a_slide_as_its_smoothed_law_integrates() {
         let root = v.hypot(smoothing);
         root + smoothing * (v / (smoothing + root)).ln()
     };
-    let mut simulation = Simulation::new(slide(Mode::Free, vec![force], 0.0, start));
+    let mut simulation = Simulation::new(slide(MotionType::Free, vec![force], 0.0, start));
     for seconds in [0.5, 0.95, 1.05] {
         let more = seconds - simulation.time_s();
         let (_, v) = run(&mut simulation, more, 1e-9);
@@ -127,7 +127,7 @@ fn coulomb_friction_slows_a_slide_as_its_smoothed_law_integrates() {
 }
 
 /// The slide with a rotor of `J n^2` = 5 kg.
-fn geared(mode: Mode, drives: Vec<AnyElement>) -> Setup {
+fn geared(mode: MotionType, drives: Vec<AnyElement>) -> Setup {
     let mut setup = slide(mode, drives, 0.0, 0.0);
     setup.model.rotor_inertia[0] = 5.0;
     setup
@@ -137,7 +137,7 @@ fn geared(mode: Mode, drives: Vec<AnyElement>) -> Setup {
 fn a_rotor_behind_a_gear_is_accelerated_with_the_mass() {
     for form in [Form::Recursive, Form::MovingFrame(kingpost::dynamics::moving_frame::Variation::Restricted)] {
         let motor = Motor { coordinate: 0, effort: 20.0, profile: Profile::constant(), lever: None };
-        let mut setup = geared(Mode::Free, vec![Box::new(motor)]);
+        let mut setup = geared(MotionType::Free, vec![Box::new(motor)]);
         setup.settings.form = form;
         let mut simulation = Simulation::new(setup);
         let (q, v) = run(&mut simulation, 0.8, 1e-10);
@@ -157,7 +157,7 @@ fn the_drive_of_a_prescribed_motion_turns_the_rotor_too() {
     let pulse = Pulse { start_s: 0.0, rise_s: 0.2, hold_s: 5.0, reverse_s: 0.0 };
     let motion = PrescribedMotion { coordinate: 0, rate: 1.5, profile: Profile::pulse(pulse) };
     for form in [Form::Recursive, Form::MovingFrame(kingpost::dynamics::moving_frame::Variation::Restricted)] {
-        let mut setup = geared(Mode::Prescribed, vec![Box::new(motion.clone())]);
+        let mut setup = geared(MotionType::Prescribed, vec![Box::new(motion.clone())]);
         setup.settings.form = form;
         let mut simulation = Simulation::new(setup);
         run(&mut simulation, 0.5, 1e-10);
@@ -173,7 +173,7 @@ fn a_brake_holds_against_less_than_its_capacity_and_makes_heat_only() {
     let push =
         || -> AnyElement { Box::new(Motor { coordinate: 0, effort: 30.0, profile: Profile::constant(), lever: None }) };
     let at = |value: f64| {
-        let mut simulation = Simulation::new(slide(Mode::Free, vec![brake(), push()], 0.0, 0.0));
+        let mut simulation = Simulation::new(slide(MotionType::Free, vec![brake(), push()], 0.0, 0.0));
         simulation.set_input("brake", value).unwrap();
         // The creep sets in over m s / T = 0.6 ms: (h / 0.6 ms)^4 of 0.2 mJ.
         let (_, v) = run(&mut simulation, 1.0, 1e-7);

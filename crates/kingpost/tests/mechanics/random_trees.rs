@@ -8,7 +8,7 @@ use common::{Random, relative_difference};
 use kingpost::dynamics::moving_frame::Variation;
 use kingpost::elements::drives::{Motor, PrescribedMotion, Profile};
 use kingpost::elements::{AnyElement, CoulombFriction, Gravity, JointDamping, JointSpring, JointStop, StopSide};
-use kingpost::model::{Mode, Model};
+use kingpost::model::{Model, MotionType};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 use kingpost::world::World;
@@ -46,15 +46,15 @@ fn setup(tree: &Tree, form: Form) -> Setup {
         let mut random = tree.0[body].random(coordinate as u64 + 10);
         let (effort, damping, profile) = (random.uniform(-5.0, 5.0), random.uniform(0.0, 1.0), Profile::constant());
         match mode {
-            Mode::Free => {
+            MotionType::Free => {
                 elements.push(Box::new(JointDamping { coordinate, damping }));
                 elements.extend(axis_forces(&mut random, &model, coordinate));
                 elements.push(Box::new(Motor { coordinate, effort, profile, lever: None }));
             }
-            Mode::Prescribed => {
+            MotionType::Prescribed => {
                 elements.push(Box::new(PrescribedMotion { coordinate, rate: v[coordinate], profile }));
             }
-            Mode::Held => {}
+            MotionType::Held => {}
         }
     }
     let settings = Settings {
@@ -135,5 +135,5 @@ fn a_failure_shrinks_to_the_smallest_tree_that_shows_it() {
     let Err(TestError::Fail(_, tree)) = failure else { panic!("no random tree has one") };
     let kinds: Vec<Kind> = tree.0.iter().map(|body| body.kind).collect();
     assert!(matches!(kinds[..], [Kind::Fixed, Kind::Spherical]), "{kinds:?}");
-    assert!(tree.0.iter().all(|body| body.modes.iter().all(|mode| *mode == Mode::Free) && !body.full_inertia));
+    assert!(tree.0.iter().all(|body| body.modes.iter().all(|mode| *mode == MotionType::Free) && !body.full_inertia));
 }

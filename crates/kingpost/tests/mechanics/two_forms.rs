@@ -6,7 +6,7 @@ use common::relative_difference;
 use common::trees::for_all;
 use kingpost::dynamics::moving_frame::{MovingFrame, Variation};
 use kingpost::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
-use kingpost::model::{LinkJoint, Mode, Model};
+use kingpost::model::{LinkJoint, Model, MotionType};
 use kingpost::spatial::{Twist, Vector3, Wrench};
 use proptest::prelude::*;
 
@@ -131,7 +131,7 @@ fn links_on_one_axis_have_it_as_their_z() {
 }
 
 /// The entries whose coordinates have this mode; zero elsewhere.
-fn only(model: &Model, wanted: Mode, values: &[f64]) -> Vec<f64> {
+fn only(model: &Model, wanted: MotionType, values: &[f64]) -> Vec<f64> {
     values.iter().zip(&model.modes).map(|(x, mode)| if *mode == wanted { *x } else { 0.0 }).collect()
 }
 
@@ -168,7 +168,7 @@ fn bias_force_agrees_with_inverse_dynamics() {
         let model = tree.model();
         let ((q, v), loads) = (tree.state(&model), tree.loads(&model));
         let (still, inertia) = (vec![0.0; v.len()], only_inertia(&model, &loads));
-        let rates = only(&model, Mode::Free, &v);
+        let rates = only(&model, MotionType::Free, &v);
         let bias = free_part(&model, &inverse_dynamics(&model, &q, &rates, &still, &inertia));
         let matrices = MovingFrame::assemble(&model, &q, &rates, &inertia, Variation::Restricted);
         let expected = matrices.bias_force();
@@ -188,7 +188,7 @@ fn generalized_force_agrees_with_inverse_dynamics() {
         let model = tree.model();
         let ((q, v), loads) = (tree.state(&model), tree.loads(&model));
         let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
-        let given = only(&model, Mode::Prescribed, &loads.acceleration);
+        let given = only(&model, MotionType::Prescribed, &loads.acceleration);
         let needed = free_part(&model, &inverse_dynamics(&model, &q, &v, &given, &loads));
         let expected: Vec<f64> = free_part(&model, &loads.force)
             .iter()
@@ -208,7 +208,8 @@ fn mass_matrix_gives_the_kinetic_energy() {
     for_all(200, |tree| {
         let model = tree.model();
         let (q, v) = tree.state(&model);
-        let v: Vec<f64> = v.iter().zip(&model.modes).map(|(x, m)| if *m == Mode::Free { *x } else { 0.0 }).collect();
+        let v: Vec<f64> =
+            v.iter().zip(&model.modes).map(|(x, m)| if *m == MotionType::Free { *x } else { 0.0 }).collect();
         let matrices = MovingFrame::assemble(&model, &q, &v, &Loads::new(&model), Variation::Restricted);
         let from_matrix = 0.5 * (matrices.free_velocity.transpose() * &matrices.m_star * &matrices.free_velocity)[0];
         for tree in [&model.tree, &model.links] {

@@ -9,7 +9,7 @@ use kingpost::elements::{
 };
 use kingpost::integrate::Tolerances;
 use kingpost::model::joint::{Prismatic, Revolute};
-use kingpost::model::{BodyDefinition, Joint, JointKind, Mode, Model};
+use kingpost::model::{BodyDefinition, Joint, JointKind, Model, MotionType};
 use kingpost::plant::Form;
 use kingpost::plant::Number;
 use kingpost::scalar::Scalar;
@@ -32,7 +32,7 @@ fn setup<S: Scalar>(
     let body = BodyDefinition {
         name: "body".to_owned(),
         parent: None,
-        joint: Joint { name: "joint".to_owned(), kind, mode: Mode::Free },
+        joint: Joint { name: "joint".to_owned(), kind, mode: MotionType::Free },
         mass,
         inertia: SpatialInertia::rigid(mass, Symmetric3::diagonal([S::ONE; 3])),
         points: Vec::new(),

@@ -17,7 +17,7 @@ pub use response::Response;
 
 use super::ball::Ball;
 use super::{LinkKinematics, Loads};
-use crate::model::{Carrier, Link, LinkJoint, Mode, Model};
+use crate::model::{Carrier, Link, LinkJoint, Model, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 use articulated::Articulated;
@@ -159,7 +159,7 @@ fn articulated_inertia_pass<S: Scalar>(
                     parent.bias += bias;
                 }
             }
-            LinkJoint::Revolute | LinkJoint::Prismatic if plan.mode == Mode::Free => {
+            LinkJoint::Revolute | LinkJoint::Prismatic if plan.mode == MotionType::Free => {
                 let (force, rotor) = (loads.force[plan.velocities], model.rotor_inertia[plan.velocities]);
                 link.project_articulated_inertia(moving, force, rotor, parent);
             }
@@ -205,7 +205,7 @@ fn acceleration_pass<S: Scalar>(
             LinkJoint::Revolute | LinkJoint::Prismatic => {
                 let carried = carried();
                 let rate = match plan.mode {
-                    Mode::Free => (link.drive - link.gain.dot(&carried)) * link.compliance,
+                    MotionType::Free => (link.drive - link.gain.dot(&carried)) * link.compliance,
                     _ => given_acceleration(plan, loads),
                 };
                 link.response = carried + moving.axis * rate;
@@ -218,5 +218,5 @@ fn acceleration_pass<S: Scalar>(
 /// The acceleration of a joint that is not free.
 #[inline]
 fn given_acceleration<S: Scalar>(plan: &Link<S>, loads: &Loads<S>) -> S {
-    if plan.mode == Mode::Prescribed { loads.acceleration[plan.velocities] } else { S::ZERO }
+    if plan.mode == MotionType::Prescribed { loads.acceleration[plan.velocities] } else { S::ZERO }
 }

@@ -7,7 +7,7 @@
 use super::{Workspace, root};
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::ball::Ball;
-use crate::model::{LinkJoint, Mode, Model};
+use crate::model::{LinkJoint, Model, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 
@@ -64,7 +64,7 @@ impl<S: Scalar> Response<S> {
             let (link, bias) = (&work.links[i], self.bias[i]);
             let passed = match plan.joint {
                 LinkJoint::Spherical => Ball::new(plan, &moving.in_root).passes(&link.inertia(moving), &bias),
-                _ if plan.mode == Mode::Free => {
+                _ if plan.mode == MotionType::Free => {
                     let drive = self.force[plan.velocities] - bias.dot(&moving.axis);
                     bias + link.gain * (drive * link.compliance)
                 }
@@ -88,7 +88,7 @@ impl<S: Scalar> Response<S> {
                 LinkJoint::Revolute | LinkJoint::Prismatic => {
                     let drive = self.force[at] - bias.dot(&moving.axis);
                     let free = (drive - link.gain.dot(&carried)) * link.compliance;
-                    self.rates[at] = if plan.mode == Mode::Free { free } else { S::ZERO };
+                    self.rates[at] = if plan.mode == MotionType::Free { free } else { S::ZERO };
                     carried + moving.axis * self.rates[at]
                 }
             };

@@ -12,7 +12,7 @@
 
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::ball::Ball;
-use crate::model::{Attachment, Constraint, LinkJoint, Mode, Model};
+use crate::model::{Attachment, Constraint, LinkJoint, Model, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3, Wrench};
 
@@ -76,11 +76,11 @@ impl<S: Scalar> Row<S> {
                     wrench.force.norm_squared() * free(plan.floating.hold_translation)
                         + wrench.moment.norm_squared() * free(plan.floating.hold_rotation)
                 }
-                LinkJoint::Spherical if plan.mode == Mode::Free => {
+                LinkJoint::Spherical if plan.mode == MotionType::Free => {
                     let axes = Ball::new(plan, links.in_root(i)).axes();
                     axes.iter().fold(S::ZERO, |sum, axis| sum + wrench.dot(axis) * wrench.dot(axis))
                 }
-                _ if plan.mode == Mode::Free => wrench.dot(links.axis(i)) * wrench.dot(links.axis(i)),
+                _ if plan.mode == MotionType::Free => wrench.dot(links.axis(i)) * wrench.dot(links.axis(i)),
                 _ => S::ZERO,
             };
         }

@@ -1,7 +1,7 @@
 //! The matrices by name, with labels and units, for printing and for other languages.
 
 use super::MovingFrame;
-use crate::model::{Constraint, Mode, Model};
+use crate::model::{Constraint, Model, MotionType};
 use crate::spatial::{Frame, hat};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -66,7 +66,7 @@ impl MovingFrame {
         all.push(named("M_star", &free(LOADS), &free(ACCELERATIONS), &self.m_star));
         all.push(named("N_star", &free(LOADS), &free(RATES), &self.n_star));
         all.push(list("F_star", &free(LOADS), "load", &self.f_star));
-        if model.modes.contains(&Mode::Prescribed) {
+        if model.modes.contains(&MotionType::Prescribed) {
             let every = coordinates(ACCELERATIONS, &every);
             all.push(list("q_ddot_given", &every, "acceleration", &self.given_acceleration));
         }

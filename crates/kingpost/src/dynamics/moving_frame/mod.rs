@@ -31,7 +31,7 @@ pub use symbolic::{BlockMatrix, SymbolicMatrix};
 pub use symbols::{Naming, Symbols};
 
 use super::Loads;
-use crate::model::{Mode, Model, Node};
+use crate::model::{Model, MotionType, Node};
 use crate::spatial::{Frame, Vector3};
 use blocks::Block;
 use nalgebra::{DMatrix, DVector};
@@ -251,7 +251,7 @@ impl MovingFrame {
 /// Velocity and acceleration of the prescribed coordinates, zero elsewhere.
 fn prescribed(model: &Model, v: &[f64], loads: &Loads) -> (DVector<f64>, DVector<f64>) {
     let given = |values: &[f64]| {
-        let pick = |(mode, value): (&Mode, &f64)| if *mode == Mode::Prescribed { *value } else { 0.0 };
+        let pick = |(mode, value): (&MotionType, &f64)| if *mode == MotionType::Prescribed { *value } else { 0.0 };
         DVector::from_iterator(values.len(), model.modes.iter().zip(values).map(pick))
     };
     (given(v), given(&loads.acceleration))

@@ -4,7 +4,7 @@
 use super::factors::{Factor, Symbol};
 use super::formula::{Formula, Instant};
 use super::symbols::Symbols;
-use crate::model::{AxisMotion, JointKind, Mode};
+use crate::model::{AxisMotion, JointKind, MotionType};
 use nalgebra::DMatrix;
 use serde::Serialize;
 
@@ -170,7 +170,7 @@ impl Symbols<'_> {
         let rotors = if rotors { r" + \mathrm{diag}(J_r)" } else { "" };
         all.push(one("M_star", "[M^*]", "60a", &format!("[B]^T [M] [B]{rotors}")));
         all.push(one("N_star", "[N^*]", "60b", r"[B]^T \left( [M] [\dot{B}] + [D] [M] [B] \right)"));
-        let given = match self.model.modes.contains(&Mode::Prescribed) {
+        let given = match self.model.modes.contains(&MotionType::Prescribed) {
             true => {
                 r"\left( \{F\} - [M] ([B] \{\ddot{q}_g\} + [\dot{B}] \{\dot{q}_g\}) - [D] [M] [B] \{\dot{q}_g\} \right)"
             }

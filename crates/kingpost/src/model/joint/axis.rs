@@ -1,6 +1,6 @@
 //! One elementary axis: joints of several axes are lists of them.
 
-use super::Mode;
+use super::MotionType;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Twist, Vector3, hat};
 
@@ -21,18 +21,18 @@ pub struct ElementaryAxis<S = f64> {
     /// Unit vector.
     pub direction: Vector3<S>,
     /// How the acceleration of its coordinate is determined.
-    pub mode: Mode,
+    pub mode: MotionType,
 }
 
 impl<S: Scalar> ElementaryAxis<S> {
     /// A free rotation about the unit vector `direction`.
     pub fn rotation(direction: Vector3<S>) -> Self {
-        Self { motion: AxisMotion::Rotation, direction, mode: Mode::Free }
+        Self { motion: AxisMotion::Rotation, direction, mode: MotionType::Free }
     }
 
     /// A free translation along the unit vector `direction`.
     pub fn translation(direction: Vector3<S>) -> Self {
-        Self { motion: AxisMotion::Translation, direction, mode: Mode::Free }
+        Self { motion: AxisMotion::Translation, direction, mode: MotionType::Free }
     }
 
     /// The frame after the axis in the frame before it, at a coordinate in rad or m; a rotation by

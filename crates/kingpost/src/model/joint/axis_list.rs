@@ -1,6 +1,6 @@
 //! Joints of several axes, one after another.
 
-use super::{AxisMotion, Columns, ElementaryAxis, JointKind, MOST_AXES, Mode, Prismatic, Revolute};
+use super::{AxisMotion, Columns, ElementaryAxis, JointKind, MOST_AXES, MotionType, Prismatic, Revolute};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
@@ -43,7 +43,7 @@ impl<S: Scalar> AxisList<S> {
     ///
     /// # Panics
     /// If there are fewer modes than axes.
-    pub fn with_modes(mut self, modes: &[Mode]) -> Self {
+    pub fn with_modes(mut self, modes: &[MotionType]) -> Self {
         for (axis, mode) in self.axes.iter_mut().zip(&modes[..self.labels.len()]) {
             axis.mode = *mode;
         }
@@ -99,7 +99,7 @@ impl<S: Scalar> AxisList<S> {
     }
 
     /// Splits the joint into joints of one axis with massless frames between them.
-    pub fn split(&self) -> impl Iterator<Item = (JointKind<S>, Mode)> + '_ {
+    pub fn split(&self) -> impl Iterator<Item = (JointKind<S>, MotionType)> + '_ {
         let last = self.labels.len() - 1;
         self.axes().iter().enumerate().map(move |(i, axis)| {
             let placement = if i == 0 { self.placement } else { Frame::identity() };

@@ -1,6 +1,6 @@
 //! A body free against the world: the ship (eqs. 3, 14).
 
-use super::{Columns, Mode};
+use super::{Columns, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion, Twist, Vector3, dexp_inverse_body};
 
@@ -20,8 +20,8 @@ impl Floating {
     pub const LABELS: [&'static str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
 
     /// Mode of each of the six coordinates.
-    pub fn modes(&self) -> [Mode; 6] {
-        let mode = |held| if held { Mode::Held } else { Mode::Free };
+    pub fn modes(&self) -> [MotionType; 6] {
+        let mode = |held| if held { MotionType::Held } else { MotionType::Free };
         core::array::from_fn(|i| mode(if i < 3 { self.hold_translation } else { self.hold_rotation }))
     }
 

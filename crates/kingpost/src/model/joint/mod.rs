@@ -32,7 +32,7 @@ use crate::spatial::{Frame, Twist, Vector3};
 
 /// How the acceleration of a coordinate is determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
+pub enum MotionType {
     /// From the equations of motion.
     Free,
     /// It is held at rest; the holding force does no work.
@@ -50,7 +50,7 @@ pub struct Joint<S = f64> {
     pub kind: JointKind<S>,
     /// The mode of a joint with one degree of freedom, or whether a spherical joint is held. Floating joints and lists
     /// of axes have their own modes.
-    pub mode: Mode,
+    pub mode: MotionType,
 }
 
 /// The kinds of joint.
@@ -84,7 +84,7 @@ impl<S: Scalar> Joint<S> {
     }
 
     /// Mode of each of those coordinates.
-    pub fn coordinate_modes(&self) -> Vec<Mode> {
+    pub fn coordinate_modes(&self) -> Vec<MotionType> {
         match &self.kind {
             JointKind::Floating(floating) => floating.modes().to_vec(),
             JointKind::AxisList(list) => list.axes().iter().map(|axis| axis.mode).collect(),

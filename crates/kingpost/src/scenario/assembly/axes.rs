@@ -3,7 +3,7 @@
 use crate::elements::{
     AnyElement, CoulombFriction, GasSpring, JointDamping, JointSpring, JointStop, StopSide, significant,
 };
-use crate::model::{AxisMotion, Mode};
+use crate::model::{AxisMotion, MotionType};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{
@@ -17,7 +17,7 @@ pub struct JointAxis<S> {
     pub motion: AxisMotion,
     pub initial: S,
     pub initial_rate: S,
-    pub mode: Mode,
+    pub mode: MotionType,
     /// Its prescribed motion, if any.
     pub given: Option<GivenMotion<S>>,
     pub damping: S,
@@ -64,7 +64,7 @@ pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<JointAxis<S>> {
         schema::Joint::MovedByWaves(_) => {
             let slides = ["x", "y", "z"].map(|label| length(label, &LengthAxis::default()));
             let turns = ["yaw", "pitch", "roll"].map(|label| angle(label, &AngleAxis::default()));
-            slides.into_iter().chain(turns).map(|axis| JointAxis { mode: Mode::Prescribed, ..axis }).collect()
+            slides.into_iter().chain(turns).map(|axis| JointAxis { mode: MotionType::Prescribed, ..axis }).collect()
         }
         schema::Joint::Floating(_) | schema::Joint::Spherical(_) | schema::Joint::Fixed(_) => Vec::new(),
     }
@@ -72,18 +72,18 @@ pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<JointAxis<S>> {
 
 fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> JointAxis<S> {
     let (mode, given) = match &axis.mode {
-        RevoluteMode::Free => (Mode::Free, None),
-        RevoluteMode::Held => (Mode::Held, None),
+        RevoluteMode::Free => (MotionType::Free, None),
+        RevoluteMode::Held => (MotionType::Held, None),
         RevoluteMode::Prescribed(p) => {
             let (pulse, list) = (p.pulse.clone(), p.list.clone());
-            (Mode::Prescribed, Some(GivenMotion::Rate { full: p.rate_rad_s, history: p.history, pulse, list }))
+            (MotionType::Prescribed, Some(GivenMotion::Rate { full: p.rate_rad_s, history: p.history, pulse, list }))
         }
         RevoluteMode::Travel(t) => {
             let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
-            (Mode::Prescribed, Some(GivenMotion::Travel { way: t.angle_rad, start_s, duration_s, ramp_s }))
+            (MotionType::Prescribed, Some(GivenMotion::Travel { way: t.angle_rad, start_s, duration_s, ramp_s }))
         }
         RevoluteMode::Oscillation(o) => {
-            (Mode::Prescribed, Some(oscillation(o.amplitude_rad, o.period_s, o.phase_rad, o.ramp_s)))
+            (MotionType::Prescribed, Some(oscillation(o.amplitude_rad, o.period_s, o.phase_rad, o.ramp_s)))
         }
     };
     JointAxis {
@@ -108,18 +108,18 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> JointAxis<S> 
 
 fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> JointAxis<S> {
     let (mode, given) = match &axis.mode {
-        PrismaticMode::Free => (Mode::Free, None),
-        PrismaticMode::Held => (Mode::Held, None),
+        PrismaticMode::Free => (MotionType::Free, None),
+        PrismaticMode::Held => (MotionType::Held, None),
         PrismaticMode::Prescribed(p) => {
             let (pulse, list) = (p.pulse.clone(), p.list.clone());
-            (Mode::Prescribed, Some(GivenMotion::Rate { full: p.speed_m_s, history: p.history, pulse, list }))
+            (MotionType::Prescribed, Some(GivenMotion::Rate { full: p.speed_m_s, history: p.history, pulse, list }))
         }
         PrismaticMode::Travel(t) => {
             let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
-            (Mode::Prescribed, Some(GivenMotion::Travel { way: t.length_m, start_s, duration_s, ramp_s }))
+            (MotionType::Prescribed, Some(GivenMotion::Travel { way: t.length_m, start_s, duration_s, ramp_s }))
         }
         PrismaticMode::Oscillation(o) => {
-            (Mode::Prescribed, Some(oscillation(o.amplitude_m, o.period_s, o.phase_rad, o.ramp_s)))
+            (MotionType::Prescribed, Some(oscillation(o.amplitude_m, o.period_s, o.phase_rad, o.ramp_s)))
         }
     };
     JointAxis {

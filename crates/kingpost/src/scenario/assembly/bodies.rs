@@ -4,7 +4,7 @@ use crate::elements::free_flooding_tank::assembly as free_flooding_tanks;
 use crate::elements::u_tank::assembly as u_tanks;
 use crate::elements::{AnyElement, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
-use crate::model::{Axis, BodyDefinition, Joint, JointKind, Mode, Model, Shape};
+use crate::model::{Axis, BodyDefinition, Joint, JointKind, Model, MotionType, Shape};
 use crate::scenario::assembly::axes::{axes, forces_in_axis};
 use crate::scenario::assembly::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
 use crate::scenario::assembly::{FieldError, known};
@@ -197,8 +197,8 @@ fn joint<S: Quantity>(
     };
     let to_child = centre - Vector3(child_position_m);
     let direction = |k: usize| Vector3(joint.directions()[k].1.get()).direction();
-    let modes: Vec<Mode> = axes(joint).iter().map(|axis| axis.mode).collect();
-    let mut mode = modes.first().copied().unwrap_or(Mode::Free);
+    let modes: Vec<MotionType> = axes(joint).iter().map(|axis| axis.mode).collect();
+    let mut mode = modes.first().copied().unwrap_or(MotionType::Free);
     check_perpendicular(name, joint)?;
     let kind = match joint {
         schema::Joint::Floating(joint) => {
@@ -230,7 +230,7 @@ fn joint<S: Quantity>(
             JointKind::AxisList(AxisList::six_axes(placement, to_child).with_modes(&modes))
         }
         schema::Joint::Spherical(joint) => {
-            mode = if joint.held { Mode::Held } else { Mode::Free };
+            mode = if joint.held { MotionType::Held } else { MotionType::Free };
             JointKind::Spherical(Spherical::new(placement, to_child))
         }
         schema::Joint::Fixed(_) => JointKind::Fixed(Fixed::new(placement, to_child)),
@@ -304,7 +304,7 @@ fn initial<S: Quantity>(name: &str, body: &schema::Body<S>, q: &mut Vec<S>, v: &
         joint => {
             for axis in axes(joint) {
                 q.push(axis.initial);
-                v.push(at_rest(&axis.rate_field(), axis.initial_rate, axis.mode == Mode::Free)?);
+                v.push(at_rest(&axis.rate_field(), axis.initial_rate, axis.mode == MotionType::Free)?);
             }
         }
     }

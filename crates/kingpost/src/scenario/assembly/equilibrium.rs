@@ -4,7 +4,7 @@ use super::super::schema::Scenario;
 use super::FieldError;
 use crate::elements::{AnyElement, EvaluationMode, Settling};
 use crate::integrate::{Interval, Stage, System};
-use crate::model::{Mode, Model, Node};
+use crate::model::{Model, MotionType, Node};
 use crate::plant::Plant;
 use crate::scalar::Scalar;
 use crate::scenario::leaf::Quantity;
@@ -64,7 +64,7 @@ fn free_positions<S: Scalar>(model: &Model<S>) -> Vec<usize> {
     let of = |node: &Node<S>| {
         let rates = node.kind.velocity_count();
         let (quaternion, turns) = node.kind.quaternion().unwrap_or((node.kind.position_count(), rates));
-        let free = |k: usize| model.modes[node.velocities + k] == Mode::Free;
+        let free = |k: usize| model.modes[node.velocities + k] == MotionType::Free;
         let turned = if (turns..rates).any(free) { quaternion..quaternion + 4 } else { 0..0 };
         (0..turns).filter(|k| free(*k)).chain(turned).map(|k| node.positions + k).collect::<Vec<_>>()
     };

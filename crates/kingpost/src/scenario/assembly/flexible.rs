@@ -2,7 +2,7 @@
 
 use crate::elements::{AnyElement, JointDamping, JointSpring};
 use crate::model::joint::AxisList;
-use crate::model::{Beam, BodyDefinition, Joint, JointKind, Mode, Model, Section};
+use crate::model::{Beam, BodyDefinition, Joint, JointKind, Model, MotionType, Section};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::{Leaf, Quantity};
 use crate::scenario::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, Section as SectionSchema};
@@ -153,7 +153,7 @@ impl<S: Quantity> FlexibleBody<S> {
         let joint = self.start + Vector3([self.beam.joint(segment), S::ZERO, S::ZERO]);
         let placement = Frame { rotation: Matrix3::identity(), position: joint - self.centre(segment - 1) };
         let kind = JointKind::AxisList(AxisList::elastic(placement, self.centre(segment) - joint));
-        Joint { name: self.segment_name(segment), kind, mode: Mode::Free }
+        Joint { name: self.segment_name(segment), kind, mode: MotionType::Free }
     }
 
     /// Springs and dampers of an elastic joint whose coordinates begin at these indices in q and v.

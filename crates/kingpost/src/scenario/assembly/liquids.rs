@@ -1,7 +1,7 @@
 //! Parts that U-tanks and free-flooding tanks share: their liquid is a body that the scenario gives as a force.
 
 use crate::elements::{AnyElement, JointStop, StopSide};
-use crate::model::{BodyDefinition, Joint, JointKind, Mode, Node};
+use crate::model::{BodyDefinition, Joint, JointKind, MotionType, Node};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
@@ -28,7 +28,7 @@ pub(crate) fn definition<S: Quantity>(
     flows: bool,
     (mass, inertia): (S, SpatialInertia<S>),
 ) -> BodyDefinition<S> {
-    let mode = if flows { Mode::Free } else { Mode::Held };
+    let mode = if flows { MotionType::Free } else { MotionType::Held };
     let joint = Joint { name: name.to_owned(), kind, mode };
     BodyDefinition { name: name.to_owned(), parent: Some(parent), joint, mass, inertia, points: Vec::new() }
 }

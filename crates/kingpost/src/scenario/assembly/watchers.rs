@@ -3,7 +3,7 @@
 use crate::elements::hull::HullGap;
 use crate::elements::{AnyWatcher, Hull, Pendant, Rod};
 use crate::ledger::EnergyBalance;
-use crate::model::{Attachment, Constraint, Loop, Mode, Model};
+use crate::model::{Attachment, Constraint, Loop, Model, MotionType};
 use crate::simulation::Setup;
 
 /// Watchers of joints and loops that stand for ropes, of every pair of hulls, and of the energy.
@@ -38,7 +38,7 @@ fn hangs(model: &Model, springs: &[usize], body: usize) -> bool {
     let node = &model.tree.nodes[body];
     let own = node.velocities..node.velocities + node.kind.velocity_count();
     let carries = model.tree.nodes.iter().any(|other| other.parent == Some(body));
-    let is_free = own.clone().all(|i| model.modes[i] == Mode::Free && !springs.contains(&i));
+    let is_free = own.clone().all(|i| model.modes[i] == MotionType::Free && !springs.contains(&i));
     node.parent.is_some() && node.kind.swings() && is_free && !carries && node.kind.to_child().norm() > 0.0
 }
 

@@ -199,7 +199,7 @@ impl Scenario {
         let Setup { model, world, elements, limits, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
-            modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
+            modes.filter(|(_, mode)| **mode == crate::model::MotionType::Free).map(|(name, _)| name).collect();
         let body = |(index, (body, node)): (usize, (&crate::model::Body, &Node))| {
             let (owner, segment) = owner(&body.name);
             // A body that the scenario does not list is the liquid of a tank.

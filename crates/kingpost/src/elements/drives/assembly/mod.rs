@@ -7,7 +7,7 @@ use crate::dynamics::Clock;
 use crate::elements::drives::{Brake, ControlledDrive, DriveLimits, Motor, Profile, Servo, SetPoint};
 use crate::elements::{AnyElement, CoulombFriction, Input};
 use crate::model::AxisMotion::{self, Rotation, Translation};
-use crate::model::{Mode, Model};
+use crate::model::{Model, MotionType};
 use crate::scenario::assembly::axes::axes;
 use crate::scenario::assembly::bodies::joint_name;
 use crate::scenario::assembly::{FieldError, known, sensors, wave_motion};
@@ -99,11 +99,11 @@ fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<I
 const FARTHEST_OFFSET: f64 = 1e6;
 
 /// A drive that is enabled would have no effect on a coordinate that is held or prescribed.
-fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: Mode) -> Result<(), FieldError> {
+fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: MotionType) -> Result<(), FieldError> {
     let mode = match mode {
-        Mode::Free => return Ok(()),
-        Mode::Held => "held",
-        Mode::Prescribed => "prescribed",
+        MotionType::Free => return Ok(()),
+        MotionType::Held => "held",
+        MotionType::Prescribed => "prescribed",
     };
     let found = format!("{}, which is {mode}", parts.joint);
     Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for an enabled drive"))
