@@ -142,7 +142,7 @@ impl<S: Scalar> Moments<S> {
 /// Moves the frame of each rigid link to its centre of mass unless it floats, rotates that of a link with one axis so
 /// that the axis is its z, and stores the constants of each; `rigid` holds the sums over the bodies in ten numbers,
 /// `None` if one of them is not rigid.
-pub(super) fn lowered<S: Scalar>(
+pub(super) fn compile_links<S: Scalar>(
     links: &mut Tree<S>,
     bodies: &mut [Body<S>],
     mut rigid: Vec<Option<RigidInertia<S>>>,

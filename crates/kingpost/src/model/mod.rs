@@ -130,7 +130,7 @@ impl<S: Scalar> Model<S> {
         for (i, link) in links.nodes.iter().enumerate() {
             roots.push(link.parent.map_or(i, |p| roots[p]));
         }
-        let plan = links::lowered(&mut links, &mut bodies, rigid);
+        let plan = links::compile_links(&mut links, &mut bodies, rigid);
         let charts = Charts::of(&links.nodes);
         let (position_count, velocity_count) = (positions, velocities);
         let (rotor_inertia, loops, added_inertias) = (vec![S::ZERO; velocity_count], Vec::new(), Vec::new());
