@@ -1,6 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::elements::{ElementState, EvaluationMode, Input};
+use crate::elements::{EvaluationMode, Input, StateDeclaration};
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::MotionType;
@@ -104,7 +104,7 @@ const RATE: &str = ".rate";
 #[derive(Clone, Debug)]
 pub struct Linearizer {
     tangent: Tangent,
-    states: Vec<ElementState>,
+    states: Vec<StateDeclaration>,
     inputs: Vec<Input>,
     /// The kind of each state.
     along: Vec<Along>,
@@ -216,13 +216,13 @@ fn prescribed(plant: &Plant<Number>) -> Vec<(usize, String)> {
 
 /// States of a plant with their names and units, and the kind of each: those of drives and forces follow the ledger's
 /// entries in s.
-fn states(plant: &Plant<Number>) -> (Vec<ElementState>, Vec<Along>) {
+fn states(plant: &Plant<Number>) -> (Vec<StateDeclaration>, Vec<Along>) {
     let (model, names, turns) = (&plant.model, plant.model.coordinate_names(), plant.model.turning_coordinates());
     let unit = |units: [&'static str; 2], i: usize| units[usize::from(turns[i])];
     let free = model.free_coordinates();
     let positions =
-        free.iter().map(|&i| (ElementState::new(names[i].clone(), unit(["m", "rad"], i)), Along::Position(i)));
-    let rate = |&i: &usize| ElementState::new(format!("{}{RATE}", names[i]), unit(["m/s", "rad/s"], i));
+        free.iter().map(|&i| (StateDeclaration::new(names[i].clone(), unit(["m", "rad"], i)), Along::Position(i)));
+    let rate = |&i: &usize| StateDeclaration::new(format!("{}{RATE}", names[i]), unit(["m/s", "rad/s"], i));
     let rates = free.iter().map(|i| (rate(i), Along::Velocity(*i)));
     let extras = plant.layout().states.iter().cloned().enumerate();
     let extras = extras.map(|(i, state)| (state, Along::Extra(ledger::COUNT + i)));

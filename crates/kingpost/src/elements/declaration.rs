@@ -7,7 +7,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Declaration {
     /// Its continuous states.
-    pub states: Vec<ElementState>,
+    pub states: Vec<StateDeclaration>,
     /// Names of its discrete numbers.
     pub numbers: Vec<String>,
     /// Names of its modes.
@@ -40,7 +40,7 @@ pub struct Declaration {
 
 /// A continuous state that an element keeps.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ElementState {
+pub struct StateDeclaration {
     /// Its name, which follows the name of its element.
     pub name: String,
     /// SI unit.
@@ -50,7 +50,7 @@ pub struct ElementState {
     pub remembers: bool,
 }
 
-impl ElementState {
+impl StateDeclaration {
     /// A state that is no memory.
     pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
         Self { name: name.into(), unit, remembers: false }

@@ -1,6 +1,6 @@
 //! The places of everything that the elements declare: offsets, names, columns.
 
-use super::{AnyElement, Crossing, Declaration, DrawnLine, ElementState, Input, Output, Own};
+use super::{AnyElement, Crossing, Declaration, DrawnLine, Input, Output, Own, StateDeclaration};
 use crate::scalar::Scalar;
 use core::ops::Range;
 use thiserror::Error;
@@ -101,7 +101,7 @@ pub struct Layout {
     /// The table of inputs with their first values.
     pub inputs: Vec<Input>,
     /// The continuous states by their full names, as `luffing.wanted_length`.
-    pub states: Vec<ElementState>,
+    pub states: Vec<StateDeclaration>,
     /// Names of the discrete numbers.
     pub numbers: Vec<String>,
     /// Names of the modes.
@@ -164,7 +164,7 @@ impl Layout {
             });
             (input, number) = (input + declared.inputs.len(), number + declared.numbers.len());
             layout.names.push(name.to_owned());
-            let kept = |own: &ElementState| ElementState { name: full(&own.name), ..own.clone() };
+            let kept = |own: &StateDeclaration| StateDeclaration { name: full(&own.name), ..own.clone() };
             layout.states.extend(declared.states.iter().map(kept));
             layout.numbers.extend(declared.numbers.iter().map(full));
             layout.modes.extend(declared.modes.iter().map(full));

@@ -63,7 +63,7 @@ pub use contact::Contact;
 pub use context::{Context, EvaluationMode};
 pub use coulomb_friction::CoulombFriction;
 pub use damped_against::DampedAgainst;
-pub use declaration::{Components, Crossing, Declaration, ElementState, Event, Input, Output, VectorFrame, WRENCH};
+pub use declaration::{Components, Crossing, Declaration, Event, Input, Output, StateDeclaration, VectorFrame, WRENCH};
 pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};
 pub use drive_function::{CubicSpline, DriveFunction};

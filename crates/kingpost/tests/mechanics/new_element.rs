@@ -4,8 +4,8 @@ use kingpost::analysis::Linearizer;
 use kingpost::batch::{Batch, Built, run_built};
 use kingpost::dynamics::Loads;
 use kingpost::elements::{
-    AnyElement, AnyWatcher, Components, Context, Crossing, Declaration, Element, ElementState, Event, Extreme, Input,
-    Output, Own, VectorFrame, Warning, Watcher,
+    AnyElement, AnyWatcher, Components, Context, Crossing, Declaration, Element, Event, Extreme, Input, Output, Own,
+    StateDeclaration, VectorFrame, Warning, Watcher,
 };
 use kingpost::integrate::Tolerances;
 use kingpost::plant::{Number, Plant};
@@ -40,7 +40,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
             ..output("governor_moment", "moment of a governor", &["N m"])
         };
         Declaration {
-            states: vec![ElementState::new("lagged_rate", "rad/s")],
+            states: vec![StateDeclaration::new("lagged_rate", "rad/s")],
             numbers: vec!["largest".to_owned()],
             modes: vec!["latched".to_owned()],
             inputs: vec![Input {

@@ -17,8 +17,8 @@ pub use spot::Spot;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own,
-    PresentSupport, Support, VectorFrame,
+    AnyWatcher, Context, Crossing, Declaration, Element, EvaluationMode, Event, Output, Own, PresentSupport,
+    StateDeclaration, Support, VectorFrame,
 };
 use crate::model::Attachment;
 use crate::scalar::Scalar;
@@ -107,11 +107,11 @@ impl<S: Scalar> Element<S> for Contact<S> {
             let count = if self.friction.is_some() { self.spots.len() } else { 0 };
             (0..count).flat_map(axes).collect::<Vec<_>>()
         };
-        let bristles = of_spots("bristle").into_iter().map(|name| ElementState::memory(name, "m"));
+        let bristles = of_spots("bristle").into_iter().map(|name| StateDeclaration::memory(name, "m"));
         let components = crate::elements::Components::Axis;
         let force = number("contact_force", "force on the load by the surface", &["N"]);
         Declaration {
-            states: bristles.chain([ElementState::memory("impulse", "N s")]).collect(),
+            states: bristles.chain([StateDeclaration::memory("impulse", "N s")]).collect(),
             numbers: of_spots("anchor"),
             modes: (0..self.spots.len()).map(|i| format!("spot_{i}")).collect(),
             outputs: vec![

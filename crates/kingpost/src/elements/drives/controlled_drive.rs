@@ -2,7 +2,7 @@
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    Context, Declaration, Element, ElementState, EvaluationMode, Input, Output, Own, Settling, Support,
+    Context, Declaration, Element, EvaluationMode, Input, Output, Own, Settling, StateDeclaration, Support,
 };
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
@@ -107,7 +107,7 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         };
         let input =
             Input { name: self.name.clone(), unit, lower: -farthest, upper: farthest, value: 0.0, signal: None };
-        let states = reference[..self.state_count()].iter().map(|(name, unit)| ElementState::new(*name, unit));
+        let states = reference[..self.state_count()].iter().map(|(name, unit)| StateDeclaration::new(*name, unit));
         Declaration { states: states.collect(), inputs: vec![input], outputs: self.shown(), ..Declaration::default() }
     }
 

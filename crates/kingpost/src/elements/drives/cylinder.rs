@@ -3,8 +3,8 @@
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::{
-    Context, Declaration, DrawnLine, Element, ElementState, EvaluationMode, Input, LineStyle, Output, Own, Settling,
-    Support, hunt_crossley,
+    Context, Declaration, DrawnLine, Element, EvaluationMode, Input, LineStyle, Output, Own, Settling,
+    StateDeclaration, Support, hunt_crossley,
 };
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
@@ -86,7 +86,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         let number = |variable, description, unit| Output::number(variable, description, "cylinder", &self.name, unit);
         let by_lever = self.aim == Aim::Lever;
         Declaration {
-            states: by_lever.then(|| ElementState::new("wanted_length", "m")).into_iter().collect(),
+            states: by_lever.then(|| StateDeclaration::new("wanted_length", "m")).into_iter().collect(),
             inputs: by_lever.then(|| Input::lever(&self.name, -1.0, 0.0)).into_iter().collect(),
             outputs: vec![
                 number("cylinder_length", "length of a cylinder between its pins", &["m"]),

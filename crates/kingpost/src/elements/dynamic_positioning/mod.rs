@@ -15,7 +15,7 @@ pub use wave_filter::WaveFilter;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
 use crate::elements::{
-    Components, Context, Declaration, Element, ElementState, EvaluationMode, Output, Own, Settling, Support,
+    Components, Context, Declaration, Element, EvaluationMode, Output, Own, Settling, StateDeclaration, Support,
     VectorFrame,
 };
 use crate::model::Model;
@@ -195,12 +195,12 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
 }
 
 impl<S: Scalar> DynamicPositioning<S> {
-    fn declared_states(&self) -> Vec<ElementState> {
+    fn declared_states(&self) -> Vec<StateDeclaration> {
         let axes = [("x", "N"), ("y", "N"), ("yaw", "N m")];
-        let integrals = axes.map(|(axis, unit)| ElementState::new(format!("integral.{axis}"), unit));
+        let integrals = axes.map(|(axis, unit)| StateDeclaration::new(format!("integral.{axis}"), unit));
         let of_thruster = |thruster: &Thruster<S>| {
             let parts: &[&str] = if thruster.components() == 1 { &["thrust"] } else { &["thrust_x", "thrust_y"] };
-            parts.iter().map(|part| ElementState::new(format!("{}.{part}", thruster.name), "N")).collect::<Vec<_>>()
+            parts.iter().map(|part| StateDeclaration::new(format!("{}.{part}", thruster.name), "N")).collect::<Vec<_>>()
         };
         let thrusts = self.allocation.thrusters().iter().flat_map(of_thruster);
         integrals.into_iter().chain(self.filter.declared()).chain(thrusts).collect()

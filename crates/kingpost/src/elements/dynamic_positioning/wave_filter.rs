@@ -1,6 +1,6 @@
 //! The filter that keeps the thrusters from responding to every wave.
 
-use crate::elements::ElementState;
+use crate::elements::StateDeclaration;
 use crate::scalar::Scalar;
 
 /// Notches in cascade with a low pass of second order,
@@ -88,11 +88,11 @@ impl<S: Scalar> WaveFilter<S> {
     }
 
     /// Its states, as an element declares them: a and b of each section.
-    pub fn declared(&self) -> impl Iterator<Item = ElementState> + '_ {
+    pub fn declared(&self) -> impl Iterator<Item = StateDeclaration> + '_ {
         let of_section = |section: usize| {
             let signals = [("surge", "N"), ("sway", "N"), ("yaw", "N m")].into_iter();
             let pair = move |(signal, unit)| {
-                ["a", "b"].map(|part| ElementState::new(format!("filter_{section}.{signal}.{part}"), unit))
+                ["a", "b"].map(|part| StateDeclaration::new(format!("filter_{section}.{signal}.{part}"), unit))
             };
             signals.flat_map(pair)
         };

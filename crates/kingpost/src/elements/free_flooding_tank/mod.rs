@@ -10,7 +10,7 @@ pub use air::{ATMOSPHERE_PA, AirChamber, AirPump};
 pub use column::FloodedColumn;
 
 use super::{
-    AnyElement, AnyWatcher, Context, Declaration, Element, ElementState, Input, LevelEnd, Output, RegularWaves,
+    AnyElement, AnyWatcher, Context, Declaration, Element, Input, LevelEnd, Output, RegularWaves, StateDeclaration,
     TankLevels, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
@@ -106,7 +106,7 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
         outputs.push(number("air_pressure", "pressure of the air above that of the atmosphere", &["Pa"]));
         outputs.push(number("air_flow", "flow of air at the pressure of the atmosphere into the tank", &["m^3/s"]));
         outputs.push(number("air_power", "least power of the pump of the air", &["W"]));
-        let states = vec![ElementState::new("air_pressure", "Pa")];
+        let states = vec![StateDeclaration::new("air_pressure", "Pa")];
         Declaration { states, outputs, inputs: vec![Input::lever(&self.name, -1.0, 0.0)], ..Declaration::default() }
     }
 

@@ -1,7 +1,7 @@
 //! The centre of mass of a ship with all that it carries, and its average position.
 
 use super::place::LowFrequencyFrame;
-use crate::elements::{Context, ElementState};
+use crate::elements::{Context, StateDeclaration};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -59,9 +59,9 @@ impl<S: Scalar> CarriedFilter<S> {
     }
 
     /// Its states, as an element declares them.
-    pub fn declared() -> impl Iterator<Item = ElementState> {
+    pub fn declared() -> impl Iterator<Item = StateDeclaration> {
         let of =
-            |stage: usize| ["x", "y"].map(|name| ElementState::memory(format!("slow.carried_{name}.{stage}"), "m"));
+            |stage: usize| ["x", "y"].map(|name| StateDeclaration::memory(format!("slow.carried_{name}.{stage}"), "m"));
         (1..=ORDER).flat_map(of)
     }
 

@@ -1,6 +1,6 @@
 //! The memory of the water: waves that the hull has radiated act on it later.
 
-use crate::elements::ElementState;
+use crate::elements::StateDeclaration;
 use crate::scalar::Scalar;
 use crate::sea::database::{MODES, RadiationModel, SixBySix};
 
@@ -80,9 +80,9 @@ impl Radiation {
     }
 
     /// The states by mode and pole, as an element declares them; for a translation they are lengths.
-    pub fn declared(&self) -> Vec<ElementState> {
+    pub fn declared(&self) -> Vec<StateDeclaration> {
         let of = |mode: usize, rest: String| {
-            ElementState::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
+            StateDeclaration::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
         };
         let mut states = Vec::with_capacity(self.state_count());
         for (k, pole) in self.complex.iter().enumerate() {

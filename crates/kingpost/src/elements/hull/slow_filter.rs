@@ -1,7 +1,7 @@
 //! The filter between a hull's position and the position where its first-order loads are computed.
 
 use super::place::LowFrequencyFrame;
-use crate::elements::ElementState;
+use crate::elements::StateDeclaration;
 use crate::scalar::Scalar;
 
 /// Number of filters in series.
@@ -35,10 +35,11 @@ impl<S: Scalar> SlowFilter<S> {
     }
 
     /// Its states, as an element declares them.
-    pub fn declared() -> impl Iterator<Item = ElementState> {
+    pub fn declared() -> impl Iterator<Item = StateDeclaration> {
         let signals = [("x", "m"), ("y", "m"), ("heading", "rad"), ("roll", "rad"), ("pitch", "rad")];
-        let of =
-            move |stage: usize| signals.map(|(name, unit)| ElementState::memory(format!("slow.{name}.{stage}"), unit));
+        let of = move |stage: usize| {
+            signals.map(|(name, unit)| StateDeclaration::memory(format!("slow.{name}.{stage}"), unit))
+        };
         (1..=ORDER).flat_map(of)
     }
 

@@ -5,7 +5,7 @@ pub mod fields;
 
 use super::hull::HullFrame;
 use super::sensing::{PositionAid, ReceiverSample, Sampler};
-use super::{Components, Context, Declaration, Element, ElementState, Output, Own, VectorFrame};
+use super::{Components, Context, Declaration, Element, Output, Own, StateDeclaration, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
@@ -80,7 +80,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         let states = parts.flat_map(|part| {
             FILTERED[..self.filtered()].iter().flat_map(move |axis| {
                 let rate = format!("{part}_{axis}_rate");
-                [ElementState::memory(format!("{part}_{axis}"), "m"), ElementState::memory(rate, "m/s")]
+                [StateDeclaration::memory(format!("{part}_{axis}"), "m"), StateDeclaration::memory(rate, "m/s")]
             })
         });
         let mut declaration =

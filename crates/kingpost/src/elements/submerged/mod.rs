@@ -14,8 +14,8 @@ pub use loads::{AddedMassOf, Drag, Slamming, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
-    AnyElement, Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, Own,
-    PresentSupport, ShownWaves, Support, VectorFrame, of_kind,
+    AnyElement, Components, Context, Crossing, Declaration, Element, EvaluationMode, Event, Output, Own,
+    PresentSupport, ShownWaves, StateDeclaration, Support, VectorFrame, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -88,7 +88,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 
     fn declare(&self) -> Declaration {
         Declaration {
-            states: self.entrained.iter().map(|_| ElementState::new("entrained_level", "m")).collect(),
+            states: self.entrained.iter().map(|_| StateDeclaration::new("entrained_level", "m")).collect(),
             modes: vec!["phase".to_owned()],
             outputs: outputs(&self.name, self.entrained.is_some()),
             events: EVENTS.to_vec(),
