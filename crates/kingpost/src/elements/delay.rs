@@ -1,15 +1,15 @@
 //! Values that arrive some samples later.
 
-use super::Own;
+use super::ElementState;
 use crate::scalar::Scalar;
 
 /// A delay of whole samples: a ring buffer in an element's discrete numbers, whose head is a mode.
 ///
 /// ```
-/// use kingpost::elements::{Delay, Own};
+/// use kingpost::elements::{Delay, ElementState};
 /// let delay = Delay { first_number: 0, mode: 0, ticks: 2 };
 /// let (mut numbers, mut modes) = ([0.0; 2], [0]);
-/// let mut own = Own { states: &mut [], numbers: &mut numbers, modes: &mut modes, also: None };
+/// let mut own = ElementState { states: &mut [], numbers: &mut numbers, modes: &mut modes, also: None };
 /// let out: Vec<f64> = [1.0, 2.0, 3.0, 4.0].into_iter().map(|value| delay.pass(&mut own, value)).collect();
 /// assert_eq!(out, [0.0, 0.0, 1.0, 2.0]);
 /// ```
@@ -25,7 +25,7 @@ pub struct Delay {
 
 impl Delay {
     /// Called once per sample: stores a value and returns the one from `ticks` samples ago.
-    pub fn pass<S: Scalar>(&self, own: &mut Own<'_, S>, value: S) -> S {
+    pub fn pass<S: Scalar>(&self, own: &mut ElementState<'_, S>, value: S) -> S {
         if self.ticks == 0 {
             return value;
         }

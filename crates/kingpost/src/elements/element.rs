@@ -39,7 +39,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// Writes its states, numbers and modes at the start of a run; they are zero before.
-    fn begin(&mut self, _at: &Context<'_, S>, _own: &mut Own<'_, S>) {}
+    fn begin(&mut self, _at: &Context<'_, S>, _own: &mut ElementState<'_, S>) {}
 
     /// Adds its loads, and the power of those that are not conservative.
     fn loads(&mut self, _at: &Context<'_, S>, _loads: &mut Loads<S>) {}
@@ -68,7 +68,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// At its sampling time: sets its discrete numbers and modes.
-    fn sample(&mut self, _at: &Context<'_, S>, _own: &mut Own<'_, S>) {}
+    fn sample(&mut self, _at: &Context<'_, S>, _own: &mut ElementState<'_, S>) {}
 
     /// At the start of a step: gets the columns that it [reads](Declaration::reads) and sets the inputs that it
     /// [steers](Declaration::steers), both in the order of its declaration; it may change its numbers and modes.
@@ -80,7 +80,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         &mut self,
         _at: &Context<'_, S>,
         _read: &[S],
-        _own: &mut Own<'_, S>,
+        _own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         Ok(Vec::new())
@@ -98,11 +98,11 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
 
     /// Responds to an event at the located time: it may change its states, numbers and modes, and the velocities `v` of
     /// the whole model, as an impact does.
-    fn handle_event(&mut self, _event: usize, _at: &Context<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
+    fn handle_event(&mut self, _event: usize, _at: &Context<'_, S>, _own: &mut ElementState<'_, S>, _v: &mut [S]) {}
 
     /// Sets its modes again after its numbers or one of its inputs were changed, because a threshold may have been
     /// crossed.
-    fn renew(&mut self, _at: &Context<'_, S>, _own: &mut Own<'_, S>) {}
+    fn renew(&mut self, _at: &Context<'_, S>, _own: &mut ElementState<'_, S>) {}
 
     /// Returns the role of the element while an equilibrium is sought, in addition to its loads; `None` if it has none.
     fn settling(&self) -> Option<&dyn Settling<S>> {
@@ -194,7 +194,7 @@ pub type AnyElement<S = f64> = Box<dyn Element<S>>;
 
 /// The entries of an element, which may change between two steps.
 #[derive(Debug)]
-pub struct Own<'a, S = f64> {
+pub struct ElementState<'a, S = f64> {
     /// Continuous states.
     pub states: &'a mut [S],
     /// Discrete numbers.

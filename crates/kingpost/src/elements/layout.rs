@@ -1,6 +1,6 @@
 //! The places of everything that the elements declare: offsets, names, columns.
 
-use super::{AnyElement, Crossing, Declaration, DrawnLine, Input, Output, Own, StateDeclaration};
+use super::{AnyElement, Crossing, Declaration, DrawnLine, ElementState, Input, Output, StateDeclaration};
 use crate::scalar::Scalar;
 use core::ops::Range;
 use thiserror::Error;
@@ -265,10 +265,10 @@ impl Layout {
     }
 
     /// An element's own entries in the whole state.
-    pub fn own<'a, S>(&self, element: usize, s: &'a mut [S], d: &'a mut [S], m: &'a mut [i64]) -> Own<'a, S> {
+    pub fn own<'a, S>(&self, element: usize, s: &'a mut [S], d: &'a mut [S], m: &'a mut [i64]) -> ElementState<'a, S> {
         let StateSlices { numbers, modes, .. } = &self.slices[element];
         let (numbers, modes) = (&mut d[numbers.clone()], &mut m[modes.clone()]);
-        Own { states: &mut s[self.states_of(element)], numbers, modes, also: None }
+        ElementState { states: &mut s[self.states_of(element)], numbers, modes, also: None }
     }
 }
 

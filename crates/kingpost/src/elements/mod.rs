@@ -68,7 +68,9 @@ pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};
 pub use drive_function::{CubicSpline, DriveFunction};
 pub use dynamic_positioning::DynamicPositioning;
-pub use element::{AnyElement, Boxed, Element, HOLD_IT, Holding, LinearLaw, Own, Settling, of_kind, of_kind_mut};
+pub use element::{
+    AnyElement, Boxed, Element, ElementState, HOLD_IT, Holding, LinearLaw, Settling, of_kind, of_kind_mut,
+};
 pub use flow::{Flow, FlowLoad};
 pub use free_flooding_tank::FreeFloodingTank;
 pub use gas_spring::GasSpring;

@@ -2,7 +2,7 @@
 
 use super::element_contexts::ElementContexts;
 use super::{Plant, Totals};
-use crate::elements::{AnyElement, Context, Element, Own, Steer, Watched};
+use crate::elements::{AnyElement, Context, Element, ElementState, Steer, Watched};
 use crate::integrate::{Interval, Stage};
 use crate::ledger;
 use crate::scalar::Scalar;
@@ -203,7 +203,7 @@ impl<S: Scalar> Plant<S> {
         element: usize,
         time_s: f64,
         state: &mut State<S>,
-        change: impl FnOnce(&mut dyn Element<S>, &Context<'_, S>, &mut Own<'_, S>, &mut [S]),
+        change: impl FnOnce(&mut dyn Element<S>, &Context<'_, S>, &mut ElementState<'_, S>, &mut [S]),
     ) {
         self.links.update(&self.model, &state.q, &state.v);
         let Self { model, world, links, layout, evaluation, elements, seen, also, .. } = self;

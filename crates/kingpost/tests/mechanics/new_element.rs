@@ -4,8 +4,8 @@ use kingpost::analysis::Linearizer;
 use kingpost::batch::{Batch, Built, run_built};
 use kingpost::dynamics::Loads;
 use kingpost::elements::{
-    AnyElement, AnyWatcher, Components, Context, Crossing, Declaration, Element, Event, Extreme, Input, Output, Own,
-    StateDeclaration, VectorFrame, Warning, Watcher,
+    AnyElement, AnyWatcher, Components, Context, Crossing, Declaration, Element, ElementState, Event, Extreme, Input,
+    Output, StateDeclaration, VectorFrame, Warning, Watcher,
 };
 use kingpost::integrate::Tolerances;
 use kingpost::plant::{Number, Plant};
@@ -62,7 +62,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
         vec![Box::new(Haste { limit: self.limit.value(), largest: Extreme::default() })]
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.states[0] = at.v[self.coordinate];
     }
 
@@ -78,7 +78,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
         rates[0] = (at.v[self.coordinate] - at.states[0]) / S::constant(self.time_constant_s);
     }
 
-    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let now = at.states[0];
         own.numbers[0] = now.select_less(own.numbers[0], || own.numbers[0], || now);
     }
@@ -87,7 +87,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
         values[0] = at.states[0] - self.limit;
     }
 
-    fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+    fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut ElementState<'_, S>, _: &mut [S]) {
         own.modes[0] = 1;
     }
 

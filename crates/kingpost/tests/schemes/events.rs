@@ -5,7 +5,7 @@ use crate::common;
 use common::closed_forms::{GRAVITY, Pendulum};
 use kingpost::dynamics::Loads;
 use kingpost::elements::{
-    AnyElement, Context, Crossing, Declaration, Delay, Element, Event, Gravity, Input, Output, Own,
+    AnyElement, Context, Crossing, Declaration, Delay, Element, ElementState, Event, Gravity, Input, Output,
 };
 use kingpost::integrate::Tolerances;
 use kingpost::model::joint::{Prismatic, Revolute};
@@ -82,7 +82,7 @@ impl<S: Scalar> Element<S> for Floor<S> {
         values[0] = at.q[0];
     }
 
-    fn handle_event(&mut self, _: usize, at: &Context<'_, S>, _: &mut Own<'_, S>, v: &mut [S]) {
+    fn handle_event(&mut self, _: usize, at: &Context<'_, S>, _: &mut ElementState<'_, S>, v: &mut [S]) {
         v[0] = -(self.restitution * at.v[0]);
     }
 }
@@ -184,7 +184,7 @@ impl<S: Scalar> Element<S> for Catch {
         values[0] = at.q[0] - S::constant(self.angle);
     }
 
-    fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+    fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut ElementState<'_, S>, _: &mut [S]) {
         own.modes[0] = 1;
     }
 }
@@ -268,7 +268,7 @@ impl<S: Scalar> Element<S> for Controller {
         }
     }
 
-    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let late = DELAY.pass(own, at.q[0]);
         own.numbers[0] = S::constant(-self.gain) * late;
     }
@@ -346,7 +346,7 @@ fn what_answers_itself_without_end_stops_the_run() {
             values[0] = S::constant(next - at.clock.time_s);
         }
 
-        fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
+        fn handle_event(&mut self, _: usize, _: &Context<'_, S>, own: &mut ElementState<'_, S>, _: &mut [S]) {
             own.modes[0] += 1;
         }
     }

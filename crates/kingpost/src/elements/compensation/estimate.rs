@@ -2,7 +2,7 @@
 
 use super::measurement::{Measured, Measurement};
 use super::predictor::FilterBank;
-use crate::elements::Own;
+use crate::elements::ElementState;
 use crate::scalar::Scalar;
 
 /// Estimates velocity and position along axes of the world.
@@ -142,7 +142,7 @@ impl<S: Copy> Estimate<S> {
 }
 
 /// Reports a drop-out or a return of the sensor, whose last state is the mode `out`.
-pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut Own<'_, S>) -> Vec<String> {
+pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut ElementState<'_, S>) -> Vec<String> {
     let was_out = core::mem::replace(&mut own.modes[out], i64::from(!delivers)) == 1;
     match (was_out, delivers) {
         (false, false) => vec!["goes on without its sensor, which has dropped out".to_owned()],

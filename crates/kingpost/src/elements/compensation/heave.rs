@@ -6,7 +6,7 @@ use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT, reached, share};
 use super::measurement::Measured;
 use crate::elements::lines::place;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Context, Declaration, Element, Output, Own};
+use crate::elements::{Context, Declaration, Element, ElementState, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -122,7 +122,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let Some(input) = inputs.first_mut() else { return Ok(Vec::new()) };
@@ -153,7 +153,7 @@ impl<S: Scalar> HeaveCompensation<S> {
     }
 
     /// v and z as the controller takes them: measured, or predicted.
-    fn now(&self, measured: &Measured<S>, begins: bool, own: &mut Own<'_, S>) -> [S; 2] {
+    fn now(&self, measured: &Measured<S>, begins: bool, own: &mut ElementState<'_, S>) -> [S; 2] {
         let found = self.estimator.take(measured, UPWARD, begins, &mut own.numbers[ESTIMATE..]);
         let lost = self.estimator.prediction.is_none() && !measured.delivers;
         let by_crane = if lost { S::ZERO } else { measured.by_crane[UPWARD] };
@@ -161,7 +161,13 @@ impl<S: Scalar> HeaveCompensation<S> {
     }
 
     /// The speed for the drive's input, rad/s or m/s.
-    fn command(&mut self, at: &Context<'_, S>, begins: bool, [velocity, height]: [S; 2], own: &mut Own<'_, S>) -> S {
+    fn command(
+        &mut self,
+        at: &Context<'_, S>,
+        begins: bool,
+        [velocity, height]: [S; 2],
+        own: &mut ElementState<'_, S>,
+    ) -> S {
         let numbers = &mut *own.numbers;
         let paid_out = self.hoist.let_out(at);
         let per_speed = self.falls / paid_out.per_position;

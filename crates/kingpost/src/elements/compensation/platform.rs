@@ -6,7 +6,7 @@ use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT};
 use super::measurement::Measured;
 use crate::elements::lines::place;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
+use crate::elements::{Components, Context, Declaration, Element, ElementState, Output, VectorFrame};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Twist, Vector3};
@@ -80,7 +80,7 @@ impl<S: Scalar> Element<S> for PlatformCompensation<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let due = due(at.clock.time_s, self.estimator.period_s, &mut own.modes[NEXT_TICK]);

@@ -7,7 +7,7 @@ use super::{
     BEGINS_TO_SLIDE, BY_DEPTH, Contact, ContactSolid, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN,
     ROUNDING_M, SLIDES, TOUCHES,
 };
-use crate::elements::{Context, Crossing, EvaluationMode, Own, hunt_crossley};
+use crate::elements::{Context, Crossing, ElementState, EvaluationMode, hunt_crossley};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -147,7 +147,7 @@ impl<S: Scalar> Contact<S> {
         if has_states { Vector3::from_slice(&at.states[own]) } else { Vector3::zero() }
     }
 
-    pub(super) fn let_go(&self, i: usize, own: &mut Own<'_, S>) {
+    pub(super) fn let_go(&self, i: usize, own: &mut ElementState<'_, S>) {
         own.modes[i] = OPEN;
         if self.friction.is_some() {
             own.states[3 * i..3 * i + 3].fill(S::ZERO);
@@ -155,7 +155,7 @@ impl<S: Scalar> Contact<S> {
     }
 
     /// The spot holds, unless friction grows faster than its limit from here.
-    pub(super) fn touch(&self, i: usize, friction: &Friction<S>, met: &Met<S>, own: &mut Own<'_, S>) {
+    pub(super) fn touch(&self, i: usize, friction: &Friction<S>, met: &Met<S>, own: &mut ElementState<'_, S>) {
         let (slip, stiffest) = (met.slip(), friction.coefficient * self.stiffness * met.rate());
         let slides = (friction.stiffness * length(slip) - stiffest).all(|beyond| beyond > 0.0);
         own.modes[i] = if slides { SLIDES } else { HOLDS };
@@ -172,7 +172,7 @@ impl<S: Scalar> Contact<S> {
         friction: &Friction<S>,
         met: &Met<S>,
         bristle: Vector3<S>,
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
     ) {
         let rubbing = self.rubbing(friction, met, self.pressed(HOLDS, met).normal, bristle);
         let force = friction.holding(&rubbing).force;

@@ -17,7 +17,7 @@ pub use spot::Spot;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, Element, EvaluationMode, Event, Output, Own, PresentSupport,
+    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, PresentSupport,
     StateDeclaration, Support, VectorFrame,
 };
 use crate::model::Attachment;
@@ -137,7 +137,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let sides = self.sides_at(at);
         let first_of_search = at.evaluation == EvaluationMode::Settling && !self.settles;
         self.settles = at.evaluation == EvaluationMode::Settling;
@@ -165,7 +165,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let sides = self.sides_at(at);
         for i in 0..self.spots.len() {
             let met = self.met(i, &sides);
@@ -247,7 +247,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn handle_event(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn handle_event(&mut self, event: usize, at: &Context<'_, S>, own: &mut ElementState<'_, S>, _v: &mut [S]) {
         let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
         let met = self.met(i, &self.sides_at(at));
         match (event, self.friction) {

@@ -2,7 +2,7 @@
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    Context, Declaration, Element, EvaluationMode, Input, Output, Own, Settling, StateDeclaration, Support,
+    Context, Declaration, Element, ElementState, EvaluationMode, Input, Output, Settling, StateDeclaration, Support,
 };
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
@@ -112,7 +112,7 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
     }
 
     /// The reference begins at the coordinate's position and rate.
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         if let [position, speed, ..] = own.states {
             (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
         }

@@ -3,7 +3,7 @@
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::{
-    Context, Declaration, DrawnLine, Element, EvaluationMode, Input, LineStyle, Output, Own, Settling,
+    Context, Declaration, DrawnLine, Element, ElementState, EvaluationMode, Input, LineStyle, Output, Settling,
     StateDeclaration, Support, hunt_crossley,
 };
 use crate::model::{Attachment, Constraint, Model};
@@ -105,7 +105,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 
     /// The target length begins at the present length, m.
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.states.fill(self.length(at.model, at.links));
     }
 

@@ -15,8 +15,8 @@ pub use wave_filter::WaveFilter;
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
 use crate::elements::{
-    Components, Context, Declaration, Element, EvaluationMode, Output, Own, Settling, StateDeclaration, Support,
-    VectorFrame,
+    Components, Context, Declaration, Element, ElementState, EvaluationMode, Output, Settling, StateDeclaration,
+    Support, VectorFrame,
 };
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -79,7 +79,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
     }
 
     /// Filter and thrusts begin in their steady state.
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let at = self.target.deviation(&self.place, at.model, at.links);
         let (proportional, integral) = (self.gains.proportional(&at), at.from_world(self.bias));
         let command = self.allocation.limited(core::array::from_fn(|k| proportional[k] + integral[k]));

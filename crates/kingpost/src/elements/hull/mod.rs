@@ -33,8 +33,8 @@ pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
 use super::{
-    AnyElement, AnyWatcher, Context, Declaration, Element, EvaluationMode, Output, Own, RegularWaves, ShownWaves,
-    Support, VectorFrame, of_kind,
+    AnyElement, AnyWatcher, Context, Declaration, Element, ElementState, EvaluationMode, Output, RegularWaves,
+    ShownWaves, Support, VectorFrame, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -152,7 +152,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
 
     /// The states for a hull that has always moved through the water with its present horizontal velocity; for heave,
     /// roll, pitch and yaw the memory begins at zero.
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let in_world = self.coefficients.frame(at.model, at.links);
         let place = LowFrequencyFrame::of(&in_world);
         let States { place: of_place, carried, radiation: of_radiation } = States::of_mut(own.states);

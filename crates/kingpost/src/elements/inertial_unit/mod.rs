@@ -11,7 +11,7 @@ pub use navigation::{Increments, Moving, Navigation};
 use super::hull::{HullFrame, HullMotion};
 use super::motion_reference_unit::{KEPT, motion};
 use super::sensing::{PositionAid, ReceiverSample, Sampler, SensorNoise, SignalErrors, with_errors};
-use super::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
+use super::{Components, Context, Declaration, Element, ElementState, Output, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, exp, roll_pitch_yaw};
 
@@ -94,7 +94,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
         declaration
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let (now, gravity) = (self.place.motion(at), at.world.gravity);
         let exact = moving(&now);
         let up = Vector3([S::ZERO, S::ZERO, gravity]);
@@ -115,7 +115,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
@@ -129,7 +129,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
         Ok(Vec::new())
     }
 
-    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         // The start is not the end of a sample: what the unit knows then is that of the start.
         let modes = &mut own.modes[self.sampler.modes()..];
         if core::mem::replace(&mut modes[HAS_BEGUN], 1) == 0 {

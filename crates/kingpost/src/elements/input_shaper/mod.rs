@@ -4,7 +4,7 @@ pub(crate) mod assembly;
 pub(crate) mod fields;
 
 use crate::elements::commanded::one_command;
-use crate::elements::{Context, Declaration, Element, Input, Own};
+use crate::elements::{Context, Declaration, Element, ElementState, Input};
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 
@@ -82,7 +82,7 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
     }
 
     /// The command was the same before the run.
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.numbers.fill(at.inputs[0]);
     }
 
@@ -90,7 +90,7 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
         &mut self,
         at: &Context<'_, S>,
         _read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let kept = self.steps_kept();

@@ -5,7 +5,7 @@ pub mod fields;
 
 use super::hull::HullFrame;
 use super::sensing::{PositionAid, ReceiverSample, Sampler};
-use super::{Components, Context, Declaration, Element, Output, Own, StateDeclaration, VectorFrame};
+use super::{Components, Context, Declaration, Element, ElementState, Output, StateDeclaration, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
@@ -92,7 +92,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         Declaration { states: states.collect(), reads, ..declaration }
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let (zeros, place) = (self.sampler.numbers(), self.place.frame(at.model, at.links).position.0);
         for axis in 0..self.filtered() {
             own.numbers[zeros + axis] = place[AXES[axis]];
@@ -131,7 +131,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
@@ -152,7 +152,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         Ok(Vec::new())
     }
 
-    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let now = self.measured(at, &own.numbers[self.sampler.numbers()..], own.states);
         self.sampler.take(at.clock.time_s, own, &now[..self.sampler.count()]);
     }

@@ -6,7 +6,7 @@ pub(crate) mod fields;
 
 pub use condition::{ColumnRange, Condition};
 
-use crate::elements::{Context, Declaration, Element, Output, Own};
+use crate::elements::{Context, Declaration, Element, ElementState, Output};
 use crate::scalar::Scalar;
 
 /// A timeline. It checks its condition at the start of each integrator step, so a step of the operation ends at most
@@ -91,7 +91,7 @@ impl<S: Scalar> Element<S> for Operation<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let (time_s, columns) = (at.clock.time_s, read.iter().map(|value| value.value()).collect::<Vec<_>>());
@@ -141,7 +141,7 @@ impl<S: Scalar> Operation<S> {
     }
 
     /// Begins the next step, or ends after the last; returns what happened.
-    fn go_on(&self, time_s: f64, own: &mut Own<'_, S>, inputs: &[S]) -> String {
+    fn go_on(&self, time_s: f64, own: &mut ElementState<'_, S>, inputs: &[S]) -> String {
         own.modes[STEP] += 1;
         own.numbers[BEGAN] = S::constant(time_s);
         own.numbers[FROM..].copy_from_slice(inputs);

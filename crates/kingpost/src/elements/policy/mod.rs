@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use crate::elements::commanded::changed_commands;
 use crate::elements::ticks::is_tick;
-use crate::elements::{Context, Declaration, Element, Input, LinearLaw, Own};
+use crate::elements::{Context, Declaration, Element, ElementState, Input, LinearLaw};
 use crate::scalar::Scalar;
 
 /// Sets inputs by a multilayer perceptron, at multiples of its period:
@@ -82,7 +82,7 @@ impl<S: Scalar> Element<S> for Policy<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         if self.acts && is_tick(at.clock.time_s, self.period_s) {

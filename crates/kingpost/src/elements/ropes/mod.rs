@@ -23,7 +23,7 @@ pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, Event, Holding, LineStyle, Output, Own,
+    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, ElementState, Event, Holding, LineStyle, Output,
     PresentSupport, Support,
 };
 use crate::scalar::Scalar;
@@ -170,7 +170,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let now = self.stretched(at);
         let pull = self.pull_length(&now);
         own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
@@ -182,7 +182,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         };
     }
 
-    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         if own.modes[0] == PARTED {
             return;
         }
@@ -256,7 +256,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         values.iter_mut().enumerate().for_each(|(event, value)| *value = of_event(event));
     }
 
-    fn handle_event(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn handle_event(&mut self, event: usize, at: &Context<'_, S>, own: &mut ElementState<'_, S>, _v: &mut [S]) {
         match event {
             GOES_SLACK => own.modes[0] = SLACK,
             COMES_TAUT => self.pull_or_part(at, own),

@@ -1,7 +1,7 @@
 //! Release of a rope by hand, and hooking on again.
 
 use super::{IS_HOOKED_ON, IS_RELEASED, PARTED, RELEASED, Rope, SLACK};
-use crate::elements::{Context, Input, Own};
+use crate::elements::{Context, ElementState, Input};
 use crate::scalar::Scalar;
 
 /// The lever at which a rope is released.
@@ -30,7 +30,7 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// The mode after its lever moved, for a rope that has not parted; `None` if the lever does not decide it.
-    pub(super) fn hook_or_release(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) -> Option<i64> {
+    pub(super) fn hook_or_release(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) -> Option<i64> {
         match (own.modes[0] == RELEASED, self.is_let_go(at)) {
             (false, false) => None,
             (true, true) => Some(RELEASED),

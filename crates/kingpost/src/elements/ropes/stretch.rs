@@ -3,7 +3,7 @@
 use super::drum::PaidOut;
 use super::release::is_off;
 use super::{BY_STRETCH, PARTED, PARTS, PathLength, RELEASED, Rope, SHORTEST, SLACK, TAUT};
-use crate::elements::{Context, EvaluationMode, Own};
+use crate::elements::{Context, ElementState, EvaluationMode};
 use crate::scalar::Scalar;
 
 /// A rope at a moment.
@@ -53,7 +53,7 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// A rope begins to pull: its damper force alone may part it as it comes taut.
-    pub(super) fn pull_or_part(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    pub(super) fn pull_or_part(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.modes[0] = TAUT;
         if self.inextensible.is_some() {
             return;

@@ -3,7 +3,7 @@
 pub mod assembly;
 pub mod fields;
 
-use super::{Context, Declaration, Element, Input, Own};
+use super::{Context, Declaration, Element, ElementState, Input};
 use crate::scalar::Scalar;
 
 /// Passes the commands of one of its branches to the inputs that it sets; those of the other branches go nowhere.
@@ -41,7 +41,7 @@ impl<S: Scalar> Element<S> for Selector {
         &mut self,
         at: &Context<'_, S>,
         _read: &[S],
-        _own: &mut Own<'_, S>,
+        _own: &mut ElementState<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         inputs.copy_from_slice(self.chosen(at.inputs));

@@ -1,7 +1,7 @@
 //! An encoder: a sensor of a joint's angle or extension.
 
 use super::Sampler;
-use crate::elements::{Context, Declaration, Element, Output, Own};
+use crate::elements::{Context, Declaration, Element, ElementState, Output};
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
 
@@ -34,11 +34,11 @@ impl<S: Scalar> Element<S> for Encoder<S> {
         self.sampler.declaration(&self.name, &[kept], vec![output])
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         self.sampler.begin(own, &[at.q[self.position]]);
     }
 
-    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         self.sampler.take(at.clock.time_s, own, &[at.q[self.position]]);
     }
 

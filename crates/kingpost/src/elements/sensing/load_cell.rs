@@ -2,7 +2,7 @@
 
 use super::Sampler;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Context, Declaration, Element, Output, Own};
+use crate::elements::{Context, Declaration, Element, ElementState, Output};
 use crate::scalar::Scalar;
 
 /// Measures a rope's tension, N. A tension depends on the forces of all elements, so it is read as a column at the
@@ -36,7 +36,7 @@ impl<S: Scalar> Element<S> for LoadCell<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let Some(&tension) = read.first() else { return Ok(Vec::new()) };

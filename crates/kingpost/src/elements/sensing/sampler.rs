@@ -1,7 +1,7 @@
 //! The sampling of a sensor's signals: errors, a delay, and a last value that is held while the sensor drops out.
 
 use super::errors::{DropOuts, SensorNoise, SignalErrors};
-use crate::elements::{Context, Crossing, Declaration, Delay, EvaluationMode, Event, Output, Own};
+use crate::elements::{Context, Crossing, Declaration, Delay, ElementState, EvaluationMode, Event, Output};
 use crate::scalar::Scalar;
 
 /// Samples a fixed list of signals. Its numbers stand first among the element's: the outputs, then a ring buffer for
@@ -81,7 +81,7 @@ impl<S: Scalar> Sampler<S> {
     }
 
     /// Every value that it holds at the start: the first with bias and noise.
-    pub fn begin(&self, own: &mut Own<'_, S>, values: &[S]) {
+    pub fn begin(&self, own: &mut ElementState<'_, S>, values: &[S]) {
         for (signal, value) in values.iter().enumerate() {
             let value = self.with_errors(signal, *value, 0);
             own.numbers[signal] = value;
@@ -90,7 +90,7 @@ impl<S: Scalar> Sampler<S> {
     }
 
     /// One sample at a time: `own.numbers[..count]` become what the sensor delivers.
-    pub fn take(&self, time_s: f64, own: &mut Own<'_, S>, values: &[S]) {
+    pub fn take(&self, time_s: f64, own: &mut ElementState<'_, S>, values: &[S]) {
         let sample = self.sample_at(time_s);
         let delivers = self.delivers(sample, own);
         for (mode, value) in values.iter().enumerate() {
@@ -140,7 +140,7 @@ impl<S: Scalar> Sampler<S> {
     }
 
     /// Decides whether it works at this sample, and notes a change.
-    fn delivers(&self, sample: u64, own: &mut Own<'_, S>) -> bool {
+    fn delivers(&self, sample: u64, own: &mut ElementState<'_, S>) -> bool {
         let Some(DropOuts { mean_interval_s, mean_duration_s }) = self.drop_outs else { return true };
         let (mode, drawn) = (self.status_mode(), self.noise.uniform(sample));
         let was_out = own.modes[mode] == OUT;

@@ -2,7 +2,7 @@
 
 use super::Sampler;
 use crate::elements::lines::place;
-use crate::elements::{Components, Context, Declaration, Element, Output, Own, VectorFrame};
+use crate::elements::{Components, Context, Declaration, Element, ElementState, Output, VectorFrame};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
@@ -34,11 +34,11 @@ impl<S: Scalar> Element<S> for SatelliteReceiver<S> {
         self.sampler.declaration(&self.name, &KEPT, vec![position])
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         self.sampler.begin(own, &place(&self.antenna, at.model, at.links).0);
     }
 
-    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         self.sampler.take(at.clock.time_s, own, &place(&self.antenna, at.model, at.links).0);
     }
 

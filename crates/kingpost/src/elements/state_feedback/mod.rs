@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use crate::elements::commanded::changed_commands;
 use crate::elements::ticks::is_tick;
-use crate::elements::{Context, Declaration, Element, Input, LinearLaw, Own};
+use crate::elements::{Context, Declaration, Element, ElementState, Input, LinearLaw};
 use crate::scalar::Scalar;
 
 /// Sets inputs from the columns x that it reads and its commands c, at multiples of its period:
@@ -76,7 +76,7 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
         &mut self,
         at: &Context<'_, S>,
         read: &[S],
-        own: &mut Own<'_, S>,
+        own: &mut ElementState<'_, S>,
         inputs: &mut [S],
     ) -> Result<Vec<String>, String> {
         let (corrections, integrals) = own.numbers.split_at_mut(self.steers.len());

@@ -14,7 +14,7 @@ pub use loads::{AddedMassOf, Drag, Slamming, WindOnDry};
 
 use super::hull::HullFrame;
 use super::{
-    AnyElement, Components, Context, Crossing, Declaration, Element, EvaluationMode, Event, Output, Own,
+    AnyElement, Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output,
     PresentSupport, ShownWaves, StateDeclaration, Support, VectorFrame, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
@@ -96,7 +96,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         self.renew(at, own);
         if let Some(water) = &self.entrained {
             let depth = self.waters.depth(at, &self.place, water.floor());
@@ -104,7 +104,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
         own.modes[0] = Phase::of(low, high) as i64;
     }
@@ -182,7 +182,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn handle_event(&mut self, event: usize, _at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn handle_event(&mut self, event: usize, _at: &Context<'_, S>, own: &mut ElementState<'_, S>, _v: &mut [S]) {
         own.modes[0] = match event {
             MEETS | COMES_UP => Phase::Cut,
             IS_UNDER => Phase::Wet,

@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use crate::elements::motion_reference_unit::inclination;
 use crate::elements::sensing::{Oscillating, Process, Sampler, SignalErrors, with_errors};
-use crate::elements::{Context, Declaration, Element, Own};
+use crate::elements::{Context, Declaration, Element, ElementState};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, exp, log_of_part_turn};
 
@@ -75,7 +75,7 @@ impl<S: Scalar> Element<S> for SwingEstimator<S> {
         declaration
     }
 
-    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let (rotation, rate) = self.exact(at);
         let bias = self.rate_errors.map_or(S::ZERO, |errors| errors.bias);
         let estimate = VerticalEstimate::settled(rotation.row(2), Vector3([bias; 3]));
@@ -85,7 +85,7 @@ impl<S: Scalar> Element<S> for SwingEstimator<S> {
         self.sampler.begin(own, &estimate.signals(rate));
     }
 
-    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         // The start is not the end of a sample: the estimate is then that of the start.
         if core::mem::replace(&mut own.modes[self.sampler.modes()], 1) == 0 {
             return;
