@@ -3,7 +3,7 @@
 use crate::common;
 
 use common::closed_forms::{GRAVITY, Pendulum};
-use kingpost::elements::drives::{Motor, PrescribedMotion, Profile, Pulse, Servo};
+use kingpost::elements::drives::{Motor, PrescribedMotion, Pulse, Servo, TimeFunction};
 use kingpost::elements::hull::HullFrame;
 use kingpost::elements::{AnyElement, DampedAgainst, Gravity, JointDamping, ViscousDamping};
 use kingpost::model::joint::{Floating, Prismatic, Revolute};
@@ -136,7 +136,7 @@ fn viscous_damping_lets_a_rate_decay_exponentially() {
 #[test]
 fn a_slide_under_a_constant_force_with_friction_reaches_its_terminal_speed() {
     let (mass, force, damping) = (5.0, 20.0, 4.0);
-    let motor = Box::new(Motor { coordinate: 0, effort: force, profile: Profile::constant(), lever: None });
+    let motor = Box::new(Motor { coordinate: 0, effort: force, profile: TimeFunction::constant(), lever: None });
     let friction = Box::new(JointDamping { coordinate: 0, damping });
     let bodies = vec![body("cart", None, slide([1.0, 0.0, 0.0]), mass, [1.0; 3])];
     let mut simulation = simulation(bodies, vec![friction], vec![motor], 0.005, (vec![0.0], vec![0.0]));
@@ -170,7 +170,7 @@ fn a_servo_holds_an_arm_up_with_the_droop_of_its_stiffness() {
 #[test]
 fn a_prescribed_joint_follows_its_rate_and_its_drive_does_the_work() {
     // A hinge on a slide: the prescribed slew shakes the slide, and what it takes is accounted for.
-    let pulse = Profile::pulse(Pulse { start_s: 0.0, rise_s: 0.2, hold_s: 0.3, reverse_s: 0.0 });
+    let pulse = TimeFunction::pulse(Pulse { start_s: 0.0, rise_s: 0.2, hold_s: 0.3, reverse_s: 0.0 });
     let motion = PrescribedMotion { coordinate: 1, rate: 2.0, profile: pulse };
     let mut arm = body("arm", Some(0), hinge([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 3.0, [0.5; 3]);
     arm.joint.mode = MotionType::Prescribed;

@@ -3,7 +3,7 @@
 use crate::common;
 
 use common::values;
-use kingpost::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse};
+use kingpost::elements::drives::{Brake, Motor, PrescribedMotion, Pulse, TimeFunction};
 use kingpost::elements::{AnyElement, CoulombFriction, JointSpring, JointStop, StopSide};
 use kingpost::model::joint::Prismatic;
 use kingpost::model::{BodyDefinition, Joint, JointKind, Model, MotionType};
@@ -136,7 +136,7 @@ fn geared(mode: MotionType, drives: Vec<AnyElement>) -> Setup {
 #[test]
 fn a_rotor_behind_a_gear_is_accelerated_with_the_mass() {
     for form in [Form::Recursive, Form::MovingFrame(kingpost::dynamics::moving_frame::Variation::Restricted)] {
-        let motor = Motor { coordinate: 0, effort: 20.0, profile: Profile::constant(), lever: None };
+        let motor = Motor { coordinate: 0, effort: 20.0, profile: TimeFunction::constant(), lever: None };
         let mut setup = geared(MotionType::Free, vec![Box::new(motor)]);
         setup.settings.form = form;
         let mut simulation = Simulation::new(setup);
@@ -155,7 +155,7 @@ fn a_rotor_behind_a_gear_is_accelerated_with_the_mass() {
 #[test]
 fn the_drive_of_a_prescribed_motion_turns_the_rotor_too() {
     let pulse = Pulse { start_s: 0.0, rise_s: 0.2, hold_s: 5.0, reverse_s: 0.0 };
-    let motion = PrescribedMotion { coordinate: 0, rate: 1.5, profile: Profile::pulse(pulse) };
+    let motion = PrescribedMotion { coordinate: 0, rate: 1.5, profile: TimeFunction::pulse(pulse) };
     for form in [Form::Recursive, Form::MovingFrame(kingpost::dynamics::moving_frame::Variation::Restricted)] {
         let mut setup = geared(MotionType::Prescribed, vec![Box::new(motion.clone())]);
         setup.settings.form = form;
@@ -170,8 +170,9 @@ fn the_drive_of_a_prescribed_motion_turns_the_rotor_too() {
 fn a_brake_holds_against_less_than_its_capacity_and_makes_heat_only() {
     let friction = CoulombFriction { coordinate: 0, friction: 50.0, smoothing: 0.01 };
     let brake = || -> AnyElement { Box::new(Brake { friction, lever: Some("brake".to_owned()) }) };
-    let push =
-        || -> AnyElement { Box::new(Motor { coordinate: 0, effort: 30.0, profile: Profile::constant(), lever: None }) };
+    let push = || -> AnyElement {
+        Box::new(Motor { coordinate: 0, effort: 30.0, profile: TimeFunction::constant(), lever: None })
+    };
     let at = |value: f64| {
         let mut simulation = Simulation::new(slide(MotionType::Free, vec![brake(), push()], 0.0, 0.0));
         simulation.set_input("brake", value).unwrap();

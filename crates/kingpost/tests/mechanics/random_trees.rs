@@ -6,7 +6,7 @@ use crate::common;
 use common::trees::{Kind, Tree, for_all, smallest_failure};
 use common::{Random, relative_difference};
 use kingpost::dynamics::moving_frame::Variation;
-use kingpost::elements::drives::{Motor, PrescribedMotion, Profile};
+use kingpost::elements::drives::{Motor, PrescribedMotion, TimeFunction};
 use kingpost::elements::{AnyElement, CoulombFriction, Gravity, JointDamping, JointSpring, JointStop, StopSide};
 use kingpost::model::{Model, MotionType};
 use kingpost::plant::Form;
@@ -44,7 +44,8 @@ fn setup(tree: &Tree, form: Form) -> Setup {
     for (coordinate, mode) in model.modes.iter().enumerate() {
         let (body, _) = model.owner(coordinate).expect("every coordinate is of a joint");
         let mut random = tree.0[body].random(coordinate as u64 + 10);
-        let (effort, damping, profile) = (random.uniform(-5.0, 5.0), random.uniform(0.0, 1.0), Profile::constant());
+        let (effort, damping, profile) =
+            (random.uniform(-5.0, 5.0), random.uniform(0.0, 1.0), TimeFunction::constant());
         match mode {
             MotionType::Free => {
                 elements.push(Box::new(JointDamping { coordinate, damping }));

@@ -18,6 +18,6 @@ pub use cylinder::{Aim, Cylinder};
 pub use motor::Motor;
 pub use oscillation::Oscillation;
 pub use prescribed::PrescribedMotion;
-pub use profile::{Profile, Pulse};
+pub use profile::{Pulse, TimeFunction};
 pub use servo::Servo;
 pub use wave_motion::WaveMotion;

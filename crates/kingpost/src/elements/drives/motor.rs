@@ -1,6 +1,6 @@
 //! A motor: torque (or force) on a joint's coordinate, its reaction on the parent (eq. 59).
 
-use super::Profile;
+use super::TimeFunction;
 use crate::dynamics::Loads;
 use crate::elements::{Context, Declaration, Element, Input, Support};
 use crate::scalar::Scalar;
@@ -13,7 +13,7 @@ pub struct Motor<S = f64> {
     /// Full effort, N m or N.
     pub effort: S,
     /// Its share of the full effort over time.
-    pub profile: Profile<S>,
+    pub profile: TimeFunction<S>,
     /// Name of the input that scales it, if a lever drives it.
     pub lever: Option<String>,
 }

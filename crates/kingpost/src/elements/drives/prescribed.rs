@@ -1,6 +1,6 @@
 //! A prescribed motion: the joint's rate is given and the force follows from it.
 
-use super::Profile;
+use super::TimeFunction;
 use crate::dynamics::Clock;
 use crate::elements::{Declaration, Element, Support};
 use crate::scalar::Scalar;
@@ -14,7 +14,7 @@ pub struct PrescribedMotion<S = f64> {
     /// Full rate, rad/s or m/s.
     pub rate: S,
     /// Its share of the full rate over time.
-    pub profile: Profile<S>,
+    pub profile: TimeFunction<S>,
 }
 
 impl<S: Scalar> Element<S> for PrescribedMotion<S> {

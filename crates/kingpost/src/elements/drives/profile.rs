@@ -27,13 +27,13 @@ struct LinearPiece<S> {
 /// A piecewise linear history. Its times are plain numbers, at which steps end; its shares may carry
 /// derivatives.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Profile<S = f64> {
+pub struct TimeFunction<S = f64> {
     /// In order of time; the first begins at 0, each ends where the next begins.
     pieces: Vec<LinearPiece<S>>,
     edges: Vec<f64>,
 }
 
-impl<S: Scalar> Profile<S> {
+impl<S: Scalar> TimeFunction<S> {
     /// One at all times: the motor is switched on as in the paper.
     pub fn constant() -> Self {
         let mut profile = Self::resting_until(0.0);
@@ -45,8 +45,8 @@ impl<S: Scalar> Profile<S> {
     ///
     /// ```
     /// use kingpost::dynamics::Clock;
-    /// use kingpost::elements::drives::{Profile, Pulse};
-    /// let pulse = Profile::<f64>::pulse(Pulse { start_s: 5.0, rise_s: 2.0, hold_s: 4.0, reverse_s: 0.0 });
+    /// use kingpost::elements::drives::{TimeFunction, Pulse};
+    /// let pulse = TimeFunction::<f64>::pulse(Pulse { start_s: 5.0, rise_s: 2.0, hold_s: 4.0, reverse_s: 0.0 });
     /// assert_eq!(pulse.edges(), [5.0, 7.0, 11.0, 13.0]);
     /// assert_eq!(pulse.value(Clock { time_s: 6.0, middle_s: 6.0 }), 0.5);
     /// assert_eq!(pulse.value(Clock { time_s: 14.0, middle_s: 14.0 }), 0.0);
@@ -142,8 +142,8 @@ mod tests {
         Clock { time_s, middle_s: time_s + 1e-9 }
     }
 
-    fn pulse(start_s: f64, rise_s: f64, hold_s: f64, reverse_s: f64) -> Profile {
-        Profile::pulse(Pulse { start_s, rise_s, hold_s, reverse_s })
+    fn pulse(start_s: f64, rise_s: f64, hold_s: f64, reverse_s: f64) -> TimeFunction {
+        TimeFunction::pulse(Pulse { start_s, rise_s, hold_s, reverse_s })
     }
 
     #[test]
@@ -183,13 +183,13 @@ mod tests {
 
     #[test]
     fn a_list_is_zero_before_straight_between_and_stays_at_its_last_share() {
-        let profile = Profile::list(&[5.0, 8.0, 8.0, 20.0], &[0.0, 1.0, -0.5, 0.25]);
+        let profile = TimeFunction::list(&[5.0, 8.0, 8.0, 20.0], &[0.0, 1.0, -0.5, 0.25]);
         assert_eq!(profile.edges(), [5.0, 8.0, 20.0]);
         let points = [(0.0, 0.0), (4.9, 0.0), (6.5, 0.5), (8.0, -0.5), (14.0, -0.125), (20.0, 0.25), (99.0, 0.25)];
         for (time, value) in points {
             assert!((profile.value(at(time)) - value).abs() < 1e-12, "at {time} s");
         }
-        assert_eq!(Profile::list(&[0.0], &[1.0]), Profile::constant());
+        assert_eq!(TimeFunction::list(&[0.0], &[1.0]), TimeFunction::constant());
         assert_eq!(profile.value(Clock { time_s: 8.0, middle_s: 7.9 }), 1.0);
     }
 

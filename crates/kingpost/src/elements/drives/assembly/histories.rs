@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::elements::AnyElement;
-use crate::elements::drives::{Oscillation, PrescribedMotion, Profile, Pulse};
+use crate::elements::drives::{Oscillation, PrescribedMotion, Pulse, TimeFunction};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::axes::{GivenMotion, axes};
@@ -17,14 +17,14 @@ pub fn of_motor<S: Quantity>(
     history: History,
     pulse: Option<&schema::Pulse>,
     list: Option<&HistoryList<S>>,
-) -> Result<Profile<S>, FieldError> {
+) -> Result<TimeFunction<S>, FieldError> {
     match history {
-        History::Constant | History::Lever => Ok(Profile::constant()),
+        History::Constant | History::Lever => Ok(TimeFunction::constant()),
         History::Pulse => {
             let pulse = pulse.ok_or_else(|| no_pulse(field))?;
             let [start_s, rise_s, hold_s, reverse_s] =
                 [pulse.start_s, pulse.rise_s, pulse.hold_s, pulse.reverse_s].map(schema::NonNegative::get);
-            Ok(Profile::pulse(Pulse { start_s, rise_s, hold_s, reverse_s }))
+            Ok(TimeFunction::pulse(Pulse { start_s, rise_s, hold_s, reverse_s }))
         }
         History::List => listed(field, list.ok_or_else(|| no_list(field))?),
     }
@@ -68,10 +68,10 @@ fn given_motion<S: Quantity>(
 }
 
 /// The history of a prescribed rate: it has no lever and no jump.
-fn of_rate<S: Quantity>(field: &str, given: &GivenMotion<S>) -> Result<Profile<S>, FieldError> {
-    let GivenMotion::Rate { history, pulse, list, .. } = given else { return Ok(Profile::constant()) };
+fn of_rate<S: Quantity>(field: &str, given: &GivenMotion<S>) -> Result<TimeFunction<S>, FieldError> {
+    let GivenMotion::Rate { history, pulse, list, .. } = given else { return Ok(TimeFunction::constant()) };
     match history {
-        History::Constant => Ok(Profile::constant()),
+        History::Constant => Ok(TimeFunction::constant()),
         History::Lever => {
             let allowed = "constant, pulse or list, for a prescribed motion";
             Err(FieldError::new(format!("{field}.history"), "lever", allowed))
@@ -80,7 +80,7 @@ fn of_rate<S: Quantity>(field: &str, given: &GivenMotion<S>) -> Result<Profile<S
             let pulse = pulse.as_ref().ok_or_else(|| no_pulse(field))?;
             let (start_s, rise_s) = (pulse.start_s.get(), pulse.rise_s.get());
             let (hold_s, reverse_s) = (pulse.hold_s.get(), pulse.reverse_s.get());
-            Ok(Profile::pulse(Pulse { start_s, rise_s, hold_s, reverse_s }))
+            Ok(TimeFunction::pulse(Pulse { start_s, rise_s, hold_s, reverse_s }))
         }
         History::List => {
             let list = list.as_ref().ok_or_else(|| no_list(field))?;
@@ -92,17 +92,22 @@ fn of_rate<S: Quantity>(field: &str, given: &GivenMotion<S>) -> Result<Profile<S
 }
 
 /// A trapezoid from rest to rest.
-fn of_travel<S: Quantity>(field: &str, start_s: f64, duration_s: f64, ramp_s: f64) -> Result<Profile<S>, FieldError> {
+fn of_travel<S: Quantity>(
+    field: &str,
+    start_s: f64,
+    duration_s: f64,
+    ramp_s: f64,
+) -> Result<TimeFunction<S>, FieldError> {
     let hold_s = duration_s - 2.0 * ramp_s;
     if hold_s < 0.0 {
         let allowed = format!("at most {}, half of duration_s", 0.5 * duration_s);
         return Err(FieldError::new(format!("{field}.ramp_s"), ramp_s, allowed));
     }
-    Ok(Profile::pulse(Pulse { start_s, rise_s: ramp_s, hold_s, reverse_s: 0.0 }))
+    Ok(TimeFunction::pulse(Pulse { start_s, rise_s: ramp_s, hold_s, reverse_s: 0.0 }))
 }
 
 /// A list whose times do not decrease, with a share for each.
-fn listed<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<Profile<S>, FieldError> {
+fn listed<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<TimeFunction<S>, FieldError> {
     let times_s: Vec<f64> = list.time_s.iter().map(|time| time.get()).collect();
     if times_s.is_empty() {
         return Err(FieldError::new(format!("{field}.list.time_s"), "an empty list", "one time or more"));
@@ -115,7 +120,7 @@ fn listed<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<Profile<S>,
         let allowed = format!("{} or more, the time before", times_s[i - 1]);
         return Err(FieldError::new(format!("{field}.list.time_s.{i}"), times_s[i], allowed));
     }
-    Ok(Profile::list(&times_s, &list.share))
+    Ok(TimeFunction::list(&times_s, &list.share))
 }
 
 /// A jump of the rate would need an infinite force.

@@ -4,7 +4,7 @@ pub(crate) mod cylinders;
 pub(crate) mod histories;
 
 use crate::dynamics::Clock;
-use crate::elements::drives::{Brake, ControlledDrive, DriveLimits, Motor, Profile, Servo, SetPoint};
+use crate::elements::drives::{Brake, ControlledDrive, DriveLimits, Motor, Servo, SetPoint, TimeFunction};
 use crate::elements::{AnyElement, CoulombFriction, Input};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Model, MotionType};
@@ -36,7 +36,7 @@ pub fn build<S: Quantity>(
         known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
             Law::Motor { history, pulse, list, .. } => histories::of_motor(&parts.field, history, pulse, list)?,
-            Law::Servo { .. } | Law::Brake { .. } | Law::Controlled { .. } => Profile::constant(),
+            Law::Servo { .. } | Law::Brake { .. } | Law::Controlled { .. } => TimeFunction::constant(),
         };
         let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
         let Some((_, position)) = model.axis_coordinate(coordinate) else { continue };
