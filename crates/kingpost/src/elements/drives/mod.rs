@@ -8,7 +8,7 @@ pub(crate) mod fields;
 mod motor;
 mod oscillation;
 mod prescribed;
-mod profile;
+mod time_function;
 mod servo;
 mod wave_motion;
 
@@ -18,6 +18,6 @@ pub use cylinder::{Aim, Cylinder};
 pub use motor::Motor;
 pub use oscillation::Oscillation;
 pub use prescribed::PrescribedMotion;
-pub use profile::{Pulse, TimeFunction};
+pub use time_function::{Pulse, TimeFunction};
 pub use servo::Servo;
 pub use wave_motion::WaveMotion;
