@@ -25,7 +25,7 @@ def batch(
     progress: Callable[[float], None] | None = None,
 ) -> tuple[list[NDArray[np.float64]], list[RunError | None], str]: ...
 
-class Copies:
+class VectorEnsemble:
     def __init__(
         self,
         text: str,

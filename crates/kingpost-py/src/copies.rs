@@ -1,4 +1,4 @@
-//! The class `Copies` of the module.
+//! The class `VectorEnsemble` of the module.
 
 use crate::{Files, boundary, errors};
 use kingpost::batch::{Asked, BatchError, CopyError, Status, Variant};
@@ -9,7 +9,7 @@ use std::sync::Mutex;
 
 /// Copies of a scenario that step together, with the status of each.
 #[pyclass(module = "kingpost._engine", frozen)]
-pub struct Copies(Mutex<(kingpost::batch::Copies, Vec<Status>)>);
+pub struct VectorEnsemble(Mutex<(kingpost::batch::VectorEnsemble, Vec<Status>)>);
 
 fn refused(found: CopyError) -> PyErr {
     match found {
@@ -18,8 +18,11 @@ fn refused(found: CopyError) -> PyErr {
     }
 }
 
-impl Copies {
-    fn with<T>(&self, call: impl FnOnce(&mut kingpost::batch::Copies, &mut Vec<Status>) -> PyResult<T>) -> PyResult<T> {
+impl VectorEnsemble {
+    fn with<T>(
+        &self,
+        call: impl FnOnce(&mut kingpost::batch::VectorEnsemble, &mut Vec<Status>) -> PyResult<T>,
+    ) -> PyResult<T> {
         boundary::guarded(|| {
             let refused = |_| errors::input("copies: found a call while they compute, allowed: one call at a time");
             let mut held = self.0.try_lock().map_err(refused)?;
@@ -30,7 +33,7 @@ impl Copies {
 }
 
 #[pymethods]
-impl Copies {
+impl VectorEnsemble {
     /// `asked`: names of inputs and of columns, whether limits are watched, and the number of threads.
     #[new]
     fn new(
@@ -45,7 +48,8 @@ impl Copies {
             let (files, count) = (scenario::Files::new(files), variants.len());
             let (inputs, columns, limits, threads) = asked;
             let asked = Asked { inputs, columns, limits };
-            let copies = kingpost::batch::Copies::new(text, file, files, variants, asked, threads).map_err(refused)?;
+            let copies =
+                kingpost::batch::VectorEnsemble::new(text, file, files, variants, asked, threads).map_err(refused)?;
             Ok(Self(Mutex::new((copies, vec![Status::Running; count]))))
         })
     }

@@ -68,7 +68,7 @@ mod _engine {
     use super::batch::{batch, check_batch, has_avx2};
 
     #[pymodule_export]
-    use super::copies::Copies;
+    use super::copies::VectorEnsemble;
 
     #[pymodule_export]
     use super::scenario::Scenario;

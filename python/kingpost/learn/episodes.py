@@ -113,7 +113,7 @@ class Episodes:
         self._nothing = np.empty(0)
         self._marked: tuple[np.int64, np.ndarray, np.ndarray, np.ndarray] | None = None
         self._marked_late: tuple[int, np.ndarray] | None = None
-        self._copies: engine.Copies | None = None
+        self._copies: engine.VectorEnsemble | None = None
 
     def begin(self, which: dict[int, np.random.Generator]) -> None:
         """Begin episodes of these copies; the first call names all of them."""
@@ -239,7 +239,7 @@ class Episodes:
         drawn += [(name, float(random.uniform(*span))) for name, span in self.task.randomised.items()]
         return [*drawn, (SEED, int(random.integers(SEEDS)))] if self.task.seeded else drawn
 
-    def _made(self, variants: Sequence[list[tuple[str, Any]]]) -> engine.Copies:
+    def _made(self, variants: Sequence[list[tuple[str, Any]]]) -> engine.VectorEnsemble:
         scenario, task = self.task.based_on, self.task
         asked = (list(task.action_names), list(task.read), task.limits, self.threads)
-        return engine.Copies(scenario.text, scenario.file, scenario.files, json.dumps(variants), asked)
+        return engine.VectorEnsemble(scenario.text, scenario.file, scenario.files, json.dumps(variants), asked)

@@ -7,7 +7,7 @@ mod copies;
 mod members;
 mod side_by_side;
 
-pub use copies::{Asked, Copies, CopyError, Status};
+pub use copies::{Asked, CopyError, Status, VectorEnsemble};
 pub use members::Members;
 
 use crate::elements::Layout;

@@ -3,13 +3,13 @@
 use crate::common;
 
 use common::gallery_files::{files, text};
-use kingpost::batch::{Asked, Copies, Status};
+use kingpost::batch::{Asked, Status, VectorEnsemble};
 
 const COUNT: usize = 6;
 const COLUMNS: [&str; 3] = ["load.position.x", "load.position.y", "energy_error"];
 
 /// A crane whose slewing is an input; each copy's load has a mass of its own if `masses` says so.
-fn cranes(masses: bool, threads: usize) -> Copies {
+fn cranes(masses: bool, threads: usize) -> VectorEnsemble {
     let asked = Asked {
         inputs: vec!["slew_command".to_owned()],
         columns: COLUMNS.map(str::to_owned).to_vec(),
@@ -20,7 +20,7 @@ fn cranes(masses: bool, threads: usize) -> Copies {
         vec![("operation.enabled".to_owned(), false.into()), ("bodies.load.mass_t".to_owned(), mass_t.into())]
     };
     let variants = (0..COUNT).map(variant).collect();
-    Copies::new(&text("slew_without_swing"), "slew_without_swing.yaml", files(), variants, asked, threads)
+    VectorEnsemble::new(&text("slew_without_swing"), "slew_without_swing.yaml", files(), variants, asked, threads)
         .expect("the copies are built")
 }
 
@@ -29,7 +29,7 @@ struct Read {
     status: Vec<Status>,
 }
 
-fn advance(copies: &mut Copies, steps: usize, inputs: [f64; COUNT]) -> Read {
+fn advance(copies: &mut VectorEnsemble, steps: usize, inputs: [f64; COUNT]) -> Read {
     let mut read = Read { columns: vec![0.0; COUNT * COLUMNS.len()], status: vec![Status::Failed; COUNT] };
     copies.advance(steps, &inputs, &mut read.columns, &mut read.status).expect("they advance");
     assert!(read.status.iter().all(|status| *status == Status::Running));

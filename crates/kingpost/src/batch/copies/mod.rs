@@ -20,7 +20,7 @@ use thiserror::Error;
 /// The inputs and columns of the copies, by their names.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
-    /// The inputs that [`Copies::advance`] gets for each copy, in this order.
+    /// The inputs that [`VectorEnsemble::advance`] gets for each copy, in this order.
     pub inputs: Vec<String>,
     /// The columns that it writes for each copy, in this order.
     pub columns: Vec<String>,
@@ -71,7 +71,7 @@ pub enum CopyError {
 pub enum Status {
     /// It can go on.
     Running,
-    /// It has failed: see [`Copies::failure`]. It stays at its last good step until it is restarted.
+    /// It has failed: see [`VectorEnsemble::failure`]. It stays at its last good step until it is restarted.
     Failed,
     /// It is beyond the limit of this index; it can go on.
     BeyondLimit(usize),
@@ -80,12 +80,12 @@ pub enum Status {
 /// Copies of one scenario: see the [module](self).
 ///
 /// ```
-/// use kingpost::batch::{Asked, Copies, Status};
+/// use kingpost::batch::{Asked, VectorEnsemble, Status};
 /// let text = include_str!("../../../../../scenarios/paper.yaml");
 /// let load = |mass_kg: f64| vec![("bodies.load.mass_kg".to_owned(), mass_kg.into())];
 /// let columns = vec!["ship.roll".to_owned()];
 /// let asked = Asked { columns, ..Asked::default() };
-/// let mut copies = Copies::new(text, "paper.yaml", Default::default(), vec![load(900.0), load(1100.0)], asked, 1)?;
+/// let mut copies = VectorEnsemble::new(text, "paper.yaml", Default::default(), vec![load(900.0), load(1100.0)], asked, 1)?;
 /// let (mut roll, mut status) = ([0.0; 2], [Status::Failed; 2]);
 /// copies.advance(50, &[], &mut roll, &mut status)?;
 /// assert_eq!(status, [Status::Running; 2]);
@@ -93,7 +93,7 @@ pub enum Status {
 /// # Ok::<(), kingpost::batch::CopyError>(())
 /// ```
 #[derive(Debug)]
-pub struct Copies {
+pub struct VectorEnsemble {
     source: CopySource,
     asked: Asked,
     pool: Option<rayon::ThreadPool>,
@@ -120,7 +120,7 @@ struct NewCopy {
     simulation: Simulation,
 }
 
-impl Copies {
+impl VectorEnsemble {
     /// One copy for each variant, at its start. `threads` 0 takes as many as the machine has.
     ///
     /// # Errors
@@ -216,10 +216,10 @@ impl Copies {
         Ok(())
     }
 
-    /// Puts these copies back to their start; one with a variant is built anew from it, as [`Copies::new`] does.
+    /// Puts these copies back to their start; one with a variant is built anew from it, as [`VectorEnsemble::new`] does.
     ///
     /// # Errors
-    /// Those of [`Copies::new`]; no copy has changed then.
+    /// Those of [`VectorEnsemble::new`]; no copy has changed then.
     pub fn restart(&mut self, which: Vec<(usize, Option<Variant>)>) -> Result<(), CopyError> {
         for (copy, _) in &which {
             self.check_copy(*copy)?;
@@ -238,7 +238,7 @@ impl Copies {
         Ok(())
     }
 
-    /// Remembers the state of a copy, from which [`Copies::resume`] lets all go on.
+    /// Remembers the state of a copy, from which [`VectorEnsemble::resume`] lets all go on.
     ///
     /// # Errors
     /// No such copy, or one that has failed.

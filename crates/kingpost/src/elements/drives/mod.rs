@@ -8,8 +8,8 @@ pub(crate) mod fields;
 mod motor;
 mod oscillation;
 mod prescribed;
-mod time_function;
 mod servo;
+mod time_function;
 mod wave_motion;
 
 pub use brake::Brake;
@@ -18,6 +18,6 @@ pub use cylinder::{Aim, Cylinder};
 pub use motor::Motor;
 pub use oscillation::Oscillation;
 pub use prescribed::PrescribedMotion;
-pub use time_function::{Pulse, TimeFunction};
 pub use servo::Servo;
+pub use time_function::{Pulse, TimeFunction};
 pub use wave_motion::WaveMotion;
