@@ -16,7 +16,7 @@ export interface Run {
   lines: DrawnLine[];
   channels: Channel[];
   columns: Columns;
-  /** The parameters with their values. */
+  /** Inputs that a hand may set: levers and set-points. */
   inputs: InputInfo[];
   jointAxes: JointAxis[];
   /** The parameter or field that switches the scenario's timeline off. */

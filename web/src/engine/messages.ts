@@ -109,7 +109,7 @@ export interface Replay {
 
 export interface Replies {
   open: Opened;
-  /** Null if no step was due and nothing changed. */
+  /** Null if no step was due and the run has no fault. */
   advance: Frame | null;
   step: Frame;
   hydrostatics: Hydrostatics;

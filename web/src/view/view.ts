@@ -118,7 +118,7 @@ export class View {
     return this.fleet.craft?.load ?? null;
   }
 
-  /** The centre of the view. */
+  /** Pixels of a metre at the centre of the view. */
   pixelsPerMetre(): number {
     const { camera, target, fov } = this.eye;
     return this.canvas.clientHeight / (2 * Math.tan(fov / 2) * camera.position.distanceTo(target));

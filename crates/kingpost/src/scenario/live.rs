@@ -6,7 +6,7 @@ use thiserror::Error;
 use crate::elements::AnyElement;
 use crate::scenario::built::BuiltScenario;
 use crate::scenario::error::ScenarioError;
-use crate::scenario::schema::{LIVE_SETTINGS, Scenario};
+use crate::scenario::schema::{LIVE_SETTINGS, Scenario, Shape};
 use crate::scenario::{read, wording};
 use crate::simulation::Simulation;
 
@@ -65,7 +65,8 @@ impl Scenario {
         Ok(())
     }
 
-    /// Sets a live parameter in a simulation, and returns the changed scenario with its setup.
+    /// Sets a live parameter in a simulation, and returns the changed scenario with its setup. It builds the whole setup, the
+    /// equilibrium of the start included: that finds every error, and numbers of the setup may follow from the start.
     fn go_on_with(
         &self,
         simulation: &mut Simulation,
@@ -78,6 +79,9 @@ impl Scenario {
         if !LIVE_SETTINGS.contains(&name) && next.structure() != self.structure() {
             return Err(restart("which changes the structure of the run"));
         }
+        if self.shapes() != next.shapes() {
+            return Err(restart("which changes the shape of a body"));
+        }
         let next = next.build().map_err(Box::new)?;
         let changed = next.simulation().map_err(Box::new)?;
         if carried(simulation, simulation.time_s()) != carried(&changed, simulation.time_s()) {
@@ -85,6 +89,11 @@ impl Scenario {
         }
         simulation.go_on_as(changed, name).map_err(restart)?;
         Ok(next)
+    }
+
+    /// The shapes that views draw once.
+    fn shapes(&self) -> Vec<Option<&Shape>> {
+        self.bodies.values().map(|body| body.shape.as_ref()).collect()
     }
 
     fn check_live(&self, name: &str) -> Result<(), ParameterError> {

@@ -6,7 +6,6 @@
 pub mod assembly;
 mod assignment;
 mod built;
-mod conversion;
 pub mod describe;
 mod error;
 mod field_search;
@@ -31,6 +30,7 @@ pub mod study;
 pub mod text;
 mod ties;
 pub(crate) mod tree;
+mod unit_conversion;
 mod units;
 pub mod wording;
 pub mod writing;

@@ -8,7 +8,7 @@ use super::reading::FromNode;
 use super::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
 use super::tree::{Content, Field, ScenarioNode, segments, value_child};
 use super::writing::ToValue;
-use super::{conversion, field_search, units, wording};
+use super::{field_search, unit_conversion, units, wording};
 
 /// Whether a name is a field at the top of a scenario: no parameter may have it.
 fn is_top_field(name: &str) -> bool {
@@ -232,12 +232,12 @@ impl OverrideTarget<'_> {
         let (si, factor) = units::si_path(&written);
         self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(name_place, path, found, allowed))?;
         let mut node = ScenarioNode::from_value(value, place);
-        conversion::to_si(&mut node).map_err(|mut fault| {
+        unit_conversion::to_si(&mut node).map_err(|mut fault| {
             fault.error.field = format!("{path}.{}", fault.error.field);
             fault
         })?;
         if factor != 1.0 {
-            conversion::convert(&mut node, factor);
+            unit_conversion::convert(&mut node, factor);
         }
         put(self.tree, self.whole, &FieldPath { si: &si, written: &written, place: name_place }, node);
         Ok(())

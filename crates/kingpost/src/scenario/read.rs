@@ -13,7 +13,7 @@ use crate::simulation::{Setup, Simulation};
 
 use super::writing::ToValue;
 use crate::scenario::reading::{self, check_version};
-use crate::scenario::{conversion, parse, parts, wording};
+use crate::scenario::{parse, parts, unit_conversion, wording};
 
 /// Reads a scenario from YAML or JSON.
 ///
@@ -75,9 +75,10 @@ impl<'a> Parsed<'a> {
             let mut tree = parse::parse(text)?;
             check_version(&tree)?;
             let as_written = match tree.field("parts") {
+                // The units of a file with parts are converted where they are mounted.
                 Some(_) => None,
                 None => {
-                    conversion::to_si(&mut tree)?;
+                    unit_conversion::to_si(&mut tree)?;
                     Some(AsWritten::of(&tree)?)
                 }
             };

@@ -21,7 +21,10 @@ export class Steering {
     private readonly rewinding: Rewinding,
   ) {}
 
-  /** Sets a value. At the start it acts at once; during a run a live value acts at once, and any other waits for the reset. */
+  /**
+   * Sets a value. At the start the scenario is opened again with it. During a run a live value is set in the engine, and the
+   * picture shows it with the next step; any other value waits for the reset.
+   */
   set(name: string, value: Value): void {
     this.state.values.want(name, value);
     this.state.emit((listener) => listener.valuesChanged?.());

@@ -15,7 +15,7 @@ pub(super) struct Stretched<S> {
     /// e, m, and its rate, m/s.
     pub stretch: S,
     pub rate: S,
-    /// k e and T at the last end, N; both 0 if it is slack.
+    /// k e and T without the weight of the rope, N; both 0 if it is slack.
     pub elastic: S,
     pub tension: S,
     /// (k e)^2 / (2 EA), N: strain energy per length of the rope that is wound on the drum.

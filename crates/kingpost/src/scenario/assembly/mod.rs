@@ -107,6 +107,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let mut elements = assembled(&scenario.forces, at)?;
     elements.extend(in_joints);
     elements.extend(in_water);
+    // Prescribed joints get their initial rates.
     elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
     let at = Surroundings::new(scenario, &model, &world, (&q, &v));
     let sensors = assembled(&scenario.sensors, Surroundings { elements: &elements, ..at })?;

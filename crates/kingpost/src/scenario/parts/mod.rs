@@ -19,7 +19,7 @@ use super::reading::check_version;
 use super::schema::{Mounting, Name, Scenario, WORLD};
 use super::tree::{Content, Field, ScenarioNode, segments};
 use super::writing::ToValue;
-use super::{conversion, parse, part_names, reading, wording};
+use super::{parse, part_names, reading, unit_conversion, wording};
 
 /// Largest nesting depth and number of parts: more would be an error and exhaust the machine.
 const MOST_LEVELS: usize = 16;
@@ -80,7 +80,7 @@ impl Mounter<'_> {
         given: Vec<Override<'a>>,
     ) -> Result<Vec<Override<'a>>, Fault> {
         let parts = take(tree, "parts");
-        conversion::to_si(tree)?;
+        unit_conversion::to_si(tree)?;
         let Some(mut parts) = parts else { return Ok(given) };
         let rest = overrides::write(&mut parts, tree, given)?;
         let mountings = overrides::typed_mountings(&mut parts)?;

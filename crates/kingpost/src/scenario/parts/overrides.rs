@@ -9,7 +9,7 @@ use super::super::reading;
 use super::super::schema::{Mounting, Name, Scenario};
 use super::super::tree::{Content, Field, ScenarioNode, segments};
 use super::super::writing::ToValue;
-use super::super::{conversion, units, wording};
+use super::super::{unit_conversion, units, wording};
 use super::{put, take};
 
 /// Writes the overrides of mountings, `parts.crane.position_m` and so on, and returns the others. `tree` is the file
@@ -65,7 +65,7 @@ fn to_si(parts: &mut Field) -> Result<(), Fault> {
             }
         }
     }
-    in_probe(parts, conversion::to_si)?;
+    in_probe(parts, unit_conversion::to_si)?;
     if let Content::Fields(mountings) = &mut parts.node.content {
         for (name, given) in parameters {
             if let Some(mounting) = mountings.get_mut(&name)

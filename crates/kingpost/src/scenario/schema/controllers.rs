@@ -9,6 +9,7 @@ use crate::scenario::schema::{
 
 /// Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
 /// name. A controller may stand before another.
+// `assembled`: each kind assembles its elements in its room, by `Assemble` in `elements/KIND/assembly.rs`.
 #[fields(assembled, sets_inputs)]
 pub enum Controller<S = f64> {
     /// Shapes a command so that it leaves no swing.

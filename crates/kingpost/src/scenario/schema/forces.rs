@@ -8,6 +8,7 @@ use crate::scenario::schema::{
 };
 
 /// Forces that act on the bodies from outside.
+// `assembled`: each kind assembles its elements in its room, by `Assemble` in `elements/KIND/assembly.rs`.
 #[fields(assembled)]
 pub enum Force<S = f64> {
     /// Weight, downwards along the world's z axis.

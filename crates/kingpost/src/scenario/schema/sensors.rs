@@ -8,6 +8,7 @@ use super::{
 };
 
 /// Sensors. Clearances and air gaps are measured in every row of the results, the others at their own interval.
+// `assembled`: each kind assembles its elements in its room, by `Assemble` in `elements/KIND/assembly.rs`.
 #[fields(assembled)]
 pub enum Sensor<S = f64> {
     /// Roll, pitch, heave, heave rate and angular velocity at a point of a body.
