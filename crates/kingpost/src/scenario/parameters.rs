@@ -143,8 +143,27 @@ impl Definition<'_> {
         if is_definition(path) {
             return Err(self.fault(target, &field, wording::quoted(path), wording::PATHS));
         }
-        let (si, _) = units::si_path(&segments(path));
-        target.check(&si).map_err(|NoSuchField { found, allowed }| self.fault(target, &field, found, allowed))
+        let (si, factor) = units::si_path(&segments(path));
+        target.check(&si).map_err(|NoSuchField { found, allowed }| self.fault(target, &field, found, allowed))?;
+        self.check_unit(target, path, (&si, factor))
+    }
+
+    /// Checks that the unit, which views show, is that of the field as `path` writes it: a value in kN for a field in N
+    /// would be a thousand times too small.
+    fn check_unit(&self, target: &OverrideTarget<'_>, path: &str, (si, factor): (&[String], f64)) -> Result<(), Fault> {
+        let is_name = |segment: &&String| segment.parse::<usize>().is_err();
+        let quantity = si.iter().rfind(is_name).and_then(|name| units::si_ending(name));
+        let Some((_, si)) = quantity else { return Ok(()) };
+        let unit = &self.parameter.unit;
+        match units::factor_of(unit, si) {
+            Some(shown) if (shown / factor - 1.0).abs() > UNIT_ROUNDING => {
+                let of_path =
+                    units::units_for(si).into_iter().find(|(_, of)| (of / factor - 1.0).abs() < UNIT_ROUNDING);
+                let allowed = of_path.map_or_else(|| si.to_owned(), |(unit, _)| unit);
+                Err(self.fault(target, "unit", unit, format!("{allowed}, the unit of {path}")))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn check_limits(&self, target: &OverrideTarget<'_>, kind: ParameterKind) -> Result<(), Fault> {
@@ -175,6 +194,9 @@ impl Definition<'_> {
         })
     }
 }
+
+/// Difference of two factors between units that is rounding: units differ by factors of 2 and more.
+const UNIT_ROUNDING: f64 = 1e-9;
 
 /// A path that leads nowhere.
 struct NoSuchField {

@@ -241,6 +241,24 @@ fn a_parameter_with_the_name_of_a_field_at_the_top_is_refused() {
     }
 }
 
+/// Views show a value in the parameter's unit: another one than the path's would be wrong by the factor between them.
+#[test]
+fn refuses_a_parameter_in_another_unit_than_its_path() {
+    refuses_parameter(
+        "name: a, unit: t, writes: [bodies.load.mass_kg]",
+        "t, writes",
+        "parameters.0.unit: found t, allowed: kg, the unit of bodies.load.mass_kg",
+    );
+    refuses_parameter(
+        "name: a, unit: rad, writes: [bodies.ship.joint.floating.initial.orientation_deg.0]",
+        "rad, writes",
+        "parameters.0.unit: found rad, allowed: deg, the unit of bodies.ship.joint.floating.initial.orientation_deg.0",
+    );
+    let same = "name: a, unit: t, writes: [bodies.load.mass_t]";
+    let text = changed("parameters:\n", &format!("parameters:\n  - {{{same}}}\n"));
+    assert!(read(&text, "paper.yaml", &[]).is_ok());
+}
+
 #[test]
 fn a_parameter_that_writes_a_path_that_cannot_exist_is_refused() {
     refuses_parameter(
