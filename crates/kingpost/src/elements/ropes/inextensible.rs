@@ -55,7 +55,7 @@ impl<S: Scalar> Inextensible<S> {
 
     /// l'' if every station's point x accelerates by omega x x' and no angular velocity changes, m/s^2; `path` has been
     /// evaluated at the present positions.
-    fn drift(&mut self, path: &RopePath<S>) -> S {
+    fn bias_acceleration(&mut self, path: &RopePath<S>) -> S {
         let own = &mut self.rated;
         own.drum = path.drum.map(|wrap| Wrap { from: still(wrap.from), length: Dual::still(wrap.length) });
         for (own, place) in own.places.iter_mut().zip(&path.places) {
@@ -109,7 +109,8 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         held.clear();
         held.residual = -now.stretch;
         held.rate = -now.rate;
-        held.bias_acceleration = inextensible.as_mut().map_or(S::ZERO, |own| now.paid_out.drift - own.drift(path));
+        held.bias_acceleration =
+            inextensible.as_mut().map_or(S::ZERO, |own| now.paid_out.bias_acceleration - own.bias_acceleration(path));
         let [first, _] = path.pull(S::ONE, S::ZERO, |station, wrench| {
             held.wrenches.extend(station.on_body(at, wrench));
         });
