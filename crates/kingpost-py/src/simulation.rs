@@ -239,7 +239,7 @@ impl Simulation {
         })
     }
 
-    /// J of the closed loops over the free coordinates, by rows.
+    /// J of closed loops and of taut inextensible ropes, over the free coordinates, by rows.
     fn constraint_matrix<'py>(&self, py: Python<'py>) -> PyResult<Matrix<'py>> {
         self.with(|held| {
             let j = held.inner.moving_frame().j;

@@ -73,7 +73,7 @@ class Equations:
         return self._engine.mass_matrix()
 
     def constraint_matrix(self) -> NDArray[np.float64]:
-        """J of the closed loops over the free coordinates: J v = 0. Shape (constraints, coordinates).
+        """J of closed loops and of taut inextensible ropes, over the free coordinates: J v = 0.
 
         Returns
         -------
@@ -106,8 +106,8 @@ class Equations:
         Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
         rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
         ``M_star``, ``N_star`` and ``F_star``, ``q_ddot_given`` if motions are prescribed, and ``J`` if there
-        are closed loops. Each has labels and units by row and column. `MovingFrame` also gives their LaTeX,
-        their formulas and their CSV files.
+        are closed loops or taut inextensible ropes, whose forces are not in ``F``. Each has labels and units
+        by row and column. `MovingFrame` also gives their LaTeX, their formulas and their CSV files.
 
         Returns
         -------

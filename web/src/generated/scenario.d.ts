@@ -2484,7 +2484,7 @@ export type CatenaryLine = {
   seabed?: boolean;
 };
 /**
- * A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls when its path is longer
+ * A rope without inertia that runs over sheaves: a hoist or a sling. It pulls when its path is longer
  * than the rope, else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its
  * peak tension at that moment must not be used for design.
  */

@@ -52,7 +52,7 @@ pub enum RunError {
         name: String,
         /// Its constraint.
         constraint: String,
-        /// The pivot of J M^-1 J^T against its diagonal at the start.
+        /// The pivot of J M*^-1 J^T against its diagonal at the start.
         pivot: f64,
         /// The smallest that is allowed.
         allowed: f64,

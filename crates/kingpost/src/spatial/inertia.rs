@@ -77,9 +77,9 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// The twist that has this momentum: elimination with `I = N D N^T`, N of ones on its diagonal (Golub & Van Loan,
-    /// *Matrix Computations*, 2013, sec. 4.1.2). First the linear part, of whose equations `[C^T | p]` is on the right,
-    /// then what remains of the angular part, `J - C L^-1 C^T`.
+    /// The twist that has this momentum: elimination with `I = L D L^T`, L with ones on its diagonal (Golub & Van
+    /// Loan, *Matrix Computations*, 2013, sec. 4.1.2). First the linear part A, of whose equations `[C^T | p]` is on
+    /// the right, then what remains of the angular part, `J - C A^-1 C^T`, with the coupling C.
     #[inline]
     pub fn solve(&self, p: &Wrench<S>) -> Twist<S> {
         let (pivots, c, f) = (Pivots::new(&self.linear), &self.coupling.0, &p.force.0);
@@ -112,11 +112,11 @@ impl<S: Scalar> SpatialInertia<S> {
     }
 }
 
-/// `N D N^T` of a symmetric matrix.
+/// `L D L^T` of a symmetric matrix.
 struct Pivots<S> {
     /// Reciprocals of D.
     reciprocal: [S; 3],
-    /// Entries (y, x), (z, x) and (z, y) of N.
+    /// Entries (y, x), (z, x) and (z, y) of L.
     below: [S; 3],
 }
 
@@ -132,7 +132,7 @@ impl<S: Scalar> Pivots<S> {
         Self { reciprocal: [first, second, third], below: [yx, zx, zy] }
     }
 
-    /// `N^-1 rows`.
+    /// `L^-1 rows`.
     #[inline]
     fn forward<const K: usize>(&self, [x, y, z]: [[S; K]; 3]) -> [[S; K]; 3] {
         let [yx, zx, zy] = self.below;
@@ -147,7 +147,7 @@ impl<S: Scalar> Pivots<S> {
         [times(x, a), times(y, b), times(z, c)]
     }
 
-    /// `N^-T v`.
+    /// `L^-T v`.
     #[inline]
     fn back(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         let [yx, zx, zy] = self.below;

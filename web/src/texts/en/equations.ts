@@ -10,7 +10,7 @@ const names: Record<string, string> = {
   N_star: "N*: reduced velocity matrix",
   F_star: "F*: reduced loads",
   q_ddot_given: "q̈: prescribed accelerations",
-  J: "J: constraints of closed loops",
+  J: "J: constraints of closed loops and taut inextensible ropes",
 };
 
 export const equations = {

@@ -19,7 +19,7 @@ export const equations: Texts["equations"] = {
     N_star: "N*: redusert hastighetsmatrise",
     F_star: "F*: reduserte laster",
     q_ddot_given: "q̈: foreskrevne akselerasjoner",
-    J: "J: føringer i lukkede sløyfer",
+    J: "J: føringer fra lukkede sløyfer og stramme, ustrekkbare tau",
   },
   touch: "Pek på en blokk i matrisen: tallene vises her, og skipet viser virkningen.",
   block: (row, column, entries) => `${row} og ${column}: ${entries}`,

@@ -4,7 +4,8 @@ use crate::dynamics::moving_link::MovingLink;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Wrench};
 
-/// A link with its articulated subtree, root axes.
+/// A link with its articulated subtree, root axes; symbols as in Featherstone, *Rigid Body Dynamics Algorithms*, 2008,
+/// table 7.1.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Articulated<S> {
     /// Inertia in addition to the link's own: that transmitted by its joints to other links, and that of parts that are
@@ -12,13 +13,13 @@ pub(super) struct Articulated<S> {
     more: SpatialInertia<S>,
     /// Whether there is any such inertia.
     pub has_more: bool,
-    /// Articulated bias force: the force for the bias acceleration, less the loads.
+    /// p^A, articulated bias force: the force for the bias acceleration, less the loads.
     pub bias: Wrench<S>,
-    /// Articulated inertia times the joint's axis.
+    /// U, articulated inertia times the joint's axis.
     pub gain: Wrench<S>,
-    /// Reciprocal inertia along the joint's axis, the rotor's included, 1/kg or 1/(kg m^2).
+    /// 1/D, reciprocal inertia along the joint's axis, the rotor's included, 1/kg or 1/(kg m^2).
     pub compliance: S,
-    /// Remaining force along the joint's axis, which accelerates it.
+    /// u, remaining force along the joint's axis, which accelerates it.
     pub drive: S,
     /// Acceleration beyond the bias acceleration and free fall.
     pub response: Twist<S>,
@@ -38,8 +39,8 @@ impl<S: Scalar> Articulated<S> {
         self.has_more = true;
     }
 
-    /// A joint that is free along its axis S: `U = I S`, `D = S . U + rotor`, `u = tau - S . p`; the parent takes
-    /// `I - U U^T / D` and `p + U u / D` (Featherstone 2008, table 7.1). At the end of a branch I has ten numbers.
+    /// A joint that is free along its axis S: `U = I^A S`, `D = S . U + rotor`, `u = tau - S . p^A`; the parent takes
+    /// `I^A - U U^T / D` and `p^A + U u / D`. At the end of a branch I^A has ten numbers.
     #[inline]
     pub fn project_articulated_inertia(
         &mut self,
@@ -58,7 +59,7 @@ impl<S: Scalar> Articulated<S> {
         }
     }
 
-    /// U, 1 / D and u.
+    /// Computes U, 1/D and u.
     #[inline]
     fn resolve(&mut self, gain: Wrench<S>, axis: &Twist<S>, force: S, rotor: S) {
         self.compliance = S::ONE / (gain.dot(axis) + rotor);

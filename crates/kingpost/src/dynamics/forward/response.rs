@@ -1,4 +1,4 @@
-//! The accelerations due to wrenches on links and loads along joints: M^-1 times a column of J^T.
+//! The accelerations due to wrenches on links and loads along joints: M*^-1 times a column of J^T.
 //!
 //! The second half of the recursion once more, without velocities and other loads, with the articulated inertias of the
 //! last [`forward_dynamics`](super::forward_dynamics). It is linear in the wrenches, so responses can be added to the

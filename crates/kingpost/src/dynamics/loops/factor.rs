@@ -1,4 +1,4 @@
-//! J M^-1 J^T, factored by Cholesky in the order of the constraints.
+//! J M*^-1 J^T, factored by Cholesky in the order of the constraints.
 //!
 //! The order is fixed and not chosen by the magnitude of the pivots, so a vanishing pivot identifies the first
 //! constraint that depends on those before it.

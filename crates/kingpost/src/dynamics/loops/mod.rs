@@ -7,10 +7,10 @@
 //! | J   0   | | -lambda | = | -J' q'     |
 //! ```
 //!
-//! and the recursion solves them without forming M*: with a0 the accelerations of the open tree, `a = a0 + M^-1 J^T
-//! lambda` and `(J M^-1 J^T) lambda = -(J a0 + J' v)`; a column of M^-1 J^T is the open tree's [`Response`] to a pair
+//! and the recursion solves them without forming M*: with a0 the accelerations of the open tree, `a = a0 + M*^-1 J^T
+//! lambda` and `(J M*^-1 J^T) lambda = -(J a0 + J' v)`; a column of M*^-1 J^T is the open tree's [`Response`] to a pair
 //! of unit wrenches. The equations satisfy the constraints to rounding, but a scheme does not. After each step q and v
-//! are corrected by the smallest change in the norm of M, so that phi and phi' vanish ([`LoopSolver::close`]). This
+//! are corrected by the smallest change in the norm of M*, so that phi and phi' vanish ([`LoopSolver::close`]). This
 //! conserves the total momentum of two connected ships.
 //!
 //! The temporary constraints of elements, each a [`UnilateralConstraint`](super::UnilateralConstraint), follow the loops in the same system.
@@ -124,7 +124,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.multipliers.iter_mut().zip(multipliers).for_each(|(own, given)| *own = given);
     }
 
-    /// Takes the diagonal of the next J M^-1 J^T as the reference of pivots: that of the setup, the same for every
+    /// Takes the diagonal of the next J M*^-1 J^T as the reference of pivots: that of the setup, the same for every
     /// state of a run.
     pub fn begin(&mut self) {
         self.begins = true;
@@ -150,7 +150,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.lowest[1].fill(S::constant(f64::INFINITY));
     }
 
-    /// The factor of J M^-1 J^T.
+    /// The factor of J M*^-1 J^T.
     pub fn factor(&self) -> &CholeskyFactor<S> {
         &self.factor
     }
@@ -174,7 +174,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.response.add_to(work, v_dot);
     }
 
-    /// Factors J M^-1 J^T with the present articulated inertias, one column at a time.
+    /// Factors J M*^-1 J^T with the present articulated inertias, one column at a time.
     fn factor_here(&mut self, model: &Model<S>, links: &LinkKinematics<S>, work: &Workspace<S>) {
         let columns = &self.columns[..self.count];
         self.factor.begin(columns.len());

@@ -1,8 +1,8 @@
-//! Projection to phi = 0 and phi' = 0 by the smallest change of q and v in the norm of M.
+//! Projection to phi = 0 and phi' = 0 by the smallest change of q and v in the norm of M*.
 //!
-//! A correction of the positions is one step of Newton's method with the M-weighted inverse of J,
-//! `xi = -M^-1 J^T (J M^-1 J^T)^-1 phi`, retracted on the group; one of the velocities is
-//! `-M^-1 J^T (J M^-1 J^T)^-1 J v`, which ends in one step. (Gear, Leimkuhler & Gupta 1985; Hairer &
+//! A correction of the positions is one step of Newton's method with the M*-weighted inverse of J,
+//! `xi = -M*^-1 J^T (J M*^-1 J^T)^-1 phi`, retracted on the group; one of the velocities is
+//! `-M*^-1 J^T (J M*^-1 J^T)^-1 J v`, which ends in one step. (Gear, Leimkuhler & Gupta 1985; Hairer &
 //! Wanner, *Solving Ordinary Differential Equations II*, 1996, sec. VII.2.) Coordinates that are
 //! held or prescribed do not move.
 
@@ -67,7 +67,7 @@ pub struct Projection<'a, S> {
 pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [UnilateralConstraint<S>]) + 'a;
 
 impl<S: Scalar> LoopSolver<S> {
-    /// Takes the diagonal of J M^-1 J^T at this state as the reference of pivots.
+    /// Takes the diagonal of J M*^-1 J^T at this state as the reference of pivots.
     pub fn begin_at(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &[S]) {
         self.look(on, q, v);
         self.begin();
@@ -108,7 +108,7 @@ impl<S: Scalar> LoopSolver<S> {
     }
 
     /// At the start: closes the loops from where they stand, however far they are open, and takes the diagonal of J
-    /// M^-1 J^T there as the reference of pivots. The last correction moves nothing, but gives the derivatives of a
+    /// M*^-1 J^T there as the reference of pivots. The last correction moves nothing, but gives the derivatives of a
     /// dual number. Returns whether the loops are closed, in every lane.
     pub fn assemble(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &mut [S]) -> bool {
         self.look(on, q, v);
@@ -138,7 +138,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.acting().iter().fold(S::ZERO, |largest, column| larger(largest, column.residual))
     }
 
-    /// Factors J M^-1 J^T here, with newly computed articulated inertias.
+    /// Factors J M*^-1 J^T here, with newly computed articulated inertias.
     fn factor_anew(&mut self, on: &mut Projection<'_, S>) {
         forward_dynamics(on.model, on.links, on.loads, on.work, &mut self.v_dot);
         self.factor_here(on.model, on.links, on.work);

@@ -89,9 +89,9 @@ pub struct MovingFrame {
     pub free: Vec<usize>,
     /// q'' of the prescribed coordinates, over all of them; zero elsewhere.
     pub given_acceleration: DVector<f64>,
-    /// J of the closed loops over the free coordinates, one row per constraint, followed by those of restraints.
+    /// J over the free coordinates: one row per constraint of the closed loops, then one per taut inextensible rope.
     pub j: DMatrix<f64>,
-    /// The part of the loops' phi'' without J q'': J' q', and the terms of prescribed motions.
+    /// The part of phi'' without J q'': J' q', and the terms of prescribed motions.
     pub j_dot_v: DVector<f64>,
     /// Names of the elements that hold the last rows of J.
     pub held_by: Vec<String>,

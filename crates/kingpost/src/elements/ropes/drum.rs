@@ -1,11 +1,11 @@
 //! A drum: the length that it pays out as a function of its angle.
 //!
-//! With the angle phi from the start, positive as it pays out, and the radius R0 to the middle of the rope there, one
-//! layer of rope pays out R0 phi. With layers of height h and n turns each, the radius falls like a spiral, by c = h /
-//! (2 pi n) per angle:
+//! With the angle theta from the start, positive as it pays out, and the radius R0 to the middle of the rope there, one
+//! layer of rope pays out R0 theta. With layers of height h and N turns each, the radius falls like a spiral, by c =
+//! h / (2 pi N) per angle:
 //!
 //! ```text
-//! R = R0 - c phi,   L = L0 + R0 phi - c phi^2 / 2
+//! R = R0 - c theta,   L = L0 + R0 theta - c theta^2 / 2
 //! ```
 //!
 //! which gives the mean radius of every layer. The point where the rope leaves the drum is kept at R0: it would shift
@@ -50,8 +50,8 @@ pub(in crate::elements) struct PaidOut<S> {
     /// L', m/s.
     pub rate: S,
     /// L'' without acceleration of the drum, m/s^2.
-    pub drift: S,
-    /// phi left until the innermost layer, rad.
+    pub bias_acceleration: S,
+    /// theta left until the innermost layer, rad.
     pub left: S,
 }
 
@@ -64,7 +64,7 @@ impl<S: Scalar> Drum<S> {
             length: radius * angle,
             per_angle: self.sense * radius,
             rate: radius * speed,
-            drift: S::ZERO,
+            bias_acceleration: S::ZERO,
             left: S::ONE,
         };
         let Some(Layers { thinning, innermost_from }) = self.layers else { return one_layer };
@@ -76,7 +76,7 @@ impl<S: Scalar> Drum<S> {
             length: radius * angle + thinning * spiral * spiral * S::constant(0.5),
             per_angle: self.sense * radius,
             rate: radius * speed,
-            drift: -growth * speed * speed,
+            bias_acceleration: -growth * speed * speed,
             left,
         }
     }

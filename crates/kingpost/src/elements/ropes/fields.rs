@@ -5,7 +5,7 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{CoordinateName, Direction, Fraction, Name, NonNegative, Positive, yes};
 
-/// A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls when its path is longer
+/// A rope without inertia that runs over sheaves: a hoist or a sling. It pulls when its path is longer
 /// than the rope, else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its
 /// peak tension at that moment must not be used for design.
 #[fields]

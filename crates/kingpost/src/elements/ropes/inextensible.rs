@@ -7,10 +7,10 @@
 //! ```
 //!
 //! with a row of J from the forces of a unit tension. It goes slack when T would become negative. When the path is as
-//! long as the rope again it comes taut with an impact, v+ = v - M^-1 J^T (J M^-1 J^T)^-1 J v, after which l' = L': the
-//! energy of the motion along the rope becomes heat, as in a stiff rope whose damper leaves no rebound (Pfeiffer &
-//! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, ch. 8, with a coefficient of restitution of 0). This
-//! is the limit of a rope without compliance.
+//! long as the rope again it comes taut with an impact, v+ = v - M*^-1 J^T (J M*^-1 J^T)^-1 J v, after which l' = L':
+//! the energy of the motion along the rope becomes heat, as in a stiff rope whose damper leaves no rebound (Pfeiffer
+//! & Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, ch. 8, with a coefficient of restitution of 0).
+//! This is the limit of a rope without compliance.
 
 use super::path::{PlacedStation, Wrap};
 use super::release::is_off;
@@ -55,7 +55,7 @@ impl<S: Scalar> Inextensible<S> {
 
     /// l'' if every station's point x accelerates by omega x x' and no angular velocity changes, m/s^2; `path` has been
     /// evaluated at the present positions.
-    fn drift(&mut self, path: &RopePath<S>) -> S {
+    fn bias_acceleration(&mut self, path: &RopePath<S>) -> S {
         let own = &mut self.rated;
         own.drum = path.drum.map(|wrap| Wrap { from: still(wrap.from), length: Dual::still(wrap.length) });
         for (own, place) in own.places.iter_mut().zip(&path.places) {
@@ -109,7 +109,8 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         held.clear();
         held.residual = -now.stretch;
         held.rate = -now.rate;
-        held.bias_acceleration = inextensible.as_mut().map_or(S::ZERO, |own| now.paid_out.drift - own.drift(path));
+        held.bias_acceleration =
+            inextensible.as_mut().map_or(S::ZERO, |own| now.paid_out.bias_acceleration - own.bias_acceleration(path));
         let [first, _] = path.pull(S::ONE, S::ZERO, |station, wrench| {
             held.wrenches.extend(station.on_body(at, wrench));
         });

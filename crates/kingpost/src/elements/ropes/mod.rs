@@ -1,4 +1,4 @@
-//! Ropes over sheaves: hoists, luffing ropes, slings, tuggers.
+//! Ropes over sheaves: hoists, luffing ropes, slings; and tugger lines, which are a type of their own.
 
 pub(crate) mod assembly;
 mod drum;
@@ -38,13 +38,15 @@ use release::is_off;
 /// SIMO),
 ///
 /// ```text
-/// T = max(k (e + tau e'), 0) where e > 0, else 0
+/// taut: T = k (e + tau e'),       slack: T = 0
 /// V = k e^2 / 2,       -dV/dL = k e + (k e)^2 / (2 EA)
 /// ```
 ///
-/// A [`Drum`] that turns by theta pays out R theta, with R its radius. Its torque is R times the tension plus R (k e)^2
-/// / (2 EA): the wound rope stores strain energy, and without this term rope paid out under tension would gain or lose
-/// energy. Friction acts at the sheaves and at the drum; damping and friction become heat.
+/// T is the tension at the last end; where no event has chosen between taut and slack, it is max(k (e + tau e'), 0)
+/// where e > 0, else 0. A [`Drum`] that turns by theta pays out R theta, with R its radius. Its torque is R times the
+/// tension at the first end, with the friction of the sheaves and of the drum, plus R (k e)^2 / (2 EA): the wound rope
+/// stores strain energy, and without this term rope paid out under tension would gain or lose energy. Damping and
+/// friction become heat.
 #[derive(Clone, Debug)]
 pub struct Rope<S = f64> {
     /// Name in the results.

@@ -1,17 +1,20 @@
 //! The path of a rope over points, sheaves and a drum: its length, and the forces of a tension in it on the bodies.
 //!
-//! With the centres c_i of the stations, the way w = c_(i+1) - c_i of a leg, d = |w|, u = w / d, the sheaves' radii R_i
-//! and axes a_i, about which the rope turns on its path from its first end to its last,
+//! Leg i leads from station i to the next, in n_i parallel falls. With the centres c_i of the stations, the way w_i =
+//! c_(i+1) - c_i, d_i = |w_i|, u_i = w_i / d_i, the sheaves' radii R_i and axes a_i, about which the rope turns on its
+//! path from its first end to its last,
 //!
 //! ```text
-//! l = sum over legs of sqrt(d^2 - rho^2) + rho asin(rho / d),  plus the sum over sheaves of R_i beta_i
-//! rho = R_i - (a_i . a_(i+1)) R_(i+1)
+//! l = sum over legs of n_i [sqrt(d_i^2 - rho_i^2) + rho_i asin(rho_i / d_i)],
+//!     plus the sum over sheaves and drum of R_i beta_i
+//! rho_i = R_i - (a_i . a_(i+1)) R_(i+1),  R_i if the second station is a point,
+//!     -R_(i+1) if the first is,  0 if both are
 //! beta_i = atan2(a_i . (u_(i-1) x u_i), u_(i-1) . u_i),  from -90 to 270 degrees
 //! ```
 //!
 //! This is the length of a belt if its legs lie in the planes of the sheaves, and a smooth function of centres and axes
-//! if not. Forces and moments are its derivatives times the tension, so they are consistent with the energy on any
-//! path.
+//! if not. beta is evaluated as 90 degrees plus an atan2 between -180 and 180. Forces and moments are the derivatives
+//! of l times the tension, so they are consistent with the energy on any path.
 
 use super::station::{Round, Station, StationMotion};
 use crate::elements::Context;

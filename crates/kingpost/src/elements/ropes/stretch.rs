@@ -75,7 +75,8 @@ impl<S: Scalar> Rope<S> {
     /// Its geometry and stretch, without tension.
     pub(super) fn laid(&mut self, at: &Context<'_, S>) -> Stretched<S> {
         let PathLength { length, rate, range_left } = self.path.extent(at);
-        let no_drum = PaidOut { length: S::ZERO, per_angle: S::ZERO, rate: S::ZERO, drift: S::ZERO, left: S::ONE };
+        let no_drum =
+            PaidOut { length: S::ZERO, per_angle: S::ZERO, rate: S::ZERO, bias_acceleration: S::ZERO, left: S::ONE };
         let paid_out = self.drum.map_or(no_drum, |drum| drum.paid_out(at));
         let unstretched = self.unstretched_length + paid_out.length;
         let (stretch, rate) = (length - unstretched, rate - paid_out.rate);

@@ -2,18 +2,18 @@
 //!
 //! Its legs are taken as straight, between the centres of its stations, and its mass as spread evenly over the length l
 //! of its path; the rope on the sheaves is left out. With the weight per length w(z), in air above the still water line
-//! z = 0 and less the displaced water below, W(z) its integral from 0, the n falls and the distance d of each leg, and
-//! the length L that lies on the path, L0 of it at the start,
+//! z = 0 and less the displaced water below, W(z) its integral from 0, the falls n_i and the distance d_i of leg i,
+//! and the length L that lies on the path, L0 of it at the start,
 //!
 //! ```text
-//! V = L Wm - (L - L0) W(z_1),   Wm = sum n d <W> / l,   <W> = mean of W over the leg
-//! T(z) = T + (L / l) (W(z) - Wm)
+//! V = L W_mean - (L - L0) W(z_first),   W_mean = sum n_i d_i <W>_i / l,   <W>_i = mean of W over leg i
+//! T(z) = T_mean + (L / l) (W(z) - W_mean)
 //! ```
 //!
-//! where T is the mean tension, which stretches the rope, and z_1 the height of the drum, from which the rope is paid
-//! out. The forces are -dV/dx, and a drum holds -dV/dL = W(z_1) - Wm in addition to T: below a drum at rest a rope with
-//! a load M pulls with M g at its last end and with M g + w L at the drum (Irvine, *Cable Structures*, 1981, ch. 1:
-//! tension of a taut cable changes by w per height).
+//! where T_mean is the mean tension, which stretches the rope, and z_first the height of the drum, from which the rope
+//! is paid out. The forces are -dV/dx, and a drum holds -dV/dL = W(z_first) - W_mean in addition to T_first: below a
+//! drum at rest a rope with a load M pulls with M g at its last end and with M g + w L at the drum (Irvine, *Cable
+//! Structures*, 1981, ch. 1: tension of a taut cable changes by w per height).
 
 use super::release::is_off;
 use super::stretch::Stretched;
@@ -46,7 +46,7 @@ pub(super) struct WeightOnPath<S> {
     per_length: PerLength<S>,
     /// L / l.
     density: S,
-    /// Wm, N.
+    /// W_mean, N.
     mean: S,
 }
 
