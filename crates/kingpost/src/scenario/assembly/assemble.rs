@@ -61,7 +61,7 @@ impl<'a, S: Quantity> Surroundings<'a, S> {
     /// The sampling period: a whole number of steps.
     ///
     /// # Errors
-    /// A period that is none.
+    /// A period that is not a whole number of steps.
     pub(crate) fn period_s(self, field: &str, given: Option<Positive>) -> Result<f64, FieldError> {
         let step_s = self.step_s();
         let Some(period_s) = given.map(|period| period.get()) else { return Ok(step_s) };
