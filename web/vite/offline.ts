@@ -1,5 +1,5 @@
 import { createHash } from "node:crypto";
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import type { Plugin } from "vite";
 
@@ -31,6 +31,8 @@ export function offline(sources: string): Plugin {
     },
     closeBundle() {
       const script = join(folder, SCRIPT);
+      // A build that failed calls this, too, and has its own error.
+      if (!existsSync(script)) return;
       writeFileSync(script, `self.kingpost_files=${JSON.stringify(digests(folder))};\n${readFileSync(script, "utf8")}`);
     },
   };

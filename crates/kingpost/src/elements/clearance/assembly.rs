@@ -87,7 +87,7 @@ fn place<S: Quantity>(
 }
 
 fn is_own<S>(given: &schema::ClearanceFrom<S>) -> bool {
-    matches!(given.shape, Some(ClearanceShape::ElementState))
+    matches!(given.shape, Some(ClearanceShape::Own))
 }
 
 /// The solid that the point stays clear of; a point is a sphere of radius 0.
@@ -101,7 +101,7 @@ fn solid<S: Quantity>(
         rigid(scenario, format!("{field}.body"), &given.body)?;
     }
     Ok(match shape {
-        ClearanceShape::ElementState => own(scenario, field, given)?,
+        ClearanceShape::Own => own(scenario, field, given)?,
         ClearanceShape::Plane(given) => ContactSolid::Plane { normal: Vector3(given.normal.get()).direction() },
         ClearanceShape::Box(given) => of_box(given),
         ClearanceShape::Cylinder(given) => of_cylinder(given),

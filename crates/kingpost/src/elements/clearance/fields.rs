@@ -51,7 +51,7 @@ pub struct ClearanceFrom<S = f64> {
 #[fields]
 pub enum ClearanceShape<S = f64> {
     /// The body's own `shape`, centred on its centre of mass; give no position then.
-    ElementState,
+    Own,
     /// Everything below an infinite plane: a quay, the seabed.
     Plane(ContactPlane<S>),
     /// A box: a deck, a house.
