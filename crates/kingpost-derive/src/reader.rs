@@ -62,24 +62,15 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
     })
 }
 
-/// The visit of the texts in fields, or in the field of a kind, that name entries or files.
+/// The fields, or the fields of the kinds, in which texts name entries or files.
 fn texts<'a>(fields: impl Iterator<Item = (String, &'a Type)>, scalar: &Option<Tokens>) -> Tokens {
     let (names, types): (Vec<String>, Vec<&Type>) = fields.unzip();
     quote! {
-        fn visit_texts(
-            node: &mut crate::scenario::tree::ScenarioNode,
-            visit: &mut dyn FnMut(crate::scenario::reading::TextKind, &mut String),
-        ) {
+        fn fields_with_texts() -> &'static [crate::scenario::reading::FieldWithTexts] {
             #scalar
-            #(crate::scenario::reading::visit_field::<#types>(node, #names, visit);)*
-        }
-        fn text_at(path: &[&str]) -> Option<crate::scenario::reading::TextKind> {
-            #scalar
-            let (first, rest) = path.split_first()?;
-            match *first {
-                #(#names => <#types as crate::scenario::reading::FromNode>::text_at(rest),)*
-                _ => None,
-            }
+            const FIELDS_WITH_TEXTS: &[crate::scenario::reading::FieldWithTexts] =
+                &[#(crate::scenario::reading::FieldWithTexts::of::<#types>(#names)),*];
+            FIELDS_WITH_TEXTS
         }
     }
 }

@@ -24,8 +24,15 @@ pub(crate) trait FromNode: Sized {
         None
     }
 
+    /// Its fields, or the fields of its kinds, by name.
+    fn fields_with_texts() -> &'static [FieldWithTexts] {
+        &[]
+    }
+
     /// Visits the texts in a node that name other entries or files.
-    fn visit_texts(_node: &mut ScenarioNode, _visit: &mut dyn FnMut(TextKind, &mut String)) {}
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+        visit_fields(Self::fields_with_texts(), node, visit);
+    }
 
     /// The fields that are places in the world; of an enum, those of a kind.
     fn places(_kind: &str) -> &'static [(&'static str, PlaceKind)] {
@@ -33,8 +40,23 @@ pub(crate) trait FromNode: Sized {
     }
 
     /// The kind of the text at a path; `None` if no such text is there.
-    fn text_at(_path: &[&str]) -> Option<TextKind> {
-        None
+    fn text_at(path: &[&str]) -> Option<TextKind> {
+        let (first, rest) = path.split_first()?;
+        let field = Self::fields_with_texts().iter().find(|field| field.name == *first)?;
+        (field.text_at)(rest)
+    }
+}
+
+/// A field of a type, and the texts in it.
+pub(crate) struct FieldWithTexts {
+    name: &'static str,
+    visit_texts: fn(&mut ScenarioNode, &mut dyn FnMut(TextKind, &mut String)),
+    text_at: fn(&[&str]) -> Option<TextKind>,
+}
+
+impl FieldWithTexts {
+    pub(crate) const fn of<T: FromNode>(name: &'static str) -> Self {
+        Self { name, visit_texts: T::visit_texts, text_at: T::text_at }
     }
 }
 
@@ -179,16 +201,13 @@ pub(crate) fn kind<'a>(node: &'a ScenarioNode, kinds: &[&str]) -> Result<(&'a st
     }
 }
 
-/// Visits the texts in a field, if it is written.
-pub(crate) fn visit_field<T: FromNode>(
-    node: &mut ScenarioNode,
-    name: &str,
-    visit: &mut dyn FnMut(TextKind, &mut String),
-) {
-    if let Content::Fields(fields) = &mut node.content
-        && let Some(of) = fields.get_mut(name)
-    {
-        T::visit_texts(&mut of.node, visit);
+/// Visits the texts in the fields that are written.
+fn visit_fields(known: &[FieldWithTexts], node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    let Content::Fields(fields) = &mut node.content else { return };
+    for field in known {
+        if let Some(of) = fields.get_mut(field.name) {
+            (field.visit_texts)(&mut of.node, visit);
+        }
     }
 }
 
