@@ -29,7 +29,7 @@ export class SessionState {
     this.tellFault(fault);
   }
 
-  /** A dead engine is reported after the run has started again. */
+  /** Reports a fault of the run; a dead engine is reported later, when the run has started again. */
   reportOfRun(fault: Fault): void {
     if (!isOfEngine(fault)) this.report(fault);
   }
