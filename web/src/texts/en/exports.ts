@@ -21,7 +21,7 @@ export const exports = {
   done: (file: string) => `${file} is saved.`,
 };
 
-/** Remarks in a saved scenario. */
+/** Comments at the top of a saved scenario. */
 export const saved = {
   by: (time: string) => `Saved by Kingpost's app at ${time} of a run, with the parameters as they were set.`,
   moves: (count: number) => `The operation has ${count === 1 ? "the lever move" : `the ${count} lever moves`} made by hand.`,
