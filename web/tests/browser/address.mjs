@@ -25,7 +25,7 @@ export default {
     assert.equal(await item(page, "load").isChecked(), true);
     assert.equal(await item(page, "crane_x_m").inputValue(), "3.5");
     await page.goto(`${host.address}?scenario=paper&nonesuch=3`);
-    await page.getByText("It opened with its own values").waitFor();
+    await page.getByText("The scenario opened with its own values").waitFor();
     assert.match(await page.getByTestId("alert").textContent(), /nonesuch: found an unknown name/);
     assert.equal(queryOf(page), "?scenario=paper");
     await close();

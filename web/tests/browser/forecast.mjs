@@ -50,11 +50,11 @@ export default {
       });
       await page.getByTestId("look-ahead").click();
       await said(page, /^64 futures of 60 s/);
-      await said(page, /From 62\.0 s, with the levers as they are\. Each agrees with the wave that was measured at the ship over the last 62 s\./);
+      await said(page, /From 62\.0 s, with the present lever positions\. Each future agrees with the wave that was measured at the ship over the last 62 s\./);
       const heads = await page.evaluate(() => window.heads);
       assert.ok(heads.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, heads.join(" | "));
       // The first minute is whole: futures of it are held against what came.
-      await said(page, /Their 90 % band held \d+ % of the past minute\./);
+      await said(page, /The 90 % band contained \d+ % of the recorded values of the past minute\./);
       await rested(page);
       // The same for one who does not see it.
       await page.waitForFunction(() => /at 12[0-9.]+.s, forecast, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
@@ -87,7 +87,7 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });
     await stepTo(page, 1);
     await page.getByTestId("look-ahead").click();
-    await said(page, /^One future of 60 s[^]*From 1\.0 s, with the levers as they are\. Without waves/);
+    await said(page, /^One future of 60 s[^]*From 1\.0 s, with the present lever positions\. Without waves/);
     await page.getByTestId("look-ahead").click();
     assert.equal(await box(page).isVisible(), false);
     await close();

@@ -268,7 +268,7 @@ export default {
     const heel = Number((await notes.textContent()).match(/now at ([\d.]+)°/)[1]);
     const { row } = await sample(page);
     near(heel, (row["hull.roll"] * 180) / Math.PI, 0.0051, "heel");
-    assert.match(await notes.textContent(), /at rest at [\d.]+°; largest [\d.]+ m at [\d.]+°/);
+    assert.match(await notes.textContent(), /equilibrium at [\d.]+°; largest [\d.]+ m at [\d.]+°/);
     await close();
   },
 
