@@ -186,7 +186,7 @@ class Trial {
 const turn = () => new Promise<void>((resolve) => setImmediate(resolve));
 
 it(
-  `stays whole through ${CHANGES} random changes`,
+  `a session stays consistent through ${CHANGES} random changes`,
   async () => {
     const trial = new Trial();
     await trial.open();

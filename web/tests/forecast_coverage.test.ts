@@ -84,7 +84,7 @@ function held(truth: Truth, futures: Futures): number[] {
 const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 // A share is known to some per cent only after many windows.
-it.runIf(isThorough)("holds in its 90 % band what then comes to pass to a ship in waves, and no more than it says", { timeout: 7_200_000 }, () => {
+it.runIf(isThorough)("the 90 % band of a ship in waves contains 90 % of the later values", { timeout: 7_200_000 }, () => {
   const windows: number[][] = [];
   for (let seed = 1; windows.length < WINDOWS; seed++) {
     const truth = new Truth(vessel(seed));

@@ -61,7 +61,7 @@ class Still {
 /** Waits until nothing that was asked for is left to do. */
 const calm = () => until(() => expect(isCalm()).toBe(true));
 
-describe("looking forecast", { timeout: 60_000 }, () => {
+describe("forecast of a session", { timeout: 60_000 }, () => {
   let session: Session;
   let foreseers: Still;
   let forecast: Forecast;
@@ -77,7 +77,7 @@ describe("looking forecast", { timeout: 60_000 }, () => {
     await session.open({ text, file: "dp.yaml" }, { waves: true });
   });
 
-  it("is done where it is switched on, of the moment that is shown, with the past before it", async () => {
+  it("a forecast starts when it is switched on, at the moment that is shown, with the measurements before it", async () => {
     await stepTo(2);
     await calm();
     expect(foreseers.asked).toEqual([]);
@@ -92,7 +92,7 @@ describe("looking forecast", { timeout: 60_000 }, () => {
     expect(foreseers.asked[1].start.past.time_s.at(-1)).toBeCloseTo(1, 9);
   });
 
-  it("takes a live parameter as it was set, and begins anew where one is", async () => {
+  it("a forecast uses the set value of a live parameter, and starts again when one is set", async () => {
     const live = session.run!.model.parameters.find((parameter) => parameter.live && parameter.kind === "number")!;
     await stepTo(1);
     forecast.switch(true);
@@ -106,7 +106,7 @@ describe("looking forecast", { timeout: 60_000 }, () => {
     expect(foreseers.asked.at(-1)!.scenario.overrides[live.name]).toBe(value);
   });
 
-  it("judges each whole minute once, but for one in which a hand set something", async () => {
+  it("the forecast is judged once for each full minute, except minutes with changes by hand", async () => {
     await stepTo(61);
     forecast.switch(true);
     await until(() => expect(forecast.record.newest.minutes).toBe(1));

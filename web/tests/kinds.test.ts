@@ -23,7 +23,7 @@ function sources(folder: string): string[] {
   });
 }
 
-it("names no kind of force or drive: what there is to show the engine says", () => {
+it("the app's code names no kind of force or drive", () => {
   expect(KINDS.length).toBeGreaterThan(10);
   const found = sources(here("../src")).flatMap((path) => {
     const text = readFileSync(path, "utf8");

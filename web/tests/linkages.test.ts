@@ -67,7 +67,7 @@ const TELESCOPE: DrawnLine[] = [
   { name: "bow", style: "line", radius_m: 0, points: 3 },
 ];
 
-it("lays tubes, pins and ropes through the engine's points", () => {
+it("tubes, pins and ropes are placed at the engine's points", () => {
   const world = new Group();
   const lines = new DrawnLines(TELESCOPE, world, PALETTE);
   for (const y of [3, 4]) {
@@ -91,7 +91,7 @@ it("lays tubes, pins and ropes through the engine's points", () => {
   }
 });
 
-it("hangs pins on the bodies and on the world, and a rod between those of a distance", () => {
+it("pins are fixed to bodies or the world, and a rod joins the pins of a distance", () => {
   const { world, post, boom } = drawn(0, 1, 3);
   expect(post.children.length).toBe(0);
   expect(boom.children.map((pin) => (pin as Mesh).position.toArray())).toEqual([[1, 0, 0]]);

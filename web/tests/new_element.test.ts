@@ -12,7 +12,7 @@ import { FakeEngine } from "./fake";
 const file = fileURLToPath(new URL("../../crates/kingpost/tests/golden/new_element.channels.json", import.meta.url));
 const channels = JSON.parse(readFileSync(file, "utf8")) as Channel[];
 
-it("offers what an element of a new kind shows among the plots, in its unit", () => {
+it("columns of an element of a new kind are offered as plots in their units", () => {
   const figures = new Figures(readModel(new FakeEngine().model_json()), channels);
   const own = figures.lines.filter(({ thing }) => thing === "governor");
   expect(own.map(({ id, what, unit }) => [id, what, shownUnit(unit, "deg").unit])).toEqual([
@@ -23,7 +23,7 @@ it("offers what an element of a new kind shows among the plots, in its unit", ()
   expect(together.map(({ title, labels }) => [title, labels])).toEqual([["governor: moment", ["x", "y", "z"]]]);
 });
 
-it("reads every column of it from where the table says that it stands", () => {
+it("columns of an element of a new kind are read at the offsets of the table", () => {
   const columns = new Columns(channels);
   const row = Float64Array.from({ length: columns.width }, (_, at) => at + 0.5);
   for (const channel of channels) {

@@ -20,7 +20,7 @@ await initEngine();
 
 const digest = (row: ArrayLike<number>) => createHash("sha256").update(new Uint8Array(Float64Array.from(row).buffer)).digest("hex");
 
-it.each(kept)("holds the bits of kingpost run at ten times of $scenario", async ({ scenario, overrides, places, sha256 }) => {
+it.each(kept)("a run in the app has the same bits as kingpost run at ten times of $scenario", async ({ scenario, overrides, places, sha256 }) => {
   const text = read(`scenarios/${scenario}.yaml`);
   const files = await filesOf(text);
   const runner = new Runner((opened, file, values) => new Simulation(opened, file, values, files), () => 0);

@@ -66,7 +66,7 @@ const expectSame = (again: Session, first: Session) => expect(differences(again,
 const hashOfRun = async (session: Session) => hashOf((await sharedRun(session))!);
 
 describe("a run that is opened by its link", () => {
-  it("has the same bits where the integrator was another from a moment on, which acts at once", async () => {
+  it("a shared run has the same bits if the integrator was changed during the run", async () => {
     const first = await sessionOf(fromGallery("paper"), { motor_1: true, load: true });
     await run(first, 0.5);
     await set(first, "simulation.integrator", "semi_implicit_euler");
@@ -83,7 +83,7 @@ describe("a run that is opened by its link", () => {
     expect(differences(without, first).length).toBeGreaterThan(20);
   });
 
-  it("has the same bits where levers were moved", async () => {
+  it("a shared run has the same bits if levers were moved", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"), { load_t: 13.7, waves: true });
     await first.setInput("hoist", 1);
     await run(first, 1.2);
@@ -103,7 +103,7 @@ describe("a run that is opened by its link", () => {
     expect(differences(late, first).length).toBeGreaterThan(20);
   });
 
-  it("has the same bits where live parameters were set, beside an operation that is on", async () => {
+  it("a shared run has the same bits if live parameters were set and an operation is enabled", async () => {
     const first = await sessionOf(fromGallery("offshore_vessel_on_dp"), { wind_speed_m_s: 9 });
     await run(first, 1.3);
     await set(first, "wind_speed_m_s", 15);
@@ -125,7 +125,7 @@ describe("a run that is opened by its link", () => {
     expectSame(session, first);
   });
 
-  it("has the same bits where the run was steered by lever and parameter, looked back and went another way", async () => {
+  it("a shared run has the same bits if the run had branched after parameter changes", async () => {
     const first = await sessionOf(fromGallery("offshore_vessel_moored"));
     const { name, value } = first.run!.model.parameters.find(({ live }) => live)!;
     await run(first, 2);
@@ -144,7 +144,7 @@ describe("a run that is opened by its link", () => {
     expect(await isSame(session, link)).toBe(true);
   });
 
-  it("holds a scenario of a person's own as its text", async () => {
+  it("a link holds a user's own scenario as its text", async () => {
     const text = read("scenarios/lowering_by_winch.yaml").replace(/^title: .*/m, "title: My winch");
     const first = await sessionOf({ text, file: "mine.yaml", opened: {} });
     await first.setInput("hoist", -5);
@@ -155,7 +155,7 @@ describe("a run that is opened by its link", () => {
     expectSame(session, first);
   });
 
-  it("stops at the moment that was shown, between two records too, and knows whether its numbers are those", async () => {
+  it("a shared run stops at the link's moment, also between two records, and compares its numbers", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"));
     first.start();
     for (let i = 0; i < 20; i++) await first.advance(0.0317);
@@ -171,7 +171,7 @@ describe("a run that is opened by its link", () => {
     expect(await isSame(session, { ...link, moment: { ...link.moment!, digest: "00000000" } })).toBe(false);
   });
 
-  it("has of a run that is looked back on what led to the moment that is shown", async () => {
+  it("a link from an earlier moment has only the changes up to that moment", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"));
     await run(first, 2);
     await first.setInput("hoist", -20);
@@ -184,7 +184,7 @@ describe("a run that is opened by its link", () => {
     expect(link.moment!.time_s).toBe(first.shown.time_s);
   });
 
-  it("is steered by the hand alone once that sets something", async () => {
+  it("a shared run drops the link's later changes once the user sets something", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"));
     await run(first, 1);
     await first.setInput("hoist", -20);
@@ -199,7 +199,7 @@ describe("a run that is opened by its link", () => {
     expect(await isSame(session, link)).toBeNull();
   });
 
-  it("ends with words where the scenario no more has what was set", async () => {
+  it("a shared run stops with a message if its scenario no longer has a changed input", async () => {
     const session = await sessionOf({ ...fromGallery("lowering_by_winch"), changes: [{ time_s: 0.5, input: "no_such_lever", value: 1 }] });
     session.start();
     for (let i = 0; i < 20; i++) await session.advance(0.1);
@@ -208,7 +208,7 @@ describe("a run that is opened by its link", () => {
     expect(session.shown.recording!.now.time_s).toBeCloseTo(0.5, 9);
   });
 
-  it("is marked by all files that its scenario stands on", async () => {
+  it("the digest of a scenario depends on all its files", async () => {
     const source = fromGallery("barge");
     const files = JSON.parse(await filesOf(source.text)) as Record<string, string>;
     const digest = (changed: Record<string, string>) => new Runner((...of) => new Simulation(...of), () => 0).open(source.text, source.file, {}, changed).digest;
