@@ -11,7 +11,7 @@ const queryOf = (page) => new URL(page.url()).search;
 const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector("[data-testid=title]").textContent === wanted, title);
 
 export default {
-  async "opens by name what the command line runs, with the file's own values"(host) {
+  async "an address with a name opens that scenario with the file's own values"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     assert.equal(await item(page, "load").isChecked(), false);
     assert.equal(await item(page, "torque_history").inputValue(), "constant");
@@ -20,7 +20,7 @@ export default {
     await close();
   },
 
-  async "takes parameters from the address, and says which it does not know"(host) {
+  async "parameters of the address are applied, and an unknown one is reported"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper&load=true&crane_x_m=3.5" });
     assert.equal(await item(page, "load").isChecked(), true);
     assert.equal(await item(page, "crane_x_m").inputValue(), "3.5");
@@ -31,7 +31,7 @@ export default {
     await close();
   },
 
-  async "writes what is set into the address, which opens the same again"(host) {
+  async "set values are written to the address, which opens the same run again"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     await setNumber(page, "crane_x_m", 7);
     await page.waitForURL(/crane_x_m=7$/);
@@ -41,7 +41,7 @@ export default {
     await close();
   },
 
-  async "keeps a file among the choices, out of the address and within reach of Back"(host) {
+  async "an opened file stays among the choices, is not in the address, and Back returns to it"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, `title: ${OWN}`));
     await titled(page, OWN);

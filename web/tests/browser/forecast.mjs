@@ -20,7 +20,7 @@ function paintedAfter(page, share) {
 }
 
 const accessible = ["day", "dusk", "night", "bright"].map((palette) => [
-  `passes axe while it looks ahead, open and closed, ${palette}`,
+  `the forecast line passes axe, open and closed, ${palette}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport: PHONE, query: "?scenario=offshore_vessel&waves=true" });
     await page.emulateMedia({ reducedMotion: "reduce" });
@@ -83,7 +83,7 @@ export default {
 
   ...thorough(Object.fromEntries(accessible)),
 
-  async "says that there is one future where there are no waves, until it is switched off"(host) {
+  async "the forecast reports a single future without waves, until it is switched off"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });
     await stepTo(page, 1);
     await page.getByTestId("look-ahead").click();

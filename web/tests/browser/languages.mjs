@@ -49,7 +49,7 @@ async function assertPanels(page, viewport) {
 }
 
 const inNorwegian = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((viewport) => [
-  `speaks Norwegian to a Norwegian browser, ${viewport.width}x${viewport.height}`,
+  `the page is in Norwegian in a Norwegian browser, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openStart(host, { viewport });
     assert.equal(await languageOf(page), "nb");
@@ -74,7 +74,7 @@ const inNorwegian = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).ma
 ]);
 
 const narrow = [PHONE, NARROW].map((viewport) => [
-  `leaves room for Norwegian words at an earlier moment too, ${viewport.width}x${viewport.height}`,
+  `Norwegian texts fit at an earlier moment too, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport, locale: "nb-NO", query: "?scenario=offshore_vessel" });
     await stepTo(page, 0.5);
@@ -92,7 +92,7 @@ export default {
 
   ...thorough(Object.fromEntries(narrow)),
 
-  async "goes to English and back where a person chooses it, at the same address"(host) {
+  async "the user switches to English and back at the same address"(host) {
     const { page, close } = await openStart(host);
     await page.getByTestId("language").selectOption("en");
     await page.waitForFunction(() => document.documentElement.lang === "en");
@@ -110,7 +110,7 @@ export default {
     await close();
   },
 
-  async "says in Norwegian what a hand did, though the engine's thread tells it"(host) {
+  async "lever moves by hand are listed in Norwegian, although the engine's worker reports them"(host) {
     const { page, close } = await openApp(host, { locale: "nb-NO", query: "?scenario=lowering_by_winch" });
     await page.getByTestId("step").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0);
@@ -123,7 +123,7 @@ export default {
     await close();
   },
 
-  async "marks the engine's words as English, and says its own beside them in Norwegian"(host) {
+  async "messages of the engine are marked as English, and those of the page are in Norwegian"(host) {
     const { page, close } = await openApp(host, { locale: "nb-NO", query: "?scenario=quayside_lift&box_t=9999" });
     const message = page.getByTestId("alert-message");
     await message.waitFor();
@@ -134,7 +134,7 @@ export default {
     await close();
   },
 
-  async "speaks the browser's language where nothing can be kept"(host) {
+  async "the page has the browser's language if storage is denied"(host) {
     const denied = (context) => context.addInitScript(() => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("denied", "SecurityError"); } }));
     const { page, close } = await openStart(host, { prepare: denied });
     assert.equal(await languageOf(page), "nb");

@@ -60,7 +60,7 @@ async function assertInSight(page) {
 }
 
 const layouts = cases(Object.entries({ ...SCREENS, ...SMALL }), ([name]) => ["desktop", "window at 400 %"].includes(name)).map(([name, viewport]) => [
-  `crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
+  `the page crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { draws: true, viewport });
     await assertUncropped(page, viewport);
@@ -79,7 +79,7 @@ const layouts = cases(Object.entries({ ...SCREENS, ...SMALL }), ([name]) => ["de
 ]);
 
 const lookedUp = cases([DESKTOP, SMALL.tablet, PHONE, { width: 320, height: 640 }], ({ width }) => width === 320).map((viewport) => [
-  `crops nothing where an earlier moment is shown, ${viewport.width}x${viewport.height}`,
+  `the page crops nothing at an earlier moment, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport });
     await page.getByTestId("speed").selectOption("Infinity");
@@ -97,7 +97,7 @@ const lookedUp = cases([DESKTOP, SMALL.tablet, PHONE, { width: 320, height: 640 
 
 const schemes = ["light", "dark"].flatMap((colorScheme) => [PHONE, DESKTOP].map((viewport) => ({ colorScheme, viewport })));
 const accessible = cases(schemes, ({ colorScheme, viewport }) => colorScheme === "dark" && viewport === PHONE).map(({ colorScheme, viewport }) => [
-  `passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
+  `the page passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport, colorScheme, query: "?scenario=nonesuch" });
     await stepTo(page, 0.01);
@@ -112,7 +112,7 @@ export default {
   ...Object.fromEntries(accessible),
   ...Object.fromEntries(lookedUp),
 
-  async "says the state of the run, and the plots in numbers, to those who do not see them"(host) {
+  async "screen readers get the state of the run and the plots as tables"(host) {
     const { page, close } = await openApp(host);
     const says = (words) => page.waitForFunction((text) => document.getElementById("announcer").textContent.startsWith(text), words);
     await says("Crane ship of Jardim et al. (2019): at the start.");
@@ -132,14 +132,14 @@ export default {
     await close();
   },
 
-  async "has targets that a finger meets on the picture too"(host) {
+  async "controls on the picture are large enough for a finger"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper_true_draught", viewport: PHONE });
     await page.getByTestId("floating-warnings").waitFor();
     await assertUncropped(page, PHONE);
     await close();
   },
 
-  async "refits the ship when the window changes"(host) {
+  async "the ship is fitted again when the window changes"(host) {
     const { page, close } = await openApp(host, { draws: true, scale: 1 });
     await page.setViewportSize(PHONE);
     await settle(page);
@@ -150,7 +150,7 @@ export default {
     await close();
   },
 
-  async "reaches every control by the Tab key, with its focus in sight"(host) {
+  async "every control is reached by the Tab key and visible with focus"(host) {
     const { page, close } = await openApp(host);
     const wanted = await page.evaluate(() => {
       const all = [...document.querySelectorAll("button, select, input, summary, canvas")];

@@ -101,7 +101,7 @@ async function plugIn(page) {
 
 const screens = [PHONE, DESKTOP, { width: 320, height: 640 }, { width: 844, height: 390 }].flatMap((viewport) => ["light", "dark"].map((colorScheme) => ({ viewport, colorScheme })));
 const accessible = cases(screens, ({ viewport, colorScheme }) => viewport.width === 320 && colorScheme === "light").map(({ viewport, colorScheme }) => [
-  `passes axe with the sticks, ${colorScheme}, ${viewport.width}x${viewport.height}`,
+  `the page with sticks passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { query: QUAYSIDE, viewport, colorScheme });
     await stepTo(page, 0.1);
@@ -116,7 +116,7 @@ const accessible = cases(screens, ({ viewport, colorScheme }) => viewport.width 
 ]);
 
 export default {
-  async "lifts a box from the deck to the quay with two thumbs on a phone"(host) {
+  async "two thumbs lift a box from the deck to the quay on a phone"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE, viewport: PHONE });
     await landByThumb(page);
     const { row } = await sample(page);
@@ -127,7 +127,7 @@ export default {
     await close();
   },
 
-  async "keeps the load in sight between the sticks on a phone, and puts the sticks away"(host) {
+  async "the load is visible between the sticks on a phone, and the sticks can be hidden"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE, viewport: PHONE });
     const scene = await page.locator("#scene").boundingBox();
     for (const id of ["stick-left", "stick-right"]) {
@@ -148,7 +148,7 @@ export default {
     await close();
   },
 
-  async "moves the levers by letters, and not while a number is typed"(host) {
+  async "letter keys move the levers, except while a number is typed"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     await page.getByTestId("start").click();
     await page.keyboard.down("k");
@@ -166,7 +166,7 @@ export default {
     await close();
   },
 
-  async "says what a drive does, and that it is at its limit, to those who do not see it"(host) {
+  async "screen readers get the rate of a drive and its reached limit"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     const lever = page.getByTestId("lever-hoist");
     await lever.focus();
@@ -206,7 +206,7 @@ export default {
     },
   }),
 
-  async "takes a gamepad"(host) {
+  async "a gamepad moves the levers"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     await plugIn(page);
     await page.getByText("Gamepad connected").waitFor();
@@ -219,7 +219,7 @@ export default {
     await close();
   },
 
-  async "gives an axis another input, and keeps that"(host) {
+  async "the input of an axis can be changed, and the choice is stored"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     const places = () => page.evaluate(() => [...document.querySelectorAll(".stick")].map((stick) => [...stick.querySelectorAll("[role=slider]")].map((axis) => axis.getAttribute("aria-label"))));
     assert.deepEqual(await places(), [["slewing gear", "main luffing"], ["knuckle luffing", "hoist"]]);
@@ -243,7 +243,7 @@ export default {
     await close();
   },
 
-  async "winds a drive of an angle on for as long as a stick is held"(host) {
+  async "a held stick keeps changing the angle of a drive"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch&winch_angle_rad=0" });
     await page.getByTestId("start").click();
     await page.keyboard.down("i");
@@ -257,7 +257,7 @@ export default {
     await close();
   },
 
-  async "sets the sea under way, and offers a restart for what cannot be set so"(host) {
+  async "live parameters of the sea are set during a run, and other parameters offer a restart"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_moored" });
     await stepTo(page, 0.5);
     await page.getByTestId("slider-significant_height_m").fill("4");

@@ -43,15 +43,15 @@ async function startsAgain(page, end) {
 }
 
 export default {
-  async "says so when the engine does not load, and loads it at Reset"(host) {
+  async "an engine that does not load is reported, and Reset loads it"(host) {
     await opensAtReset(await openWithout(host, "**/*.wasm"), "**/*.wasm");
   },
 
-  async "says so when the engine's script is missing, and starts it at Reset"(host) {
+  async "a missing engine script is reported, and Reset starts the engine"(host) {
     await opensAtReset(await openWithout(host, "**/worker-*.js"), "**/worker-*.js");
   },
 
-  async "opens files where the gallery's list did not come"(host) {
+  async "files can be opened if the gallery's list did not load"(host) {
     const { page, context } = await openWithout(host, "**/index.json");
     assert.match(await alertOf(page), /index\.json could not be fetched/);
     assert.match(await page.getByTestId("hint").textContent(), /Open a scenario/);
@@ -62,7 +62,7 @@ export default {
     await context.close();
   },
 
-  async "starts another engine where it breaks down under way, with the same values"(host) {
+  async "an engine that breaks down during a run is replaced, with the same values"(host) {
     const { page, close } = await openApp(host);
     await startsAgain(page, () => void setTimeout(() => { throw new Error("out of memory"); }));
     await close();

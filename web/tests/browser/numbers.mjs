@@ -29,7 +29,7 @@ function assertBits(actual, expected) {
 }
 
 export default {
-  async "opens with the paper's page: stern corner, load on, pulse, motor 1"(host) {
+  async "the app opens with the paper's ship: stern corner, load on, pulse, motor 1"(host) {
     const { page, close: done } = await openApp(host);
     const says = async (name) => page.getByTestId(`parameter-${name}`);
     for (const [name, checked] of [["motor_1", true], ["motor_2", false], ["load", true], ["hold_centre", true]]) {
@@ -44,7 +44,7 @@ export default {
     await done();
   },
 
-  async "meets the truth row: motor 1, crane at the centre, no load, 0.5 s"(host) {
+  async "a run has the values of the reference row: motor 1, crane at the centre, no load, 0.5 s"(host) {
     const { page, close: done } = await openApp(host);
     await setFigures(page);
     await setChecked(page, "motor_1", false);
@@ -66,7 +66,7 @@ export default {
     await done();
   },
 
-  async "gives the same bits after running, pausing and stepping"(host) {
+  async "running, pausing and stepping give the same bits"(host) {
     const { page, close: done } = await openApp(host);
     await page.getByTestId("speed").selectOption("0.125");
     await page.getByTestId("start").click();
@@ -81,7 +81,7 @@ export default {
     await done();
   },
 
-  async "runs on past the scenario's duration until it is paused"(host) {
+  async "a run goes on after the scenario's duration until it is paused"(host) {
     const { page, close: done } = await openApp(host);
     await page.getByTestId("speed").selectOption("20");
     await page.getByTestId("start").click();

@@ -36,7 +36,7 @@ function buildOf() {
 const retitled = (title) => (text) => text.replace(/^title: .*/m, `title: ${title}`);
 
 export default {
-  async "opens other scenarios of the gallery, and itself, once the network is cut"(host) {
+  async "the app and other scenarios of the gallery open without a network"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper", serviceWorkers: "allow" });
     await isKept(page);
     await page.context().setOffline(true);
@@ -57,7 +57,7 @@ export default {
     await close();
   },
 
-  async "can be installed: its manifest and icons are there, under the folder that it is served from"(host) {
+  async "the app can be installed: its manifest and icons are in the folder from which it is served"(host) {
     const { page, close } = await openApp(host);
     const found = await page.evaluate(async () => {
       const link = document.querySelector('link[rel="manifest"]').href;
@@ -78,7 +78,7 @@ export default {
     await close();
   },
 
-  async "stays one build until the newer one is asked for, and becomes that as a whole"({ browser }) {
+  async "the app stays at one build until the user updates, and is then replaced completely"({ browser }) {
     const build = buildOf();
     const { address, stop } = await serve(build.folder, "/deep/below/");
     const { page, close } = await openApp({ browser, address }, { query: "?scenario=paper", serviceWorkers: "allow" });
@@ -116,7 +116,7 @@ export default {
     build.remove();
   },
 
-  async "is taken off the device by the server that runs it from a file, which has the last word on what it shows"({ browser }) {
+  async "a local server removes the cached app from the device and serves its own files"({ browser }) {
     const build = buildOf();
     const { address, stop } = await serve(build.folder, "/");
     const { page, close } = await openApp({ browser, address }, { query: "?scenario=paper", serviceWorkers: "allow" });
@@ -136,7 +136,7 @@ export default {
     build.remove();
   },
 
-  async "keeps nothing of a build whose files are not all its own, and runs all the same"({ browser }) {
+  async "a build with a file of another build is not cached, and the app runs"({ browser }) {
     const build = buildOf();
     writeFileSync(join(build.folder, "scenarios/chain.yaml"), "version: 1\n");
     const { address, stop } = await serve(build.folder, "/");

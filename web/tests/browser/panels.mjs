@@ -6,7 +6,7 @@ import { DESKTOP, openApp, PHONE, sample, stepTo } from "./app.mjs";
 
 const all = [PHONE, DESKTOP].flatMap((viewport) => ["day", "dusk", "night", "bright"].map((palette) => ({ viewport, palette })));
 const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && palette === "night").map(({ viewport, palette }) => [
-  `passes axe with each panel, ${palette}, ${viewport.width}x${viewport.height}`,
+  `each panel passes axe, ${palette}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport, query: "?scenario=slew_and_land" });
     await stepTo(page, 0.1);
@@ -27,7 +27,7 @@ const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && pal
 export default {
   ...Object.fromEntries(palettes),
 
-  async "shows a limit as a bar that turns red when it is exceeded, and keeps its worst value at any moment"(host) {
+  async "the bar of a limit turns red when it is exceeded, and shows its worst value at any moment"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=barge_crane_200t&limits.list.within=0.002" });
     const bar = page.getByTestId("limit-list");
     await page.getByTestId("show-instruments").click();
@@ -44,7 +44,7 @@ export default {
     await close();
   },
 
-  async "shows the numbers of B as the engine has them, of the moment that is shown, and points a block out on the ship"(host) {
+  async "the matrix B has the engine's numbers at the shown moment, and a block is highlighted on the ship"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper&motor_1=true" });
     await page.getByTestId("show-equations").click();
     await page.locator(".matrix").waitFor();

@@ -46,7 +46,7 @@ async function assertFits(page) {
 }
 
 const losing = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((viewport) => [
-  `cuts the load by the keyboard, and the ship rolls no further than her righting arms allow, ${viewport.width}x${viewport.height}`,
+  `after the load is cut by the keyboard, the ship rolls no further than her righting arms allow, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", viewport);
     await page.getByTestId("loss-reach").waitFor();
@@ -77,7 +77,7 @@ const losing = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((vi
 
 const all = [DESKTOP, PHONE].flatMap((viewport) => ["day", "dusk", "night", "bright"].map((palette) => ({ viewport, palette })));
 const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && palette === "dusk").map(({ viewport, palette }) => [
-  `passes axe with both lessons, ${palette}, ${viewport.width}x${viewport.height}`,
+  `both lessons pass axe, ${palette}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load&timeline=false", "loss", viewport);
     await page.getByTestId("loss-reach").waitFor();
@@ -94,7 +94,7 @@ const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && pal
 ]);
 
 const resonances = [DESKTOP, PHONE].map((viewport) => [
-  `finds the length at which the load swings with the sea, sets it and runs, ${viewport.width}x${viewport.height}`,
+  `the lesson finds the length at resonance with the sea, sets it and runs, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openLesson(host, "?scenario=offshore_vessel&waves=true", "resonance", viewport);
     await page.getByTestId("varied").selectOption("rope_length_m");
@@ -134,14 +134,14 @@ export default {
     },
   }),
 
-  async "says where nothing can be let go, and leads to the scenario that is made for it"(host) {
+  async "the lesson reports a scenario without a releasable load, and links to its own scenario"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "loss", DESKTOP);
     await page.getByRole("link", { name: "Open the scenario for this lesson" }).click();
     await page.waitForFunction(() => document.title.includes("loses the load"));
     await close();
   },
 
-  async "gives a pendulum on a held support the period 2 pi sqrt(L / g) at every length, and says that the water is calm"(host) {
+  async "a pendulum on a fixed support has the period 2 pi sqrt(L / g) at every length, and calm water is reported"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
     await openFile(page, "pendulum.yaml", PENDULUM);
     await page.waitForFunction(() => document.title.includes("pendulum"));
@@ -153,7 +153,7 @@ export default {
     await close();
   },
 
-  async "leaves out values that cannot be, with the reason"(host) {
+  async "impossible values are left out, with the reason"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
     // A bob of less than nothing, and one of nothing.
     await openFile(page, "pendulum.yaml", PENDULUM.replace("[4, 52]", "[-1, 23]").replace("bodies.bob.joint.revolute.child_position_m.2", "bodies.bob.mass_kg"));
@@ -163,7 +163,7 @@ export default {
     await close();
   },
 
-  async "stops when it is asked to"(host) {
+  async "Stop ends the sweep"(host) {
     const { page, close } = await openLesson(host, "?scenario=offshore_vessel", "resonance", DESKTOP);
     const button = page.getByTestId("compute-periods");
     await rested(page);

@@ -58,7 +58,7 @@ async function looked(page, bytes) {
 }
 
 const exporting = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map((viewport) => [
-  `exports the recording, pictures and the scenario, ${viewport.width}x${viewport.height}`,
+  `the recording, pictures and the scenario are exported, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openPlots(host, "paper", viewport);
     await stepTo(page, 0.3);
@@ -109,7 +109,7 @@ print("same")
 }
 
 const finding = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map((viewport) => [
-  `finds any channel by a search with the keyboard, draws it on an axis of its own, and keeps it for the scenario, ${viewport.width}x${viewport.height}`,
+  `a search by the keyboard finds any column, which is drawn on a separate axis and stored for the scenario, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openPlots(host, "paper", viewport);
     await stepTo(page, 0.4);
@@ -140,7 +140,7 @@ const finding = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map(
 ]);
 
 const spectra = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((viewport) => [
-  `shows a spectrum with its resolution, and one line against another, ${viewport.width}x${viewport.height}`,
+  `a plot shows a spectrum with its resolution, or one line over another, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openPlots(host, "barge&waves=true", viewport);
     await stepTo(page, 104);
@@ -170,7 +170,7 @@ const spectra = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((v
 ]);
 
 const accessible = cases(["day", "night", "bright"], (palette) => palette === "bright").map((palette) => [
-  `passes axe with its dialogs open, ${palette}`,
+  `open dialogs of the plots pass axe, ${palette}`,
   async (host) => {
     const { page, close } = await openPlots(host, "barge", PHONE);
     await stepTo(page, 1);
@@ -192,7 +192,7 @@ export default {
   ...Object.fromEntries(spectra),
   ...Object.fromEntries(exporting),
 
-  async "adds plots and removes them, up to six"(host) {
+  async "plots are added and removed, up to six"(host) {
     const { page, close } = await openPlots(host, "paper", PHONE);
     for (let place = 3; place <= 6; place++) {
       await page.getByTestId("add-plot").click();
@@ -210,7 +210,7 @@ export default {
     await close();
   },
 
-  async "says the statistics of what is in sight as the exported table has them"(host) {
+  async "the statistics of the visible time agree with the exported table"(host) {
     const { page, close } = await openPlots(host, "barge");
     await stepTo(page, 20);
     await page.getByTestId("view-plots").click();
@@ -233,7 +233,7 @@ export default {
     await close();
   },
 
-  async "shows the stretch of time that a mouse is drawn across, in all plots"(host) {
+  async "a drag with the mouse selects the visible time in all plots"(host) {
     const { page, close } = await openPlots(host, "paper");
     await stepTo(page, 2);
     const area = await page.locator("[data-testid=plot-1] .u-over").boundingBox();
@@ -256,7 +256,7 @@ export default {
     await close();
   },
 
-  async "shows the righting arms with where the ship now is, and the limits of a column"(host) {
+  async "righting arms are shown with the ship's present heel, and a column with its limits"(host) {
     const { page, close } = await openPlots(host, "barge_crane_200t");
     await stepTo(page, 0.5);
     await page.waitForFunction(() => document.querySelector("[data-testid=plot-2] .visually-hidden").textContent.includes("Limit: list"));

@@ -25,7 +25,7 @@ async function runPast(page, time_s) {
 }
 
 export default {
-  async "shows any recorded moment again: numbers, plots and picture, by keys too"(host) {
+  async "any recorded moment is shown again in numbers, plots and picture, also by keys"(host) {
     const { page, close } = await openApp(host, { draws: true, scale: 1 });
     await stepTo(page, 0.4);
     const early = await sample(page);
@@ -62,7 +62,7 @@ export default {
     await close();
   },
 
-  async "branches from an earlier moment: without a change the same numbers, and nothing of what came after"(host) {
+  async "a branch without a change gives the same numbers, and later records are dropped"(host) {
     const { page, close } = await openApp(host);
     await stepTo(page, 1);
     const { row } = await sample(page);
@@ -104,7 +104,7 @@ export default {
     },
   }),
 
-  async "marks what happened, and says it at the pointer and at the cursor"(host) {
+  async "events are marked on the track, with their text at the pointer and the cursor"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lift_off_from_barge" });
     await stepTo(page, 1);
     const words = /^(\d+\.\d\d) s, hull: comes as near as .* to barge_ship/;
@@ -121,7 +121,7 @@ export default {
     await close();
   },
 
-  async "follows a finger along the track, and pauses for it"(host) {
+  async "a finger on the track pauses the run and moves the shown time"(host) {
     const { page, close } = await openApp(host, { viewport: PHONE });
     await page.getByTestId("start").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0.5);
@@ -138,7 +138,7 @@ export default {
     await close();
   },
 
-  async "pauses in a hidden tab"(host) {
+  async "the run pauses in a hidden tab"(host) {
     const { page, close } = await openApp(host);
     await page.getByTestId("start").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1);
@@ -154,7 +154,7 @@ export default {
     await close();
   },
 
-  async "runs as fast as it goes, and says how fast that is, which is never slow"(host) {
+  async "a run as fast as possible shows its speed and never counts as slow"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=barge" });
     await page.getByTestId("speed").selectOption("Infinity");
     await page.getByTestId("start").click();

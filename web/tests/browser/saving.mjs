@@ -53,7 +53,7 @@ function runInPython({ name, text }, duration_s) {
 }
 
 export default {
-  async "saves a run with its lever moves, which runs again to the same bits"(host) {
+  async "a saved run with lever moves repeats to the same bits"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
     await setNumber(page, "load_t", 13.7);
     await stepTo(page, 1);
@@ -94,7 +94,7 @@ export default {
     },
   }),
 
-  async "saves no run with moves beside an operation that is on, and says what to do"(host) {
+  async "a run with lever moves and an enabled operation is not saved, and the message gives the remedy"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "two.yaml", TWO_LEVERS);
     await page.getByText("Set by the scenario: push by operation.").waitFor();
@@ -107,7 +107,7 @@ export default {
     await close();
   },
 
-  async "shows the energy error of ships at rest in joules, as nothing is in play"(host) {
+  async "the energy error of ships at rest is shown in joules"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=two_ships" });
     await setChecked(page, "waves", false);
     for (const time_s of [0.5, 1, 2]) {

@@ -30,7 +30,7 @@ async function runs(host, file) {
 export default {
   ...Object.fromEntries(cases(FILES, (file) => KINDS.includes(file.replace(".yaml", ""))).map((file) => [`runs ${file} of the gallery and shows it`, (host) => runs(host, file)])),
 
-  async "plots any joint of the scenario, from its start"(host) {
+  async "any joint of a scenario is plotted from the start of the run"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
     await page.getByTestId("choose-2").click();
     await page.getByTestId("search-lines").fill("joint position");

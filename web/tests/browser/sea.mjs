@@ -48,7 +48,7 @@ async function blue(page) {
 }
 
 const looks = cases(["light", "dark"], (colorScheme) => colorScheme === "light").map((colorScheme) => [
-  `draws the sea around the ship, ${colorScheme}`,
+  `the sea is drawn around the ship, ${colorScheme}`,
   async (host) => {
     const { page, close } = await openBarge(host, { draws: true, colorScheme, viewport: colorScheme === "light" ? undefined : PHONE });
     await stepTo(page, 3);
@@ -63,7 +63,7 @@ const looks = cases(["light", "dark"], (colorScheme) => colorScheme === "light")
 export default {
   ...Object.fromEntries(looks),
 
-  async "moves the sea by the engine's wave, and says how the ship floats"(host) {
+  async "the sea moves with the engine's wave, and heel, trim and draught are shown"(host) {
     const { page, close } = await openBarge(host);
     near(await numberIn(page, "heel"), 4, 0.005, "heel");
     near(await numberIn(page, "trim"), -2, 0.005, "trim");
@@ -88,7 +88,7 @@ export default {
     await close();
   },
 
-  async "says the fluid metacentric height, and warns of a hull that lies on the water"(host) {
+  async "the fluid metacentric height is shown, and a hull on the surface of the water gives a warning"(host) {
     const { page, close } = await openBarge(host);
     const height = page.getByTestId("metacentric-height");
     const shown = () => page.waitForFunction(() => document.querySelector("[data-testid=metacentric-height]").textContent !== "–");
@@ -109,7 +109,7 @@ export default {
     await close();
   },
 
-  async "warns of a ship that heels beyond what the loads of the water are for"(host) {
+  async "a ship that heels beyond the range of her hydrodynamic loads gives a warning"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "steep.yaml", BARGE.replace("orientation_deg: [4, -2, 0]", "orientation_deg: [24, 0, 0]"), DATABASE);
     await opened(page, "A barge in a regular wave");
@@ -122,7 +122,7 @@ export default {
     await close();
   },
 
-  async "warns on a phone without covering a control"(host) {
+  async "a warning on a phone covers no control"(host) {
     const { page, close } = await openApp(host, { viewport: PHONE });
     await openFile(page, "steep.yaml", BARGE.replace("orientation_deg: [4, -2, 0]", "orientation_deg: [24, 0, 0]"), DATABASE);
     await opened(page, "A barge in a regular wave");
@@ -135,7 +135,7 @@ export default {
     await close();
   },
 
-  async "draws still water level, and none where the scenario has none"(host) {
+  async "still water is drawn level, and no water if the scenario has none"(host) {
     const { page, close } = await openApp(host);
     assert.equal(await page.getByTestId("floating").isVisible(), false);
     assert.equal((await sample(page)).surface, null);
@@ -149,7 +149,7 @@ export default {
     await close();
   },
 
-  async "says which file of a scenario is not there"(host) {
+  async "a missing file of a scenario is reported by name"(host) {
     const { page, close } = await openApp(host);
     // The gallery has a file of this name, but of another hull than the person's.
     await openFile(page, "lost.yaml", BARGE);
@@ -158,7 +158,7 @@ export default {
     await close();
   },
 
-  async "opens a scenario with a database of the person's own"(host) {
+  async "a scenario opens with a user's own database"(host) {
     const { page, close } = await openApp(host);
     const scenario = BARGE.replace("hydro/barge.hydro.json", "data/mine.hydro.json");
     await openFile(page, "mine.yaml", scenario, { "mine.hydro.json": DATABASE["barge.hydro.json"] });

@@ -32,7 +32,7 @@ function assertSameBits(again, first) {
 }
 
 const dialogs = cases([DESKTOP, PHONE, { width: 320, height: 640 }], ({ width }) => width === 320).map((viewport) => [
-  `shares in a dialog that fits and passes axe, ${viewport.width}x${viewport.height}`,
+  `the sharing dialog fits and passes axe, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch", viewport });
     await page.emulateMedia({ reducedMotion: "reduce" });
@@ -67,7 +67,7 @@ const dialogs = cases([DESKTOP, PHONE, { width: 320, height: 640 }], ({ width })
 export default {
   ...Object.fromEntries(dialogs),
 
-  async "opens a shared run, which does again what a hand did, to the moment that was shown and the same bits"(host) {
+  async "a shared run repeats changes by hand up to the link's moment, to the same bits"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
     await setNumber(page, "load_t", 13.7);
     await stepTo(page, 1);
@@ -103,7 +103,7 @@ export default {
     await other.close();
   },
 
-  async "sets live parameters again at their times, and shows them in their controls"(host) {
+  async "a shared run sets live parameters at their times and shows them in the controls"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_on_dp" });
     await stepTo(page, 0.6);
     await setByHand(page, "wind_speed_m_s", 15);
@@ -125,7 +125,7 @@ export default {
     await close();
   },
 
-  async "carries a person's own scenario as its text, and says so"(host) {
+  async "a link contains a user's own scenario as text, and the dialog states this"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "mine.yaml", winch.replace(/^title: .*/m, "title: My winch"));
     await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "My winch");
@@ -139,7 +139,7 @@ export default {
     await close();
   },
 
-  async "copies where the page may, and leaves a text to copy where it may not"(host) {
+  async "the link is copied if the page may use the clipboard, and otherwise shown as text"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
     await page.getByTestId("share").click();
@@ -158,7 +158,7 @@ export default {
     await close();
   },
 
-  async "hands the link to other programs where there is a way to them"(host) {
+  async "the link is sent to other programs if the browser supports it"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper", viewport: PHONE });
     await page.evaluate(() => {
       navigator.canShare = ({ url }) => url.startsWith("http");
@@ -171,7 +171,7 @@ export default {
     await close();
   },
 
-  async "says what is wrong with a link that does not open, and opens the first scenario"(host) {
+  async "a link that does not open is reported, and the default scenario opens"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     const link = await linkOf(page);
     const broken = [
@@ -200,7 +200,7 @@ export default {
     await close();
   },
 
-  async "says that the gallery has changed since a link was made"(host) {
+  async "a change of the gallery after the link was made is reported"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
     await stepTo(page, 0.5);
     const link = await linkOf(page);
@@ -211,7 +211,7 @@ export default {
     await close();
   },
 
-  async "stays at the link where the controls are skipped to"(host) {
+  async "skipping to the controls keeps the link in the address"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
     const link = await linkOf(page);
     await page.goto("about:blank");
@@ -228,7 +228,7 @@ export default {
     await close();
   },
 
-  async "takes a link beside the quality of the picture"(host) {
+  async "a link opens beside the setting of the picture's quality"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
     const link = await linkOf(page);
     await page.goto("about:blank");
