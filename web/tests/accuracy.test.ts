@@ -21,7 +21,7 @@ it("gives no relative energy error for a ship at rest, whose error is a rounding
   const { energy, energy_J } = errorsOf([1.4e-21, -1.9e8, -3e-8, 0, 0]);
   expect([energy, energy_J]).toEqual([NaN, 3e-8]);
   expect(errorsOf([1e-6, 1.9e8, 3e-8, 0, 0]).energy).toBeNaN();
-  // 43 uJ in play are a thousand roundings of 1.9e8 J.
+  // 43 uJ of exchanged energy are a thousand rounding errors of 1.9e8 J.
   expect(errorsOf([5e-5, 1.9e8, 3e-8, 0, 0]).energy).toBeCloseTo(6e-4, 12);
 });
 

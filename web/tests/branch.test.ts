@@ -13,7 +13,7 @@ async function opened(scenario: string, overrides: Values = {}): Promise<Session
   return session;
 }
 
-/** Runs for a while. */
+/** Runs for a number of seconds. */
 async function run(session: Session, seconds: number): Promise<void> {
   session.start();
   await until(() => expect(session.status).toBe("running"));
@@ -21,10 +21,10 @@ async function run(session: Session, seconds: number): Promise<void> {
   session.pause();
 }
 
-/** The bits of rows and poses, by their times. */
+/** Returns the bits of rows and poses by their times. */
 const recorded = (session: Session) => new Map(session.shown.recording!.rows.items.map(({ time_s, row, poses }) => [time_s, bits([...row, ...poses])]));
 
-/** Of the times in both, those where something differs. */
+/** Returns those common times at which the bits differ. */
 function differences(one: Map<number, string[]>, other: Map<number, string[]>): number[] {
   return [...one.keys()].filter((time) => other.has(time) && String(one.get(time)) !== String(other.get(time)));
 }
@@ -76,7 +76,7 @@ describe("a run that branches from an earlier moment", () => {
     expect(session.shown.time_s).toBe(2);
     for (let i = 0; i < 20; i++) {
       await session.step();
-      // The first of them branches before it.
+      // The first step branches before it advances.
       await until(() => expect(session.shown.recording!.now.time_s).toBeCloseTo(2.1 + 0.1 * i, 9));
     }
     expect(differences(before, recorded(session))).toEqual([]);
@@ -140,7 +140,7 @@ describe("a run that branches from an earlier moment", () => {
     await until(() => expect(session.pending()).toEqual([]));
     expect(session.value(name)).toBe((value as number) * 0.5);
     await run(session, 2);
-    // What is set where a later value was in force is the new value.
+    // A value that is set at an earlier moment replaces a later value.
     session.scrub(0.5);
     session.set(name, (value as number) * 0.7);
     await until(() => expect(session.shown.recording!.now.time_s).toBe(0.5));

@@ -4,7 +4,7 @@ import type { FromWorker, ToWorker } from "../src/engine/messages";
 
 const SILENT_MS = 70_000;
 
-/** A worker that notes what it hears and says what it is told to. */
+/** A worker that records the messages it gets, and sends those that the test gives it. */
 class FakeWorker {
   static all: FakeWorker[] = [];
   readonly heard: ToWorker[] = [];
@@ -88,7 +88,7 @@ describe("the engine's client", () => {
   });
 
   it("the client reports a missing engine script, and starts another worker for the next request", async () => {
-    // Before anything is asked: the script fails sooner than a scenario is fetched.
+    // Before any request: the script fails sooner than a scenario is fetched.
     last().onerror?.({ message: "" });
     const answer = kindOf(client.step());
     expect(FakeWorker.all.length).toBe(2);

@@ -14,10 +14,10 @@ import { opened } from "./opened";
 const COLOURS = ["hull", "bottom", "stripe", "deck", "marking", "load", "plain", "barrel", "rod", "pin", "line", "house", "window", "fitting"];
 const PALETTE = { ...Object.fromEntries(COLOURS.map((name) => [name, new Color(0.5, 0.5, 0.5)])), isDark: false } as unknown as Palette;
 
-/** What is lower than this is far under every ship's keel, m. */
+/** Height below which a point is on the seabed, far below every keel, m. */
 const SEABED_M = -50;
 
-/** How often each directed edge of the triangles is passed more than its reverse: 0 everywhere where they are closed. */
+/** Returns the number of edges that are not passed equally often in both directions: 0 for closed solids. */
 function openEdges(geometry: BufferGeometry): number {
   const { array, count } = geometry.attributes.position;
   const edges = new Map<string, number>();
@@ -86,7 +86,7 @@ describe.each(gallery)("attachments of lines, tubes and links of %s", async (nam
     anchors.forEach(({ body, point, kind }, i) => {
       const end = new Place(later.poses, now[i].body).toWorld(now[i].point);
       const away = Math.min(distanceFrom(later, body, end), distance(end, new Place(later.poses, body).toWorld(point)));
-      // A link's eye is as near to its pivot as the loop's constraint is closed.
+      // The eye of a link is as near to its pivot as the loop's constraint is closed.
       expect(away, `${kind} on ${run.model.bodies[body].name}`).toBeLessThan(kind === "link" ? 0.06 : 0.02);
     });
   });
@@ -121,7 +121,7 @@ describe("deckhouses", () => {
   it("the deckhouse is aft if the crane stands forward", async () => {
     const { run, start } = await opened("offshore_vessel");
     const poses = Float64Array.from(start.poses);
-    // The whole crane moved 40 m forward.
+    // The whole crane is moved 40 m forward.
     for (const body of [1, 2, 3]) poses[7 * body] += 40;
     const [aft, moved] = [start, { ...start, poses }].map((pose) => craftOf(run, pose, PALETTE).bridge!.point[0]);
     expect(aft).toBeGreaterThan(15);

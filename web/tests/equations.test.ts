@@ -62,7 +62,7 @@ describe("effect of a block on the ship", () => {
     simulation.step(500);
     const found = equations();
     const b = named(found, "B");
-    // Of all coordinates together, at their rates, the velocities of the bodies: X' = B q'.
+    // Sum over all coordinates of B times their rates: the velocity of the arm, X' = B q'.
     const rates = named(found, "q_dot");
     const channels = JSON.parse(simulation.channels_json()) as { columns: string[]; offset: number }[];
     const row = simulation.row();
@@ -101,7 +101,7 @@ describe("momentum and energy", () => {
     const energy = (momentum[0] * omega[0] + momentum[1] * omega[1] + momentum[2] * omega[2]) / 2;
     const sphere = momentumSphere(sizeOf(momentum));
     expect(sizeOf(sphere([0, 0.6, 0.8]))).toBeCloseTo(sizeOf(momentum), 12);
-    // The unit vector that the ellipsoid takes to this momentum, from its lower triangle.
+    // The unit vector that the ellipsoid maps to this momentum, from its lower triangle.
     const surface = energyEllipsoid(INERTIA, energy);
     const columns = [surface([1, 0, 0]), surface([0, 1, 0]), surface([0, 0, 1])];
     const x = momentum[0] / columns[0][0];
@@ -125,7 +125,7 @@ describe("momentum and energy", () => {
       const momentum = momentumOf(inertiaOf(rigids[0], model.bodies, simulation.poses()), omega);
       return { momentum: sizeOf(momentum), energy: (momentum[0] * omega[0] + momentum[1] * omega[1] + momentum[2] * omega[2]) / 2, omega };
     });
-    // RK4 at 5 ms keeps both to 1e-7 over these turns; one part alone changes its share by far more.
+    // RK4 at 5 ms keeps both to 1e-7 over these rotations; for one part alone they vary far more.
     for (const { momentum, energy } of sizes) {
       expect(Math.abs(momentum / sizes[0].momentum - 1)).toBeLessThan(1e-7);
       expect(Math.abs(energy / sizes[0].energy - 1)).toBeLessThan(1e-7);

@@ -10,7 +10,7 @@ import { parquetOf } from "../src/export/parquet";
 import { keptOf } from "../src/export/rows";
 import { bits, filesOf, initEngine, read } from "./gallery";
 
-/** Files that Python's tests hold to what it writes of the same run: python/tests/test_app_files.py. */
+/** Files that Python's tests compare with their own output for the same run: python/tests/test_app_files.py. */
 const golden = (name: string) => fileURLToPath(new URL(`golden/${name}`, import.meta.url));
 
 /** 0.05 s of the paper's ship, as the app records them. */
@@ -80,7 +80,7 @@ describe("a Parquet file", () => {
     const units = channels.flatMap((channel) => channel.units);
     const columns = new Columns(channels).names.map((name, at) => ({ name, unit: units[at], data: Float64Array.from(rows, (row) => row[at]) }));
     const file = await parquetOf(columns, { title: "Crane ship of Jardim et al. (2019)" });
-    // GOLDEN=write stores it anew, for Python's tests to read.
+    // GOLDEN=write stores the file again, for Python's tests.
     if (process.env.GOLDEN === "write") writeFileSync(golden("paper.parquet"), new Uint8Array(file));
     const stored = new Uint8Array(readFileSync(golden("paper.parquet"))).buffer;
     expect(await parquetReadObjects({ file: stored })).toEqual(await parquetReadObjects({ file }));

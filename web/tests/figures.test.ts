@@ -62,7 +62,7 @@ describe("lines that can be drawn", () => {
     const heave = figures.all.find(({ title }) => title === "Heave of ship")!;
     expect(heave.labels).toEqual(["Heave", "Wave"]);
     expect(heave.lines.map(({ columns, offset }) => [columns[0], offset ?? 0])).toEqual([["ship.position.z", 1.5], ["water.wave_elevation", 0]]);
-    // A hull by itself heaves.
+    // A single hull shows heave by default.
     expect(figures.defaults()).toEqual([heave.lines.map(({ id }) => id), ["ship.velocity.z"]]);
   });
 
@@ -128,7 +128,7 @@ describe("a drawn line", () => {
     expect(heightsOf(1, 3, 1e-9, [])[0]).toBeLessThan(0);
     expect(heightsOf(0, 3, 1e-9, [5])[1]).toBeGreaterThan(5);
     expect(heightsOf(0, 0.1, 1e-9, [5])[1]).toBeLessThan(0.2);
-    // What stands still is a level line.
+    // A constant value is a horizontal line in the middle.
     const [bottom, top] = heightsOf(2, 2, 1e-9, []);
     expect(bottom).toBeLessThan(2);
     expect(top).toBeGreaterThan(2);
@@ -136,7 +136,7 @@ describe("a drawn line", () => {
 });
 
 describe("default plots", () => {
-  /** Runs so long, s; a body that is held has nothing to show, and its crane does. */
+  /** Scenarios and the duration of their runs, s. A fixed hull does not move, but its crane does. */
   const cases: [string, number][] = [["paper", 1], ["dual_draglink_crane", 1], ["knuckle_boom_crane", 1], ["flexible_boom", 0.5], ["sphere_decay", 2], ["floating_hemisphere", 2], ["tennis_racket", 2], ["chain", 1], ["a_frame_over_the_stern", 2], ["slew_and_land", 40]];
 
   it.each(cases)("the default plots show motion: %s", async (name, time_s) => {

@@ -4,7 +4,7 @@ import { fetchText } from "../src/engine/network";
 
 const FOLDER = "https://ships.example/app/scenarios/";
 
-/** A folder with these files, and what was asked of it. */
+/** Returns a folder with these files, and the list of requested addresses. */
 function folderOf(texts: Record<string, string>) {
   const asked: string[] = [];
   const files = new ScenarioFiles(FOLDER, async (url) => {

@@ -7,7 +7,7 @@ import { boxOf, edgesOf, withFrame } from "../src/view/solids";
 
 const quarterAboutZ = [Math.SQRT1_2, 0, 0, Math.SQRT1_2] as const;
 
-/** Nothing that is drawn depends on it. */
+/** Inertia, which no drawing uses. */
 const UNUSED: BodyInfo["inertia_kg_m2"] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 it("rotates vectors by a quaternion w, x, y, z", () => {
@@ -59,7 +59,7 @@ describe("fitting the camera", () => {
     expect(distance).toBeLessThan(fitDistance(points, [0, 0, 0], back, [0, 0, 1], lens));
   });
 
-  /** How far from the middle of the picture a point is, 1 at its edge. */
+  /** Distance of a point from the middle of the picture; 1 at its edge. */
   function fill(point: Vec3, distance: number, lens: { fov: number; aspect: number }): number {
     const side = unit([-back[1], back[0], 0]);
     const top: Vec3 = [

@@ -7,7 +7,7 @@ import { TrackRecord } from "../src/forecast/score";
 import { Fan } from "../src/plots/fan";
 import { bits } from "./gallery";
 
-/** x with A x = b, by Gauss's elimination. */
+/** Solves A x = b by Gaussian elimination. */
 function solved(a: number[][], b: number[]): number[] {
   const rows = a.map((row, i) => [...row, b[i]]);
   rows.forEach((pivot, i) => {
@@ -23,7 +23,7 @@ function solved(a: number[][], b: number[]): number[] {
 describe("unknowns with measurements", () => {
   const H = [[1, 0.5, -0.3], [0.2, -1, 0.7]];
   const measured = { rows: Float64Array.from(H.flat()), values: Float64Array.of(0.8, -1.1), noise: 0.4 };
-  // The information form, which the draws do not use: precision 1 + H^T H / R, mean precision^-1 H^T y / R.
+  // Information form, which the samples do not use: precision 1 + H^T H / R, mean precision^-1 H^T y / R.
   const square = measured.noise ** 2;
   const precision = [0, 1, 2].map((i) => [0, 1, 2].map((j) => (i === j ? 1 : 0) + H.reduce((sum, row) => sum + (row[i] * row[j]) / square, 0)));
   const mean = solved(precision, [0, 1, 2].map((i) => H.reduce((sum, row, k) => sum + (row[i] * measured.values[k]) / square, 0)));
@@ -70,7 +70,7 @@ describe("random numbers", () => {
 
 describe("lines of a fan", () => {
   it("the lines of a fan are at their quantiles for any number of futures", () => {
-    // Of n numbers in order those of 1 to n: what comes next is below the place p (n + 1) with the probability p.
+    // For the sorted numbers 1 to n: a further value is below the position p (n + 1) with probability p.
     for (const n of [32, 64, 199]) {
       const ascending = Array.from({ length: n }, (_, i) => i + 1);
       for (const level of LEVELS) expect(quantile(ascending, level)).toBeCloseTo(level * (n + 1), 12);
@@ -103,7 +103,7 @@ describe("scores of the forecast", () => {
 });
 
 describe("drawing of futures", () => {
-  /** Futures of which the i-th has at the time k the value i k in the second column. */
+  /** Returns futures whose second column has the value i k for future i at time k. */
   function outlookOf(count: number): Outlook {
     const outlook = new Outlook(count, 2);
     for (let i = 1; i <= count; i++) {
@@ -116,7 +116,7 @@ describe("drawing of futures", () => {
   it("futures are drawn as a fan in the units of the plot, with its range and a table", () => {
     const fan = new Fan();
     fan.fill(outlookOf(19), [[1]], (value) => 10 * value);
-    // Of 19 in order the first and the last are at 5 and 95 %.
+    // With 19 futures the smallest and the largest are the levels 5 and 95 %.
     expect(fan.range).toEqual([0, 19 * 8 * 10]);
     const rows = fan.rows((value) => value.toFixed(1));
     expect(rows.map((cells) => cells.length)).toEqual([2, 2, 2, 2]);

@@ -20,7 +20,7 @@ function vessel(overrides: Record<string, unknown> = {}): EngineInSeas {
   return new Simulation(VESSEL, "offshore_vessel.yaml", JSON.stringify({ waves: true, ...overrides }), VESSEL_FILES);
 }
 
-/** A run up to a time, and where its ship was. */
+/** Steps a run to a time, and returns the positions of its ship. */
 function runTo(engine: EngineInSeas, end_s: number, every_s = 0.6): Past {
   const columns = new Columns(JSON.parse(engine.channels_json()));
   const steps = Math.round(every_s / engine.step_s());
@@ -56,7 +56,7 @@ describe("possible seas", () => {
       const off = elevations(engine, past).map((value, i) => Math.abs(value - measured[i]));
       expect(Math.max(...off)).toBeLessThan(0.005 * largest);
     }
-    // Five minutes on they know nothing of one another.
+    // Five minutes later two seas are uncorrelated.
     const later: Past = { time_s: Float64Array.from(past.time_s, (time) => time + 300), x_m: past.x_m, y_m: past.y_m };
     const [one, other] = [1, 2].map((seed) => {
       exact.enter(known, new Random(seed));

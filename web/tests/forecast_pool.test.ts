@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { FromForeseer, Future } from "../src/forecast/messages";
 import { Foreseers } from "../src/forecast/pool";
 
-/** Workers that do what they are told when they are let. */
+/** Workers that answer when the test makes them. */
 class FakeWorker {
   onmessage: ((event: MessageEvent<FromForeseer>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;

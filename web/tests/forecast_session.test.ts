@@ -16,7 +16,7 @@ const text = read("scenarios/offshore_vessel_on_dp.yaml");
 const files = await filesOf(text);
 const open = (overrides: Values) => new Simulation(text, "dp.yaml", JSON.stringify(overrides), files);
 
-/** The client without its worker. */
+/** A client without a worker. */
 function client(): EngineClient {
   const runner = new Runner((_text, _file, json) => open(JSON.parse(json)), () => 0);
   return {
@@ -35,14 +35,14 @@ interface Asked {
   seeds: readonly number[];
 }
 
-/** Futures in which nothing moves any more. */
+/** Futures with constant values. */
 class Still {
   readonly asked: Asked[] = [];
   cancelled = 0;
 
   async look(scenario: ScenarioOf, start: Start, seeds: readonly number[], hear: (future: Future) => void): Promise<boolean> {
     this.asked.push({ scenario, start, seeds });
-    // A snapshot goes into an engine of these values and no others.
+    // A snapshot is restored in an engine with equal parameter values.
     const engine = open(scenario.overrides);
     engine.restore(start.snapshot);
     const row = engine.row();
@@ -58,7 +58,7 @@ class Still {
   }
 }
 
-/** Waits until nothing that was asked for is left to do. */
+/** Waits until no task waits. */
 const calm = () => until(() => expect(isCalm()).toBe(true));
 
 describe("forecast of a session", { timeout: 60_000 }, () => {
@@ -112,7 +112,7 @@ describe("forecast of a session", { timeout: 60_000 }, () => {
     await until(() => expect(forecast.record.newest.minutes).toBe(1));
     const { held, of } = forecast.record.newest;
     expect(of).toBeGreaterThan(100);
-    // In waves nothing stands still.
+    // In waves no recorded value is constant, so that most are outside the band.
     expect(held / of).toBeLessThan(0.5);
     await stepTo(61.5);
     await until(() => expect(foreseers.asked.map(({ seeds }) => seeds.length)).toEqual([FUTURES, 32, FUTURES]));
@@ -126,7 +126,7 @@ describe("forecast of a session", { timeout: 60_000 }, () => {
     await until(() => expect(forecast.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));
     await calm();
     expect(forecast.record.newest.minutes).toBe(1);
-    // Another run has another record.
+    // A new run starts with empty scores.
     await session.reset();
     expect(forecast.record.newest.minutes).toBe(0);
   });

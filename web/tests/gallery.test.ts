@@ -5,12 +5,12 @@ import { boxOf, shapedHullOf } from "../src/view/solids";
 import { gallery } from "./gallery";
 import { opened } from "./opened";
 
-/** From the starboard quarter and above, in a window of a desktop. */
+/** View from the starboard quarter and above, in a desktop window. */
 const BACK = unit([-0.62, -1, 0.62]);
 const UP: Vec3 = [0, 0, 1];
 const LENS = { fov: (32 * Math.PI) / 180, aspect: 1.6 };
 
-/** Places of points in the picture of a fitted camera, from -1 to 1 across and upwards. */
+/** Positions of points in the picture of a fitted camera, from -1 to 1 across and upwards. */
 function seen(points: readonly Vec3[]): [number, number][] {
   const { target, distance } = frame(points, BACK, UP, LENS);
   const right = unit(cross(UP, BACK));

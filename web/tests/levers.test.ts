@@ -7,7 +7,7 @@ import { initEngine } from "./gallery";
 
 await initEngine();
 
-/** The axes of a scenario's inputs, one that goes the other way with a minus. */
+/** Returns the inputs on the axes of a scenario; a minus marks a reversed axis. */
 async function placesIn(scenario: string, overrides = {}): Promise<Record<string, string>> {
   const session = await openedDirectly(scenario, overrides);
   expect(session.fault).toBeNull();
@@ -29,7 +29,7 @@ describe("axes of the sticks", () => {
   });
 });
 
-/** The lever of an input on the axis that the model gives it. */
+/** Returns the lever of an input on its default axis. */
 async function leverOf(scenario: string, name: string, overrides = {}) {
   const session = await openedDirectly(scenario, overrides);
   const { run, shown } = session;

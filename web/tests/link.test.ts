@@ -19,7 +19,7 @@ function randomOf(seed: number): () => number {
   };
 }
 
-/** Any run that a link may hold: long and short, with every kind of value and character. */
+/** Returns a random run that a link can contain: short or long, with every kind of value and character. */
 function anyRun(seed: number): SharedRun {
   const random = randomOf(seed);
   const below = (n: number) => Math.floor(random() * n);

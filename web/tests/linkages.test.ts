@@ -43,7 +43,7 @@ const MODEL: ModelInfo = {
 const colours = new Color();
 const PALETTE = { barrel: colours, rod: colours, pin: colours, line: colours } as Palette;
 
-/** Post and boom with their linkages, the boom turned a quarter about z at x, y, z. */
+/** Draws post and boom with their linkages; the boom is at x, y, z, rotated by 90 degrees about z. */
 function drawn(x: number, y: number, z: number) {
   const [world, post, boom] = [new Group(), new Group(), new Group()];
   world.add(post, boom);
@@ -55,7 +55,7 @@ function drawn(x: number, y: number, z: number) {
   return { world, post, boom };
 }
 
-/** Both ends of each part of a line in the world. */
+/** Returns both ends of each part of a line in the world. */
 function spans(line: Group): [Vector3, Vector3][] {
   return line.children.map((part) => [part.localToWorld(new Vector3()), part.localToWorld(new Vector3(0, 1, 0))]);
 }

@@ -8,7 +8,10 @@ import { Figures } from "../src/plots/figures";
 import { shownUnit } from "../src/plots/units";
 import { FakeEngine } from "./fake";
 
-/** The table that the engine gives for an element that only a test of it has: crates/kingpost/tests/mechanics/new_element.rs holds the file to the engine. */
+/**
+ * Table of the engine for an element that exists only in a test: crates/kingpost/tests/mechanics/new_element.rs checks
+ * the file.
+ */
 const file = fileURLToPath(new URL("../../crates/kingpost/tests/golden/new_element.channels.json", import.meta.url));
 const channels = JSON.parse(readFileSync(file, "utf8")) as Channel[];
 

@@ -10,7 +10,7 @@ import { filesOf, initEngine, read } from "./gallery";
 interface Kept {
   scenario: string;
   overrides: Values;
-  /** Which rows, counted from the first, and their digests as `kingpost run` writes them. */
+  /** Indices of rows, and digests of these rows as `kingpost run` writes them. */
   places: number[];
   sha256: string[];
 }

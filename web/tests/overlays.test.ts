@@ -42,7 +42,7 @@ describe("forces at their points of action", () => {
   it("the force below a column equals the weight on it", async () => {
     const { run, moment } = await opened("offshore_vessel");
     const found = loadsAt(run, moment()).filter(({ vector, unit }) => unit === "N" && vector[2] > 0);
-    // Pedestal, boom and load, at rest.
+    // Weight of pedestal, boom and load, at rest.
     expect(Math.max(...found.map(({ vector }) => vector[2])) / (85_000 * run.model.gravity_m_s2)).toBeCloseTo(1, 3);
   });
 });
@@ -56,7 +56,7 @@ describe("joint axes", () => {
     const axis = (body: string) => axes.find((one) => one.body === names.indexOf(body))!;
     const world = ({ body, point }: (typeof axes)[number]) => new Place(poses, body).toWorld(point);
     expect(axis("column").direction.map(Math.abs)).toEqual([expect.closeTo(0, 9), expect.closeTo(0, 9), expect.closeTo(1, 9)]);
-    // The boom's hinge is 0.8 m ahead of the column's middle, on its top.
+    // The boom's hinge is 0.8 m in front of the column's axis, on its top.
     const hinge = new Place(poses, names.indexOf("column")).toBody(world(axis("boom")));
     expect([hinge[0], hinge[2]]).toEqual([expect.closeTo(0.8, 6), expect.closeTo(2.5, 6)]);
     const pivot = new Place(poses, names.indexOf("column")).toBody(world(axis("drag_link_port")));

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { Pace } from "../src/app/pace";
 
-/** A run of so many seconds on the wall, by frames. */
+/** Returns the pace after a run of this wall time in frames of this length. */
 function ran(factor: number, wall_s: number, frames_s = 1 / 60): Pace {
   const pace = new Pace();
   for (let s = 0; s <= wall_s; s += frames_s) pace.see(100 + s, factor * s);

@@ -14,7 +14,7 @@ import { filesOf, initEngine, read } from "./gallery";
 
 const DEGREE = Math.PI / 180;
 
-/** GZ of a wall-sided hull whose arms go as a sine of twice the heel about where she rests, by half degrees. */
+/** GZ of a wall-sided hull: a sine of twice the heel relative to her equilibrium, every half degree. */
 function sine(height_m: number, rest: number): Arms {
   const heel = Array.from({ length: 361 }, (_, k) => (k - 180) * 0.5 * DEGREE);
   return { heel, arm: heel.map((at) => height_m * Math.sin(2 * (at - rest))), rest };
@@ -27,7 +27,7 @@ describe("righting arms", () => {
     const points = Array.from({ length: 13 }, (_, k) => ({ heel_rad: 5 * k * DEGREE, arm_m: arm(5 * k * DEGREE), trim_rad: 0 }));
     const arms = bothSides({ side: "starboard", points, equilibrium_rad: Math.atan(a / gm) });
     arms.heel.forEach((heel, k) => expect(arms.arm[k]).toBeCloseTo(arm(heel), 12));
-    // To port the same ship is her mirror image.
+    // A list to port is the mirror image.
     const port = bothSides({ side: "port", points, equilibrium_rad: Math.atan(a / gm) });
     expect(port.heel.map((heel) => heel + 0)).toEqual(arms.heel);
     port.heel.forEach((heel, k) => expect(port.arm[k]).toBeCloseTo(-arm(-heel), 12));
@@ -36,7 +36,7 @@ describe("righting arms", () => {
 
   it("the area under righting arms agrees with its formula; 0 if the end is not beyond the start", () => {
     const arms = sine(0.4, 0);
-    // The trapezia of half degrees are off by the square of their width.
+    // The trapezoidal rule with half degrees has an error of the order of its squared step.
     expect(areaOf(arms, 0, 0.7)).toBeCloseTo(0.4 * Math.sin(0.7) ** 2, 5);
     expect(areaOf(arms, 0.3, 0.3)).toBe(0);
     expect(areaOf(arms, 0.3, 0.1)).toBe(0);
@@ -46,7 +46,7 @@ describe("righting arms", () => {
   it("a ship that loses her load rolls as far beyond her new equilibrium as she was before it", () => {
     const [start, rest] = [0, 0.08];
     const loss = lossOf(sine(0.4, start), sine(0.4, rest), 60 * DEGREE)!;
-    // 0.4 sin^2 of what lies between them, and to the heel at which the arm is zero again, or water enters.
+    // Areas 0.4 sin^2: between the two equilibria, and up to the heel at which the arm is zero again or water enters.
     expect(loss.area_1).toBeCloseTo(0.4 * Math.sin(0.08) ** 2, 5);
     expect(loss.area_2).toBeCloseTo(0.4 * Math.sin(60 * DEGREE - rest) ** 2, 4);
     expect(loss.reach).toBeCloseTo(2 * rest, 4);
@@ -100,7 +100,7 @@ describe("a load that can be released", () => {
     expect(loss.end / DEGREE).toBeCloseTo(38.64590544777638, 9);
     expect(loss.area_1).toBeCloseTo(0.005993363768351448, 12);
     expect(loss.area_2).toBeCloseTo(0.13994539515610352, 12);
-    // The engine in hand stands where it stood.
+    // The state of the present engine has not changed.
     expect(runner.hydrostatics().hulls[0].heel_rad).toBeCloseTo(before.hulls[0].heel_rad, 12);
   });
 });
@@ -122,7 +122,7 @@ describe("natural periods over a parameter", () => {
     const [met, ...others] = crossings(lines, 9.5);
     expect(others).toEqual([]);
     expect(met.coordinate).toBe("swing");
-    // On a straight line between values that lie 1.7 m apart.
+    // Interpolated linearly between values 1.7 m apart.
     expect(met.value).toBeCloseTo(9.81 * (9.5 / (2 * Math.PI)) ** 2, 1);
     expect(crossings(lines, 40)).toEqual([]);
     expect(closest(lines, 40)?.value).toBe(45);

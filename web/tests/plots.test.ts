@@ -35,7 +35,7 @@ describe("visible time of the plots", () => {
     expect(timeRange(100, 600, 600)).toEqual([0, 120]);
     expect(timeRange(241, 600, 600)).toEqual([0, 600]);
     expect(timeRange(5, 18, 18)).toEqual([0, 18]);
-    // A run whose records do not all fit shows the last of them.
+    // If not all records can be shown, the last ones are.
     expect(timeRange(300, 3600, 200)).toEqual([100, 300]);
   });
 

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { LOWEST, Quality, TIERS } from "../src/view/quality";
 
-/** Draws so many windows of 30 frames, each frame so long; how often the tier changed. */
+/** Draws windows of 30 frames of this length; returns how often the level has changed. */
 function draw(quality: Quality, windows: number, interval_ms: number): number {
   return Array.from({ length: 30 * windows }, () => quality.drew(interval_ms)).filter(Boolean).length;
 }

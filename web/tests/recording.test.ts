@@ -13,7 +13,7 @@ import { CHANNELS, FakeEngine } from "./fake";
 
 const columns = new Columns(CHANNELS);
 const WIDTH = columns.width;
-/** Turning about an axis that is none of the body's, at a rate, while moving straight. */
+/** Pose of a body that rotates at a constant rate about an oblique axis and moves straight. */
 const poseAt = (t: number) => {
   const half = 0.35 * t;
   const [c, s] = [Math.cos(half), Math.sin(half)];
@@ -40,7 +40,7 @@ describe("series of items over time", () => {
     expect(times.length).toBeGreaterThan(700);
     expect(times[0]).toBe(0);
     expect(times.slice(-150)).toEqual(Array.from({ length: 150 }, (_, k) => 50000 - 150 + k));
-    // Fifty times as many as there is room for: no gap is far wider than an even spread would have.
+    // Fifty times as many items as the capacity: no gap is much wider than with even spacing.
     const gaps = times.slice(1).map((time, i) => time - times[i]);
     expect(Math.max(...gaps)).toBeLessThanOrEqual(4 * (50000 / 750));
     expect([...times].sort((a, b) => a - b)).toEqual(times);
@@ -167,7 +167,7 @@ describe("a recording", () => {
       const gaps = series.items.slice(1).map(({ time_s }, i) => time_s - series.items[i].time_s);
       expect(Math.max(...gaps)).toBeLessThan(4);
     }
-    // No record holds on to the buffer that it came in.
+    // No record keeps the buffer of its frame in memory.
     expect(rows.items.every((one) => (one as unknown as { row: Float64Array }).row.buffer.byteLength === 8 * WIDTH)).toBe(true);
   });
 });
@@ -200,7 +200,7 @@ describe("the engine's frames", () => {
     const asked: number[] = [];
     engine.events_json = (first) => (asked.push(first), JSON.stringify(happened.slice(first, first + 60)));
     expect(runner.step().events.slice(0, 2)).toEqual([{ time_s: 0, name: "rope", text: "goes slack" }, { time_s: 1, name: "deck", text: "slides" }]);
-    // Of what repeats, 50 times; what is new alone is asked for, until the run goes back.
+    // A repeated event is listed 50 times; only new events are requested until the run goes back.
     expect(runner.step().events.length).toBe(51 + moves.length);
     runner.restore(runner.snapshot());
     expect(asked).toEqual([0, 60, 0]);

@@ -25,7 +25,7 @@ async function opened(name: string, overrides: Values = {}) {
   return { runner, columns, save, step };
 }
 
-/** Columns of a run of a saved file, at a time. */
+/** Runs a saved file to a time and returns its row by column. */
 async function ran(text: string, time_s: number): Promise<Record<string, number>> {
   const simulation = await simulationOf(text, "saved.yaml");
   simulation.step(Math.round(time_s / simulation.step_s()));

@@ -6,7 +6,7 @@ import { readModel } from "../src/engine/engine";
 import { LINES, SurfaceGrid } from "../src/engine/surface";
 import { channelOf, CHANNELS, FakeEngine } from "./fake";
 
-/** The stand-in's box as a hull of 20 m whose data's origin is 1.5 m above its centre of mass. */
+/** The box of the fake engine as a hull of 20 m; the origin of its data is 1.5 m above its centre of mass. */
 function model(wave_components: number): ModelInfo {
   return {
     ...readModel(new FakeEngine().model_json()),
@@ -29,7 +29,7 @@ describe("the sea around the ship", () => {
     const lines = (away.x_m[0] - one.x_m[0]) / spacing;
     expect(lines).toBeCloseTo(Math.round(lines), 9);
     expect(Math.abs(away.x_m[middle] - 100)).toBeLessThanOrEqual(spacing / 2);
-    // What the stand-in says of its surface: the time, everywhere.
+    // The fake engine's elevation is the time, everywhere.
     expect(one.elevation_m.length).toBe(LINES * LINES);
     expect(new Set(one.elevation_m)).toEqual(new Set([engine.time_s()]));
   });
@@ -73,12 +73,12 @@ describe("how a hull floats", () => {
   });
 
   it("the draught of an inclined ship is measured along the vertical", () => {
-    // A quarter turn about x carries z to -y, one about y carries x to -z.
+    // A quarter turn about x carries z to -y; one about y carries x to -z.
     const half = Math.SQRT1_2;
     const one = { ...model(0), hulls: [{ ...model(0).hulls[0], origin_m: [5, 2, 1.5] as [number, number, number] }] };
     expect(afloat(one, columns, row, [0, 0, 0, half, half, 0, 0])!.draught_m).toBeCloseTo(-2, 12);
     expect(afloat(one, columns, row, [0, 0, 0, half, 0, half, 0])!.draught_m).toBeCloseTo(5, 12);
-    // The keel's depth, not the distance to it: T cos(heel) where the origin stays on the water.
+    // The depth of the keel, not the distance to it: T cos(heel) if the origin stays on the water.
     const level = { ...model(0), hulls: [{ ...model(0).hulls[0], origin_m: [0, 0, 0] as [number, number, number] }] };
     const heel = 0.1;
     expect(afloat(level, columns, row, [0, 0, 0, Math.cos(heel / 2), Math.sin(heel / 2), 0, 0])!.draught_m).toBeCloseTo(2 * Math.cos(heel), 12);

@@ -11,7 +11,7 @@ import { turns, until } from "./until";
 
 const engines: FakeEngine[] = [];
 
-/** The client without its worker: the runner answers a moment later. */
+/** A client without a worker: the runner answers in a later turn of the event loop. */
 function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
   const runner = new Runner(
     (text, file, json) => {

@@ -13,7 +13,7 @@ import { until } from "./until";
 
 await initEngine();
 
-/** A session on the engine itself, without a worker. */
+/** A session with the engine itself, without a worker. */
 async function sessionOf(source: Source, values: Values = {}): Promise<Session> {
   const session = new Session(new DirectEngine().client);
   await session.open(source, values);
@@ -23,14 +23,14 @@ async function sessionOf(source: Source, values: Values = {}): Promise<Session> 
 
 const fromGallery = (gallery: string): Source => ({ text: read(`scenarios/${gallery}.yaml`), file: `${gallery}.yaml`, gallery });
 
-/** What the app does with a link, but for the page. */
+/** Opens a link as the app does, but without the page. */
 async function openedBy(hash: string): Promise<{ session: Session; link: SharedRun }> {
   const link = await runIn(hash);
   const source = "gallery" in link.scenario ? fromGallery(link.scenario.gallery) : link.scenario;
   return { session: await sessionOf({ ...source, changes: link.changes }, link.values), link };
 }
 
-/** Runs for a while, in frames of uneven length. */
+/** Runs for a number of seconds, in frames of different lengths. */
 async function run(session: Session, seconds: number): Promise<void> {
   session.start();
   const until_s = session.shown.recording!.now.time_s + seconds;
@@ -39,7 +39,7 @@ async function run(session: Session, seconds: number): Promise<void> {
   session.pause();
 }
 
-/** As fast as it goes, to a time. */
+/** Runs as fast as possible to a time. */
 async function runTo(session: Session, time_s: number): Promise<void> {
   session.runTo(time_s);
   while (session.status === "running") await session.advance(0.016);
@@ -50,10 +50,10 @@ const set = async (session: Session, name: string, value: Value) => {
   await until(() => expect(session.pending()).toEqual([]));
 };
 
-/** The bits of rows and poses, by their times. */
+/** Returns the bits of rows and poses by their times. */
 const recorded = (session: Session) => new Map(session.shown.recording!.rows.items.map(({ time_s, row, poses }) => [time_s, bits([...row, ...poses])]));
 
-/** Of the times that both have, those where something differs. */
+/** Returns those common times at which the bits differ. */
 function differences(again: Session, first: Session): number[] {
   const [there, here] = [recorded(first), recorded(again)];
   const times = [...there.keys()].filter((time) => here.has(time));
@@ -76,7 +76,7 @@ describe("a run that is opened by its link", () => {
     const { session } = await openedBy(await hashOfRun(first));
     await runTo(session, first.shown.recording!.now.time_s);
     expectSame(session, first);
-    // Without the change the second half is another.
+    // Without the change the second half differs.
     const without = await sessionOf(fromGallery("paper"), { motor_1: true, load: true });
     await runTo(without, first.shown.recording!.now.time_s);
     expect(differences(without, first).every((time_s) => time_s > before_s)).toBe(true);
@@ -96,7 +96,7 @@ describe("a run that is opened by its link", () => {
     await run(session, 5.3);
     expectSame(session, first);
     expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBe(50 / 3);
-    // One step later is another run.
+    // Changes that are one step later give another run.
     const step_s = first.run!.model.step_s;
     const late = await sessionOf({ ...first.source!, changes: link.changes.map((change) => ({ ...change, time_s: change.time_s + step_s })) }, link.values);
     await run(late, 5.3);
@@ -118,7 +118,7 @@ describe("a run that is opened by its link", () => {
     expectSame(session, first);
     expect([session.value("wind_speed_m_s"), session.pending()]).toEqual([3, []]);
     expect(await isSame(session, link)).toBe(true);
-    // A reset begins as the link did, and runs to the same.
+    // After a reset the run starts with the values of the link and gives the same results.
     await session.reset();
     expect([session.status, session.value("wind_speed_m_s"), session.values.begun]).toEqual(["idle", 9, { wind_speed_m_s: 9 }]);
     for (let i = 0; i < 30; i++) await session.step();

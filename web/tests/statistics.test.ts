@@ -26,14 +26,14 @@ describe("statistics", () => {
   });
 
   it("statistics weight records of a thinned part by their duration", () => {
-    // The first half has every fourth record left.
+    // Every fourth record of the first half is left.
     const all = times(4001);
     const kept = all.filter((_, i) => i >= 2000 || i % 4 === 0);
     const wave = (time: number) => Math.sin((2 * Math.PI * time) / 20) + (time < 200 ? 0 : 10);
     const [dense, thinned] = [statisticsOf(all, all.map(wave)), statisticsOf(kept, kept.map(wave))];
     expect(thinned.mean).toBeCloseTo(dense.mean, 2);
     expect(thinned.standard_deviation).toBeCloseTo(dense.standard_deviation, 2);
-    // Without it the mean would be nearer to that of the newer half.
+    // Without the weights the mean would be nearer to the mean of the newer half.
     expect(kept.reduce((sum, time) => sum + wave(time), 0) / kept.length).toBeGreaterThan(dense.mean + 2);
   });
 
@@ -51,7 +51,7 @@ describe("a spectrum", () => {
     expect(found.omega[line]).toBeCloseTo(omega, 12);
     expect(found.resolution).toBeCloseTo((2 * Math.PI) / 25.6, 12);
     expect(found.segments).toBe(15);
-    // Under a Hann window a line is its own height and a quarter of that on either side: A^2 / 2 in all.
+    // A Hann window gives a line its height and a quarter of it on either side: A^2 / 2 in total.
     const variance = found.density.reduce((sum, value) => sum + value, 0) * found.resolution;
     expect(variance).toBeCloseTo(9 / 2, 10);
     expect(found.density[line] * found.resolution).toBeCloseTo(9 / 3, 10);
@@ -88,10 +88,10 @@ describe("a spectrum", () => {
     const roll = (seconds: number) => times(10 * seconds).map((t) => 0.1 * Math.sin((2 * Math.PI * t) / 14));
     const [found] = spectraOf([roll(120)], STEP_S, 8, transformOf);
     expect(isResolved(found)).toBe(true);
-    // A line is wide: its period is known to the spacing of the lines.
+    // The period is known to the frequency resolution.
     const omega = found.omega[peakOf(found)];
     expect(Math.abs(omega - (2 * Math.PI) / 14)).toBeLessThan(found.resolution);
-    // As many parts as are asked for where the motion is fast.
+    // A fast motion has the requested number of segments.
     const [fast] = spectraOf([times(1200).map((t) => Math.sin(4 * t))], STEP_S, 8, transformOf);
     expect(fast.resolution).toBeCloseTo((2 * Math.PI) / 12.8, 12);
   });

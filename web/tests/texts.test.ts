@@ -10,7 +10,7 @@ import * as nb from "../src/texts/nb";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
-/** The texts of a language by their keys, as `transport.start`. */
+/** Texts of a language by their keys, such as `transport.start`. */
 function leaves(texts: object, path = ""): [string, unknown][] {
   return Object.entries(texts).flatMap(([name, one]): [string, unknown][] => {
     const key = path === "" ? name : `${path}.${name}`;
@@ -18,7 +18,7 @@ function leaves(texts: object, path = ""): [string, unknown][] {
   });
 }
 
-/** What a text is with stand-ins for what it is given: once with one of all, once with several. */
+/** Returns a text with substitutes for its arguments: once with the count one, once with several. */
 function written(text: unknown): string[] {
   if (typeof text !== "function") return [String(text)];
   const given = (first: number) => Array.from({ length: text.length }, (_, k) => first + k);
@@ -27,7 +27,7 @@ function written(text: unknown): string[] {
 
 const english = new Map(leaves(en));
 const norwegian = new Map(leaves(nb));
-/** Texts that the two languages have in common: names, symbols, units, and words that are the same in both. */
+/** Texts that are equal in both languages: names, symbols, units, and words. */
 const SAME = [
   "equations.names.B_dot", "exports.parquet", "exports.plot", "exports.save", "floating.trim", "page.name", "page.scenario", "page.title", "picture.scale.moment", "plots.arm_axis", 
   "plots.with_kind", "readouts.integrator", "settings.labels.simulation.integrator", "settings.integrators.dormand_prince", "settings.integrators.newmark", "settings.integrators.rk4",
@@ -93,7 +93,7 @@ describe("the page", () => {
   });
 });
 
-/** What the app is written in, but for its texts and what is generated. */
+/** Source files of the app, except its texts and generated files. */
 function sources(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
     const path = join(folder, entry.name);
@@ -102,19 +102,19 @@ function sources(folder: string): string[] {
   });
 }
 
-/** The words of a literal, with a mark for each value in it; null for what is none. */
+/** Returns the words of a literal, with a mark for each value in it; null for other nodes. */
 function literal(node: ts.Node): string | null {
   if (ts.isStringLiteral(node) || ts.isNoSubstitutionTemplateLiteral(node)) return node.text;
   return ts.isTemplateExpression(node) ? [node.head.text, ...node.templateSpans.map((span) => span.literal.text)].join("§") : null;
 }
 
-/** Words with a space between them, or one that begins with a capital letter. */
+/** Matches words with a space between them, or one that begins with a capital letter. */
 const READS = /[A-Za-zé]{2,}[^A-Za-z]* [^a-z]*[A-Za-z]{2,}|^[A-Z][a-z]+| [a-z]{2,}|[a-z]{2,} /;
-/** Not for a person: code, selectors, media queries, styles, drawings, names of keys. */
+/** Matches texts that are not for users: code, selectors, media queries, styles, drawings, names of keys. */
 const CODE = /\n|<svg|^\(|^[.#]\w|px |\\quad|:\/\/|^--|^item-when|^(Enter|Escape|Delete|Home|Files|TimeoutError)$/;
-/** Attributes of elements that nobody reads. */
+/** Attributes of elements that users do not read. */
 const HIDDEN = ["class", "style", "d"];
-/** What else reads as words and is for programs, or stands in files of data as other programs write them. */
+/** Other texts that are for programs, or for data files in the form of other programs. */
 const FOR_PROGRAMS = [
   "forecast/futures.ts: no start is known",
   "app/background_engine.ts: equations for §",

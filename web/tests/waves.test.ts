@@ -3,7 +3,7 @@ import { drawnWaves, foamOf, heightAt, refined, roughness } from "../src/view/wa
 
 const lines = (count: number, every_m: number) => Float64Array.from({ length: count }, (_, k) => (k - (count - 1) / 2) * every_m);
 
-/** A surface on a square grid, of a height over x and y. */
+/** Returns a surface on a square grid, with a height given over x and y. */
 function surface(count: number, every_m: number, height: (x: number, y: number) => number) {
   const [x_m, y_m] = [lines(count, every_m), lines(count, every_m)];
   const elevation_m = Float32Array.from({ length: count * count }, (_, at) => height(x_m[Math.floor(at / count)], y_m[at % count]));
@@ -15,7 +15,7 @@ describe("the drawn sea", () => {
     const given = surface(9, 2, (x, y) => 0.1 * x * x - 0.2 * y + 1);
     const fine = refined(given);
     expect(fine.x_m).toHaveLength(17);
-    // Inside, where the slopes by differences are exact; stored in single precision.
+    // In the interior, where slopes by differences are exact; the values have single precision.
     for (let i = 2; i < 15; i++) {
       for (let j = 2; j < 15; j++) {
         const [x, y] = [fine.x_m[i], fine.y_m[j]];

@@ -57,7 +57,7 @@ export default {
   },
 
   ...thorough({
-    async "shows a lever where a reset puts it"(host) {
+    async "a lever shows its initial value after a reset"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
       const lever = item(page, "input-hoist");
       const before = await lever.inputValue();

@@ -39,7 +39,7 @@ export default {
   },
 
   ...thorough({
-    async "opens a good file of the person's own"(host) {
+    async "a valid file of the user opens"(host) {
       const { page, close } = await openApp(host);
       await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
       await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");

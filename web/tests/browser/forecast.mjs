@@ -37,7 +37,7 @@ const accessible = ["day", "dusk", "night", "bright"].map((palette) => [
 export default {
   // A minute of a vessel in waves a hundred times over.
   ...thorough({
-    async "looks ahead at a pause: 64 futures come one after another, as a fan on the plots and a cloud in the picture"(host) {
+    async "at a pause 64 futures are computed one after another and shown as a fan and a cloud"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
       await stepTo(page, 62);
       assert.equal(await box(page).isVisible(), false);
@@ -67,7 +67,7 @@ export default {
       await close();
     },
 
-    async "looks ahead again from an earlier moment, and while a run goes on"(host) {
+    async "the forecast is computed again from an earlier moment and during a run"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
       await stepTo(page, 4);
       await page.getByTestId("look-ahead").click();

@@ -145,7 +145,7 @@ export default {
   },
 
   ...thorough({
-    async "speaks English to a browser of another language"(host) {
+    async "the page is in English in a browser of another language"(host) {
       const { page, close } = await openStart(host, { locale: "ko-KR" });
       assert.equal(await languageOf(page), "en");
       await page.getByText("Start with the paper's crane ship").waitFor();

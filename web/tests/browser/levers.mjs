@@ -184,7 +184,7 @@ export default {
   },
 
   ...thorough({
-    async "shows a lever as the engine has it where the run is brought back, and at a reset"(host) {
+    async "a lever shows the engine's value after a branch and after a reset"(host) {
       const { page, close } = await openApp(host, { query: QUAYSIDE });
       await stepTo(page, 0.3);
       await page.getByTestId("lever-hoist").focus();

@@ -70,7 +70,7 @@ export default {
 
   // The page knows after sixty looks, one a second.
   ...thorough({
-    async "starts another engine where it falls silent under way, with the same values"(host) {
+    async "an engine that stops answering during a run is replaced, with the same values"(host) {
       const { page, close } = await openApp(host);
       await startsAgain(page, () => self.close());
       await close();

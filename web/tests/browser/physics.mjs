@@ -124,7 +124,7 @@ export default {
   ...Object.fromEntries(palettes),
 
   ...thorough({
-    async "follows the timeline of a scenario that lets the load go by itself"(host) {
+    async "the lesson follows a scenario whose timeline releases the load"(host) {
       const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", DESKTOP);
       await page.getByTestId("loss-reach").waitFor();
       await stepTo(page, 22);

@@ -82,7 +82,7 @@ export default {
   },
 
   ...thorough({
-    async "has another future where a lever is moved at an earlier moment, and marks the move"(host) {
+    async "a lever move at an earlier moment changes the future and is marked"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
       await stepTo(page, 3);
       const { row } = await sample(page);

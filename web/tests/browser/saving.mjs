@@ -77,7 +77,7 @@ export default {
   },
 
   ...thorough({
-    async "says that a saved run differs where a parameter was set under way"(host) {
+    async "a saved run is reported to differ if a parameter was set during the run"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_on_dp" });
       await stepTo(page, 0.5);
       await item(page, "wind_speed_m_s").fill("15");
