@@ -4,8 +4,8 @@ import type { Asked } from "./address";
 export const OPENING: Asked = { scenario: "paper", values: { motor_1: true, load: true, torque_history: "pulse" } };
 
 /**
- * Returns what opens a scenario of the gallery: the paper's ship gets motors that stop, because she capsizes in the
- * paper's own run; other scenarios are opened as their files are.
+ * Returns the default request for a gallery scenario. The paper's ship gets motors that stop by themselves, because she
+ * capsizes in the paper's own run; other scenarios keep the values of their files.
  */
 export function openingOf(scenario: string): Asked {
   return scenario === OPENING.scenario ? OPENING : { scenario, values: {} };

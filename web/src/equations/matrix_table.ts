@@ -97,7 +97,7 @@ export class MatrixTable {
   }
 }
 
-/** Returns the unit of an entry: times the unit of its column, it gives the unit of its row. */
+/** Returns the unit of an entry: the unit of its row over the unit of its column. */
 export function unitOf(row: string, column: string): string {
   if (column === "1") return row === "1" ? "" : row;
   return row === column ? "" : `(${row})/(${column})`;

@@ -14,7 +14,7 @@ export function bodyFinder(bodies: readonly string[], joints: readonly { name: s
   return (label) => known.get(label) ?? known.get(label.slice(0, Math.max(0, label.lastIndexOf(".")))) ?? -1;
 }
 
-/** Motion of a body with one coordinate, or its velocity: of its centre of mass, and about it. */
+/** Motion of a body with one coordinate, or its velocity: translation of the centre of mass, and rotation. */
 export interface BodyMotion {
   body: number;
   /** Translation, in world axes. */

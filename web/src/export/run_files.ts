@@ -51,7 +51,7 @@ export class RunFiles {
     return { name: `${this.stem}.parquet`, content: new Blob([file], { type: "application/vnd.apache.parquet" }) };
   }
 
-  /** Returns attributes that describe the run: those of `kingpost.results`, as far as the page knows them. */
+  /** Returns the attributes of the run that `kingpost.results` also has, as far as the page knows them. */
   private async about({ model }: Run): Promise<Record<string, string>> {
     const { recorded, rows } = this.kept;
     const scenario = await this.session.resolved();

@@ -19,7 +19,7 @@ export interface Start {
 /** One possible continuation of the run. */
 export interface Future {
   seed: number;
-  /** Time of its first row, s. */
+  /** Time of the first row, s. */
   start_s: number;
   every_s: number;
   /** Rows from the start of the future on, one after another; NaN after the run has failed. */

@@ -11,7 +11,7 @@ export type LimitState = "ok" | "near" | "exceeded" | "waiting";
  */
 const NEAR = 0.1;
 
-/** The value nearest to a bound, or farthest beyond it, in the unit of the limit, and its time. */
+/** Worst value of a run, nearest to a bound or farthest beyond it, in the unit of the limit, and its time. */
 export interface Worst {
   time_s: number;
   value: number;

@@ -18,7 +18,7 @@ export const PARTS = [2, 4, 8, 16];
 /** Content of one plot. */
 export interface PlotView {
   kind: ChartKind;
-  /** Ids of its lines. */
+  /** Ids of the lines of the plot. */
   lines: string[];
   /** Whether the table of statistics is shown below the plot. */
   isTold: boolean;

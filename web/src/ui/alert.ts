@@ -4,7 +4,7 @@ import { isInEnglish } from "../engine/faults";
 import { language, texts } from "../texts";
 import { byId, make } from "./dom";
 
-/** Shows a fault until the user dismisses it or a scenario opens; the app goes on. */
+/** Shows a fault until the user dismisses it or a scenario opens; the app continues to run. */
 export function showFaults(session: Session): void {
   const region = byId("alert");
   session.listen({

@@ -92,7 +92,7 @@ export function withoutRounding(value: number): string {
   return String(Number(value.toPrecision(12)));
 }
 
-/** Half range of the slider of a position input, rad or m; its field takes any number. */
+/** Half range of the slider of a position input, rad or m; the field beside the slider takes any number. */
 const SLIDER_REACH = 100;
 
 /**

@@ -18,9 +18,9 @@ const LOWEST = 0.94 * Math.PI;
 const FOLLOWED = { own: 9, model: 0.25 };
 /** Smallest height of the eye above the water, relative to the size of the model. */
 const ABOVE_WATER = 0.012;
-/** Factor on the distance at which the objects just fill the picture, for a fit. */
+/** Ratio of the eye's distance after a fit to the distance at which the objects just fill the picture. */
 const MARGIN = 1.16;
-/** The same factor, below which the camera steps back. */
+/** Ratio of the eye's distance to the distance that just fills the picture, below which the camera steps back. */
 const EDGE = 1.06;
 /** Time constant with which the camera steps back, ms. */
 const STEP_BACK_MS = 180;

@@ -82,7 +82,7 @@ export default {
 
     const other = await openLink(host, link);
     const notice = other.page.getByTestId("notice-link");
-    assert.match(await notice.textContent(), /The 2 changes that were made by hand are repeated.*The link was made at 4\.00 s/);
+    assert.match(await notice.textContent(), /The run repeats the 2 changes made by hand.*The link was made at 4\.00 s/);
     assert.equal(Number(await item(other.page, "load_t").inputValue()), 13.7);
     assert.match(await other.page.getByTestId("gallery").locator("option:checked").textContent(), /^From a link: /);
     await assertAccessible(other.page, "with the notice of a link");

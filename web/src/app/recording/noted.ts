@@ -1,6 +1,6 @@
 import type { Warning } from "../../engine/engine";
 
-/** Warnings and events of a run. They are kept when the engine goes back in time and starts its list again. */
+/** Warnings or events of a run. They are kept when the engine goes back in time and starts its list again. */
 export class Noted {
   private kept: readonly Warning[] = [];
   all: readonly Warning[] = [];

@@ -48,7 +48,9 @@ function jointOf(model: ModelInfo, body: string): string {
   return model.joints.find((joint) => joint.body === body)?.kind ?? "";
 }
 
-/** Returns the ratio of the longest extent of a shape to the next one; of a cylinder, of its length to its radius. */
+/**
+ * Returns the slenderness of a shape: its longest extent over the next one; for a cylinder, its length over its radius.
+ */
 function slimness({ shape }: BodyInfo): number {
   if (shape?.kind === "cylinder") return shape.length_m / shape.radius_m;
   if (shape?.kind !== "box") return 0;
