@@ -1,7 +1,7 @@
 import type { Columns } from "../engine/columns";
 
 export interface Errors {
-  /** Energy error over the largest energy exchanged so far; NaN while that is below the rounding of the stored energy. */
+  /** Energy error over the largest energy exchanged so far; NaN while that energy is small (see ROUNDINGS). */
   energy: number;
   /** Momentum error over the largest angular momentum so far; NaN before any body rotates. */
   momentum: number;

@@ -7,7 +7,10 @@ export interface Afloat {
   heel_rad: number;
   /** Pitch: positive by the bow, rad. */
   trim_rad: number;
-  /** Depth of the keel below still water, under the origin of the hull's data, along the vertical, m, as in the engine's hydrostatics. */
+  /**
+   * Depth of the keel below still water, below the origin of the hull's data, along the vertical, m, as in the engine's
+   * hydrostatics.
+   */
   draught_m: number;
   /** Elevation of the incident waves at the hull's mean position, m. */
   wave_m: number;

@@ -57,8 +57,8 @@ export class Runner {
   ) {}
 
   /**
-   * Opens a scenario, with its files, at its initial state; if that throws, the present engine stays. `changes` are made at their times,
-   * until something is set by hand.
+   * Opens a scenario, with its files, at its initial state; if that throws, the present engine stays. `changes` are
+   * made at their times, until something is set by hand.
    */
   open(text: string, file: string, overrides: Values, files: Record<string, string> = {}, changes: readonly Change[] = []): Opened {
     const source = { file, files: JSON.stringify(files) };

@@ -20,7 +20,10 @@ const WIND_EVERY_S = 0.1;
 const MESSAGE_MS = 5000;
 const SHAKE_MS = 25;
 
-/** Two sticks over the picture, for the inputs that are set by hand. A lever that is moved during a pause acts when the run continues. */
+/**
+ * Two sticks over the picture, for the inputs that are set by hand. A lever that is moved during a pause acts when the
+ * run continues.
+ */
 export class Levers {
   private readonly box = byId("sticks");
   private readonly button = byId("levers-button", HTMLButtonElement);

@@ -5,7 +5,10 @@ import { Shown } from "../recording/shown";
 import type { Listener, Run, Source, Status } from "../run";
 import { SetValues } from "../values";
 
-/** The state of the page: the run, the moment that is shown, the values of the controls, the last fault; and its listeners. */
+/**
+ * The state of the page and its listeners: the run, the moment that is shown, the values of the controls and the last
+ * fault.
+ */
 export class SessionState {
   run: Run | null = null;
   /** The scenario that Reset opens. */

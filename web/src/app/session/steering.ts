@@ -22,8 +22,8 @@ export class Steering {
   ) {}
 
   /**
-   * Sets a value. At the start the scenario is opened again with it. During a run a live value is set in the engine, and the
-   * picture shows it with the next step; any other value waits for the reset.
+   * Sets a value. At the start the scenario is opened again with it. During a run a live value is set in the engine,
+   * and the picture shows its effect at the next step; any other value waits for the reset.
    */
   set(name: string, value: Value): void {
     this.state.values.want(name, value);
