@@ -1,4 +1,4 @@
-// The address says which scenario is open, and with which values; Back leads from one to the one before.
+// The address holds the open scenario and its values; Back returns to the previous scenario.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";

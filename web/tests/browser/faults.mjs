@@ -1,4 +1,4 @@
-// What goes wrong is shown, and the app runs on.
+// Faults are shown, and the app continues to run.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -74,7 +74,7 @@ export default {
     assert.match(shown, /50 m is not a number from -10 to 10 m\./);
     assert.ok(!shown.includes("--set"));
     assert.equal(await item(page, "crane_x_m").inputValue(), "-10");
-    // A field that was emptied shows what is in force.
+    // An emptied field shows the present value again.
     await item(page, "crane_x_m").fill("");
     await item(page, "crane_x_m").blur();
     assert.equal(await item(page, "crane_x_m").inputValue(), "-10");

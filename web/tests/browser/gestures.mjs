@@ -1,4 +1,4 @@
-// Fingers, dropped files, a change of theme.
+// Touch gestures, dropped files, and changes of the theme.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -70,12 +70,12 @@ export default {
   },
 
   async "the page shows the speed of the run, and that it is slower than the chosen speed"(host) {
-    // No machine takes so many steps in so short a time.
+    // No machine takes this number of steps in so short a time.
     const { page, close } = await openApp(host, { query: "?scenario=flexible_boom&simulation.step_s=1e-7" });
     await page.getByTestId("speed").selectOption("20");
     await page.getByTestId("start").click();
     await page.getByText(/^[\d.]+× slow$/).waitFor();
-    // It is said below nine tenths of the speed.
+    // The note is shown below nine tenths of the speed.
     assert.ok(Number.parseFloat(await page.getByTestId("pace").textContent()) < 18);
     await close();
   },

@@ -1,4 +1,4 @@
-// The app in Norwegian: all that it says itself, with room for its longer words; and the way to another language and back.
+// The app in Norwegian: all its texts, with space for longer words; and switching to another language and back.
 import assert from "node:assert/strict";
 import { cases, thorough } from "../lane.mjs";
 import { DESKTOP, item, openApp, openPage, PHONE, sample, stepTo } from "./app.mjs";
@@ -6,7 +6,7 @@ import { assertAccessible } from "./axe.mjs";
 import { assertUncropped } from "./layout.mjs";
 
 const NARROW = { width: 340, height: 640 };
-/** English words that would stand on the page if a text had been left behind. */
+/** English words that would be on the page if a text were not translated. */
 const ENGLISH = /\b(Start with|Controls|Plots|Instruments|Equations|Reset|Resume|Speed|Levers|Advanced|Draught|Look ahead|Camera|Show|Language|Export|Save|Share)\b/;
 
 async function openStart(host, { viewport = DESKTOP, locale = "nb-NO", prepare } = {}) {
@@ -17,7 +17,7 @@ async function openStart(host, { viewport = DESKTOP, locale = "nb-NO", prepare }
 
 const languageOf = (page) => page.evaluate(() => document.documentElement.lang);
 
-/** What can be read on the page but for what is marked as English. */
+/** Returns the readable text of the page, except text that is marked as English. */
 function ownWords() {
   const words = [];
   const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -28,14 +28,14 @@ function ownWords() {
   return words.filter((word) => word !== "").join(" | ");
 }
 
-/** All that is said is there, and nothing in English beside it. */
+/** Checks that all texts are present and that none is in English. */
 async function assertNorwegian(page, ...words) {
   const found = await page.evaluate(ownWords);
   for (const word of words) assert.ok(found.includes(word), `${word} in ${found}`);
   assert.doesNotMatch(found, ENGLISH);
 }
 
-/** Each panel of a run, with nothing cropped and nothing that a machine finds hard to use. */
+/** Checks each panel of a run: nothing is cropped, and axe finds no violation. */
 async function assertPanels(page, viewport) {
   const panels = { plots: "Eksport", instruments: "Avlesninger", equations: "Pek på en blokk", controls: "Avansert" };
   for (const [panel, word] of Object.entries(panels)) {

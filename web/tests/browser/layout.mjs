@@ -1,16 +1,16 @@
-// Nothing is cropped on a phone or a desktop; everything is labelled, reachable and large enough.
+// Nothing is cropped on a phone or a desktop, and all controls are labelled, reachable and large enough.
 import assert from "node:assert/strict";
 import { cases } from "../lane.mjs";
 import { DESKTOP, look, openApp, PHONE, rested, setAngle, settle, stepTo } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const SCREENS = { phone: PHONE, "narrow phone": { width: 340, height: 640 }, "phone on its side": { width: 844, height: 390 }, desktop: DESKTOP };
-/** Where the page was too small for its parts, or for the lines of its plots. */
+/** Screens on which the page was once too small for its parts, or for the lines of its plots. */
 const SMALL = { "window at 400 %": { width: 320, height: 256 }, "short phone": { width: 390, height: 460 }, tablet: { width: 1024, height: 768 }, "small window": { width: 1000, height: 640 } };
-/** Least height of the lines of a plot, pixels. */
+/** Smallest height of the lines of a plot, pixels. */
 const PLOT_PX = 130;
 
-/** What a finger meets: a checkbox counts with its label. */
+/** Returns the visible targets of a finger with their sizes; a checkbox counts together with its label. */
 function targets() {
   const shown = [...document.querySelectorAll("button, select, input, summary, canvas, label.item-checkbox")];
   return shown
@@ -40,13 +40,13 @@ export async function assertUncropped(page, screen) {
   assert.deepEqual(cropped, [], "texts that do not fit");
 }
 
-/** Lines have room, and at least two heights are named. */
+/** Checks that lines have space, and that each axis has at least two numbers. */
 async function assertPlotted(page) {
   const areas = await page.evaluate(() => [...document.querySelectorAll(".plot-area")].map(({ clientWidth, clientHeight }) => [clientWidth, clientHeight]));
   for (const [width, height] of areas) assert.ok(width >= 260 && height >= PLOT_PX, `a plot is ${width} x ${height}`);
 }
 
-/** Fit leaves the ship in what nothing on the picture covers. */
+/** Checks that Fit places the ship in the part of the picture that no control covers. */
 async function assertInSight(page) {
   const covers = await page.evaluate(() => {
     const picture = document.getElementById("canvas").getBoundingClientRect();
@@ -119,7 +119,7 @@ export default {
     await stepTo(page, 0.05);
     await says("Paused at 0.05 s.");
     await setAngle(page, "rad");
-    // A table is written once a second at most.
+    // A table is written at most once a second.
     const tabled = (words) => words.every((one) => document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent.includes(one));
     await page.waitForFunction(tabled, ["0.05 s", "rad/s"]);
     const rows = await page.locator("[data-testid=plot-1] .visually-hidden table tr").allTextContents();

@@ -1,4 +1,5 @@
-// What does not come or breaks down: the engine, its worker, the gallery's list. The page says so and has a way on.
+// Parts that do not load or that break down: the engine, its worker, the gallery's list. The page reports this and
+// offers a way to continue.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -9,7 +10,7 @@ const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml"
 
 const alertOf = (page) => page.getByTestId("alert").textContent();
 
-/** Opens the app where some addresses cannot be reached. */
+/** Opens the app while some addresses cannot be reached. */
 async function openWithout(host, pattern) {
   const { page } = await openPage(host, { query: PAPER, prepare: (context) => context.route(pattern, (route) => route.abort()) });
   await page.getByTestId("alert-message").waitFor();
@@ -29,7 +30,7 @@ async function opensAtReset({ page, context }, pattern) {
   await context.close();
 }
 
-/** With an engine that ends under way. */
+/** Opens the app with an engine that ends during a run. */
 async function startsAgain(page, end) {
   await setNumber(page, "crane_x_m", 3);
   await page.getByTestId("start").click();
@@ -68,7 +69,7 @@ export default {
     await close();
   },
 
-  // The page knows after sixty looks, one a second.
+  // The page detects it after sixty checks, one per second.
   ...thorough({
     async "an engine that stops answering during a run is replaced, with the same values"(host) {
       const { page, close } = await openApp(host);

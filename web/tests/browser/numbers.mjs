@@ -1,4 +1,4 @@
-// The app's numbers against the paper's truth row and the native golden runs.
+// The app's numbers compared with the paper's reference row and with native golden runs.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -8,7 +8,7 @@ const GOLDEN = fileURLToPath(new URL("../../../crates/kingpost/tests/golden/pape
 const goldens = JSON.parse(readFileSync(GOLDEN, "utf8"));
 const golden = (name) => goldens.find((one) => one.name === name);
 
-/** Ship's centre held, crane at the centre, no load, tower motor alone, t = 0.5 s. */
+/** Reference values: ship's centre fixed, crane at the centre, no load, only the tower's motor, t = 0.5 s. */
 const TRUTH = {
   "ship.angular_velocity.y": 0.19709,
   "ship.angular_velocity.z": -0.12348,
@@ -19,7 +19,7 @@ const TRUTH = {
   "luff.joint_position": 0.0632,
 };
 
-/** Half a unit of the last digit given, and no coarser than 1e-5 for the ship's rates. */
+/** Tolerances: half a unit of the last given digit, but at least 1e-5 for the ship's rates. */
 const tolerance = (name) => (name.startsWith("ship.") ? 1e-5 : 5.001e-5);
 
 function assertBits(actual, expected) {
@@ -70,7 +70,8 @@ export default {
     const { page, close: done } = await openApp(host);
     await page.getByTestId("speed").selectOption("0.125");
     await page.getByTestId("start").click();
-    // The page itself presses it: between two looks from outside a slow machine may pass the golden run's end.
+    // The page itself presses the button: a slow machine could pass the end of the golden run between two checks from
+    // outside.
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1 && (document.querySelector("[data-testid=start]").click(), true));
     await rested(page);
     const { status, time_s } = await sample(page);

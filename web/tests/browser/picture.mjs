@@ -1,9 +1,9 @@
-// The menus on the picture: from where it is seen, and what is drawn besides.
+// Menus on the picture: the viewpoints, and the overlays.
 import assert from "node:assert/strict";
 import { assertAccessible } from "./axe.mjs";
 import { look, openApp, PHONE, rested, stepTo } from "./app.mjs";
 
-/** Opens a scenario of the gallery and waits until its picture stands. */
+/** Opens a scenario of the gallery and waits until its picture is drawn. */
 async function openScenario(host, name) {
   const app = await openApp(host, { query: `?scenario=${name}`, draws: true });
   await rested(app.page);
@@ -49,7 +49,7 @@ export default {
     const { page, close } = await openApp(host, { viewport: PHONE });
     for (const menu of ["cameras", "show"]) {
       await page.locator(`#${menu} > summary`).click();
-      // The browser tells of an opened menu a little later; then it gets its height.
+      // The browser reports an opened menu a little later; then the menu gets its height.
       await page.waitForFunction((id) => document.querySelector(`#${id} .menu-panel`).style.maxHeight !== "", menu);
       const [panel, scene] = [await page.locator(`#${menu} .menu-panel`).boundingBox(), await page.locator("#scene").boundingBox()];
       assert.ok(panel.x >= scene.x && panel.x + panel.width <= scene.x + scene.width + 1, `${menu}: ${JSON.stringify(panel)}`);
@@ -62,7 +62,7 @@ export default {
 
   async "the camera stays above the sea until it may go under water"(host) {
     const { page, close } = await openScenario(host, "barge");
-    /** Turns the view down as far as it goes. */
+    /** Turns the view down to its limit. */
     const sink = async () => {
       await page.getByTestId("canvas").focus();
       for (let i = 0; i < 30; i++) await page.keyboard.press("ArrowDown");

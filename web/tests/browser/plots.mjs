@@ -1,4 +1,4 @@
-// Plots of any channel, and what is kept of a run: in the page, and by Python where it is built.
+// Plots of any column, and exported files of a run: checked in the page, and by Python if the package is built.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -10,7 +10,7 @@ import { close as near, DESKTOP, numberIn, openApp, PHONE, sample, setPlot, show
 import { cases } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
 
-/** Of `make develop`, or another that has the package. */
+/** Python of `make develop`, or another one that has the package. */
 const PYTHON = process.env.KINGPOST_PYTHON ?? fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
 
 async function openPlots(host, scenario, viewport = DESKTOP) {
@@ -19,7 +19,7 @@ async function openPlots(host, scenario, viewport = DESKTOP) {
   return opened;
 }
 
-/** What Export hands over. */
+/** Returns the file that Export saves. */
 async function exported(page, what) {
   await page.getByTestId("export").click();
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(`export-${what}`).click()]);
@@ -28,7 +28,7 @@ async function exported(page, what) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
-/** What a line of Python prints, of files with these contents. */
+/** Returns the output of a line of Python, given files with these contents. */
 function python(code, files) {
   const folder = mkdtempSync(join(tmpdir(), "kingpost-"));
   try {
@@ -42,7 +42,7 @@ function python(code, files) {
 const hasPython = existsSync(PYTHON);
 if (!hasPython) console.log("plots: not compared with Python, which is not built: KINGPOST_PYTHON=path names one");
 
-/** Width, height and colours of a picture. */
+/** Returns the width, the height and the number of colours of a picture. */
 async function looked(page, bytes) {
   assert.equal(bytes.subarray(1, 4).toString(), "PNG");
   return page.evaluate(async (base64) => {
@@ -91,7 +91,10 @@ const exporting = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).ma
   },
 ]);
 
-/** The same run by Python: the same text of the table, the same bits in both files, and their statistics. */
+/**
+ * Checks the files against the same run by Python: the same text of the table, the same bits in both files, and the
+ * same statistics.
+ */
 function comparedWithPython(files) {
   const code = `
 import json, pandas, pyarrow.parquet, kingpost
@@ -125,13 +128,13 @@ const finding = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map(
     assert.equal(await page.getByTestId("choose-1").evaluate((button) => document.activeElement === button), true);
     const { row } = await sample(page);
     await showsNumber(page, "value-1-kinetic_energy", row.kinetic_energy / 1000, 0.0051);
-    // One axis of time, two upright.
+    // One axis of time and two vertical axes.
     assert.equal(await page.locator("[data-testid=plot-1] .u-axis").count(), 3);
     await page.reload();
     await page.waitForFunction(() => window.kingpost?.sample());
     if (viewport === PHONE) await page.getByTestId("show-plots").click();
     await page.getByTestId("value-1-kinetic_energy").waitFor();
-    // Another scenario has its own plots; the default ones come back.
+    // Another scenario has other plots; after the change the default plots are shown.
     await page.getByTestId("view-plots").click();
     await page.getByTestId("default-plots").click();
     assert.equal(await page.getByTestId("choose-1").textContent(), "Rates of ship");
@@ -144,19 +147,20 @@ const spectra = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((v
   async (host) => {
     const { page, close } = await openPlots(host, "barge&waves=true", viewport);
     await stepTo(page, 104);
-    // What the engine warns of would stand before the plots.
+    // A warning of the engine would cover the plots.
     const dismiss = page.getByTestId("run-warnings").getByLabel("Dismiss");
     if (await dismiss.isVisible()) await dismiss.click();
     await setPlot(page, 1, { lines: ["water.wave_elevation"], kind: "spectrum" });
     const notes = page.locator("[data-testid=plot-1] > .plot-notes");
     await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution"));
-    // Eight parts would have 128 records of 0.1 s, less than three periods of the waves: 256 that overlap by half, 2 pi / 25.6 s.
+    // Eight segments would have 128 records of 0.1 s, less than three periods of the waves: 256 records that overlap by
+    // half, 2 pi / 25.6 s.
     assert.match(await notes.textContent(), /Hann window: 7 segments of the records from 0 to 104 s, resolution 0\.245 rad\/s/);
     await page.getByTestId("choose-1").click();
     await page.getByTestId("plot-parts").selectOption("2");
     await page.getByTestId("picker-done").click();
     await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution 0.123"));
-    // The waves of the scenario have a peak period of 8 s; of one realisation the highest line is near to it.
+    // The waves of the scenario have a peak period of 8 s; the largest density of one realisation is near it.
     const peak = Number((await notes.textContent()).match(/peak at ([\d.]+) rad\/s/)[1]);
     near(peak, (2 * Math.PI) / 8, 0.25, "peak, rad/s");
     await setPlot(page, 2, { lines: ["ship.roll", "ship.angular_velocity.x"], kind: "phase" });
@@ -245,7 +249,7 @@ export default {
     await page.mouse.up();
     await page.getByTestId("view-plots").click();
     assert.equal(await page.getByTestId("plot-window").inputValue(), "between");
-    // Of the 3 s that the plots show at first.
+    // The selection is a part of the 3 s that the plots show at first.
     near(Number(await page.getByTestId("window-from").inputValue()), 0.6, 0.03, "from, s");
     near(Number(await page.getByTestId("window-to").inputValue()), 1.2, 0.03, "to, s");
     await page.getByTestId("plot-window").selectOption("last 10");

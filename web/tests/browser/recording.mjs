@@ -13,10 +13,13 @@ async function scrub(page, time_s) {
   }, time_s);
 }
 
-/** How much two pictures of the ship differ, as a share: the camera comes back to its place but for a pixel or two. */
+/**
+ * Returns the share of pixels that differ between two pictures of the ship; the camera returns to its position within a
+ * pixel or two.
+ */
 const apart = (one, other) => Math.max(...["green", "grey"].map((key) => Math.abs(one[key] - other[key]) / other[key]));
 
-/** Runs on from what is shown until a time is recorded, and pauses. */
+/** Runs from the moment that is shown until a time is recorded, and pauses. */
 async function runPast(page, time_s) {
   await page.getByTestId("start").click();
   await page.waitForFunction((until) => window.kingpost.sample().status === "running" && window.kingpost.sample().newest_s > until, time_s);
@@ -31,7 +34,7 @@ export default {
     const early = await sample(page);
     await rested(page);
     const pictured = await look(page);
-    // The plot shows at least two decimals; how many is decided once a second.
+    // The plot shows at least two decimals; their number is updated once a second.
     const plotted = () => showsNumber(page, "value-1-ship.angular_velocity.y", (early.row["ship.angular_velocity.y"] * 180) / Math.PI, 0.0051);
     await plotted();
     await stepTo(page, 1.2);

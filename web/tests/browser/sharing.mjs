@@ -1,4 +1,4 @@
-// A link holds a whole run: it is made in a dialog, and opened it runs to the same bits.
+// A link contains a whole run: it is made in a dialog, and the run that it opens has the same bits.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -13,7 +13,7 @@ async function setByHand(page, name, value) {
   await item(page, name).blur();
 }
 
-/** Presses Share; the link that it makes. */
+/** Presses Share and returns the link. */
 async function linkOf(page) {
   await page.getByTestId("share").click();
   const field = page.getByTestId("share-link");
@@ -52,7 +52,7 @@ const dialogs = cases([DESKTOP, PHONE, { width: 320, height: 640 }], ({ width })
     assert.ok(boxes.dialog.left >= 0 && boxes.dialog.right <= viewport.width && boxes.dialog.top >= 0 && boxes.dialog.bottom <= viewport.height, JSON.stringify(boxes.dialog));
     assert.ok(boxes.overflow <= 0, `it is ${boxes.overflow} wider than it shows`);
     for (const target of boxes.targets) assert.ok(target.width >= 43.5 && target.height >= 43.5, JSON.stringify(target));
-    // Tab stays in it, Escape leads back to the button.
+    // Tab stays in the dialog, and Escape returns to the button.
     for (let i = 0; i < 8; i++) {
       await page.keyboard.press("Tab");
       assert.ok(await page.evaluate(() => document.activeElement === document.body || document.querySelector("[data-testid=share-dialog]").contains(document.activeElement)));
@@ -93,7 +93,7 @@ export default {
     assertSameBits(again.row, first.row);
     assert.equal(Number(await item(other.page, "input-hoist").inputValue()), 4.321);
     assert.ok(other.page.url().endsWith(link.slice(link.indexOf("#"))), "the address is still the link");
-    // Back from another scenario leads to it again.
+    // Back from another scenario returns to the link.
     await other.page.getByTestId("gallery").selectOption("chain");
     await other.page.waitForURL(/\?scenario=chain$/);
     assert.equal(await notice.count(), 0);
@@ -147,7 +147,7 @@ export default {
     await page.getByText("Copied.").waitFor();
     assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await page.getByTestId("share-link").inputValue());
     await page.getByTestId("share-close").click();
-    // As on a phone over plain http.
+    // A page without a secure connection, as on a phone over plain http.
     await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: undefined, configurable: true }));
     await page.getByTestId("share").click();
     await page.getByText("Select the link and copy it").waitFor();
@@ -191,7 +191,7 @@ export default {
       assert.equal(new URL(page.url()).hash, "");
       await page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
     }
-    // With a run in hand that stays, and so does its address.
+    // An open run stays, and so does its address.
     await stepTo(page, 0.1);
     await page.evaluate(() => (location.hash = "#k1=broken"));
     await page.getByText("The link was cut").waitFor();

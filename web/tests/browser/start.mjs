@@ -1,4 +1,4 @@
-// The start page: what a stranger sees first, before the engine has loaded.
+// The start page, before the engine is loaded.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -7,9 +7,9 @@ import { DESKTOP, PAPER, PHONE, openFile, openPage } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
-/** What all that comes before a scenario is chosen may weigh, compressed, bytes. */
+/** Largest compressed size of all files that are loaded before a scenario is chosen, bytes. */
 const FIRST_LOAD = 1_000_000;
-/** A window of 1280 pixels at 400 %. */
+/** Viewport of a window of 1280 pixels at 400 %. */
 const SMALL = { width: 320, height: 256 };
 
 async function openStart(host, { viewport = DESKTOP, prepare } = {}) {
@@ -21,7 +21,7 @@ async function openStart(host, { viewport = DESKTOP, prepare } = {}) {
 const isIdle = (page) => page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
 
 async function isAccessible(page, viewport, palettes) {
-  // Colours change at once, not over a moment in which their contrast is another.
+  // Colours change at once: during a transition their contrast would be another.
   await page.emulateMedia({ reducedMotion: "reduce" });
   for (const palette of palettes) {
     await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
