@@ -268,8 +268,8 @@ export default {
     assert.deepEqual(limits.map((text) => text.replace("Limit: list", "")), ["−3.00", "3.00"]);
     await setPlot(page, 1, { kind: "arms" });
     const notes = page.locator("[data-testid=plot-1] > .plot-notes");
-    await page.waitForFunction(() => /now at [\d.−]+° to starboard, GZ/.test(document.querySelector("[data-testid=plot-1] > .plot-notes").textContent));
-    const heel = Number((await notes.textContent()).match(/now at ([\d.]+)°/)[1]);
+    await page.waitForFunction(() => /now heels [\d.−]+° to starboard, GZ/.test(document.querySelector("[data-testid=plot-1] > .plot-notes").textContent));
+    const heel = Number((await notes.textContent()).match(/now heels ([\d.]+)°/)[1]);
     const { row } = await sample(page);
     near(heel, (row["hull.roll"] * 180) / Math.PI, 0.0051, "heel");
     assert.match(await notes.textContent(), /equilibrium at [\d.]+°; largest [\d.]+ m at [\d.]+°/);
