@@ -123,7 +123,7 @@ def messages(root: Path) -> Iterator[Found]:
                 ]
                 yield Found(path, node.lineno, " ".join(" ... ".join(texts).split()))
     for path in files(root, ".rs"):
-        text = re.sub(r"(?m)^\s*//.*$", "", path.read_text(encoding="utf-8")).split("#[cfg(test)]")[0]
+        text = re.sub(r"(?m)^[ \t]*//.*$", "", path.read_text(encoding="utf-8")).split("#[cfg(test)]")[0]
         for match in TEXT.finditer(text):
             words = re.sub(r"\\\s+", "", match[1])
             if " " in words and "::" not in words and "\n" not in words:

@@ -41,7 +41,7 @@ import { LinkNotice } from "./share/notice";
 import { enableSharing } from "./share/share";
 import { createScene } from "./view/scene";
 
-/** The page that runs a scenario, as the start page and the browser's history drive it. */
+/** The simulator page, as the start page and the browser's history use it. */
 export interface Simulator {
   /** Opens the scenario of the address, or the file of a history state. */
   goTo(state: Choice | null): Promise<void>;
@@ -49,11 +49,11 @@ export interface Simulator {
   openFiles(texts: Record<string, string>): Promise<void>;
   pause(): void;
   report(fault: Fault): void;
-  /** Gives the document the title of the run. */
+  /** Sets the title of the document to that of the run. */
   entitle(): void;
 }
 
-/** Starts the engine, and builds the page around a session; the gallery may still be loading. */
+/** Starts the engine and builds the page around a session; the gallery may still be loading then. */
 export function startSimulator(gallery: Promise<Gallery>): Simulator {
   const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module", name: language });
   const startClient = () => new EngineClient(startWorker, galleryFolder(document.baseURI));
@@ -61,7 +61,7 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
   const rest = new Rest();
   buildPage(session, startClient, rest);
   exposeHandle(session, rest);
-  // A scenario that opens behind the start page sets the title when it becomes visible.
+  // A scenario that opens while the start page is visible sets the title later, when the simulator becomes visible.
   const entitle = () => {
     if (!byId("app").hidden) document.title = session.run ? texts.page.title(session.run.model.title) : texts.page.name;
   };

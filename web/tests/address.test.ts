@@ -1,29 +1,29 @@
 import { describe, expect, it } from "vitest";
 import { askedBy, asksForStart, queryOf } from "../src/app/address";
 
-describe("the address", () => {
-  it("asks for a scenario with its parameters, each as the kind of value that it is", () => {
+describe("addresses", () => {
+  it("reads a scenario and its parameters from an address as booleans, numbers or texts", () => {
     expect(askedBy("?scenario=paper&load=true&crane_x_m=-2.5&torque_history=pulse&simulation.step_s=0.002")).toEqual({
       scenario: "paper",
       values: { load: true, crane_x_m: -2.5, torque_history: "pulse", "simulation.step_s": 0.002 },
     });
   });
 
-  it("asks for nothing where it is bare", () => {
+  it("reads no scenario from a bare address", () => {
     expect(askedBy("")).toEqual({ scenario: null, values: {} });
     expect(queryOf({ scenario: null, values: {} })).toBe("");
   });
 
-  it("sets nothing over a scenario that it only names, so that it is what the command line runs", () => {
+  it("overrides no value of a scenario if the address has no parameters", () => {
     expect(askedBy("?scenario=paper")).toEqual({ scenario: "paper", values: {} });
   });
 
-  it("reads back what it was written from", () => {
+  it("writes an address that is read back to the same scenario and values", () => {
     const asked = { scenario: "a ship & a crane", values: { load: false, load_t: 13.7, history: "off", "bodies.hull.mass_t": 0 } };
     expect(askedBy(queryOf(asked))).toEqual(asked);
   });
 
-  it("asks for the start page where it is bare, unless the server opens a scenario there or a whole run follows", () => {
+  it("opens the start page at a bare address, unless the server opens a scenario or the address holds a run", () => {
     expect(asksForStart({ search: "", hash: "" }, undefined)).toBe(true);
     expect(asksForStart({ search: "", hash: "#quality=best" }, undefined)).toBe(true);
     expect(asksForStart({ search: "", hash: "#k1=abc" }, undefined)).toBe(false);

@@ -13,7 +13,7 @@ async function opened(scenario: string, overrides: Values = {}): Promise<Session
   return session;
 }
 
-/** Runs for a while. */
+/** Runs for a number of seconds. */
 async function run(session: Session, seconds: number): Promise<void> {
   session.start();
   await until(() => expect(session.status).toBe("running"));
@@ -21,16 +21,16 @@ async function run(session: Session, seconds: number): Promise<void> {
   session.pause();
 }
 
-/** The bits of rows and poses, by their times. */
+/** Returns the bits of rows and poses by their times. */
 const recorded = (session: Session) => new Map(session.shown.recording!.rows.items.map(({ time_s, row, poses }) => [time_s, bits([...row, ...poses])]));
 
-/** Of the times in both, those where something differs. */
+/** Returns those common times at which the bits differ. */
 function differences(one: Map<number, string[]>, other: Map<number, string[]>): number[] {
   return [...one.keys()].filter((time) => other.has(time) && String(one.get(time)) !== String(other.get(time)));
 }
 
 describe("a run that branches from an earlier moment", () => {
-  it.each(["lowering_by_winch", "lift_off_from_barge", "paper"])("has the same bits at the same times where nothing was changed: %s", async (scenario) => {
+  it.each(["lowering_by_winch", "lift_off_from_barge", "paper"])("a branch without a change repeats the run to the same bits: %s", async (scenario) => {
     const session = await opened(scenario);
     const end_s = scenario === "paper" ? 2 : 8;
     await run(session, end_s);
@@ -46,7 +46,7 @@ describe("a run that branches from an earlier moment", () => {
     expect(differences(before, after)).toEqual([]);
   });
 
-  it("keeps what a hand did before the moment, drops what it did after, and says so in the file that it saves", async () => {
+  it("a branch keeps lever moves before its start and drops later ones, also in the saved file", async () => {
     const session = await opened("lowering_by_winch");
     await run(session, 3);
     await session.setInput("hoist", -66);
@@ -66,7 +66,7 @@ describe("a run that branches from an earlier moment", () => {
     expect((await session.save())!.text).not.toContain("to: 50");
   });
 
-  it("goes the way that the hand gave it where the moment is that of the change", async () => {
+  it("a branch that starts at the time of a lever move includes that move", async () => {
     const session = await opened("lowering_by_winch");
     for (let i = 0; i < 20; i++) await session.step();
     await session.setInput("hoist", -66);
@@ -76,14 +76,14 @@ describe("a run that branches from an earlier moment", () => {
     expect(session.shown.time_s).toBe(2);
     for (let i = 0; i < 20; i++) {
       await session.step();
-      // The first of them branches before it.
+      // The first step branches before it advances.
       await until(() => expect(session.shown.recording!.now.time_s).toBeCloseTo(2.1 + 0.1 * i, 9));
     }
     expect(differences(before, recorded(session))).toEqual([]);
     expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBe(-66);
   });
 
-  it("has the same bits after hundreds of moves of a lever, which take no room among the states to go back to", async () => {
+  it("a branch after hundreds of lever moves repeats the run to the same bits", async () => {
     const session = await opened("quayside_lift");
     for (let i = 0; i < 300; i++) {
       await session.setInput("hoist", -Math.abs(Math.sin(0.1 * i)));
@@ -105,7 +105,7 @@ describe("a run that branches from an earlier moment", () => {
     expect(bits(session.shown.recording!.now.poses)).toEqual(before.get(2)!.slice(session.run!.columns.width));
   });
 
-  it("has another future where a lever is moved at the moment, which branches there and then", async () => {
+  it("a lever move at an earlier moment branches the run there and changes its future", async () => {
     const session = await opened("lowering_by_winch");
     await run(session, 5);
     const before = recorded(session);
@@ -120,7 +120,7 @@ describe("a run that branches from an earlier moment", () => {
     expect(Math.min(...found)).toBeLessThan(3.3);
   });
 
-  it("takes live parameters back to what they were, in the engine and in the controls", async () => {
+  it("a branch resets live parameters to their earlier values, in the engine and in the controls", async () => {
     const session = await opened("offshore_vessel_moored");
     const { name, value } = session.run!.model.parameters.find(({ live }) => live)!;
     await run(session, 3);
@@ -140,7 +140,7 @@ describe("a run that branches from an earlier moment", () => {
     await until(() => expect(session.pending()).toEqual([]));
     expect(session.value(name)).toBe((value as number) * 0.5);
     await run(session, 2);
-    // What is set where a later value was in force is the new value.
+    // A value that is set at an earlier moment replaces a later value.
     session.scrub(0.5);
     session.set(name, (value as number) * 0.7);
     await until(() => expect(session.shown.recording!.now.time_s).toBe(0.5));
@@ -149,7 +149,7 @@ describe("a run that branches from an earlier moment", () => {
     expect(session.fault).toBeNull();
   });
 
-  it("is at the start where nothing is earlier, and follows the newest again at the end", async () => {
+  it("the shown time is limited to the recording, and at its end it follows the newest moment", async () => {
     const session = await opened("paper");
     await run(session, 1);
     session.scrub(-5);

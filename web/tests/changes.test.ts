@@ -11,14 +11,14 @@ import { Random } from "./random";
 
 const SEED = Number(process.env.KINGPOST_CHANGES_SEED ?? 1);
 const CHANGES = Number(process.env.KINGPOST_CHANGES ?? (isThorough ? 3_000 : 300));
-/** With levers, with live parameters, with steps that decide themselves how long they are, and one that runs away. */
+/** Scenarios with levers, with live parameters, with variable step size, and one that diverges. */
 const SCENARIOS = ["lowering_by_winch", "quayside_lift", "offshore_vessel_on_dp", "paper", "tennis_racket", "chain"];
-/** How often each change is made. */
+/** Weight of each kind of change. */
 const WEIGHTS = { lever: 22, parameter: 6, live: 8, scrub: 10, start: 9, pause: 6, step: 8, advance: 24, reset: 2, speed: 4, save: 0.5, open: 0.5 };
 type Change = keyof typeof WEIGHTS;
-/** What a run may say is wrong: a value that is refused, a run that flies apart, a file that holds no two operations. */
+/** Kinds of faults that a run may report: a refused value, divergence, an operation that cannot be saved. */
 const MAY_FAIL = ["input", "setting", "scenario", "diverged", "two_operations", "unsaved", "run"];
-/** Turns of the event loop in which everything that is asked must be answered. */
+/** Number of turns of the event loop within which every request must be answered. */
 const MOST_TURNS = 20_000;
 
 const rejected: unknown[] = [];
@@ -28,7 +28,7 @@ await initEngine();
 beforeAll(() => void process.on("unhandledRejection", note));
 afterAll(() => void process.off("unhandledRejection", note));
 
-/** A session that is changed at random, and looked at after each change. */
+/** A session that is changed at random, with checks after each change. */
 class Trial {
   private readonly random = new Random(SEED);
   private readonly engine = new DirectEngine(() => this.random.next() < 0.3, 4);
@@ -47,7 +47,7 @@ class Trial {
     await this.settled();
   }
 
-  /** Several changes may be under way at once. */
+  /** Several changes may be in progress at the same time. */
   async change(): Promise<void> {
     const before = this.made.length;
     // A scenario may have no lever, or no parameter.
@@ -104,7 +104,7 @@ class Trial {
     this.say(`set ${parameter.name}`, () => session.set(parameter.name, this.valueOf(parameter)));
   }
 
-  /** Steps that are too long for some of the scenarios, which then run away. */
+  /** Sets steps that are too long for some of the scenarios, which then diverge. */
   private setNumerics(): void {
     const { random, session } = this;
     const [name, value] = random.next() < 0.7 ? ["simulation.step_s", random.of([0.002, 0.01, 0.05, 1])] : ["simulation.integrator", random.of(["rk4", "semi_implicit_euler", "dormand_prince"])];
@@ -119,7 +119,10 @@ class Trial {
     return random.next() < 0.03 ? high + 10 * (high - low) + 1 : random.between(low, high);
   }
 
-  /** The bodies are back where they were recorded, to the bit, whatever was set on the way. What is set at that very moment changes loads at once, but no pose. */
+  /**
+   * Checks that the bodies are at their recorded poses, to the bit. A value that was set at that moment changes loads
+   * at once, but no pose.
+   */
   private seeBranch(): void {
     const { now, rows } = this.session.shown.recording!;
     this.seen.branched += 1;
@@ -141,7 +144,7 @@ class Trial {
     for (const array of arrays) expect(array.every(Number.isFinite), this.last()).toBe(true);
   }
 
-  /** All that was asked is answered, and what is shown hangs together. */
+  /** Checks that all requests are answered and that the shown values are consistent. */
   async settled(): Promise<void> {
     for (let i = 0; this.under.size > 0 || this.engine.isBusy || i < 3; i++) {
       if (i > MOST_TURNS) throw new Error(`hangs after ${this.last()}`);
@@ -164,14 +167,14 @@ class Trial {
     expect(times.every((time, i) => i === 0 || time > times[i - 1]), this.last()).toBe(true);
     expect(shown.time_s <= recording.now.time_s && times[0] === 0 && times.at(-1)! <= recording.now.time_s, this.last()).toBe(true);
     expect(status !== "idle" || recording.now.time_s === 0, this.last()).toBe(true);
-    // What the page says of the run is what the engine has.
+    // The page's values of the run are those of the engine.
     expect(this.engine.runner.replay().time_s, this.last()).toBe(recording.now.time_s);
     expect(run!.inputs, this.last()).toEqual(this.engine.inputs());
     if (this.made.length % 20 === 0) for (const parameter of this.engine.parameters()) this.checkValue(parameter);
     expect(session.pending().every((name) => name in session.values.wanted), this.last()).toBe(true);
   }
 
-  /** Degrees come back from radians rounded. */
+  /** Conversion to radians and back rounds degrees. */
   private checkValue({ name, value }: ParameterInfo): void {
     const has = this.session.values.inForce[name];
     if (typeof value === "number") expect(has, `${name}: ${this.last()}`).toBeCloseTo(value, 9);
@@ -186,7 +189,7 @@ class Trial {
 const turn = () => new Promise<void>((resolve) => setImmediate(resolve));
 
 it(
-  `stays whole through ${CHANGES} random changes`,
+  `a session stays consistent through ${CHANGES} random changes`,
   async () => {
     const trial = new Trial();
     await trial.open();

@@ -4,7 +4,7 @@ import type { FromWorker, ToWorker } from "../src/engine/messages";
 
 const SILENT_MS = 70_000;
 
-/** A worker that notes what it hears and says what it is told to. */
+/** A worker that records the messages it gets, and sends those that the test gives it. */
 class FakeWorker {
   static all: FakeWorker[] = [];
   readonly heard: ToWorker[] = [];
@@ -46,7 +46,7 @@ describe("the engine's client", () => {
   });
   afterEach(() => void vi.useRealTimers());
 
-  it("ends a worker that falls silent, says so, and starts another for the next request", async () => {
+  it("the client ends a worker that stops answering, reports it, and starts another for the next request", async () => {
     const lost = kindOf(client.step());
     const first = last();
     await vi.advanceTimersByTimeAsync(SILENT_MS);
@@ -58,7 +58,7 @@ describe("the engine's client", () => {
     expect(await answer).toBe("a frame");
   });
 
-  it("tells the next request of a worker that broke down while nobody waited, but for one that opens", async () => {
+  it("the client rejects the next request after a breakdown without waiting requests, unless it opens a scenario", async () => {
     last().onerror!({ message: "out of memory" });
     const opened = kindOf(client.open("", "", {}, null));
     last().say({ id: last().lastId, value: null });
@@ -70,7 +70,7 @@ describe("the engine's client", () => {
     expect(await answer).toBe("answered");
   });
 
-  it("waits for a worker that is busy with a long answer and gives signs of life", async () => {
+  it("the client waits for a busy worker that gives signs of life", async () => {
     const answer = kindOf(client.step());
     for (let s = 0; s < 120; s++) {
       await vi.advanceTimersByTimeAsync(1000);
@@ -81,14 +81,14 @@ describe("the engine's client", () => {
     expect(FakeWorker.all.length).toBe(1);
   });
 
-  it("asks for no sign of life while nothing is asked of it", async () => {
+  it("the client asks for no sign of life while no request waits", async () => {
     await vi.advanceTimersByTimeAsync(10 * SILENT_MS);
     expect(FakeWorker.all.length).toBe(1);
     expect(last().heard).toEqual([]);
   });
 
-  it("says that the engine did not load where its script is missing, and tries again when it is asked again", async () => {
-    // Before anything is asked: the script fails sooner than a scenario is fetched.
+  it("the client reports a missing engine script, and starts another worker for the next request", async () => {
+    // Before any request: the script fails sooner than a scenario is fetched.
     last().onerror?.({ message: "" });
     const answer = kindOf(client.step());
     expect(FakeWorker.all.length).toBe(2);
@@ -96,14 +96,14 @@ describe("the engine's client", () => {
     expect(await answer).toBe("engine");
   });
 
-  it("ends an engine that broke down and rejects all that waited for it", async () => {
+  it("the client ends an engine that broke down and rejects all waiting requests", async () => {
     const answers = [kindOf(client.step()), kindOf(client.hydrostatics())];
     last().say({ id: last().lastId, fault: { kind: "engine", message: "unreachable" } });
     expect(await Promise.all(answers)).toEqual(["engine", "engine"]);
     expect(last().isEnded).toBe(true);
   });
 
-  it("rejects one request alone where the engine refuses it", async () => {
+  it("the client rejects only the request that the engine refuses", async () => {
     const refused = kindOf(client.input("hoist", 1));
     last().say({ id: last().lastId, fault: { kind: "input", message: "no" } });
     expect(await refused).toBe("input");

@@ -3,7 +3,7 @@ import { Columns } from "../src/engine/columns";
 import { asFault } from "../src/engine/engine";
 import { CHANNELS, FakeEngine } from "./fake";
 
-it("names columns as the CSV files do", () => {
+it("columns have the names of the CSV files", () => {
   const { names } = new Columns(CHANNELS);
   expect(names.slice(0, 5)).toEqual([
     "time",
@@ -15,7 +15,7 @@ it("names columns as the CSV files do", () => {
   expect(names.slice(10)).toEqual(["slew.joint_reaction.force_x", "slew.joint_reaction.force_y", "slew.joint_reaction.force_z"]);
 });
 
-it("reads a row by name, and no number where there is no such column", () => {
+it("a value is read from a row by column name; NaN if there is no such column", () => {
   const columns = new Columns(CHANNELS);
   const row = new FakeEngine().row();
   expect(columns.read(row, "ship.angular_velocity.z")).toBe(0.1);
@@ -23,7 +23,7 @@ it("reads a row by name, and no number where there is no such column", () => {
   expect(columns.byName(row).kinetic_energy).toBe(50);
 });
 
-it("takes a thrown object apart, and wraps what is not one of the engine's", () => {
+it("a fault keeps the fields of an engine's error and wraps any other exception", () => {
   const thrown = { kind: "scenario", message: "a.yaml:1:2: no", file: "a.yaml", line: 1, column: null };
   expect(asFault(thrown)).toEqual({ kind: "scenario", message: "a.yaml:1:2: no", file: "a.yaml", line: 1 });
   expect(asFault(new Error("boom"))).toEqual({ kind: "internal", message: "boom" });

@@ -14,10 +14,10 @@ import { opened } from "./opened";
 const COLOURS = ["hull", "bottom", "stripe", "deck", "marking", "load", "plain", "barrel", "rod", "pin", "line", "house", "window", "fitting"];
 const PALETTE = { ...Object.fromEntries(COLOURS.map((name) => [name, new Color(0.5, 0.5, 0.5)])), isDark: false } as unknown as Palette;
 
-/** What is lower than this is far under every ship's keel, m. */
+/** Height below which a point is on the seabed, far below every keel, m. */
 const SEABED_M = -50;
 
-/** How often each directed edge of the triangles is passed more than its reverse: 0 everywhere where they are closed. */
+/** Returns the number of edges that are not passed equally often in both directions: 0 for closed solids. */
 function openEdges(geometry: BufferGeometry): number {
   const { array, count } = geometry.attributes.position;
   const edges = new Map<string, number>();
@@ -34,11 +34,11 @@ function openEdges(geometry: BufferGeometry): number {
   return [...edges.values()].filter((passed) => passed !== 0).length;
 }
 
-describe.each(gallery)("what is drawn of %s", async (name) => {
+describe.each(gallery)("drawing of %s", async (name) => {
   const { run, start } = await opened(name);
   const { works } = craftOf(run, start, PALETTE);
 
-  it("has a body for each of the model's, with the extents of its solid", () => {
+  it("each body of the model is drawn with the dimensions of its solid", () => {
     expect(works.length).toBe(run.model.bodies.length);
     run.model.bodies.forEach((body, i) => {
       const geometry = works[i].body.geometry()!;
@@ -50,7 +50,7 @@ describe.each(gallery)("what is drawn of %s", async (name) => {
     });
   });
 
-  it("is made of numbers, and of closed solids", () => {
+  it("drawn solids are closed and have finite coordinates", () => {
     works.forEach(({ body, fittings, lit }, i) => {
       for (const [part, pieces] of Object.entries({ body, fittings, lit })) {
         const geometry = pieces.geometry();
@@ -63,11 +63,11 @@ describe.each(gallery)("what is drawn of %s", async (name) => {
   });
 });
 
-describe.each(gallery)("the ends of lines, tubes and links of %s", async (name) => {
+describe.each(gallery)("attachments of lines, tubes and links of %s", async (name) => {
   const { simulation, run, start, moment } = await opened(name);
   const anchors = anchorsOf(sceneOf(run, start));
 
-  it("are all on a body, or on the seabed", () => {
+  it("all ends of lines, tubes and links are on a body or on the seabed", () => {
     const lines = run.lines.filter(({ points, radius_m }) => points > 1 && radius_m === 0);
     const pins = run.lines.filter(({ points }) => points === 1);
     const points = start.line_points;
@@ -77,7 +77,7 @@ describe.each(gallery)("the ends of lines, tubes and links of %s", async (name) 
     expect(anchors.length).toBe(2 * lines.length - onSeabed + pins.length + 2 * links + 2 * run.model.loops.length);
   });
 
-  it("stay on it while it moves: on its solid, or at the bracket that holds them", () => {
+  it("attachments stay on their body or its bracket while the body moves", () => {
     const steps = Math.ceil(1 / simulation.step_s());
     simulation.step(steps);
     const later = sceneOf(run, moment());
@@ -86,20 +86,20 @@ describe.each(gallery)("the ends of lines, tubes and links of %s", async (name) 
     anchors.forEach(({ body, point, kind }, i) => {
       const end = new Place(later.poses, now[i].body).toWorld(now[i].point);
       const away = Math.min(distanceFrom(later, body, end), distance(end, new Place(later.poses, body).toWorld(point)));
-      // A link's eye is as near to its pivot as the loop's constraint is closed.
+      // The eye of a link is as near to its pivot as the loop's constraint is closed.
       expect(away, `${kind} on ${run.model.bodies[body].name}`).toBeLessThan(kind === "link" ? 0.06 : 0.02);
     });
   });
 });
 
-describe("what a body is taken for", () => {
+describe("roles of bodies", () => {
   const rolesIn = async (name: string) => {
     const { run } = await opened(name);
     const roles = rolesOf(run.model);
     return Object.fromEntries(run.model.bodies.map((body, i) => [body.name, roles[i]]));
   };
 
-  it("follows from its shape and from what carries it", async () => {
+  it("the role of a body follows from its shape and its carrier", async () => {
     expect(await rolesIn("paper")).toEqual({ ship: "hull", tower: "column", arm: "boom" });
     expect(await rolesIn("lift_off_from_barge")).toEqual({ hull: "hull", pedestal: "column", boom: "boom", drum: "drum", ballast: "tank", lift: "cargo", barge_ship: "hull" });
     expect(await rolesIn("dual_draglink_crane")).toMatchObject({ drag_link_port: "link", drag_link_starboard: "link", jib: "boom" });
@@ -109,8 +109,8 @@ describe("what a body is taken for", () => {
   });
 });
 
-describe("a ship's house", () => {
-  it("stands on hulls with a bow alone", async () => {
+describe("deckhouses", () => {
+  it("only hulls with a bow have a deckhouse", async () => {
     for (const [name, hull, hasHouse] of [["offshore_vessel", "hull", true], ["barge_crane_200t", "hull", false], ["paper", "ship", false], ["dual_draglink_crane", "ship", true]] as const) {
       const { run, start } = await opened(name);
       const { bridge } = craftOf(run, start, PALETTE);
@@ -118,10 +118,10 @@ describe("a ship's house", () => {
     }
   });
 
-  it("gives way to a crane that stands forward", async () => {
+  it("the deckhouse is aft if the crane stands forward", async () => {
     const { run, start } = await opened("offshore_vessel");
     const poses = Float64Array.from(start.poses);
-    // The whole crane moved 40 m forward.
+    // The whole crane is moved 40 m forward.
     for (const body of [1, 2, 3]) poses[7 * body] += 40;
     const [aft, moved] = [start, { ...start, poses }].map((pose) => craftOf(run, pose, PALETTE).bridge!.point[0]);
     expect(aft).toBeGreaterThan(15);

@@ -9,8 +9,9 @@ import { Runner } from "../src/engine/runner";
 import { filesOf, read } from "./gallery";
 
 /**
- * The engine itself behind a client, without a worker: it answers in turn, late where `isLate` says so. A look at the clock takes
- * `look_ms`; without, a frame computes all that is asked of it. Scenarios name files of the gallery alone.
+ * The engine behind a client, without a worker: it answers requests in turn, with a delay if `isLate` returns true.
+ * Each reading of the clock advances it by `look_ms`; without `look_ms` a frame computes everything that is requested.
+ * Scenarios may name only files of the gallery.
  */
 export class DirectEngine {
   private engine: Engine | null = null;
@@ -43,7 +44,7 @@ export class DirectEngine {
     this.client = client as unknown as EngineClient;
   }
 
-  /** The engine's own. */
+  /** Returns the inputs of the engine. */
   inputs(): InputInfo[] {
     return JSON.parse(this.engine!.inputs_json()) as InputInfo[];
   }
@@ -70,7 +71,7 @@ export class DirectEngine {
   }
 }
 
-/** A scenario of the gallery in a session of its own. */
+/** Opens a scenario of the gallery in a new session. */
 export async function openedDirectly(scenario: string, overrides: Values = {}): Promise<Session> {
   const session = new Session(new DirectEngine().client);
   await session.open({ text: read(`scenarios/${scenario}.yaml`), file: `${scenario}.yaml` }, overrides);

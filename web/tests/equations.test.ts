@@ -23,8 +23,8 @@ async function opened(scenario: string, overrides = {}) {
 const sorted = (values: number[]) => values.map((value) => value + 0).sort((a, b) => a - b);
 const named = ({ matrices }: Equations, name: string) => matrices.find((matrix) => matrix.name === name)!;
 
-describe("the blocks of a matrix", () => {
-  it.each(["paper", "offshore_vessel", "chain", "dual_draglink_crane", "slew_and_land"])("hold every entry once, and belong to bodies: %s", async (scenario) => {
+describe("blocks of a matrix", () => {
+  it.each(["paper", "offshore_vessel", "chain", "dual_draglink_crane", "slew_and_land"])("blocks contain every entry of a matrix once, and each belongs to a body: %s", async (scenario) => {
     const { equations, bodyOf } = await opened(scenario);
     for (const matrix of equations().matrices.filter(({ name }) => ["B", "B_dot", "M", "D", "F", "M_star", "N_star", "F_star"].includes(name))) {
       const rows = stretchesOf(matrix.row_labels, matrix.row_units, bodyOf);
@@ -36,7 +36,7 @@ describe("the blocks of a matrix", () => {
     }
   });
 
-  it("stand as the formulas of the paper's crane have them: 6 by 4 in B, without the load", async () => {
+  it("blocks of B agree with the formula of the paper's crane without its load", async () => {
     const { equations, bodyOf } = await opened("paper");
     const found = equations();
     const b = named(found, "B");
@@ -47,22 +47,22 @@ describe("the blocks of a matrix", () => {
     expect(isZero).toEqual(formula.blocks.map((line) => line.map((latex) => latex === "0")));
   });
 
-  it("are written with three digits, as short as they go", () => {
+  it("entries are written with at most three digits", () => {
     expect([0.5, -12.345, 123456, 0.00123, 1].map(inCell)).toEqual(["0.5", "−12.3", "1.2e5", "1.2e−3", "1"]);
   });
 
-  it("have the unit that takes a column's to a row's", () => {
+  it("the unit of an entry is the unit of its row over the unit of its column", () => {
     expect([unitOf("m/s", "rad/s"), unitOf("m/s", "m/s"), unitOf("N m", "1"), unitOf("1", "1")]).toEqual(["(m/s)/(rad/s)", "", "N m", ""]);
   });
 });
 
-describe("a block on the ship", () => {
-  it("moves the bodies as they move at a rate of its coordinate", async () => {
+describe("effect of a block on the ship", () => {
+  it("the columns of B times the coordinate rates give the velocity of the arm", async () => {
     const { simulation, model, equations, bodyOf } = await opened("paper", { motor_1: true });
     simulation.step(500);
     const found = equations();
     const b = named(found, "B");
-    // Of all coordinates together, at their rates, the velocities of the bodies: X' = B q'.
+    // Sum over all coordinates of B times their rates: the velocity of the arm, X' = B q'.
     const rates = named(found, "q_dot");
     const channels = JSON.parse(simulation.channels_json()) as { columns: string[]; offset: number }[];
     const row = simulation.row();
@@ -78,7 +78,7 @@ describe("a block on the ship", () => {
     expect(sizeOf(velocity as Vector)).toBeGreaterThan(0.01);
   });
 
-  it("of M* points out the bodies that both of its coordinates move: the luffing arm, not the tower", async () => {
+  it("a block of M* for slewing and luffing highlights the arm and not the tower", async () => {
     const { model, equations, bodyOf } = await opened("paper");
     const found = equations();
     const m = named(found, "M_star");
@@ -96,12 +96,12 @@ describe("momentum and energy", () => {
   ];
   const omega: Vector = [0.4, -1.1, 0.7];
 
-  it("of a body lie on its sphere and its ellipsoid", () => {
+  it("the angular momentum of a body is on its momentum sphere and energy ellipsoid", () => {
     const momentum = momentumOf(INERTIA, omega);
     const energy = (momentum[0] * omega[0] + momentum[1] * omega[1] + momentum[2] * omega[2]) / 2;
     const sphere = momentumSphere(sizeOf(momentum));
     expect(sizeOf(sphere([0, 0.6, 0.8]))).toBeCloseTo(sizeOf(momentum), 12);
-    // The unit vector that the ellipsoid takes to this momentum, from its lower triangle.
+    // The unit vector that the ellipsoid maps to this momentum, from its lower triangle.
     const surface = energyEllipsoid(INERTIA, energy);
     const columns = [surface([1, 0, 0]), surface([0, 1, 0]), surface([0, 0, 1])];
     const x = momentum[0] / columns[0][0];
@@ -110,7 +110,7 @@ describe("momentum and energy", () => {
     expect(Math.hypot(x, y, z)).toBeCloseTo(1, 12);
   });
 
-  it("of a thrown racket are those of all its parts together, and keep their sizes as it tumbles", async () => {
+  it("angular momentum and energy of a thrown racket are constant if all its parts are included", async () => {
     const { simulation, model } = await opened("tennis_racket");
     const rigids = rigidsOf(model);
     expect(rigids).toHaveLength(1);
@@ -125,7 +125,7 @@ describe("momentum and energy", () => {
       const momentum = momentumOf(inertiaOf(rigids[0], model.bodies, simulation.poses()), omega);
       return { momentum: sizeOf(momentum), energy: (momentum[0] * omega[0] + momentum[1] * omega[1] + momentum[2] * omega[2]) / 2, omega };
     });
-    // RK4 at 5 ms keeps both to 1e-7 over these turns; one part alone changes its share by far more.
+    // RK4 at 5 ms keeps both to 1e-7 over these rotations; for one part alone they vary far more.
     for (const { momentum, energy } of sizes) {
       expect(Math.abs(momentum / sizes[0].momentum - 1)).toBeLessThan(1e-7);
       expect(Math.abs(energy / sizes[0].energy - 1)).toBeLessThan(1e-7);
@@ -133,12 +133,12 @@ describe("momentum and energy", () => {
     expect(Math.abs(sizes[3].omega[1] - sizes[0].omega[1])).toBeGreaterThan(1);
   });
 
-  it("stay apart where a joint between two bodies moves", async () => {
+  it("bodies that a moving joint connects are in different groups", async () => {
     const { model } = await opened("paper");
     expect(rigidsOf(model).map((rigid) => rigid.map((body) => model.bodies[body].name))).toContainEqual(["ship"]);
   });
 
-  it("of a body that rests, and of a point without inertia, are a point", () => {
+  it("the energy ellipsoid of a body at rest, or without inertia, is a point", () => {
     expect(sizeOf(energyEllipsoid(INERTIA, 0)([1, 0, 0]))).toBe(0);
     expect(sizeOf(energyEllipsoid([[0, 0, 0], [0, 0, 0], [0, 0, 0]], 3)([0, 1, 0]))).toBe(0);
   });

@@ -1,12 +1,12 @@
 import type { Channel, Engine, Value, Values } from "../src/engine/engine";
 
-/** A stand-in for the engine in unit tests: a box that turns about z at a constant rate. */
+/** A substitute for the engine in unit tests: a box that turns about z at a constant rate. */
 export class FakeEngine implements Engine {
   private steps = 0;
   readonly taken: number[] = [];
-  /** How often it was asked where the bodies are. */
+  /** Number of requests for the poses. */
   posed = 0;
-  /** Values of the live parameter, as they came. */
+  /** Values that were set for the live parameter, in order. */
   readonly set: Value[] = [];
 
   constructor(
@@ -150,10 +150,10 @@ export class FakeEngine implements Engine {
   free(): void {}
 }
 
-/** Dimensions of the model's own variables. */
+/** Dimensions of variables of the whole model. */
 const OF_THE_MODEL = ["body", "axis", "quaternion", "coordinate", "joint", "loop", "constraint", "point"];
 
-/** A channel as the engine publishes it: its columns by its labels. */
+/** Makes a channel as the engine publishes it, with column names from its labels. */
 export function channelOf(variable: string, dims: string[] = [], labels: string[][] = [], units: string[] = ["1"], offset = 0): Channel {
   const leads = dims.length > 0 && dims[0] !== "axis";
   const column = [...dims.slice(0, leads ? 1 : 0).map((dim) => `{${dim}}`), variable, ...dims.slice(leads ? 1 : 0).map((dim) => `{${dim}}`)].join(".");

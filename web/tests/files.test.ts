@@ -4,7 +4,7 @@ import { fetchText } from "../src/engine/network";
 
 const FOLDER = "https://ships.example/app/scenarios/";
 
-/** A folder with these files, and what was asked of it. */
+/** Returns a folder with these files, and the list of requested addresses. */
 function folderOf(texts: Record<string, string>) {
   const asked: string[] = [];
   const files = new ScenarioFiles(FOLDER, async (url) => {
@@ -16,7 +16,7 @@ function folderOf(texts: Record<string, string>) {
 }
 
 describe("the files that a scenario names", () => {
-  it("come from the gallery's folder by their names, each fetched once", async () => {
+  it("files that a scenario names are fetched once from the gallery's folder", async () => {
     const { files, asked } = folderOf({ "hydro/barge.hydro.json": "barge", "hydro/sphere.hydro.json": "sphere" });
     expect(await files.take([])).toEqual({});
     expect(await files.take(["hydro/barge.hydro.json"])).toEqual({ "hydro/barge.hydro.json": "barge" });
@@ -25,34 +25,34 @@ describe("the files that a scenario names", () => {
     expect(asked).toEqual([`${FOLDER}hydro/barge.hydro.json`, `${FOLDER}hydro/sphere.hydro.json`]);
   });
 
-  it("are fetched once when they are asked for twice at a time", async () => {
+  it("a file that is requested twice at the same time is fetched once", async () => {
     const { files, asked } = folderOf({ "a.json": "a" });
     await Promise.all([files.take(["a.json"]), files.take(["a.json"])]);
     expect(asked.length).toBe(1);
   });
 
-  it("are left out where they are not there, and asked for again", async () => {
+  it("a missing file is left out, and fetched again at the next request", async () => {
     const { files, asked } = folderOf({ "a.json": "a" });
     expect(await files.take(["missing.json", "a.json"])).toEqual({ "a.json": "a" });
     await files.take(["missing.json"]);
     expect(asked.filter((url) => url.endsWith("missing.json")).length).toBe(2);
   });
 
-  it("are not taken as missing where the connection fails, and asked for again", async () => {
+  it("a file is not missing if the connection fails, and is fetched again at the next request", async () => {
     const { files, asked } = folderOf({ "a.json": "a" });
     await expect(files.take(["a.json", "broken.json"])).rejects.toThrow("failed to fetch");
     await expect(files.take(["broken.json"])).rejects.toThrow("failed to fetch");
     expect(asked.filter((url) => url.endsWith("broken.json")).length).toBe(2);
   });
 
-  it("are looked for nowhere but in that folder", async () => {
+  it("files are not fetched from outside the gallery's folder", async () => {
     const { files, asked } = folderOf({});
     expect(await files.take(["https://elsewhere.example/a.json", "../a.json", "/a.json", "//[", "hydro/../../a.json"])).toEqual({});
     expect(asked).toEqual([]);
   });
 });
 
-it("asks for files until no new one is named: parts name files of their own", async () => {
+it("requests files until no new file is named, because parts name further files", async () => {
   const taken: string[][] = [];
   const names = (texts: Record<string, string>) => ("part" in texts ? ["part", "hull", "gone"] : ["part"]);
   const texts = await gathered(names, async (asked) => {
@@ -63,7 +63,7 @@ it("asks for files until no new one is named: parts name files of their own", as
   expect(texts).toEqual({ part: "text of part", hull: "text of hull" });
 });
 
-it("takes the gallery's parts from its folder, also for a person's own scenario", async () => {
+it("reads parts of the gallery from its folder, also for a user's scenario", async () => {
   const { files } = folderOf({ "parts/crane.yaml": "the gallery's", "own.yaml": "the gallery's own" });
   const names = ["gallery:parts/crane.yaml", "own.yaml"];
   expect(await textsOf(names, { "own.yaml": "mine" }, files)).toEqual({
@@ -76,13 +76,13 @@ it("takes the gallery's parts from its folder, also for a person's own scenario"
   });
 });
 
-it("takes the files that were opened with a scenario, whatever folder it names them in", () => {
+it("finds files that were opened with a scenario, ignoring the folders in their names", () => {
   const opened = { "ship.hydro.json": "ship", "other.hydro.json": "other" };
   expect(openedWith(["hydro/ship.hydro.json", "hydro/barge.hydro.json"], opened)).toEqual({ "hydro/ship.hydro.json": "ship" });
   expect(openedWith(["other.hydro.json"], opened)).toEqual({ "other.hydro.json": "other" });
 });
 
-it("tells a scenario from the databases, tables and other programs' files that are opened with it", () => {
+it("finds the scenario among databases, tables and other programs' files", () => {
   const scenario = "version: 1\nbodies:\n  hull: {}\n";
   expect(scenarioAmong({ "a.hydro.json": "{}", "waves.csv": "time_s,elevation_m", "ship.yaml": scenario })).toBe("ship.yaml");
   expect(scenarioAmong({ "orcaflex.yml": "VesselTypes:\n  - Name: ship", "ship.yaml": scenario })).toBe("ship.yaml");
@@ -96,7 +96,7 @@ describe("a fetched file", () => {
   afterEach(() => void vi.unstubAllGlobals());
   const answering = (answer: () => Promise<Response>) => vi.stubGlobal("fetch", answer);
 
-  it("is missing where the server says so, and only there", async () => {
+  it("a fetched file is missing only if the server reports it", async () => {
     answering(async () => new Response("", { status: 404 }));
     expect(await fetchText("https://ships.example/a.json")).toBeNull();
     answering(async () => new Response("", { status: 503, statusText: "Service Unavailable" }));
@@ -106,7 +106,7 @@ describe("a fetched file", () => {
     });
   });
 
-  it("is not missing where the connection fails", async () => {
+  it("a fetched file is not missing if the connection fails", async () => {
     answering(() => Promise.reject(new TypeError("Failed to fetch")));
     await expect(fetchText("https://ships.example/a.json")).rejects.toMatchObject({
       kind: "network",

@@ -7,15 +7,15 @@ import { boxOf, edgesOf, withFrame } from "../src/view/solids";
 
 const quarterAboutZ = [Math.SQRT1_2, 0, 0, Math.SQRT1_2] as const;
 
-/** Nothing that is drawn depends on it. */
+/** Inertia, which no drawing uses. */
 const UNUSED: BodyInfo["inertia_kg_m2"] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
-it("turns vectors by a quaternion w, x, y, z", () => {
+it("rotates vectors by a quaternion w, x, y, z", () => {
   const turned = rotate(quarterAboutZ, [1, 0, 0]);
   [0, 1, 0].forEach((value, i) => expect(turned[i]).toBeCloseTo(value, 12));
 });
 
-it("puts the corners of a body's box in the world", () => {
+it("transforms the corners of a body's box to the world frame", () => {
   const corners = cornersOf([5, 0, 0, ...quarterAboutZ], [{ low: [-2, -1, -1], high: [2, 1, 1] }]);
   expect(corners.length).toBe(8);
   expect(Math.max(...corners.map(([x]) => x))).toBeCloseTo(6, 12);
@@ -23,7 +23,7 @@ it("puts the corners of a body's box in the world", () => {
   expect(middleOf(corners).map((value) => Math.round(value))).toEqual([5, 0, 0]);
 });
 
-it("knows how far a body reaches from its centre", () => {
+it("gives the box around a body's shape, and the box with its frame", () => {
   const body = { name: "arm", parent: "tower", floats: false, is_submerged: false, colour: null, mass_kg: 500, inertia_kg_m2: UNUSED };
   const cylinder = boxOf({ ...body, shape: { kind: "cylinder", radius_m: 0.5, length_m: 7, axis: "x" } }, undefined);
   expect(edgesOf(cylinder)).toEqual([7, 1, 1]);
@@ -31,7 +31,7 @@ it("knows how far a body reaches from its centre", () => {
   expect(withFrame(sphere, 2)).toEqual({ low: [-1, -1, -1], high: [2, 2, 2] });
 });
 
-it("takes a hull for its mesh, wherever its centre of mass lies", () => {
+it("gives a hull the box of its mesh, wherever its centre of mass is", () => {
   const body = { name: "hull", parent: "world", floats: true, is_submerged: false, colour: null, mass_kg: 500, inertia_kg_m2: UNUSED, shape: { kind: "sphere", radius_m: 1 } as const };
   const vertices_m: [number, number, number][] = [[-9, -2, -3], [11, 0, 1], [0, 2, 1]];
   const hull = { name: "water", body: "hull", origin_m: [0, 0, -1] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, is_linear: true };
@@ -42,14 +42,14 @@ describe("fitting the camera", () => {
   const back = unit([-0.6, -1, 0.6]);
   const points = cornersOf([0, 0, 0, 1, 0, 0, 0], [{ low: [-10, -5, -2.5], high: [10, 5, 2.5] }]);
 
-  it.each([0.46, 1, 2.4])("has every point in the picture, and one at its edge, at aspect %f", (aspect) => {
+  it.each([0.46, 1, 2.4])("fits every point into the picture, with one point at its edge, at aspect %f", (aspect) => {
     const lens = { fov: 0.6, aspect };
     const distance = fitDistance(points, [0, 0, 0], back, [0, 0, 1], lens);
     const edge = Math.max(...points.map((point) => fill(point, distance, lens)));
     expect(edge).toBeCloseTo(1, 9);
   });
 
-  it("leaves as much room on one side as on the other", () => {
+  it("fits the points with equal margins on opposite sides", () => {
     const lens = { fov: 0.6, aspect: 1.6 };
     const { target, distance } = frame(points, back, [0, 0, 1], lens);
     const shifted = points.map((point): Vec3 => [point[0] - target[0], point[1] - target[1], point[2] - target[2]]);
@@ -59,7 +59,7 @@ describe("fitting the camera", () => {
     expect(distance).toBeLessThan(fitDistance(points, [0, 0, 0], back, [0, 0, 1], lens));
   });
 
-  /** How far from the middle of the picture a point is, 1 at its edge. */
+  /** Distance of a point from the middle of the picture; 1 at its edge. */
   function fill(point: Vec3, distance: number, lens: { fov: number; aspect: number }): number {
     const side = unit([-back[1], back[0], 0]);
     const top: Vec3 = [
@@ -74,31 +74,31 @@ describe("fitting the camera", () => {
   }
 });
 
-it("spaces the grid by the size of the model", () => {
+it("the spacing of the grid follows from the size of the model", () => {
   expect(gridSpacing(Math.hypot(20, 10, 5))).toBe(5);
   expect(gridSpacing(0.6)).toBeCloseTo(0.1);
   expect(gridSpacing(200)).toBe(50);
 });
 
-describe("the room of a picture that things stand on", () => {
+describe("uncovered part of a picture", () => {
   const buttons = { left: 600, top: 8, right: 792, bottom: 52 };
 
-  it("is all of it where nothing does", () => {
+  it("the uncovered part is the whole picture if nothing covers it", () => {
     expect(roomIn(800, 400, [])).toEqual({ left: 0, top: 0, right: 800, bottom: 400 });
   });
 
-  it("is the largest part that none of them covers", () => {
+  it("the uncovered part is the largest part that no control covers", () => {
     expect(roomIn(800, 400, [buttons])).toEqual({ left: 0, top: 52, right: 800, bottom: 400 });
     expect(roomIn(800, 400, [buttons, { left: 8, top: 8, right: 150, bottom: 110 }])).toEqual({ left: 0, top: 110, right: 800, bottom: 400 });
     expect(roomIn(390, 320, [{ left: 8, top: 270, right: 382, bottom: 314 }])).toEqual({ left: 0, top: 0, right: 390, bottom: 270 });
   });
 
-  it("is the part where something tall has the most height, where that is asked for", () => {
+  it("the uncovered part is the tallest part if height counts", () => {
     const byHeight = ({ top, bottom }: { top: number; bottom: number }) => bottom - top;
     expect(roomIn(800, 400, [buttons], byHeight)).toEqual({ left: 0, top: 0, right: 600, bottom: 400 });
   });
 
-  it("is all of it where everything is covered", () => {
+  it("the whole picture is used if everything is covered", () => {
     expect(roomIn(100, 50, [{ left: -5, top: -5, right: 105, bottom: 55 }])).toEqual({ left: 0, top: 0, right: 100, bottom: 50 });
   });
 });

@@ -7,7 +7,7 @@ import { TrackRecord } from "../src/forecast/score";
 import { Fan } from "../src/plots/fan";
 import { bits } from "./gallery";
 
-/** x with A x = b, by Gauss's elimination. */
+/** Solves A x = b by Gaussian elimination. */
 function solved(a: number[][], b: number[]): number[] {
   const rows = a.map((row, i) => [...row, b[i]]);
   rows.forEach((pivot, i) => {
@@ -20,20 +20,20 @@ function solved(a: number[][], b: number[]): number[] {
   return rows.map((row, i) => row[b.length] / row[i]);
 }
 
-describe("unknowns of which something was measured", () => {
+describe("unknowns with measurements", () => {
   const H = [[1, 0.5, -0.3], [0.2, -1, 0.7]];
   const measured = { rows: Float64Array.from(H.flat()), values: Float64Array.of(0.8, -1.1), noise: 0.4 };
-  // The information form, which the draws do not use: precision 1 + H^T H / R, mean precision^-1 H^T y / R.
+  // Information form, which the samples do not use: precision 1 + H^T H / R, mean precision^-1 H^T y / R.
   const square = measured.noise ** 2;
   const precision = [0, 1, 2].map((i) => [0, 1, 2].map((j) => (i === j ? 1 : 0) + H.reduce((sum, row) => sum + (row[i] * row[j]) / square, 0)));
   const mean = solved(precision, [0, 1, 2].map((i) => H.reduce((sum, row, k) => sum + (row[i] * measured.values[k]) / square, 0)));
   const covariance = [0, 1, 2].map((j) => solved(precision, [0, 1, 2].map((i) => (i === j ? 1 : 0))));
 
-  it("have the mean of the normal distribution given what was measured", () => {
+  it("unknowns have the mean of the normal distribution given the measurements", () => {
     new Conditioned(3, measured).mean().forEach((value, i) => expect(value).toBeCloseTo(mean[i], 12));
   });
 
-  it("are drawn with its mean and covariance", () => {
+  it("samples of the unknowns have the mean and covariance given the measurements", () => {
     const known = new Conditioned(3, measured);
     const random = new Random(5);
     const draws = Array.from({ length: 40_000 }, () => known.draw(random));
@@ -49,14 +49,14 @@ describe("unknowns of which something was measured", () => {
     }
   });
 
-  it("are as they were where nothing was measured", () => {
+  it("unknowns without measurements keep their distribution", () => {
     const known = new Conditioned(2, { rows: new Float64Array(), values: new Float64Array(), noise: 0.1 });
     expect(Array.from(known.draw(new Random(3)))).toEqual(Array.from(new Random(3).normals(2)));
   });
 });
 
 describe("random numbers", () => {
-  it("are normal, and of a seed always the same", () => {
+  it("random numbers are normal, and equal for equal seeds", () => {
     const numbers = new Random(1).normals(100_000);
     const moment = (power: number) => numbers.reduce((sum, x) => sum + x ** power, 0) / numbers.length;
     // Four standard errors of each: the variances of x, x^2 and x^4 are 1, 2 and 96.
@@ -68,16 +68,16 @@ describe("random numbers", () => {
   });
 });
 
-describe("the lines of a fan", () => {
-  it("have as much between them as they say of what comes next, whatever the number of futures", () => {
-    // Of n numbers in order those of 1 to n: what comes next is below the place p (n + 1) with the probability p.
+describe("lines of a fan", () => {
+  it("the lines of a fan are at their quantiles for any number of futures", () => {
+    // For the sorted numbers 1 to n: a further value is below the position p (n + 1) with probability p.
     for (const n of [32, 64, 199]) {
       const ascending = Array.from({ length: n }, (_, i) => i + 1);
       for (const level of LEVELS) expect(quantile(ascending, level)).toBeCloseTo(level * (n + 1), 12);
     }
   });
 
-  it("end at the outermost future where there are few, and leave out what is no number", () => {
+  it("the lines of a fan end at the outermost of few futures, and leave out NaN", () => {
     expect(quantile([2, 3], 0.05)).toBe(2);
     expect(quantile([2, 3], 0.95)).toBe(3);
     expect(quantile([], 0.5)).toBeNaN();
@@ -86,8 +86,8 @@ describe("the lines of a fan", () => {
   });
 });
 
-describe("how minutes of the recording were held", () => {
-  it("is counted once a minute, of the newest six", () => {
+describe("scores of the forecast", () => {
+  it("each minute is judged once, and the newest six count", () => {
     const record = new TrackRecord();
     expect(record.due(59)).toEqual([]);
     expect(record.due(125)).toEqual([60, 0]);
@@ -102,8 +102,8 @@ describe("how minutes of the recording were held", () => {
   });
 });
 
-describe("what is drawn of futures", () => {
-  /** Futures of which the i-th has at the time k the value i k in the second column. */
+describe("drawing of futures", () => {
+  /** Returns futures whose second column has the value i k for future i at time k. */
   function outlookOf(count: number): Outlook {
     const outlook = new Outlook(count, 2);
     for (let i = 1; i <= count; i++) {
@@ -113,10 +113,10 @@ describe("what is drawn of futures", () => {
     return outlook;
   }
 
-  it("is a fan in the units of the plot, with its bounds and its numbers", () => {
+  it("futures are drawn as a fan in the units of the plot, with its range and a table", () => {
     const fan = new Fan();
     fan.fill(outlookOf(19), [[1]], (value) => 10 * value);
-    // Of 19 in order the first and the last are at 5 and 95 %.
+    // With 19 futures the smallest and the largest are the levels 5 and 95 %.
     expect(fan.range).toEqual([0, 19 * 8 * 10]);
     const rows = fan.rows((value) => value.toFixed(1));
     expect(rows.map((cells) => cells.length)).toEqual([2, 2, 2, 2]);

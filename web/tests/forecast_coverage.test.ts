@@ -16,7 +16,7 @@ import { isThorough } from "./lane.mjs";
 // docs/afloat.md has the figure of 200 windows: KINGPOST_LANE=thorough FORECAST_WINDOWS=200 FORECAST_FUTURES=64 npx vitest run tests/forecast_coverage.test.ts
 const WINDOWS = Number(process.env.FORECAST_WINDOWS ?? 8);
 const FUTURES = Number(process.env.FORECAST_FUTURES ?? 32);
-/** The run is past the ramp of its waves, and past the turn of its crane. */
+/** First start time, after the ramp of the waves and the slewing of the crane, s. */
 const FIRST_S = 160;
 const WINDOWS_OF_A_SEED = 8;
 const HORIZON_S = 60;
@@ -29,7 +29,7 @@ const files = await filesOf(text);
 const vessel = (seed: number): EngineInSeas =>
   new Simulation(text, "offshore_vessel.yaml", JSON.stringify({ waves: true, "simulation.seed": seed }), files);
 
-/** The recording of a run, as the page has it. */
+/** The recording of a run, as the page makes it. */
 class Truth {
   readonly model: ModelInfo;
   readonly columns: Columns;
@@ -69,7 +69,7 @@ function outlookFrom({ engine, model, columns, recording }: Truth, futures: Futu
   return outlook;
 }
 
-/** Share of what came to pass in one window that was within the band, by column. */
+/** Returns the share of the true values inside the band in one window, by column. */
 function held(truth: Truth, futures: Futures): number[] {
   const outlook = outlookFrom(truth, futures);
   truth.runTo(outlook.end_s);
@@ -83,8 +83,8 @@ function held(truth: Truth, futures: Futures): number[] {
 
 const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
-// A share is known to some per cent only after many windows.
-it.runIf(isThorough)("holds in its 90 % band what then comes to pass to a ship in waves, and no more than it says", { timeout: 7_200_000 }, () => {
+// Only many windows give a share to a few per cent.
+it.runIf(isThorough)("the 90 % band of a ship in waves contains 90 % of the later values", { timeout: 7_200_000 }, () => {
   const windows: number[][] = [];
   for (let seed = 1; windows.length < WINDOWS; seed++) {
     const truth = new Truth(vessel(seed));

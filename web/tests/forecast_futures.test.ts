@@ -20,7 +20,7 @@ function vessel(overrides: Record<string, unknown> = {}): EngineInSeas {
   return new Simulation(VESSEL, "offshore_vessel.yaml", JSON.stringify({ waves: true, ...overrides }), VESSEL_FILES);
 }
 
-/** A run up to a time, and where its ship was. */
+/** Steps a run to a time, and returns the positions of its ship. */
 function runTo(engine: EngineInSeas, end_s: number, every_s = 0.6): Past {
   const columns = new Columns(JSON.parse(engine.channels_json()));
   const steps = Math.round(every_s / engine.step_s());
@@ -43,8 +43,8 @@ function wholeRun(futures: Futures, seed: number): Future {
   for (let next = running.next(); ; next = running.next()) if (next.done) return next.value;
 }
 
-describe("seas that may be", () => {
-  it("go through the measured past where there is no noise", () => {
+describe("possible seas", () => {
+  it("possible seas agree with measurements without noise", () => {
     const engine = vessel();
     const past = runTo(engine, 60);
     const measured = elevations(engine, past);
@@ -56,7 +56,7 @@ describe("seas that may be", () => {
       const off = elevations(engine, past).map((value, i) => Math.abs(value - measured[i]));
       expect(Math.max(...off)).toBeLessThan(0.005 * largest);
     }
-    // Five minutes on they know nothing of one another.
+    // Five minutes later two seas are uncorrelated.
     const later: Past = { time_s: Float64Array.from(past.time_s, (time) => time + 300), x_m: past.x_m, y_m: past.y_m };
     const [one, other] = [1, 2].map((seed) => {
       exact.enter(known, new Random(seed));
@@ -67,7 +67,7 @@ describe("seas that may be", () => {
     engine.free();
   });
 
-  it("have the height of the spectrum, and that of what the spectrum gives where the run drew its own at random", () => {
+  it("possible seas have the wave height of the spectrum, also if the run's amplitudes are random", () => {
     const random = "sea.waves.wind_sea.jonswap.realisation.amplitudes";
     const [engine, plain] = [vessel({ [random]: "random" }), vessel()];
     const open = (resolved: string) => new Simulation(resolved, "again", "{}", VESSEL_FILES) as EngineInSeas;
@@ -85,7 +85,7 @@ describe("futures", () => {
   const start: Start = { snapshot: engine.snapshot(), past, horizon_s: 12, every_s: 0.6 };
   const width = engine.row().length;
 
-  it("begin at the state of the run and go their own ways, the same for the same seed", () => {
+  it("futures start at the state of the run, differ by seed, and are equal for equal seeds", () => {
     const futures = new Futures(vessel(), () => vessel());
     futures.begin(start);
     const [one, again, other] = [1, 1, 2].map((seed) => wholeRun(futures, seed));
@@ -100,7 +100,7 @@ describe("futures", () => {
     expect(one.fault).toBeNull();
   });
 
-  it("read the sea of the run at no time after their start, and never move in it", () => {
+  it("futures never use the run's own sea after their start", () => {
     const inner = vessel();
     const own = bits(inner.wave_phases_rad());
     let isOwn = true;
@@ -125,7 +125,7 @@ describe("futures", () => {
     expect(Math.max(...read)).toBeLessThanOrEqual(90 + 1e-9);
   });
 
-  it("are one line where the water is still", () => {
+  it("futures on still water are equal", () => {
     const calm = vessel({ waves: false });
     calm.step(20);
     const futures = new Futures(calm, () => vessel());
@@ -135,7 +135,7 @@ describe("futures", () => {
     expect(one.rows).toEqual(other.rows);
   });
 
-  it("hold the truth near the start, where the state of the ship and the measured waves decide", () => {
+  it("the band of futures is narrow near the start and contains the true run", () => {
     const truth = vessel();
     truth.restore(start.snapshot);
     const futures = new Futures(vessel(), () => vessel());
@@ -156,7 +156,7 @@ describe("futures", () => {
     expect(score.held).toBeGreaterThanOrEqual(12);
   });
 
-  it("are drawn as a cloud of the places of the load, every two seconds, from soon to late", () => {
+  it("futures are drawn as a cloud of load positions every two seconds", () => {
     const engine = vessel();
     const columns = new Columns(JSON.parse(engine.channels_json()));
     const futures = new Futures(engine, () => vessel());

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { FromForeseer, Future } from "../src/forecast/messages";
 import { Foreseers } from "../src/forecast/pool";
 
-/** Workers that do what they are told when they are let. */
+/** Workers that answer when the test makes them. */
 class FakeWorker {
   onmessage: ((event: MessageEvent<FromForeseer>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
@@ -22,7 +22,7 @@ class FakeWorker {
   }
 }
 
-describe("engines that look ahead", () => {
+describe("pool of forecast engines", () => {
   const scenario = { text: "", file: "", overrides: {}, opened: null, folder: "" };
   const start = { snapshot: new Uint8Array(), past: { time_s: new Float64Array(), x_m: new Float64Array(), y_m: new Float64Array() }, horizon_s: 60, every_s: 0.5 };
   const future = { seed: 1 } as Future;
@@ -39,14 +39,14 @@ describe("engines that look ahead", () => {
     return { workers, foreseers, heard, ended, compiledOften: () => compiled };
   }
 
-  it("share one compiled module and the seeds", async () => {
+  it("the engines of a pool share one compiled module and divide the seeds", async () => {
     const { workers, compiledOften } = await employed();
     expect(compiledOften()).toBe(1);
     expect(workers.map(({ told }) => told.map(({ kind }) => kind))).toEqual([["module", "look"], ["module", "look"]]);
     expect(workers.map(({ told }) => told[1].seeds)).toEqual([[1, 3, 5], [2, 4]]);
   });
 
-  it("end when all have come, and are heard before", async () => {
+  it("a job ends when all futures are computed, and passes each on before", async () => {
     const { workers, heard, ended } = await employed();
     const { job } = workers[0].told[1];
     workers[0].say({ kind: "future", job: job!, future });
@@ -56,7 +56,7 @@ describe("engines that look ahead", () => {
     expect(await ended).toBe(true);
   });
 
-  it("are stopped by something newer, whose futures alone are heard", async () => {
+  it("a newer job stops the previous one, and only its futures are passed on", async () => {
     const { workers, foreseers, heard, ended } = await employed();
     const { job } = workers[0].told[1];
     const newer: Future[] = [];
@@ -68,14 +68,14 @@ describe("engines that look ahead", () => {
     expect([heard, newer]).toEqual([[], [future]]);
   });
 
-  it("are told to stop where no one looks ahead any more", async () => {
+  it("cancelling stops all engines of the pool", async () => {
     const { workers, foreseers, ended } = await employed();
     foreseers.cancel();
     expect(await ended).toBe(false);
     expect(workers.map(({ told }) => told.at(-1)!.kind)).toEqual(["cancel", "cancel"]);
   });
 
-  it("say what went wrong, and are others afterwards where one broke down", async () => {
+  it("a breakdown rejects the job, and the next job starts new engines", async () => {
     const { workers, foreseers, ended } = await employed();
     const broken = expect(ended).rejects.toMatchObject({ kind: "engine" });
     workers[1].onerror?.({ message: "out of memory" } as ErrorEvent);

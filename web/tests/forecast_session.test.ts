@@ -16,7 +16,7 @@ const text = read("scenarios/offshore_vessel_on_dp.yaml");
 const files = await filesOf(text);
 const open = (overrides: Values) => new Simulation(text, "dp.yaml", JSON.stringify(overrides), files);
 
-/** The client without its worker. */
+/** A client without a worker. */
 function client(): EngineClient {
   const runner = new Runner((_text, _file, json) => open(JSON.parse(json)), () => 0);
   return {
@@ -35,14 +35,14 @@ interface Asked {
   seeds: readonly number[];
 }
 
-/** Futures in which nothing moves any more. */
+/** Futures with constant values. */
 class Still {
   readonly asked: Asked[] = [];
   cancelled = 0;
 
   async look(scenario: ScenarioOf, start: Start, seeds: readonly number[], hear: (future: Future) => void): Promise<boolean> {
     this.asked.push({ scenario, start, seeds });
-    // A snapshot goes into an engine of these values and no others.
+    // A snapshot is restored in an engine with equal parameter values.
     const engine = open(scenario.overrides);
     engine.restore(start.snapshot);
     const row = engine.row();
@@ -58,10 +58,10 @@ class Still {
   }
 }
 
-/** Waits until nothing that was asked for is left to do. */
+/** Waits until no task waits. */
 const calm = () => until(() => expect(isCalm()).toBe(true));
 
-describe("looking forecast", { timeout: 60_000 }, () => {
+describe("forecast of a session", { timeout: 60_000 }, () => {
   let session: Session;
   let foreseers: Still;
   let forecast: Forecast;
@@ -77,7 +77,7 @@ describe("looking forecast", { timeout: 60_000 }, () => {
     await session.open({ text, file: "dp.yaml" }, { waves: true });
   });
 
-  it("is done where it is switched on, of the moment that is shown, with the past before it", async () => {
+  it("a forecast starts when it is switched on, at the moment that is shown, with the measurements before it", async () => {
     await stepTo(2);
     await calm();
     expect(foreseers.asked).toEqual([]);
@@ -92,7 +92,7 @@ describe("looking forecast", { timeout: 60_000 }, () => {
     expect(foreseers.asked[1].start.past.time_s.at(-1)).toBeCloseTo(1, 9);
   });
 
-  it("takes a live parameter as it was set, and begins anew where one is", async () => {
+  it("a forecast uses the set value of a live parameter, and starts again when one is set", async () => {
     const live = session.run!.model.parameters.find((parameter) => parameter.live && parameter.kind === "number")!;
     await stepTo(1);
     forecast.switch(true);
@@ -106,13 +106,13 @@ describe("looking forecast", { timeout: 60_000 }, () => {
     expect(foreseers.asked.at(-1)!.scenario.overrides[live.name]).toBe(value);
   });
 
-  it("judges each whole minute once, but for one in which a hand set something", async () => {
+  it("the forecast is judged once for each full minute, except minutes with changes by hand", async () => {
     await stepTo(61);
     forecast.switch(true);
     await until(() => expect(forecast.record.newest.minutes).toBe(1));
     const { held, of } = forecast.record.newest;
     expect(of).toBeGreaterThan(100);
-    // In waves nothing stands still.
+    // In waves no recorded value is constant, so that most are outside the band.
     expect(held / of).toBeLessThan(0.5);
     await stepTo(61.5);
     await until(() => expect(foreseers.asked.map(({ seeds }) => seeds.length)).toEqual([FUTURES, 32, FUTURES]));
@@ -126,7 +126,7 @@ describe("looking forecast", { timeout: 60_000 }, () => {
     await until(() => expect(forecast.outlook?.start_s).toBeCloseTo(session.shown.time_s, 9));
     await calm();
     expect(forecast.record.newest.minutes).toBe(1);
-    // Another run has another record.
+    // A new run starts with empty scores.
     await session.reset();
     expect(forecast.record.newest.minutes).toBe(0);
   });

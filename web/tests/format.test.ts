@@ -2,13 +2,13 @@ import { expect, it } from "vitest";
 import { duration, fixed, scientific } from "../src/app/format";
 import { sliderRange, sliderStep, withoutRounding } from "../src/ui/items";
 
-it("writes numbers with a true minus, and no minus zero", () => {
+it("writes negative numbers with a minus sign, and zero without one", () => {
   expect(fixed(-1.005, 2)).toBe("−1.00");
   expect(fixed(-0.0001, 2)).toBe("0.00");
   expect(fixed(NaN, 2)).toBe("–");
 });
 
-it("writes errors as a power of ten", () => {
+it("writes errors with a power of ten", () => {
   expect(scientific(1.87e-7)).toBe("1.9×10⁻⁷");
   expect(scientific(0.0244)).toBe("2.4×10⁻²");
   expect(scientific(123456)).toBe("1.2×10⁵");
@@ -17,7 +17,7 @@ it("writes errors as a power of ten", () => {
   expect(scientific(NaN)).toBe("–");
 });
 
-it("writes steps in ms or s", () => {
+it("writes time steps in ms or s", () => {
   expect(duration(0.001)).toBe("1 ms");
   expect(duration(0.00025)).toBe("0.25 ms");
   expect(duration(2)).toBe("2 s");
@@ -30,13 +30,13 @@ it("gives sliders round steps", () => {
   expect(sliderStep(0, 0)).toBe(1);
 });
 
-it("writes a number without what turning it to radians and back has left", () => {
+it("writes a number of degrees without rounding errors of the conversion to radians and back", () => {
   expect(withoutRounding(-59.99999999999999)).toBe("-60");
   expect(withoutRounding(4.486)).toBe("4.486");
   expect(withoutRounding(1.23456789e-7)).toBe("1.23456789e-7");
 });
 
-it("lets the slider of a position reach as far as a winch turns, that of a speed or a torque to its limits", () => {
+it("the slider of a position has a fixed range, and the slider of a speed or torque its limits", () => {
   expect(sliderRange({ unit: "rad", lower: -1e6, upper: 1e6 })).toEqual([-100, 100]);
   expect(sliderRange({ unit: "m", lower: 0, upper: 4 })).toEqual([0, 4]);
   expect(sliderRange({ unit: "N m", lower: -2e6, upper: 2e6 })).toEqual([-2e6, 2e6]);

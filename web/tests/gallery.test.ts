@@ -5,12 +5,12 @@ import { boxOf, shapedHullOf } from "../src/view/solids";
 import { gallery } from "./gallery";
 import { opened } from "./opened";
 
-/** From the starboard quarter and above, in a window of a desktop. */
+/** View from the starboard quarter and above, in a desktop window. */
 const BACK = unit([-0.62, -1, 0.62]);
 const UP: Vec3 = [0, 0, 1];
 const LENS = { fov: (32 * Math.PI) / 180, aspect: 1.6 };
 
-/** Places of points in the picture of a fitted camera, from -1 to 1 across and upwards. */
+/** Positions of points in the picture of a fitted camera, from -1 to 1 across and upwards. */
 function seen(points: readonly Vec3[]): [number, number][] {
   const { target, distance } = frame(points, BACK, UP, LENS);
   const right = unit(cross(UP, BACK));
@@ -23,13 +23,13 @@ function seen(points: readonly Vec3[]): [number, number][] {
 }
 
 describe.each(gallery)("%s of the gallery", (name) => {
-  it("has a title and says what it is", async () => {
+  it("a scenario of the gallery has a title and a description", async () => {
     const { model } = (await opened(name)).run;
     expect(model.title).not.toBe("");
     expect(model.description.length).toBeGreaterThan(80);
   });
 
-  it("runs from its start in finite numbers, and something moves", async () => {
+  it("a scenario of the gallery runs with finite numbers, and a body moves", async () => {
     const { simulation, run, start, moment } = await opened(name);
     expect(simulation.time_s()).toBe(0);
     simulation.step(Math.ceil(0.2 / simulation.step_s() - 1e-9));
@@ -40,7 +40,7 @@ describe.each(gallery)("%s of the gallery", (name) => {
     expect(run.columns.byName(row)).not.toEqual({ ...run.columns.byName(start.row), time: time_s });
   });
 
-  it("fills the picture of a fitted camera, and no body is beyond its edge", async () => {
+  it("a scenario of the gallery fills the picture of a fitted camera, with all bodies inside", async () => {
     const { run, start } = await opened(name);
     const places = seen(cornersOf(start.poses, run.model.bodies.map((body) => boxOf(body, shapedHullOf(run.model, body.name)))));
     const farthest = Math.max(...places.flat().map(Math.abs));

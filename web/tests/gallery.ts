@@ -9,7 +9,7 @@ const GALLERY = "gallery:";
 /** Loads the engine. */
 export const initEngine = () => init({ module_or_path: readFileSync(here("../src/engine/pkg/kingpost_wasm_bg.wasm")) });
 
-/** The text of a file of the repository. */
+/** Returns the text of a file of the repository. */
 export const read = (path: string) => readFileSync(here(`../../${path}`), "utf8");
 
 /** Names of the gallery's scenarios. */
@@ -17,7 +17,7 @@ export const gallery = readdirSync(here("../../scenarios"))
   .filter((name) => name.endsWith(".yaml"))
   .map((name) => name.replace(".yaml", ""));
 
-/** As JSON, the gallery's files that a scenario stands on, and no others. */
+/** Returns, as JSON, the gallery's files that a scenario needs, and no others. */
 export async function filesOf(text: string): Promise<string> {
   const files = await gathered(
     (texts) => JSON.parse(file_names(text, "", "{}", JSON.stringify(texts))),
@@ -29,5 +29,5 @@ export async function filesOf(text: string): Promise<string> {
   return JSON.stringify(files);
 }
 
-/** Numbers by their bits. */
+/** Returns the bits of numbers. */
 export const bits = (row: ArrayLike<number>) => Array.from(new BigUint64Array(Float64Array.from(row).buffer), String);

@@ -19,14 +19,14 @@ const paperGoldens = goldensOf("paper");
 const cases = SCENARIOS.flatMap((scenario) => goldensOf(scenario).map((golden) => ({ scenario, ...golden })));
 await initEngine();
 
-it.each(cases)("gives the native run's bits in WASM: $scenario, $name", async ({ scenario, overrides, steps, row }) => {
+it.each(cases)("WASM gives the same bits as the native engine: $scenario, $name", async ({ scenario, overrides, steps, row }) => {
   const text = read(`scenarios/${scenario}.yaml`);
   const simulation = new Simulation(text, scenario, JSON.stringify(overrides), await filesOf(text));
   simulation.step(steps);
   expect(bits(simulation.row())).toEqual(bits(row));
 });
 
-it("gives the same bits in frames of any length as in one go", () => {
+it("a run in frames of any length gives the same bits as a run in one call", () => {
   const golden = paperGoldens.find(({ name }) => name === "page")!;
   const runner = new Runner((text, file, overrides, files) => new Simulation(text, file, overrides, files), () => 0);
   const { settings, frame } = runner.open(paper, "paper.yaml", golden.overrides as Values);
@@ -37,7 +37,7 @@ it("gives the same bits in frames of any length as in one go", () => {
   expect(bits(row)).toEqual(bits(golden.row));
 });
 
-it("throws the reader's errors with their place", () => {
+it("an error of the scenario reader has its file and line", () => {
   const bad = paper.replace("mass_kg: 10000", "mass_kg: -5");
   const line = bad.split("\n").findIndex((text) => text.includes("mass_kg: -5")) + 1;
   const runner = new Runner((text, file, overrides, files) => new Simulation(text, file, overrides, files), () => 0);

@@ -11,10 +11,10 @@ interface Choice {
 
 const { $defs } = JSON.parse(readFileSync(here("../../schema/scenario.schema.json"), "utf8")) as { $defs: Record<string, Choice> };
 const namesOf = (choice: string) => $defs[choice].oneOf.flatMap(({ properties }) => Object.keys(properties ?? {}));
-/** Kinds of forces and drives; a solid shares its name with one of them. */
+/** Kinds of forces and drives, except one that is also the name of a solid. */
 const KINDS = ["Force", "Drive"].flatMap(namesOf).filter((kind) => !namesOf("Shape").includes(kind));
 
-/** What the app is written in, but for what is generated. */
+/** Source files of the app, except generated ones. */
 function sources(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
     const path = join(folder, entry.name);
@@ -23,7 +23,7 @@ function sources(folder: string): string[] {
   });
 }
 
-it("names no kind of force or drive: what there is to show the engine says", () => {
+it("the app's code names no kind of force or drive", () => {
   expect(KINDS.length).toBeGreaterThan(10);
   const found = sources(here("../src")).flatMap((path) => {
     const text = readFileSync(path, "utf8");

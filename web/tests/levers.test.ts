@@ -7,7 +7,7 @@ import { initEngine } from "./gallery";
 
 await initEngine();
 
-/** The axes of a scenario's inputs, one that goes the other way with a minus. */
+/** Returns the inputs on the axes of a scenario; a minus marks a reversed axis. */
 async function placesIn(scenario: string, overrides = {}): Promise<Record<string, string>> {
   const session = await openedDirectly(scenario, overrides);
   expect(session.fault).toBeNull();
@@ -15,7 +15,7 @@ async function placesIn(scenario: string, overrides = {}): Promise<Record<string
   return Object.fromEntries(Object.entries(places).filter(([, place]) => place).map(([axis, place]) => [axis, `${place.reversed ? "-" : ""}${place.input}`]));
 }
 
-describe("the axes of the sticks", () => {
+describe("axes of the sticks", () => {
   it.each([
     ["quayside_lift", {}, { left_x: "-slewing_gear", left_y: "-main_luffing", right_x: "-knuckle_luffing", right_y: "hoist" }],
     ["container_to_quay", { timeline: false }, { left_x: "-slewing", right_y: "hoist" }],
@@ -24,12 +24,12 @@ describe("the axes of the sticks", () => {
     ["container_to_quay", {}, {}],
     ["loss_of_hook_load", { timeline: false }, {}],
     ["paper", {}, {}],
-  ])("are those of what the inputs move: %s, %j", async (scenario, overrides, places) => {
+  ])("inputs are assigned to axes by the motion that they cause: %s, %j", async (scenario, overrides, places) => {
     expect(await placesIn(scenario, overrides)).toEqual(places);
   });
 });
 
-/** The lever of an input on the axis that the model gives it. */
+/** Returns the lever of an input on its default axis. */
 async function leverOf(scenario: string, name: string, overrides = {}) {
   const session = await openedDirectly(scenario, overrides);
   const { run, shown } = session;
@@ -39,13 +39,13 @@ async function leverOf(scenario: string, name: string, overrides = {}) {
 }
 
 describe("a lever", () => {
-  it("has a dead zone in the middle, none at its ends, and steps that a thumb can hold", () => {
+  it("a lever has a dead zone in the middle, full deflection at its ends, and coarse steps", () => {
     expect([0, 0.05, -0.08, 1, -1.7].map(withoutDeadZone)).toEqual([0, 0, 0, 1, -1]);
     expect(withoutDeadZone(0.54)).toBeCloseTo(0.5, 9);
     expect(withoutDeadZone(0.541)).toBe(withoutDeadZone(0.54));
   });
 
-  it("sets its input between the ends as the stick stands between its own, the other way round where it is reversed", async () => {
+  it("a lever maps its deflection to the range of its input, reversed if the axis is reversed", async () => {
     const { lever } = await leverOf("quayside_lift", "hoist");
     lever.take("thumb", -0.5);
     expect(lever.value).toBe(-1);
@@ -56,7 +56,7 @@ describe("a lever", () => {
     expect(slew.deflectionOf(slew.value)).toBe(1);
   });
 
-  it("goes with the hand that moves it farthest, and springs back when the last lets go", async () => {
+  it("a lever follows the device with the largest deflection, and returns to zero when all release it", async () => {
     const { lever } = await leverOf("quayside_lift", "hoist");
     lever.take("gamepad", 0.2);
     lever.take("keys", -1);
@@ -67,7 +67,7 @@ describe("a lever", () => {
     expect([lever.isHeld, lever.value]).toEqual([false, 0]);
   });
 
-  it("winds an angle on at the drive's greatest speed, and no farther than the input goes", async () => {
+  it("a lever for an angle changes it at up to the drive's largest speed, within the bounds of the input", async () => {
     const { lever } = await leverOf("lowering_by_winch", "hoist");
     expect(lever.isPosition).toBe(true);
     lever.take("thumb", 0.5);
@@ -75,7 +75,7 @@ describe("a lever", () => {
     expect(lever.valueAfter(lever.input.upper, 2)).toBe(lever.input.upper);
   });
 
-  it("reads off the row what its drive does, and the limits that it is at", async () => {
+  it("a lever reads the rate of its drive and the reached limits from a row", async () => {
     const { session, lever } = await leverOf("quayside_lift", "hoist");
     const doing = () => lever.drive.doing(session.shown.moment!.row);
     expect(doing()).toMatchObject({ limits: [] });
@@ -90,7 +90,7 @@ describe("a lever", () => {
   });
 });
 
-it("gives an input one axis, and it keeps its sense where it moves to another", () => {
+it("an input has only one axis, and keeps its direction when it moves to another axis", () => {
   const places = { left_x: { input: "slew", reversed: true }, right_y: { input: "hoist", reversed: false } };
   expect(placed(places, "left_y", "slew")).toEqual({ left_y: { input: "slew", reversed: true }, right_y: places.right_y });
   expect(placed(places, "right_y", "")).toEqual({ left_x: places.left_x });

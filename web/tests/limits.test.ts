@@ -13,47 +13,47 @@ function tracked(limit: LimitInfo, values: number[], interval_s = 1): LimitTrack
 }
 
 describe("a limit", () => {
-  it("reads a column of SI in its own unit", () => {
+  it("a limit converts an SI column to the unit of the limit", () => {
     expect(new LimitTrack(HEEL, 1).valueIn(deg(3))).toBeCloseTo(3, 12);
   });
 
-  it("is near within a tenth of half its span, and exceeded beyond a bound, on either side", () => {
+  it("a limit is near within a tenth of half its span, and exceeded beyond a bound, on both sides", () => {
     const track = new LimitTrack(HEEL, 1);
     const states = [0, 4.4, 4.6, -4.6, 5.1, -5.1].map((value) => track.state(0, value));
     expect(states).toEqual(["ok", "ok", "near", "near", "exceeded", "exceeded"]);
   });
 
-  it("is exceeded by what is no number", () => {
+  it("NaN exceeds a limit", () => {
     expect(marginOf(HEEL, NaN)).toBe(-Infinity);
     expect(new LimitTrack(HEEL, 1).state(0, NaN)).toBe("exceeded");
   });
 
-  it("measures a bound of zero by the largest value so far", () => {
+  it("a bound of zero is near within a tenth of the largest value so far", () => {
     const track = tracked(GAP, [4, 2, 3]);
     expect([track.state(3, 1), track.state(3, 0.3), track.state(3, -0.1)]).toEqual(["ok", "near", "exceeded"]);
   });
 
-  it("does not count before its time", () => {
+  it("a limit does not apply before its start time", () => {
     const track = tracked({ ...HEEL, from_s: 2 }, [9, 9, 1]);
     expect(track.state(1, 9)).toBe("waiting");
     expect(track.worstUntil(1)).toBeNull();
     expect(track.worstUntil(2)).toEqual({ time_s: 2, value: expect.closeTo(1, 12) });
   });
 
-  it("has the worst value of any earlier time, of the shorter side where it has two", () => {
+  it("the worst value so far is the one with the smallest margin to a bound", () => {
     const track = tracked(HEEL, [1, -2, 1.5, -4, 3]);
     const worsts = [0, 1, 2, 3, 4].map((time_s) => track.worstUntil(time_s)!.value);
     expect(worsts.map((value) => Number(value.toFixed(9)))).toEqual([1, -2, -2, -4, -4]);
   });
 
-  it("forgets what came after the moment that the run goes on from", () => {
+  it("a limit drops values after the moment from which the run continues", () => {
     const track = tracked(HEEL, [1, -2, 4]);
     track.dropAfter(1);
     track.see(2, deg(3));
     expect(track.worstUntil(9)!.value).toBeCloseTo(3, 12);
   });
 
-  it("has its bounds, its value and its worst on its bar", () => {
+  it("the bar of a limit contains its bounds and all values", () => {
     const [low, high] = tracked(HEEL, [1, -8, 4]).range();
     expect(low).toBeLessThanOrEqual(-8);
     expect(high).toBeGreaterThan(5);
@@ -63,7 +63,7 @@ describe("a limit", () => {
   });
 });
 
-it("takes the gravest of several states", () => {
+it("several limits have the worst of their states", () => {
   expect(gravest(["ok", "near", "waiting"])).toBe("near");
   expect(gravest(["near", "exceeded"])).toBe("exceeded");
   expect(gravest([])).toBe("waiting");

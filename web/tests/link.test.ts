@@ -19,7 +19,7 @@ function randomOf(seed: number): () => number {
   };
 }
 
-/** Any run that a link may hold: long and short, with every kind of value and character. */
+/** Returns a random run that a link can contain: short or long, with every kind of value and character. */
 function anyRun(seed: number): SharedRun {
   const random = randomOf(seed);
   const below = (n: number) => Math.floor(random() * n);
@@ -50,7 +50,7 @@ const linkOf = async (bytes: Uint8Array<ArrayBuffer>) => `#k1=${await packed(byt
 const linkOfJson = (json: unknown) => linkOf(new TextEncoder().encode(JSON.stringify(json)));
 
 describe("a link", () => {
-  it("holds any run whole, in characters that every address takes", async () => {
+  it("a link contains any run completely, in characters that every address accepts", async () => {
     for (let seed = 1; seed <= (isThorough ? 200 : 50); seed++) {
       const run = anyRun(seed);
       const hash = await hashOf(run);
@@ -59,39 +59,39 @@ describe("a link", () => {
     }
   });
 
-  it("is short: a run of the gallery fits in a message, and a scenario of its own in an address", async () => {
+  it("a link is short enough for a message, and with a scenario's text for an address", async () => {
     expect((await hashOf(small)).length).toBeLessThan(200);
     const own = { ...small, scenario: { file: "paper.yaml", text: read("scenarios/paper.yaml"), opened: {} } };
     expect((await hashOf(own)).length).toBeLessThan(8000);
   });
 
-  it("that Python wrote opens", async () => {
+  it("a link that Python wrote opens", async () => {
     const { link, run } = JSON.parse(read("web/tests/golden/python_link.json"));
     expect(await runIn(link)).toEqual(run);
   });
 
-  it("stands beside the other things that an address says", async () => {
+  it("a link opens beside other parts of an address", async () => {
     const hash = await hashOf(small);
     expect(await runIn(`#quality=best&${hash.slice(1)}`)).toEqual(small);
     expect(["", "#quality=best", "#controls", "#k=1", "#kb1=x"].filter(holdsRun)).toEqual([]);
     expect(holdsRun(hash)).toBe(true);
   });
 
-  it("of a newer version says so, whatever is in it", async () => {
+  it("a link of a newer version reports this, whatever it contains", async () => {
     for (const hash of ["#k2=x", "#k10=", `#k3=${"x".repeat(2 * LONGEST)}`]) {
       expect(holdsRun(hash)).toBe(true);
       expect(await faultOf(hash)).toEqual({ kind: "link", message: texts.share.newer });
     }
   });
 
-  it("that lost any of its end says that it was cut", async () => {
+  it("a link without its end reports that it was cut", async () => {
     const hash = await hashOf(small);
     for (let length = "#k1=".length; length < hash.length; length++) {
       expect(await faultOf(hash.slice(0, length)), hash.slice(0, length)).toEqual({ kind: "link", message: texts.share.cut });
     }
   });
 
-  it("with another character anywhere opens nothing", async () => {
+  it("a link with one changed character does not open", async () => {
     const hash = await hashOf(small);
     for (let at = "#k1=".length; at < hash.length; at++) {
       const other = hash[at] === "A" ? "B" : "A";
@@ -112,17 +112,17 @@ describe("a link", () => {
     ["changes in no order", { ...small, changes: [{ time_s: 2, input: "hoist", value: 1 }, { time_s: 1, input: "hoist", value: 1 }] }],
     ["a moment without a mark", { ...small, moment: { time_s: 1 } }],
     ["a scenario whose files are no texts", { ...small, scenario: { file: "a", text: "b", opened: { c: 1 } } }],
-  ])("that holds %s is damaged", async (_, json) => {
+  ])("a link that contains %s is damaged", async (_, json) => {
     expect(await faultOf(await linkOfJson(json))).toEqual({ kind: "link", message: texts.share.broken });
   });
 
-  it("that would unfold to gigabytes is refused before it does", async () => {
+  it("a link that would unpack to too many bytes is refused while it is unpacked", async () => {
     const bomb = await linkOf(new Uint8Array(30e6));
     expect(bomb.length).toBeLessThan(LONGEST);
     expect(await faultOf(bomb)).toEqual({ kind: "link", message: texts.share.too_much(2e6) });
   });
 
-  it("that is longer than programs send whole is neither made nor read", async () => {
+  it("a link that is longer than the limit is neither made nor read", async () => {
     const noise = Array.from({ length: 60_000 }, ((random) => () => String.fromCharCode(33 + Math.floor(random() * 90)))(randomOf(7))).join("");
     const large = { ...small, scenario: { file: "a.yaml", text: noise, opened: {} } };
     await expect(hashOf(large)).rejects.toMatchObject({ kind: "link", message: expect.stringContaining("Save scenario makes a file of it") });
@@ -130,7 +130,7 @@ describe("a link", () => {
   });
 });
 
-it("marks bytes as FNV-1a does, by its published values", () => {
+it("the digest of bytes agrees with published values of FNV-1a", () => {
   expect([digestOf(), digestOf("a"), digestOf("foobar"), digestOf("foo", "bar")]).toEqual(["811c9dc5", "e40c292c", "bf9cf968", "bf9cf968"]);
   expect(digestOf(Float64Array.of(0))).not.toBe(digestOf(Float64Array.of(-0)));
 });

@@ -43,7 +43,7 @@ const MODEL: ModelInfo = {
 const colours = new Color();
 const PALETTE = { barrel: colours, rod: colours, pin: colours, line: colours } as Palette;
 
-/** Post and boom with their linkages, the boom turned a quarter about z at x, y, z. */
+/** Draws post and boom with their linkages; the boom is at x, y, z, rotated by 90 degrees about z. */
 function drawn(x: number, y: number, z: number) {
   const [world, post, boom] = [new Group(), new Group(), new Group()];
   world.add(post, boom);
@@ -55,7 +55,7 @@ function drawn(x: number, y: number, z: number) {
   return { world, post, boom };
 }
 
-/** Both ends of each part of a line in the world. */
+/** Returns both ends of each part of a line in the world. */
 function spans(line: Group): [Vector3, Vector3][] {
   return line.children.map((part) => [part.localToWorld(new Vector3()), part.localToWorld(new Vector3(0, 1, 0))]);
 }
@@ -67,7 +67,7 @@ const TELESCOPE: DrawnLine[] = [
   { name: "bow", style: "line", radius_m: 0, points: 3 },
 ];
 
-it("lays tubes, pins and ropes through the engine's points", () => {
+it("tubes, pins and ropes are placed at the engine's points", () => {
   const world = new Group();
   const lines = new DrawnLines(TELESCOPE, world, PALETTE);
   for (const y of [3, 4]) {
@@ -91,7 +91,7 @@ it("lays tubes, pins and ropes through the engine's points", () => {
   }
 });
 
-it("hangs pins on the bodies and on the world, and a rod between those of a distance", () => {
+it("pins are fixed to bodies or the world, and a rod joins the pins of a distance", () => {
   const { world, post, boom } = drawn(0, 1, 3);
   expect(post.children.length).toBe(0);
   expect(boom.children.map((pin) => (pin as Mesh).position.toArray())).toEqual([[1, 0, 0]]);

@@ -3,7 +3,7 @@ import { marksOf, wordsNear } from "../src/ui/marks";
 
 const at = (time_s: number, text = "taut") => ({ time_s, name: "rope", text });
 
-it("marks what happened along the track, together where it cannot be told apart", () => {
+it("events are marked along the track, and close events share a mark", () => {
   const marks = marksOf([at(0), at(5), at(5.01, "slack"), at(10)], 0, 20);
   expect(marks).toEqual([
     { share: 0, words: "0.00 s, rope: taut" },
@@ -13,13 +13,13 @@ it("marks what happened along the track, together where it cannot be told apart"
   expect(marksOf([at(0)], 0, 0)).toEqual([]);
 });
 
-it("gives the words of a few and counts the others", () => {
+it("a mark names a few events and counts the others", () => {
   const [{ words }] = marksOf(Array.from({ length: 9 }, () => at(1)), 0, 20);
   expect(words.split("\n").length).toBe(5);
   expect(words).toMatch(/and 5 more$/);
 });
 
-it("says what is near a place, the nearest of several", () => {
+it("the text at a position is that of the nearest mark", () => {
   const marks = marksOf([at(5), at(5.3, "slack")], 0, 20);
   expect(wordsNear(marks, 0.251, 0.02)).toContain("taut");
   expect(wordsNear(marks, 0.264, 0.02)).toContain("slack");

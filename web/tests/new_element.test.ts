@@ -8,11 +8,14 @@ import { Figures } from "../src/plots/figures";
 import { shownUnit } from "../src/plots/units";
 import { FakeEngine } from "./fake";
 
-/** The table that the engine gives for an element that only a test of it has: crates/kingpost/tests/mechanics/new_element.rs holds the file to the engine. */
+/**
+ * Table of the engine for an element that exists only in a test: crates/kingpost/tests/mechanics/new_element.rs checks
+ * the file.
+ */
 const file = fileURLToPath(new URL("../../crates/kingpost/tests/golden/new_element.channels.json", import.meta.url));
 const channels = JSON.parse(readFileSync(file, "utf8")) as Channel[];
 
-it("offers what an element of a new kind shows among the plots, in its unit", () => {
+it("columns of an element of a new kind are offered as plots in their units", () => {
   const figures = new Figures(readModel(new FakeEngine().model_json()), channels);
   const own = figures.lines.filter(({ thing }) => thing === "governor");
   expect(own.map(({ id, what, unit }) => [id, what, shownUnit(unit, "deg").unit])).toEqual([
@@ -23,7 +26,7 @@ it("offers what an element of a new kind shows among the plots, in its unit", ()
   expect(together.map(({ title, labels }) => [title, labels])).toEqual([["governor: moment", ["x", "y", "z"]]]);
 });
 
-it("reads every column of it from where the table says that it stands", () => {
+it("columns of an element of a new kind are read at the offsets of the table", () => {
   const columns = new Columns(channels);
   const row = Float64Array.from({ length: columns.width }, (_, at) => at + 0.5);
   for (const channel of channels) {

@@ -10,7 +10,7 @@ import { filesOf, initEngine, read } from "./gallery";
 interface Kept {
   scenario: string;
   overrides: Values;
-  /** Which rows, counted from the first, and their digests as `kingpost run` writes them. */
+  /** Indices of rows, and digests of these rows as `kingpost run` writes them. */
   places: number[];
   sha256: string[];
 }
@@ -20,7 +20,7 @@ await initEngine();
 
 const digest = (row: ArrayLike<number>) => createHash("sha256").update(new Uint8Array(Float64Array.from(row).buffer)).digest("hex");
 
-it.each(kept)("holds the bits of kingpost run at ten times of $scenario", async ({ scenario, overrides, places, sha256 }) => {
+it.each(kept)("a run in the app has the same bits as kingpost run at ten times of $scenario", async ({ scenario, overrides, places, sha256 }) => {
   const text = read(`scenarios/${scenario}.yaml`);
   const files = await filesOf(text);
   const runner = new Runner((opened, file, values) => new Simulation(opened, file, values, files), () => 0);

@@ -8,13 +8,13 @@ import { filesOf, initEngine, read } from "./gallery";
 
 await initEngine();
 
-/** A scenario of the gallery, with what the page reads of it. */
+/** A scenario of the gallery, with the data that the page reads. */
 export interface Opened {
-  /** At its start until somebody steps it. */
+  /** The simulation, at its start until a test steps it. */
   simulation: Simulation;
   run: Run;
   start: Moment;
-  /** What it shows now. */
+  /** Returns the present moment of the simulation. */
   moment(): Moment;
 }
 
@@ -29,7 +29,7 @@ async function open(name: string): Promise<Opened> {
   return { simulation, run, start: moment(), moment };
 }
 
-/** Opens a scenario once in a process, and brings it back to its start for whoever asks next: the files of the tests share it. */
+/** Opens a scenario once per process and resets it for each caller, because the test files share it. */
 export async function opened(name: string): Promise<Opened> {
   const one = known.get(name) ?? { opened: open(name) };
   known.set(name, one);

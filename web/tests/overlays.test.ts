@@ -7,14 +7,14 @@ import { ArrowScale, barOf, written } from "../src/view/overlays/scale";
 import { gallery } from "./gallery";
 import { opened } from "./opened";
 
-describe("forces at their places", () => {
-  it.each(gallery)("are numbers at every moment: %s", async (name) => {
+describe("forces at their points of action", () => {
+  it.each(gallery)("drawn forces are finite: %s", async (name) => {
     const { simulation, run, moment } = await opened(name);
     simulation.step(5);
     for (const { at, vector } of loadsAt(run, moment())) expect([...at, ...vector].every(Number.isFinite)).toBe(true);
   });
 
-  it("of a load at rest on its line are its weight, and the line's pull up", async () => {
+  it("a load at rest on its line has its weight and the pull of the line", async () => {
     const { run, moment } = await opened("paper_on_a_rope");
     const now = moment();
     const loads = loadsAt(run, now);
@@ -27,7 +27,7 @@ describe("forces at their places", () => {
     expect(pulls[1].vector[2]).toBeGreaterThan(0);
   });
 
-  it("of a cylinder push apart where its force is positive", async () => {
+  it("a positive force of a cylinder pushes its ends apart", async () => {
     const { simulation, run, moment } = await opened("knuckle_boom_crane");
     simulation.step(500);
     const now = moment();
@@ -39,16 +39,16 @@ describe("forces at their places", () => {
     expect(Math.sign(pushes[1].vector[2])).toBe(1);
   });
 
-  it("under a column carry what stands on it", async () => {
+  it("the force below a column equals the weight on it", async () => {
     const { run, moment } = await opened("offshore_vessel");
     const found = loadsAt(run, moment()).filter(({ vector, unit }) => unit === "N" && vector[2] > 0);
-    // Pedestal, boom and load, at rest.
+    // Weight of pedestal, boom and load, at rest.
     expect(Math.max(...found.map(({ vector }) => vector[2])) / (85_000 * run.model.gravity_m_s2)).toBeCloseTo(1, 3);
   });
 });
 
 describe("joint axes", () => {
-  it("are those that the scenario has, through its joints", async () => {
+  it("drawn joint axes agree with the joints of the scenario", async () => {
     const { simulation, run } = await opened("dual_draglink_crane");
     const poses = simulation.poses();
     const axes = jointAxesOf(run.model, JSON.parse(simulation.equations_json()), poses);
@@ -56,7 +56,7 @@ describe("joint axes", () => {
     const axis = (body: string) => axes.find((one) => one.body === names.indexOf(body))!;
     const world = ({ body, point }: (typeof axes)[number]) => new Place(poses, body).toWorld(point);
     expect(axis("column").direction.map(Math.abs)).toEqual([expect.closeTo(0, 9), expect.closeTo(0, 9), expect.closeTo(1, 9)]);
-    // The boom's hinge is 0.8 m ahead of the column's middle, on its top.
+    // The boom's hinge is 0.8 m in front of the column's axis, on its top.
     const hinge = new Place(poses, names.indexOf("column")).toBody(world(axis("boom")));
     expect([hinge[0], hinge[2]]).toEqual([expect.closeTo(0.8, 6), expect.closeTo(2.5, 6)]);
     const pivot = new Place(poses, names.indexOf("column")).toBody(world(axis("drag_link_port")));
@@ -64,8 +64,8 @@ describe("joint axes", () => {
   });
 });
 
-describe("heights over the keel", () => {
-  it("stand over the centre of mass of all that is afloat, metacentre above it by the GM that the page says", async () => {
+describe("heights above the keel", () => {
+  it("the drawn metacentre is above the centre of mass by the GM of the hydrostatics", async () => {
     const { simulation, run } = await opened("offshore_vessel");
     const report = JSON.parse(simulation.hydrostatics_json());
     const [{ letters, buoyancy }] = floatingSignsOf(run.model, report, simulation.poses());
@@ -76,8 +76,8 @@ describe("heights over the keel", () => {
   });
 });
 
-describe("the scale of arrows", () => {
-  it("stays until an arrow would be much too long", () => {
+describe("scale of arrows", () => {
+  it("the scale of arrows is constant until an arrow would be too long", () => {
     const scale = new ArrowScale();
     const load = (N: number) => [{ at: [0, 0, 0] as const, vector: [0, 0, N] as const, unit: "N" as const }];
     const first = scale.of(load(100), 10);
@@ -87,7 +87,7 @@ describe("the scale of arrows", () => {
     expect(1000 * scale.of(load(1000), 10)).toBeCloseTo(4, 12);
   });
 
-  it("is said by a bar of a round value", () => {
+  it("the scale bar has a round value", () => {
     expect(barOf(0.001, 90)).toEqual({ value: 50_000, px: expect.closeTo(50, 9) });
     expect(barOf(0.0004, 90)).toEqual({ value: 200_000, px: expect.closeTo(80, 9) });
     expect(barOf(0, 90)).toBeNull();

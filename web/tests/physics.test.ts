@@ -14,46 +14,46 @@ import { filesOf, initEngine, read } from "./gallery";
 
 const DEGREE = Math.PI / 180;
 
-/** GZ of a wall-sided hull whose arms go as a sine of twice the heel about where she rests, by half degrees. */
+/** GZ of a wall-sided hull: a sine of twice the heel relative to her equilibrium, every half degree. */
 function sine(height_m: number, rest: number): Arms {
   const heel = Array.from({ length: 361 }, (_, k) => (k - 180) * 0.5 * DEGREE);
   return { heel, arm: heel.map((at) => height_m * Math.sin(2 * (at - rest))), rest };
 }
 
 describe("righting arms", () => {
-  it("on the other side follow from those on one: GZ is GM sin phi less a cos phi for a hull with its weight off the middle", () => {
+  it("righting arms to the other side follow from those to one side, for GZ = GM sin phi - a cos phi", () => {
     const [gm, a] = [1.4, 0.2];
     const arm = (phi: number) => gm * Math.sin(phi) - a * Math.cos(phi);
     const points = Array.from({ length: 13 }, (_, k) => ({ heel_rad: 5 * k * DEGREE, arm_m: arm(5 * k * DEGREE), trim_rad: 0 }));
     const arms = bothSides({ side: "starboard", points, equilibrium_rad: Math.atan(a / gm) });
     arms.heel.forEach((heel, k) => expect(arms.arm[k]).toBeCloseTo(arm(heel), 12));
-    // To port the same ship is her mirror image.
+    // A list to port is the mirror image.
     const port = bothSides({ side: "port", points, equilibrium_rad: Math.atan(a / gm) });
     expect(port.heel.map((heel) => heel + 0)).toEqual(arms.heel);
     port.heel.forEach((heel, k) => expect(port.arm[k]).toBeCloseTo(-arm(-heel), 12));
     expect(port.rest).toBe(-arms.rest!);
   });
 
-  it("have the area of their formula, and none where one heel is not beyond the other", () => {
+  it("the area under righting arms agrees with its formula; 0 if the end is not beyond the start", () => {
     const arms = sine(0.4, 0);
-    // The trapezia of half degrees are off by the square of their width.
+    // The trapezoidal rule with half degrees has an error of the order of its squared step.
     expect(areaOf(arms, 0, 0.7)).toBeCloseTo(0.4 * Math.sin(0.7) ** 2, 5);
     expect(areaOf(arms, 0.3, 0.3)).toBe(0);
     expect(areaOf(arms, 0.3, 0.1)).toBe(0);
     expect(armOf(arms, 2)).toBeNaN();
   });
 
-  it("say how far a ship rolls that loses her load: as far beyond her new rest as she was short of it", () => {
+  it("a ship that loses her load rolls as far beyond her new equilibrium as she was before it", () => {
     const [start, rest] = [0, 0.08];
     const loss = lossOf(sine(0.4, start), sine(0.4, rest), 60 * DEGREE)!;
-    // 0.4 sin^2 of what lies between them, and to the heel at which the arm is zero again, or water enters.
+    // Areas 0.4 sin^2: between the two equilibria, and up to the heel at which the arm is zero again or water enters.
     expect(loss.area_1).toBeCloseTo(0.4 * Math.sin(0.08) ** 2, 5);
     expect(loss.area_2).toBeCloseTo(0.4 * Math.sin(60 * DEGREE - rest) ** 2, 4);
     expect(loss.reach).toBeCloseTo(2 * rest, 4);
     expect(loss.way).toBe(1);
   });
 
-  it("end where the arm vanishes, and count to port where she rolls to port", () => {
+  it("area 2 ends where the righting arm vanishes, and a roll to port counts to port", () => {
     const loss = lossOf(sine(0.4, 0.02), sine(0.4, -0.1), 90 * DEGREE)!;
     expect(loss.way).toBe(-1);
     expect([loss.start, loss.rest]).toEqual([-0.02, 0.1]);
@@ -61,13 +61,13 @@ describe("righting arms", () => {
     expect(lossOf(sine(0.4, 0.02), early, 90 * DEGREE)!.end).toBeLessThan(90 * DEGREE);
   });
 
-  it("that cannot stop her say so: nothing is as far as she rolls", () => {
+  it("no largest roll is given if the righting arms cannot stop the ship", () => {
     expect(lossOf(sine(0.4, -0.5), sine(0.4, 0.2), 0.3)!.reach).toBeNull();
     expect(lossOf({ ...sine(0.4, 0), rest: null }, sine(0.4, 0.2), 1)).toBeNull();
   });
 });
 
-describe("a load that can be let go", () => {
+describe("a load that can be released", () => {
   const runner = new Runner((...of) => new Simulation(...of), () => 0);
   let opened: ReturnType<Runner["open"]>;
   beforeAll(async () => {
@@ -76,7 +76,7 @@ describe("a load that can be let go", () => {
     opened = runner.open(text, "loss_of_hook_load.yaml", {}, JSON.parse(await filesOf(text)) as Record<string, string>);
   });
 
-  it("has an input of what holds it, and no other scenario's input is one", async () => {
+  it("a load that can be released has an input, and a scenario without one has none", async () => {
     const release = releaseOf(opened.model, opened.inputs)!;
     expect(release.name).toBe("hoist_rope");
     expect(isByTimeline(release)).toBe(true);
@@ -87,7 +87,7 @@ describe("a load that can be let go", () => {
     other.free();
   });
 
-  it("leaves the arms that Python's rules have: the areas, where they end, both heels at rest", () => {
+  it("the loss of a hook load has the areas and heels that Python computes", () => {
     const before = runner.hydrostatics([]);
     const lost = lostWith(before, "hoist_rope", opened.model.bodies);
     expect(lost).toEqual(["lift"]);
@@ -100,7 +100,7 @@ describe("a load that can be let go", () => {
     expect(loss.end / DEGREE).toBeCloseTo(38.64590544777638, 9);
     expect(loss.area_1).toBeCloseTo(0.005993363768351448, 12);
     expect(loss.area_2).toBeCloseTo(0.13994539515610352, 12);
-    // The engine in hand stands where it stood.
+    // The state of the present engine has not changed.
     expect(runner.hydrostatics().hulls[0].heel_rad).toBeCloseTo(before.hulls[0].heel_rad, 12);
   });
 });
@@ -110,25 +110,25 @@ describe("natural periods over a parameter", () => {
   const roll = { coordinate: "hull.roll", period_s: 12, damping_ratio: 0.05 };
   const found = valuesOver([5, 45], 25).map((value) => ({ value, modes: [roll, pendulum(value)] }));
 
-  it("come at even values, each of which halves a gap", () => {
+  it("values of a sweep are evenly spaced, and each halves a gap", () => {
     const values = valuesOver([0, 24], 25);
     expect(values.slice(0, 4)).toEqual([0, 24, 16, 8]);
     expect([...values].sort((a, b) => a - b)).toEqual(Array.from({ length: 25 }, (_, k) => k));
   });
 
-  it("are lines of one mode each, and a pendulum meets a period at g (T / 2 pi)^2", () => {
+  it("each line has one mode, and a pendulum has the period T at the length g (T / 2 pi)^2", () => {
     const lines = linesOf(found);
     expect(lines.map(({ coordinate, places }) => [coordinate, places.length])).toEqual([["hull.roll", 25], ["swing", 25]]);
     const [met, ...others] = crossings(lines, 9.5);
     expect(others).toEqual([]);
     expect(met.coordinate).toBe("swing");
-    // On a straight line between values that lie 1.7 m apart.
+    // Interpolated linearly between values 1.7 m apart.
     expect(met.value).toBeCloseTo(9.81 * (9.5 / (2 * Math.PI)) ** 2, 1);
     expect(crossings(lines, 40)).toEqual([]);
     expect(closest(lines, 40)?.value).toBe(45);
   });
 
-  it("break where no period is near to the last one, and go on where a value was left out", () => {
+  it("a line ends where no period is near its last one, and continues over a missing value", () => {
     const far = linesOf([{ value: 0, modes: [roll] }, { value: 1, modes: [{ ...roll, period_s: 30 }] }]);
     expect(far.length).toBe(2);
     expect(linesOf(found.filter(({ value }) => value < 10 || value > 14))[1].places.length).toBeLessThan(25);
@@ -137,8 +137,8 @@ describe("natural periods over a parameter", () => {
   });
 });
 
-describe("the modes that the engine finds", () => {
-  it("are those that Python's modes have of the vessel: roll, and the load on its rope both ways", async () => {
+describe("modes of the engine", () => {
+  it("the engine's modes of the vessel have the periods that Python computes: roll, and both swings of the load", async () => {
     await initEngine();
     const text = read("scenarios/offshore_vessel.yaml");
     const engine = new Simulation(text, "", JSON.stringify({ rope_length_m: 25 }), await filesOf(text));
@@ -153,7 +153,7 @@ describe("the modes that the engine finds", () => {
   });
 });
 
-describe("the spectrum of the sea", () => {
+describe("spectrum of the sea", () => {
   const seaOf = async (scenario: string, overrides: Record<string, unknown>) => {
     await initEngine();
     const text = read(`scenarios/${scenario}.yaml`);
@@ -164,7 +164,7 @@ describe("the spectrum of the sea", () => {
     return waves;
   };
 
-  it("has its peak at the period that the scenario gives, and the height that it gives", async () => {
+  it("the sea's spectrum has the peak period and the significant height of the scenario", async () => {
     for (const peak_s of [8, 12]) {
       const waves = await seaOf("offshore_vessel", { waves: true, peak_period_s: peak_s, significant_height_m: 2.5 });
       // Each wave is spread over 5 % of its frequency.
@@ -173,12 +173,12 @@ describe("the spectrum of the sea", () => {
     }
   });
 
-  it("of one regular wave is a line at its period", () => {
+  it("the spectrum of one regular wave has its peak at the period of the wave", () => {
     const sea = spectrumOf({ omega: [0.7], amplitude_m: [1] })!;
     expect(Math.abs(sea.peak_s / ((2 * Math.PI) / 0.7) - 1)).toBeLessThan(0.005);
   });
 
-  it("of calm water is none", async () => {
+  it("calm water has no spectrum", async () => {
     expect(spectrumOf(await seaOf("offshore_vessel", { waves: false }))).toBeNull();
   });
 });

@@ -2,11 +2,11 @@ import { describe, expect, it } from "vitest";
 import { Stretch } from "../src/plots/stretch";
 import { rangeInSight, timeRange, windowLength, wrapPlaces } from "../src/plots/window";
 
-describe("a stretch of the recording", () => {
+describe("lines over a part of the recording", () => {
   const rows = Array.from({ length: 137 }, (_, i) => ({ time_s: i, row: Float64Array.of(i, -i, 3 * i, 4 * i), poses: new Float64Array(), line_points: new Float64Array() }));
   const lines = [[1], [2, 3], [-1]];
 
-  it("has columns, lengths of vectors and what is missing, contiguous and as they are shown", () => {
+  it("columns, magnitudes of vectors and missing columns are copied in displayed units", () => {
     const stretch = new Stretch();
     stretch.fill(rows, [10, 20], lines, (value, line) => (line === 0 ? 2 * value : value));
     const [times, column, length, missing] = stretch.data.map((one) => Array.from(one));
@@ -16,7 +16,7 @@ describe("a stretch of the recording", () => {
     expect(missing.every(Number.isNaN)).toBe(true);
   });
 
-  it("takes no new memory where it moves along", () => {
+  it("copying another part of the recording allocates no memory", () => {
     const stretch = new Stretch();
     stretch.fill(rows, [0, 30], lines, (value) => value);
     const { buffer } = stretch.data[0];
@@ -28,32 +28,32 @@ describe("a stretch of the recording", () => {
   });
 });
 
-describe("the window of time", () => {
-  it("grows with the time shown, so that the start of a long run can be read", () => {
+describe("visible time of the plots", () => {
+  it("the visible time grows with a long run", () => {
     expect(timeRange(0, 600, 600)).toEqual([0, 15]);
     expect(timeRange(15.2, 600, 600)).toEqual([0, 30]);
     expect(timeRange(100, 600, 600)).toEqual([0, 120]);
     expect(timeRange(241, 600, 600)).toEqual([0, 600]);
     expect(timeRange(5, 18, 18)).toEqual([0, 18]);
-    // A run whose records do not all fit shows the last of them.
+    // If not all records can be shown, the last ones are.
     expect(timeRange(300, 3600, 200)).toEqual([100, 300]);
   });
 
-  it("shows the duration of a short run first and rolls after it", () => {
+  it("the visible time is the duration of a short run, then a moving window", () => {
     expect(timeRange(0, 3, 10)).toEqual([0, 3]);
     expect(timeRange(2, 3, 10)).toEqual([0, 3]);
     expect(timeRange(7, 3, 10)).toEqual([0, 7]);
     expect(timeRange(25, 3, 10)).toEqual([15, 25]);
   });
 
-  it("moves back to an earlier moment that is shown, and only where it is out of sight", () => {
+  it("the visible time moves back only if an earlier shown moment is outside it", () => {
     expect(rangeInSight(25, 20, 3, 10)).toEqual([15, 25]);
     expect(rangeInSight(25, 12, 3, 10)).toEqual([7, 17]);
     expect(rangeInSight(25, 2, 3, 10)).toEqual([0, 10]);
     expect(rangeInSight(100, 3, 600, 600)).toEqual([0, 120]);
   });
 
-  it("looks back at least ten seconds, and less where memory would run out", () => {
+  it("the window is at least ten seconds, unless this needs too many records", () => {
     expect(windowLength(3, 0.01)).toEqual({ window_s: 10, capacity: 1002 });
     expect(windowLength(600, 0.1).window_s).toBe(600);
     const fine = windowLength(3600, 0.001);
@@ -62,7 +62,7 @@ describe("the window of time", () => {
   });
 });
 
-it("finds where an angle jumps around the circle", () => {
+it("finds where an angle jumps by a full turn", () => {
   expect(wrapPlaces([170, 179, -179, -170, 175], 0, 4, 180)).toEqual([[1, 2], [3, 4]]);
   expect(wrapPlaces([1, 2, 3], 0, 2, 180)).toEqual([]);
 });

@@ -5,7 +5,7 @@ import { channelOf } from "./fake";
 const named = (variable: string, thing: string, long_name: string, unit: string) => ({ ...channelOf(variable, ["thing"], [[thing]], [unit]), long_name });
 
 describe("readings", () => {
-  it("has radius, rated load, hook load and utilisation of a crane under its rope's name", () => {
+  it("a crane's radius, rated load, hook load and utilisation have the name of its rope", () => {
     const channels = [
       named("load_radius", "hoist", "radius of a crane", "m"),
       named("rated_load", "hoist", "rated load of a crane", "kg"),
@@ -20,7 +20,7 @@ describe("readings", () => {
     ]);
   });
 
-  it("has speed and direction of the wind, and no speed of a flow", () => {
+  it("readings include the speed and direction of the wind, but no flow speed", () => {
     const channels = [
       named("flow_speed", "wind_on_hull", "speed of the wind or current that acts", "m/s"),
       named("wind_speed", "hull", "wind speed", "m/s"),

@@ -13,7 +13,7 @@ import { CHANNELS, FakeEngine } from "./fake";
 
 const columns = new Columns(CHANNELS);
 const WIDTH = columns.width;
-/** Turning about an axis that is none of the body's, at a rate, while moving straight. */
+/** Pose of a body that rotates at a constant rate about an oblique axis and moves straight. */
 const poseAt = (t: number) => {
   const half = 0.35 * t;
   const [c, s] = [Math.cos(half), Math.sin(half)];
@@ -31,8 +31,8 @@ function frameAt(t: number, isRecord: boolean, more: Partial<Frame> = {}): Frame
 
 const keyframe = (time_s: number, isChange = false) => ({ time_s, bytes: new Uint8Array(4000), isChange });
 
-describe("a series of things over time", () => {
-  it("keeps what there is room for, then thins the older part evenly and keeps the start and the newest quarter", () => {
+describe("series of items over time", () => {
+  it("a full series thins its older part evenly and keeps the start and the newest quarter", () => {
     const series = new Series<{ time_s: number }>(1000);
     for (let i = 0; i < 50000; i++) series.push({ time_s: i });
     const times = series.items.map(({ time_s }) => time_s);
@@ -40,13 +40,13 @@ describe("a series of things over time", () => {
     expect(times.length).toBeGreaterThan(700);
     expect(times[0]).toBe(0);
     expect(times.slice(-150)).toEqual(Array.from({ length: 150 }, (_, k) => 50000 - 150 + k));
-    // Fifty times as many as there is room for: no gap is far wider than an even spread would have.
+    // Fifty times as many items as the capacity: no gap is much wider than with even spacing.
     const gaps = times.slice(1).map((time, i) => time - times[i]);
     expect(Math.max(...gaps)).toBeLessThanOrEqual(4 * (50000 / 750));
     expect([...times].sort((a, b) => a - b)).toEqual(times);
   });
 
-  it("thins what may not go last, and then from the start", () => {
+  it("a series drops protected items last, and then the oldest", () => {
     const series = new Series<{ time_s: number; stays: boolean }>(100, ({ stays }) => !stays);
     for (let i = 0; i < 300; i++) series.push({ time_s: i, stays: i % 5 === 0 });
     expect(series.items.filter(({ stays }) => stays).length).toBe(60);
@@ -55,7 +55,7 @@ describe("a series of things over time", () => {
     expect(series.last?.time_s).toBe(999);
   });
 
-  it("finds what is on either side of a time, and forgets what comes after one", () => {
+  it("a series returns the items around a time, and drops the items after one", () => {
     const series = new Series<{ time_s: number }>(10);
     for (const time_s of [0, 1, 2, 4]) series.push({ time_s });
     const around = (time: number) => series.around(time).map(({ time_s }) => time_s);
@@ -67,8 +67,8 @@ describe("a series of things over time", () => {
   });
 });
 
-describe("between two poses", () => {
-  it("a body that moves straight and spins at a constant rate is where it was, to rounding", () => {
+describe("interpolation of poses", () => {
+  it("interpolated poses of a body with constant velocity and rotation are exact", () => {
     for (const [from, to] of [[0, 0.5], [1, 1.05], [2, 4]]) {
       for (const share of [0, 0.1, 0.5, 0.77, 1]) {
         const found = posesBetween(poseAt(from), poseAt(to), share);
@@ -77,7 +77,7 @@ describe("between two poses", () => {
     }
   });
 
-  it("goes the short way where the engine gives the negative of a quaternion, and stands where nothing turns", () => {
+  it("interpolation takes the shorter rotation for a negative quaternion, and none between equal poses", () => {
     const negative = poseAt(0.5).map((one, k) => (k < 3 ? one : -one));
     posesBetween(poseAt(0), negative, 0.5).forEach((one, k) => expect(one).toBeCloseTo(poseAt(0.25)[k], 14));
     posesBetween(poseAt(1), poseAt(1), 0.3).forEach((one, k) => expect(one).toBeCloseTo(poseAt(1)[k], 14));
@@ -87,7 +87,7 @@ describe("between two poses", () => {
 describe("a recording", () => {
   const recording = (frame = frameAt(0, true, { keyframes: [keyframe(0)] })) => new Recording(columns, 0.1, frame, {});
 
-  it("has the engine's rows and poses bit for bit at recorded times, and poses in between", () => {
+  it("a recording has the engine's rows and poses at recorded times, and interpolated poses in between", () => {
     const run = recording();
     for (let i = 1; i <= 40; i++) run.add(frameAt(0.05 * i, i % 2 === 0), {});
     for (let i = 0; i < 40; i += 2) {
@@ -106,7 +106,7 @@ describe("a recording", () => {
     expect([run.beside(at, 1), run.beside(at, -1), run.beside(0, -1), run.beside(2, 1)].map((time) => Number(time.toFixed(9)))).toEqual([1.3, 1.1, 0, 2]);
   });
 
-  it("has a newest moment off the recording times too, and draws the way to it", () => {
+  it("the newest moment of a recording can be between recording times", () => {
     const run = recording();
     run.add(frameAt(0.1, true), {});
     run.add(frameAt(0.13, false), {});
@@ -117,7 +117,7 @@ describe("a recording", () => {
     expect(run.at(0.15).row[0]).toBe(0.1);
   });
 
-  it("puts the sea between two of its surfaces, and does not where its lines have moved", () => {
+  it("the sea is interpolated between two surfaces, unless its grid has moved", () => {
     const surface = (t: number, x: number) => ({ x_m: Float64Array.of(x), y_m: Float64Array.of(0), elevation_m: Float64Array.of(t) });
     const run = recording(frameAt(0, true, { surface: surface(0, 0) }));
     run.add(frameAt(0.1, true, { surface: surface(0.1, 0) }), {});
@@ -128,7 +128,7 @@ describe("a recording", () => {
     expect(run.at(0.25).surface!.elevation_m[0]).toBeCloseTo(0.25, 6);
   });
 
-  it("forgets what came after a moment, and keeps what was told before where the engine's list begins anew", () => {
+  it("a recording drops data after a moment, and keeps earlier warnings when the engine's list starts again", () => {
     const warn = (time_s: number) => ({ time_s, name: "rope", text: `slack at ${time_s}` });
     const run = recording();
     for (let i = 1; i <= 30; i++) run.add(frameAt(0.1 * i, true, { keyframes: [keyframe(0.1 * i)], warnings: [warn(0.5), warn(2)].filter(({ time_s }) => time_s <= 0.1 * i) }), {});
@@ -143,14 +143,14 @@ describe("a recording", () => {
     expect(run.marks).toEqual([warn(0.5), warn(1.15)]);
   });
 
-  it("goes back to the last state before a moment: of two at one time to that after the change", () => {
+  it("a recording returns the last state before a moment; of two at one time, the one after the change", () => {
     const run = recording();
     run.add(frameAt(0.1, true, { keyframes: [keyframe(0.1), keyframe(0.1, true)] }), { wind: 3 });
     expect(run.keyframeAt(0.05)).toMatchObject({ time_s: 0, values: {} });
     expect(run.keyframeAt(0.1)).toMatchObject({ isChange: true, values: { wind: 3 } });
   });
 
-  it("takes no more memory after half an hour in waves than its depth, and still has the whole of it", () => {
+  it("a recording of half an hour in waves stays within its memory limit and covers the whole run", () => {
     const grid = { x_m: new Float64Array(LINES), y_m: new Float64Array(LINES) };
     const at = (i: number) => {
       const surface = { ...grid, elevation_m: new Float32Array(LINES * LINES) };
@@ -167,13 +167,13 @@ describe("a recording", () => {
       const gaps = series.items.slice(1).map(({ time_s }, i) => time_s - series.items[i].time_s);
       expect(Math.max(...gaps)).toBeLessThan(4);
     }
-    // No record holds on to the buffer that it came in.
+    // No record keeps the buffer of its frame in memory.
     expect(rows.items.every((one) => (one as unknown as { row: Float64Array }).row.buffer.byteLength === 8 * WIDTH)).toBe(true);
   });
 });
 
 describe("the engine's frames", () => {
-  it("have poses at every recording time, and a state now and then and where a hand set something", () => {
+  it("frames have poses at every recording time, and states at intervals and after a change by hand", () => {
     const engine = new FakeEngine();
     const runner = new Runner(() => engine, () => 0);
     const { frame } = runner.open("text", "file.yaml", {});
@@ -189,7 +189,7 @@ describe("the engine's frames", () => {
     expect(runner.advance(0.005, 1)!.keyframes).toEqual([]);
   });
 
-  it("tell what the engine says that happened, and what a hand did: of a lever that is drawn along its end", () => {
+  it("frames report events, and of a dragged lever only its last move", () => {
     const engine: Engine = new FakeEngine();
     engine.lever_moves_json = () => JSON.stringify([0.1, 0.2, 3].map((time_s) => ({ time_s, input: "hoist", value: -time_s })));
     const runner = new Runner(() => engine, () => 0);
@@ -200,13 +200,13 @@ describe("the engine's frames", () => {
     const asked: number[] = [];
     engine.events_json = (first) => (asked.push(first), JSON.stringify(happened.slice(first, first + 60)));
     expect(runner.step().events.slice(0, 2)).toEqual([{ time_s: 0, name: "rope", text: "goes slack" }, { time_s: 1, name: "deck", text: "slides" }]);
-    // Of what repeats, 50 times; what is new alone is asked for, until the run goes back.
+    // A repeated event is listed 50 times; only new events are requested until the run goes back.
     expect(runner.step().events.length).toBe(51 + moves.length);
     runner.restore(runner.snapshot());
     expect(asked).toEqual([0, 60, 0]);
   });
 
-  it("take as many steps as there is time for where no speed is asked for", () => {
+  it("a run as fast as possible takes as many steps as the time budget allows", () => {
     const engine = new FakeEngine();
     let now = 0;
     const runner = new Runner(() => engine, () => (now += 1));
@@ -218,8 +218,8 @@ describe("the engine's frames", () => {
   });
 });
 
-describe("the time that is drawn", () => {
-  it("goes evenly where frames come every 50 ms, one frame behind", () => {
+describe("drawn time", () => {
+  it("the drawn time advances evenly, one frame behind frames that come every 50 ms", () => {
     const playback = new Playback();
     playback.begin(0, 0);
     const drawn: number[] = [];
@@ -230,7 +230,7 @@ describe("the time that is drawn", () => {
     drawn.slice(5).forEach((time, i) => expect(time).toBeCloseTo(0.01 * (i + 1), 9));
   });
 
-  it("never runs ahead of the engine, nor back, where frames come unevenly or no more", () => {
+  it("the drawn time never exceeds the engine's or decreases, also with uneven or missing frames", () => {
     const playback = new Playback();
     playback.begin(3, 10);
     let [time, newest] = [3, 3];

@@ -3,7 +3,7 @@ import { Calm, isCalm } from "../src/app/calm";
 import { Rest } from "../src/app/rest";
 
 describe("the rest of the page", () => {
-  it("is reached after three frames with nothing new, counted from when it was asked for", async () => {
+  it("the page is at rest after three frames without a change since the request", async () => {
     const rest = new Rest();
     const told = vi.fn();
     const passed = async (...frames: boolean[]) => {
@@ -25,7 +25,7 @@ describe("work after a pause", () => {
   beforeEach(() => void vi.useFakeTimers());
   afterEach(() => void vi.useRealTimers());
 
-  it("is done once for requests that come together, and is due until it is over", async () => {
+  it("a task after a pause is done once for several requests, and counts until it has ended", async () => {
     let end = () => {};
     const work = vi.fn(() => new Promise<void>((resolve) => (end = resolve)));
     const calm = new Calm(300, work);
@@ -41,7 +41,7 @@ describe("work after a pause", () => {
     expect(isCalm()).toBe(true);
   });
 
-  it("is not done, and not due, where it was called off", async () => {
+  it("a cancelled task is not done and does not count", async () => {
     const work = vi.fn();
     const calm = new Calm(300, work);
     calm.ask();

@@ -11,37 +11,37 @@ const times = (rows: Float64Array, width = 13) =>
   Array.from({ length: rows.length / width }, (_, i) => Number(rows[i * width].toFixed(9)));
 
 describe("the runner", () => {
-  it("opens with the first row recorded", () => {
+  it("the runner records the first row when it opens a scenario", () => {
     const { opened: answer } = opened();
     expect(times(answer.frame.rows)).toEqual([0]);
     expect(answer.model.bodies[0].shape).toEqual({ kind: "box", length_m: 2, width_m: 1, height_m: 1 });
   });
 
-  it("steps from one recording time to the next", () => {
+  it("a step of the runner ends at the next recording time", () => {
     const { runner } = opened();
     for (let i = 1; i <= 50; i++) expect(times(runner.step().rows)).toEqual([Number((i * 0.01).toFixed(9))]);
   });
 
-  it("keeps to wall time times speed and records at the recording times only", () => {
+  it("the runner follows wall time times speed, and records only at recording times", () => {
     const { runner, engine } = opened();
     const rows = Array.from({ length: 60 }, () => times(runner.advance(1 / 60, 1)!.rows)).flat();
     expect(engine.time_s()).toBeCloseTo(1, 9);
     expect(rows).toEqual(Array.from({ length: 100 }, (_, i) => Number(((i + 1) * 0.01).toFixed(9))));
   });
 
-  it("carries parts of a step at a slow speed", () => {
+  it("the runner carries fractions of a step to the next frame at a slow speed", () => {
     const { runner, engine } = opened();
     for (let i = 0; i < 60; i++) runner.advance(1 / 60, 0.1);
     expect(engine.time_s()).toBeCloseTo(0.1, 9);
   });
 
-  it("slows down rather than catching up after a long frame", () => {
+  it("the runner does not catch up after a long frame", () => {
     const { runner, engine } = opened();
     runner.advance(30, 1);
     expect(engine.time_s()).toBeCloseTo(0.25, 9);
   });
 
-  it("asks for no picture where no step is due, for nothing is other than it was", () => {
+  it("the runner returns no frame if no step is due", () => {
     const { runner, engine } = opened(new FakeEngine({}, 0.05, 0.05));
     const before = engine.posed;
     expect(runner.advance(1 / 60, 1)).toBeNull();
@@ -49,7 +49,7 @@ describe("the runner", () => {
     expect(times([runner.advance(1 / 60, 1), runner.advance(1 / 60, 1)].at(-1)!.rows)).toEqual([0.05]);
   });
 
-  it("takes a Step of very many steps in parts, each within a frame's budget, to the same recording time", () => {
+  it("a long Step is divided into parts within a frame's time budget, and ends at the same recording time", () => {
     const engine = new FakeEngine({}, 1e-6, 0.01);
     const { runner } = opened(engine, () => engine.taken.reduce((sum, n) => sum + n, 0));
     const parts: number[] = [];
@@ -63,7 +63,7 @@ describe("the runner", () => {
     expect(times(frame.rows)).toEqual([0.01]);
   });
 
-  it("gives up what it owes when a frame's budget is spent", () => {
+  it("the runner drops steps that exceed the time budget of a frame", () => {
     let now = 0;
     const { runner, engine } = opened(new FakeEngine(), () => (now += 10));
     runner.advance(0.2, 1);
@@ -73,12 +73,12 @@ describe("the runner", () => {
     expect(engine.time_s()).toBeCloseTo(reached + 0.001, 9);
   });
 
-  it("steps on from a recording time when a step is longer than the recording interval", () => {
+  it("the runner records every step that is longer than the recording interval", () => {
     const { runner } = opened(new FakeEngine({}, 0.05));
     expect(times(runner.step().rows)).toEqual([0.05]);
   });
 
-  it("reports divergence, keeps the last good row and steps no more", () => {
+  it("the runner reports divergence, keeps the last valid row and stops", () => {
     const { runner, engine } = opened(new FakeEngine({}, 0.001, 0.01, 0.0355));
     const frame = runner.advance(0.1, 1)!;
     expect(frame.fault).toMatchObject({ kind: "diverged", body: "ship" });
@@ -88,24 +88,24 @@ describe("the runner", () => {
     expect(engine.taken.length).toBe(length);
   });
 
-  it("has a row once where the run ends at a recording time", () => {
+  it("a run that diverges after a recording time has that row once", () => {
     const { runner } = opened(new FakeEngine({}, 0.001, 0.01, 0.03));
     expect(times(runner.advance(0.1, 1)!.rows)).toEqual([0.01, 0.02, 0.03]);
   });
 
-  it("tells of a hull that cannot float as a warning, for the run goes on", () => {
+  it("a hull that cannot float gives a warning", () => {
     const { runner } = opened(new FakeEngine());
     expect(runner.hydrostatics()).toEqual({ hulls: [], warnings: ["the box cannot float"] });
   });
 
-  it("hands on what the engine warns of", () => {
+  it("the runner passes on the warnings of the engine", () => {
     const { runner } = opened(new FakeEngine());
     expect(runner.step().warnings).toEqual([]);
     for (let i = 0; i < 100; i++) runner.step();
     expect(runner.step().warnings).toEqual([{ time_s: 1, name: "painter", text: "it is taut" }]);
   });
 
-  it("keeps the engine in hand when another scenario does not open", () => {
+  it("the runner keeps its engine when another scenario does not open", () => {
     const engine = new FakeEngine();
     const runner = new Runner((text) => {
       if (text === "bad") throw { kind: "scenario", message: "no" };

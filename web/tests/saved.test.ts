@@ -25,7 +25,7 @@ async function opened(name: string, overrides: Values = {}) {
   return { runner, columns, save, step };
 }
 
-/** Columns of a run of a saved file, at a time. */
+/** Runs a saved file to a time and returns its row by column. */
 async function ran(text: string, time_s: number): Promise<Record<string, number>> {
   const simulation = await simulationOf(text, "saved.yaml");
   simulation.step(Math.round(time_s / simulation.step_s()));
@@ -37,7 +37,7 @@ function expectSameBits(again: Record<string, number>, first: Record<string, num
   for (const [name, value] of Object.entries(first)) expect([name, ...bits([again[name]])]).toEqual([name, ...bits([value])]);
 }
 
-it.each(cases(gallery, (name) => KINDS.includes(name)))("is the scenario that was loaded, wherever it lies: %s", async (name) => {
+it.each(cases(gallery, (name) => KINDS.includes(name)))("a saved scenario resolves to the loaded one in any folder: %s", async (name) => {
   const json = (await sharedly(name)).simulation.resolved_json();
   const saved = yamlOf(json);
   expect(resolved(saved, "saved.yaml", "{}", await filesOf(saved))).toBe(json);
@@ -48,7 +48,7 @@ describe("a saved scenario", () => {
     ["lowering_by_winch", { waves: true, load_t: 13.7 }, ["hoist"]],
     ["lift_off_from_barge", { timeline: false, significant_height_m: 0.7 }, ["hoist"]],
     ["container_to_quay", { timeline: false }, []],
-  ] as [string, Values, string[]][])("runs to the bits of the run that a hand drove: %s", async (name, overrides, levers) => {
+  ] as [string, Values, string[]][])("a saved scenario repeats a run steered by hand to the same bits: %s", async (name, overrides, levers) => {
     const { runner, columns, save, step } = await opened(name, overrides);
     let frame = runner.step();
     for (const [value, steps] of [[1.5, 7], [-3.1, 12], [-11.7, 1], [0.123456789, 20]]) {
@@ -61,7 +61,7 @@ describe("a saved scenario", () => {
     expectSameBits(await ran(file.text, frame.row[0]), columns.byName(frame.row));
   });
 
-  it("keeps the scenario's own operation where no lever was moved", async () => {
+  it("a saved scenario keeps its own operation if no lever was moved", async () => {
     const { columns, save, step } = await opened("lift_off_from_barge");
     const { row } = step(10);
     const { text } = await save();
@@ -69,7 +69,7 @@ describe("a saved scenario", () => {
     expectSameBits(await ran(text, row[0]), columns.byName(row));
   });
 
-  it("says which parameters were set under way, for a run of it differs", async () => {
+  it("a saved scenario lists parameters that were set during the run, because a run of it differs", async () => {
     const { runner, columns, save, step } = await opened("offshore_vessel_on_dp");
     step(5);
     runner.parameter("wind_speed_m_s", 15);
@@ -80,14 +80,14 @@ describe("a saved scenario", () => {
     expect(bits([(await ran(text, row[0]))["hull.position.x"]])).not.toEqual(bits([columns.byName(row)["hull.position.x"]]));
   });
 
-  it("lasts as long as the run did", async () => {
+  it("a saved scenario has the duration of the run", async () => {
     const { runner, save, step } = await opened("lowering_by_winch", { "simulation.duration_s": 0.5 });
     runner.input("hoist", -1);
     step(10);
     expect((await simulationOf((await save()).text, "")).resolved_json()).toContain('"duration_s": 1.0');
   });
 
-  it("names the files that must lie beside it", async () => {
+  it("a saved scenario names the files that must be in its folder", async () => {
     const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "newmark", moves: 1, parameters: [], files: ["hydro/mine.hydro.json"] };
     const { name, text } = await savedFile("ships/mine-saved.yaml", replay);
     expect(name).toBe("mine-saved.yaml");
@@ -97,7 +97,7 @@ describe("a saved scenario", () => {
     expect(text.endsWith("\n\nversion: 1\n")).toBe(true);
   });
 
-  it("is none where levers were moved beside an operation that is on, in words that say what to do", () => {
+  it("a run with lever moves and an enabled operation is not saved, and the message gives the remedy", () => {
     const fault = { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
     expect(faultOfSaving(fault)).toMatchObject({ kind: "two_operations", message: expect.stringContaining("move all levers by hand") });
     expect(faultOfSaving({ kind: "internal", message: "no scenario is open" })).toEqual({ kind: "unsaved", message: "no scenario is open" });

@@ -6,7 +6,7 @@ import { readModel } from "../src/engine/engine";
 import { LINES, SurfaceGrid } from "../src/engine/surface";
 import { channelOf, CHANNELS, FakeEngine } from "./fake";
 
-/** The stand-in's box as a hull of 20 m whose data's origin is 1.5 m above its centre of mass. */
+/** The box of the fake engine as a hull of 20 m; the origin of its data is 1.5 m above its centre of mass. */
 function model(wave_components: number): ModelInfo {
   return {
     ...readModel(new FakeEngine().model_json()),
@@ -18,7 +18,7 @@ function model(wave_components: number): ModelInfo {
 const at = (x: number, y: number, z = 0) => [x, y, z, 1, 0, 0, 0];
 
 describe("the sea around the ship", () => {
-  it("is asked of the engine on lines that stay where they are while the ship drifts", () => {
+  it("the sea is computed on lines that stay fixed while the ship drifts", () => {
     const engine = new FakeEngine();
     engine.step(20);
     const grid = SurfaceGrid.around(model(3))!;
@@ -29,12 +29,12 @@ describe("the sea around the ship", () => {
     const lines = (away.x_m[0] - one.x_m[0]) / spacing;
     expect(lines).toBeCloseTo(Math.round(lines), 9);
     expect(Math.abs(away.x_m[middle] - 100)).toBeLessThanOrEqual(spacing / 2);
-    // What the stand-in says of its surface: the time, everywhere.
+    // The fake engine's elevation is the time, everywhere.
     expect(one.elevation_m.length).toBe(LINES * LINES);
     expect(new Set(one.elevation_m)).toEqual(new Set([engine.time_s()]));
   });
 
-  it("has lines a twentieth of the hull apart around it, and reaches ten lengths beyond", () => {
+  it("the grid's lines are a twentieth of the hull apart near it, and the grid reaches ten lengths", () => {
     const { x_m } = SurfaceGrid.around(model(3))!.surface(new FakeEngine(), at(0, 0));
     const apart = Array.from(x_m.slice(1), (x, i) => x - x_m[i]);
     apart.forEach((distance, i) => {
@@ -45,7 +45,7 @@ describe("the sea around the ship", () => {
     expect(x_m[0]).toBeCloseTo(-x_m[LINES - 1], 9);
   });
 
-  it("is a level plane without waves, and nothing without a hull", () => {
+  it("the sea is level without waves, and absent without a hull", () => {
     const engine = new FakeEngine();
     engine.step(20);
     expect(new Set(SurfaceGrid.around(model(0))!.surface(engine, at(0, 0)).elevation_m)).toEqual(new Set([0]));
@@ -53,7 +53,7 @@ describe("the sea around the ship", () => {
     expect(SurfaceGrid.around({ ...model(3), sea: null })).toBeNull();
   });
 
-  it("is drawn around a ship that the waves move, which has no hull's data", () => {
+  it("the sea is drawn around a ship that is moved by the waves and has no hull data", () => {
     const { joints, bodies, ...rest } = { ...model(3), hulls: [] };
     const moved = joints.map((joint) => (joint.body === "ship" ? { ...joint, kind: "moved_by_waves" } : joint));
     const box = bodies.map((body) => (body.name === "ship" ? { ...body, shape: { kind: "box" as const, length_m: 40, width_m: 10, height_m: 4 } } : body));
@@ -67,18 +67,18 @@ describe("how a hull floats", () => {
   const columns = new Columns([...CHANNELS, wave]);
   const row = Float64Array.of(0, 0, 0, 0, 0.02, -0.01, 0, 0, 0, 0, 0, 0, 0, 0.7);
 
-  it("is heel by roll, trim by pitch, the draught of the origin and the wave there", () => {
+  it("a hull's heel is its roll and its trim is its pitch", () => {
     expect(afloat(model(0), columns, row, at(3, 4, -1.6))).toEqual({ heel_rad: 0.02, trim_rad: -0.01, draught_m: expect.closeTo(2.1, 12), wave_m: 0.7 });
     expect(afloat({ ...model(0), hulls: [] }, columns, row, at(0, 0))).toBeNull();
   });
 
-  it("measures the draught along the vertical of a ship that heels and trims", () => {
-    // A quarter turn about x carries z to -y, one about y carries x to -z.
+  it("the draught of an inclined ship is measured along the vertical", () => {
+    // A quarter turn about x carries z to -y; one about y carries x to -z.
     const half = Math.SQRT1_2;
     const one = { ...model(0), hulls: [{ ...model(0).hulls[0], origin_m: [5, 2, 1.5] as [number, number, number] }] };
     expect(afloat(one, columns, row, [0, 0, 0, half, half, 0, 0])!.draught_m).toBeCloseTo(-2, 12);
     expect(afloat(one, columns, row, [0, 0, 0, half, 0, half, 0])!.draught_m).toBeCloseTo(5, 12);
-    // The keel's depth, not the distance to it: T cos(heel) where the origin stays on the water.
+    // The depth of the keel, not the distance to it: T cos(heel) if the origin stays on the water.
     const level = { ...model(0), hulls: [{ ...model(0).hulls[0], origin_m: [0, 0, 0] as [number, number, number] }] };
     const heel = 0.1;
     expect(afloat(level, columns, row, [0, 0, 0, Math.cos(heel / 2), Math.sin(heel / 2), 0, 0])!.draught_m).toBeCloseTo(2 * Math.cos(heel), 12);

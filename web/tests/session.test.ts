@@ -11,7 +11,7 @@ import { turns, until } from "./until";
 
 const engines: FakeEngine[] = [];
 
-/** The client without its worker: the runner answers a moment later. */
+/** A client without a worker: the runner answers in a later turn of the event loop. */
 function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
   const runner = new Runner(
     (text, file, json) => {
@@ -46,7 +46,7 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
 
 const good = { text: "good", file: "good.yaml" };
 
-describe("the session", () => {
+describe("sessions", () => {
   let openings: Values[];
   let session: Session;
   let faults: (Fault | null)[];
@@ -60,7 +60,7 @@ describe("the session", () => {
     await session.open(good, {});
   });
 
-  it("sets a live value under way without a reset, of many that come together the last", async () => {
+  it("a live value is set during a run without a reset; of many values at once, the last", async () => {
     session.start();
     await session.step();
     for (const wind of [9, 10, 11, 12]) session.set("wind", wind);
@@ -73,7 +73,7 @@ describe("the session", () => {
     expect(session.status).toBe("paused");
   });
 
-  it("saves the run in hand as a file, and knows which live values a run of it would lack", async () => {
+  it("a session saves its run as a file, and reports live values that make a run of it differ", async () => {
     await session.step();
     expect(await session.save()).toMatchObject({ name: "good-saved.yaml", differs: null });
     session.set("wind", 9);
@@ -82,7 +82,7 @@ describe("the session", () => {
     expect(session.fault).toBeNull();
   });
 
-  it("reports why a run cannot be saved, and goes on", async () => {
+  it("a session reports why a run cannot be saved, and goes on", async () => {
     engines.at(-1)!.replay_json = () => {
       throw { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
     };
@@ -92,7 +92,7 @@ describe("the session", () => {
     expect(session.status).toBe("paused");
   });
 
-  it("follows a value at once at the start, in as few openings as keep up", async () => {
+  it("a value set at the start acts at once, with as few openings as possible", async () => {
     for (const load of [true, false, true]) session.set("load", load);
     await turns();
     expect(openings.at(-1)).toEqual({ load: true });
@@ -100,7 +100,7 @@ describe("the session", () => {
     expect(session.pending()).toEqual([]);
   });
 
-  it("starts where Start is pressed right after a change, with the value changed", async () => {
+  it("Start right after a change starts the run with the new value", async () => {
     session.set("load", true);
     session.start();
     expect(session.isGoing).toBe(true);
@@ -111,7 +111,7 @@ describe("the session", () => {
     expect(time()).toBeCloseTo(0.1, 9);
   });
 
-  it("starts after the last of several changes, and not where it was paused again meanwhile", async () => {
+  it("a pending start waits for the last of several changes, and Pause cancels it", async () => {
     session.set("load", true);
     session.start();
     session.set("load", false);
@@ -127,7 +127,7 @@ describe("the session", () => {
     expect(session.status).toBe("idle");
   });
 
-  it("steps where Step is pressed right after a change", async () => {
+  it("Step right after a change steps with the new value", async () => {
     session.set("load", true);
     await session.step();
     await until(() => expect(time()).toBeCloseTo(0.01, 9));
@@ -135,7 +135,7 @@ describe("the session", () => {
     expect(openings.at(-1)).toEqual({ load: true });
   });
 
-  it("starts nothing where the value changed before it is refused", async () => {
+  it("Start after a refused value starts nothing", async () => {
     session.set("load", "no");
     session.start();
     await turns();
@@ -143,7 +143,7 @@ describe("the session", () => {
     expect(session.isGoing).toBe(false);
   });
 
-  it.each(["pause", "reset"] as const)("leaves a long Step off at once on %s, and steps on from there", async (stop) => {
+  it.each(["pause", "reset"] as const)("a long Step ends at once on %s, and the next Step continues from there", async (stop) => {
     const client = clientOf(openings);
     const { step } = client;
     client.step = async () => ({ ...(await step()), isPart: true });
@@ -162,7 +162,7 @@ describe("the session", () => {
     expect(session.status).toBe("paused");
   });
 
-  it("has the hulls' floating reckoned by a second engine, from the state of the first", async () => {
+  it("a second engine computes hydrostatics from the state of the first", async () => {
     const asked: unknown[][] = [];
     const note = (name: string) => (...of: unknown[]) => Promise.resolve(void asked.push([name, ...of]));
     const hydrostatics = async () => ({ hulls: [], warnings: [] });
@@ -179,7 +179,7 @@ describe("the session", () => {
     ]);
   });
 
-  it("keeps a value for the reset while a run is under way", async () => {
+  it("a value set during a run waits for the reset", async () => {
     await session.step();
     session.set("load", true);
     await turns();
@@ -194,7 +194,7 @@ describe("the session", () => {
     expect(session.pending()).toEqual([]);
   });
 
-  it("shows why a scenario does not read and goes on with the one in hand", async () => {
+  it("a session reports why a scenario cannot be read, and keeps the present one", async () => {
     expect(await session.open({ text: "bad", file: "bad.yaml" }, {})).toBe(false);
     expect(faults.at(-1)).toMatchObject({ kind: "scenario", file: "bad.yaml", line: 1 });
     await session.step();
@@ -203,7 +203,7 @@ describe("the session", () => {
     expect(session.status).toBe("idle");
   });
 
-  it("goes back to the value in hand when the engine refuses one", async () => {
+  it("a control returns to its previous value when the engine refuses the new one", async () => {
     session.set("load", true);
     await turns();
     session.set("load", "no");
@@ -212,7 +212,7 @@ describe("the session", () => {
     expect(session.fault?.kind).toBe("scenario");
   });
 
-  it("words a refused value by its control, not as the command line does", () => {
+  it("the message on a refused value has the words of its control", () => {
     const parameters = [{ name: "load_t", label: "Load on the hook", unit: "t", kind: "number", value: 20, range: [1, 50], choices: null, live: false }] as const;
     const fault = { kind: "scenario", message: "--set load_t: found 500, allowed: a number from 1 to 50", file: "--set load_t", field: "load_t", found: "500", allowed: "a number from 1 to 50" };
     expect(faultOfControl(fault, parameters as never)).toEqual({ kind: "setting", message: "Load on the hook: 500 t is not a number from 1 to 50 t." });
@@ -222,7 +222,7 @@ describe("the session", () => {
     expect(faultOfControl(ofFile, [])).toBe(ofFile);
   });
 
-  it("stops where the run diverges, and starts again after a reset", async () => {
+  it("a session stops when the run diverges, and can start after a reset", async () => {
     session = new Session(clientOf(openings, 0.0155));
     await session.open(good, {});
     await session.step();
@@ -236,7 +236,7 @@ describe("the session", () => {
     expect(session.fault).toBeNull();
   });
 
-  it("goes on from before it diverged, and stops there again", async () => {
+  it("a diverged run continues from an earlier moment, and stops again", async () => {
     session = new Session(clientOf(openings, 0.0155));
     await session.open(good, {});
     await session.step();
@@ -252,7 +252,7 @@ describe("the session", () => {
     expect(time()).toBeCloseTo(0.015, 9);
   });
 
-  it("shows an earlier moment though an answer comes later, and pauses for it", async () => {
+  it("choosing an earlier moment pauses the run, also if an answer comes later", async () => {
     session.start();
     for (let i = 0; i < 3; i++) await session.advance(0.1);
     const late = session.advance(0.1);
@@ -262,7 +262,7 @@ describe("the session", () => {
     expect(session.shown.recording!.now.time_s).toBeCloseTo(0.4, 9);
   });
 
-  it("says so where the way back fails, and neither starts nor tries for ever", async () => {
+  it("a failed return to an earlier moment is reported, and the run does not start", async () => {
     const client = clientOf(openings);
     client.restore = () => Promise.reject({ kind: "input", message: "the snapshot is of another setup" });
     session = new Session(client);
@@ -275,7 +275,7 @@ describe("the session", () => {
     expect(session.shown.isBack).toBe(true);
   });
 
-  it("goes on where a part of the page fails, tells the others and says so", async () => {
+  it("a session goes on when one listener throws, and reports it", async () => {
     const told: number[] = [];
     const log = vi.spyOn(console, "error").mockImplementation(() => undefined);
     const other = new Session(clientOf(openings));
@@ -290,7 +290,7 @@ describe("the session", () => {
     log.mockRestore();
   });
 
-  it("begins anew with the same values where the engine is lost under way, and says so", async () => {
+  it("a run whose engine is lost starts again with the same values, and reports it", async () => {
     const client = clientOf(openings);
     session = new Session(client);
     await session.open(good, { load: true });
@@ -307,7 +307,7 @@ describe("the session", () => {
     expect(time()).toBeCloseTo(0.01, 9);
   });
 
-  it("opens what was asked for at Reset where the engine did not load at first", async () => {
+  it("Reset opens the requested scenario if the engine did not load at first", async () => {
     const client = clientOf(openings);
     const { open } = client;
     session = new Session(client);
@@ -323,7 +323,7 @@ describe("the session", () => {
     expect(session.value("load")).toBe(true);
   });
 
-  it("does not stop a new run for an answer that belonged to the one before", async () => {
+  it("a late answer to the previous run does not stop the new run", async () => {
     const client = clientOf(openings);
     session = new Session(client);
     await session.open(good, {});
@@ -338,7 +338,7 @@ describe("the session", () => {
     expect(session.fault).toBeNull();
   });
 
-  it("runs on past the duration until it is paused", async () => {
+  it("a run goes on after its duration until it is paused", async () => {
     session.start();
     for (let i = 0; i < 40; i++) await session.advance(0.1);
     expect(session.run!.columns.read(session.shown.moment!.row, "time")).toBeCloseTo(4, 9);

@@ -13,7 +13,7 @@ import { until } from "./until";
 
 await initEngine();
 
-/** A session on the engine itself, without a worker. */
+/** A session with the engine itself, without a worker. */
 async function sessionOf(source: Source, values: Values = {}): Promise<Session> {
   const session = new Session(new DirectEngine().client);
   await session.open(source, values);
@@ -23,14 +23,14 @@ async function sessionOf(source: Source, values: Values = {}): Promise<Session> 
 
 const fromGallery = (gallery: string): Source => ({ text: read(`scenarios/${gallery}.yaml`), file: `${gallery}.yaml`, gallery });
 
-/** What the app does with a link, but for the page. */
+/** Opens a link as the app does, but without the page. */
 async function openedBy(hash: string): Promise<{ session: Session; link: SharedRun }> {
   const link = await runIn(hash);
   const source = "gallery" in link.scenario ? fromGallery(link.scenario.gallery) : link.scenario;
   return { session: await sessionOf({ ...source, changes: link.changes }, link.values), link };
 }
 
-/** Runs for a while, in frames of uneven length. */
+/** Runs for a number of seconds, in frames of different lengths. */
 async function run(session: Session, seconds: number): Promise<void> {
   session.start();
   const until_s = session.shown.recording!.now.time_s + seconds;
@@ -39,7 +39,7 @@ async function run(session: Session, seconds: number): Promise<void> {
   session.pause();
 }
 
-/** As fast as it goes, to a time. */
+/** Runs as fast as possible to a time. */
 async function runTo(session: Session, time_s: number): Promise<void> {
   session.runTo(time_s);
   while (session.status === "running") await session.advance(0.016);
@@ -50,10 +50,10 @@ const set = async (session: Session, name: string, value: Value) => {
   await until(() => expect(session.pending()).toEqual([]));
 };
 
-/** The bits of rows and poses, by their times. */
+/** Returns the bits of rows and poses by their times. */
 const recorded = (session: Session) => new Map(session.shown.recording!.rows.items.map(({ time_s, row, poses }) => [time_s, bits([...row, ...poses])]));
 
-/** Of the times that both have, those where something differs. */
+/** Returns those common times at which the bits differ. */
 function differences(again: Session, first: Session): number[] {
   const [there, here] = [recorded(first), recorded(again)];
   const times = [...there.keys()].filter((time) => here.has(time));
@@ -66,7 +66,7 @@ const expectSame = (again: Session, first: Session) => expect(differences(again,
 const hashOfRun = async (session: Session) => hashOf((await sharedRun(session))!);
 
 describe("a run that is opened by its link", () => {
-  it("has the same bits where the integrator was another from a moment on, which acts at once", async () => {
+  it("a shared run has the same bits if the integrator was changed during the run", async () => {
     const first = await sessionOf(fromGallery("paper"), { motor_1: true, load: true });
     await run(first, 0.5);
     await set(first, "simulation.integrator", "semi_implicit_euler");
@@ -76,14 +76,14 @@ describe("a run that is opened by its link", () => {
     const { session } = await openedBy(await hashOfRun(first));
     await runTo(session, first.shown.recording!.now.time_s);
     expectSame(session, first);
-    // Without the change the second half is another.
+    // Without the change the second half differs.
     const without = await sessionOf(fromGallery("paper"), { motor_1: true, load: true });
     await runTo(without, first.shown.recording!.now.time_s);
     expect(differences(without, first).every((time_s) => time_s > before_s)).toBe(true);
     expect(differences(without, first).length).toBeGreaterThan(20);
   });
 
-  it("has the same bits where levers were moved", async () => {
+  it("a shared run has the same bits if levers were moved", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"), { load_t: 13.7, waves: true });
     await first.setInput("hoist", 1);
     await run(first, 1.2);
@@ -96,14 +96,14 @@ describe("a run that is opened by its link", () => {
     await run(session, 5.3);
     expectSame(session, first);
     expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBe(50 / 3);
-    // One step later is another run.
+    // Changes that are one step later give another run.
     const step_s = first.run!.model.step_s;
     const late = await sessionOf({ ...first.source!, changes: link.changes.map((change) => ({ ...change, time_s: change.time_s + step_s })) }, link.values);
     await run(late, 5.3);
     expect(differences(late, first).length).toBeGreaterThan(20);
   });
 
-  it("has the same bits where live parameters were set, beside an operation that is on", async () => {
+  it("a shared run has the same bits if live parameters were set and an operation is enabled", async () => {
     const first = await sessionOf(fromGallery("offshore_vessel_on_dp"), { wind_speed_m_s: 9 });
     await run(first, 1.3);
     await set(first, "wind_speed_m_s", 15);
@@ -118,14 +118,14 @@ describe("a run that is opened by its link", () => {
     expectSame(session, first);
     expect([session.value("wind_speed_m_s"), session.pending()]).toEqual([3, []]);
     expect(await isSame(session, link)).toBe(true);
-    // A reset begins as the link did, and runs to the same.
+    // After a reset the run starts with the values of the link and gives the same results.
     await session.reset();
     expect([session.status, session.value("wind_speed_m_s"), session.values.begun]).toEqual(["idle", 9, { wind_speed_m_s: 9 }]);
     for (let i = 0; i < 30; i++) await session.step();
     expectSame(session, first);
   });
 
-  it("has the same bits where the run was steered by lever and parameter, looked back and went another way", async () => {
+  it("a shared run has the same bits if the run had branched after parameter changes", async () => {
     const first = await sessionOf(fromGallery("offshore_vessel_moored"));
     const { name, value } = first.run!.model.parameters.find(({ live }) => live)!;
     await run(first, 2);
@@ -144,7 +144,7 @@ describe("a run that is opened by its link", () => {
     expect(await isSame(session, link)).toBe(true);
   });
 
-  it("holds a scenario of a person's own as its text", async () => {
+  it("a link holds a user's own scenario as its text", async () => {
     const text = read("scenarios/lowering_by_winch.yaml").replace(/^title: .*/m, "title: My winch");
     const first = await sessionOf({ text, file: "mine.yaml", opened: {} });
     await first.setInput("hoist", -5);
@@ -155,7 +155,7 @@ describe("a run that is opened by its link", () => {
     expectSame(session, first);
   });
 
-  it("stops at the moment that was shown, between two records too, and knows whether its numbers are those", async () => {
+  it("a shared run stops at the link's moment, also between two records, and compares its numbers", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"));
     first.start();
     for (let i = 0; i < 20; i++) await first.advance(0.0317);
@@ -171,7 +171,7 @@ describe("a run that is opened by its link", () => {
     expect(await isSame(session, { ...link, moment: { ...link.moment!, digest: "00000000" } })).toBe(false);
   });
 
-  it("has of a run that is looked back on what led to the moment that is shown", async () => {
+  it("a link from an earlier moment has only the changes up to that moment", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"));
     await run(first, 2);
     await first.setInput("hoist", -20);
@@ -184,7 +184,7 @@ describe("a run that is opened by its link", () => {
     expect(link.moment!.time_s).toBe(first.shown.time_s);
   });
 
-  it("is steered by the hand alone once that sets something", async () => {
+  it("a shared run drops the link's later changes once the user sets something", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"));
     await run(first, 1);
     await first.setInput("hoist", -20);
@@ -199,7 +199,7 @@ describe("a run that is opened by its link", () => {
     expect(await isSame(session, link)).toBeNull();
   });
 
-  it("ends with words where the scenario no more has what was set", async () => {
+  it("a shared run stops with a message if its scenario no longer has a changed input", async () => {
     const session = await sessionOf({ ...fromGallery("lowering_by_winch"), changes: [{ time_s: 0.5, input: "no_such_lever", value: 1 }] });
     session.start();
     for (let i = 0; i < 20; i++) await session.advance(0.1);
@@ -208,7 +208,7 @@ describe("a run that is opened by its link", () => {
     expect(session.shown.recording!.now.time_s).toBeCloseTo(0.5, 9);
   });
 
-  it("is marked by all files that its scenario stands on", async () => {
+  it("the digest of a scenario depends on all its files", async () => {
     const source = fromGallery("barge");
     const files = JSON.parse(await filesOf(source.text)) as Record<string, string>;
     const digest = (changed: Record<string, string>) => new Runner((...of) => new Simulation(...of), () => 0).open(source.text, source.file, {}, changed).digest;

@@ -15,7 +15,7 @@ async function loaded(entries: unknown): Promise<Gallery> {
 }
 
 describe("the start page", () => {
-  it("has every scenario of the gallery in one group, the paper's first", async () => {
+  it("the start page has every scenario of the gallery in one group, and the paper's first", async () => {
     const { groups, entries } = await loaded(index);
     const files = readdirSync(here("../../scenarios")).filter((file) => file.endsWith(".yaml"));
     expect(entries.map(({ file }) => file).sort()).toEqual(files.sort());
@@ -23,13 +23,13 @@ describe("the start page", () => {
     expect(groups[0].entries[0].name).toBe("paper");
   });
 
-  it("shows a file that the server was started with in a group of its own, last", async () => {
+  it("the start page shows the server's own file last, in a separate group", async () => {
     const own = { name: "mine", title: "Mine", file: "mine.yaml", description: "" };
     const { groups } = await loaded([...index, own]);
     expect(groups.at(-1)).toEqual({ title: null, entries: [own] });
   });
 
-  it("says of each scenario what it is in one sentence", () => {
+  it("the start page describes each scenario in one sentence", () => {
     for (const { name, description } of index) {
       const sentence = firstSentence(description);
       expect(description.startsWith(sentence), name).toBe(true);
@@ -38,13 +38,13 @@ describe("the start page", () => {
     }
   });
 
-  it("ends no sentence after an initial", () => {
+  it("the first sentence does not end after an initial", () => {
     expect(firstSentence("As Hulme computed it (J. Fluid Mech. 121). The wave passes.")).toBe("As Hulme computed it (J. Fluid Mech. 121).");
     expect(firstSentence("A box without end")).toBe("A box without end");
     expect(firstSentence("")).toBe("");
   });
 
-  it("has a picture of each scenario, and of no other", () => {
+  it("the gallery has one picture for each scenario, and no other pictures", () => {
     const pictures = readdirSync(here("../public/cards")).map((file) => file.replace(".webp", ""));
     expect(pictures.sort()).toEqual([...index.map(({ name }) => name), "hero"].sort());
     for (const { name } of index) {

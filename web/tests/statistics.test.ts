@@ -9,7 +9,7 @@ const times = (count: number, step_s = STEP_S) => Float64Array.from({ length: co
 const transformOf = await loadTransform();
 
 describe("statistics", () => {
-  it("of a sine over whole periods are those of its amplitude and period", () => {
+  it("statistics of a sine over whole periods follow from its amplitude and period", () => {
     // 25 periods of 8 s, heeled by 2.
     const t = times(2000);
     const found = statisticsOf(t, t.map((time) => 2 + 3 * Math.sin((2 * Math.PI * time) / 8 + 0.3)));
@@ -20,30 +20,30 @@ describe("statistics", () => {
     expect([found.minimum, found.maximum].map((one) => one.toFixed(3))).toEqual(["-1.000", "5.000"]);
   });
 
-  it("have no period where the mean is crossed upwards fewer than twice", () => {
+  it("statistics have no period with fewer than two up-crossings of the mean", () => {
     expect(statisticsOf([0, 1, 2], [1, 2, 3]).zero_up_crossing_period).toBeNaN();
     expect(statisticsOf([0, 1, 2, 3], [0, 2, 0, 2]).zero_up_crossing_period).toBeCloseTo(2, 12);
   });
 
-  it("let a record count as long as it stands where the older part was thinned", () => {
-    // The first half has every fourth record left.
+  it("statistics weight records of a thinned part by their duration", () => {
+    // Every fourth record of the first half is left.
     const all = times(4001);
     const kept = all.filter((_, i) => i >= 2000 || i % 4 === 0);
     const wave = (time: number) => Math.sin((2 * Math.PI * time) / 20) + (time < 200 ? 0 : 10);
     const [dense, thinned] = [statisticsOf(all, all.map(wave)), statisticsOf(kept, kept.map(wave))];
     expect(thinned.mean).toBeCloseTo(dense.mean, 2);
     expect(thinned.standard_deviation).toBeCloseTo(dense.standard_deviation, 2);
-    // Without it the mean would be nearer to that of the newer half.
+    // Without the weights the mean would be nearer to the mean of the newer half.
     expect(kept.reduce((sum, time) => sum + wave(time), 0) / kept.length).toBeGreaterThan(dense.mean + 2);
   });
 
-  it("of no records are not numbers", () => {
+  it("statistics of no records are NaN", () => {
     expect(Object.values(statisticsOf([], [])).every((one) => Number.isNaN(one))).toBe(true);
   });
 });
 
 describe("a spectrum", () => {
-  it("of a sine has its variance, its peak at its frequency, and nothing far from it", () => {
+  it("the spectrum of a sine has its variance, and its peak at its frequency", () => {
     const [length, line] = [256, 16];
     const omega = (2 * Math.PI * line) / (length * STEP_S);
     const found = welch(times(2048).map((t) => 3 * Math.sin(omega * t + 1)), STEP_S, length, transformOf);
@@ -51,7 +51,7 @@ describe("a spectrum", () => {
     expect(found.omega[line]).toBeCloseTo(omega, 12);
     expect(found.resolution).toBeCloseTo((2 * Math.PI) / 25.6, 12);
     expect(found.segments).toBe(15);
-    // Under a Hann window a line is its own height and a quarter of that on either side: A^2 / 2 in all.
+    // A Hann window gives a line its height and a quarter of it on either side: A^2 / 2 in total.
     const variance = found.density.reduce((sum, value) => sum + value, 0) * found.resolution;
     expect(variance).toBeCloseTo(9 / 2, 10);
     expect(found.density[line] * found.resolution).toBeCloseTo(9 / 3, 10);
@@ -60,7 +60,7 @@ describe("a spectrum", () => {
     expect(linesThatHold(found, 0.99)).toBe(line + 2);
   });
 
-  it("of noise has in all what the windowed segments have: Parseval", () => {
+  it("the spectrum of noise satisfies Parseval's theorem", () => {
     let seed = 12345;
     const noise = Float64Array.from({ length: 640 }, () => ((seed = (seed * 1103515245 + 12345) % 2 ** 31) / 2 ** 30 - 1));
     const length = 128;
@@ -76,7 +76,7 @@ describe("a spectrum", () => {
     expect(all).toBeCloseTo(expected / found.segments, 12);
   });
 
-  it("is of the records that lie evenly, up to the last", () => {
+  it("a spectrum uses the evenly spaced records up to the last", () => {
     expect(evenEnd(times(100))).toEqual([0, 100]);
     expect(evenEnd([0, 2, 4, 5, 6, 7, 8])).toEqual([2, 7]);
     // A run that ended off the grid.
@@ -84,31 +84,31 @@ describe("a spectrum", () => {
     expect(evenEnd([])).toEqual([0, 0]);
   });
 
-  it("of a slow motion takes fewer parts until three periods fit into a segment", () => {
+  it("the spectrum of a slow motion uses fewer segments until three periods fit into one", () => {
     const roll = (seconds: number) => times(10 * seconds).map((t) => 0.1 * Math.sin((2 * Math.PI * t) / 14));
     const [found] = spectraOf([roll(120)], STEP_S, 8, transformOf);
     expect(isResolved(found)).toBe(true);
-    // A line is wide: its period is known to the spacing of the lines.
+    // The period is known to the frequency resolution.
     const omega = found.omega[peakOf(found)];
     expect(Math.abs(omega - (2 * Math.PI) / 14)).toBeLessThan(found.resolution);
-    // As many parts as are asked for where the motion is fast.
+    // A fast motion has the requested number of segments.
     const [fast] = spectraOf([times(1200).map((t) => Math.sin(4 * t))], STEP_S, 8, transformOf);
     expect(fast.resolution).toBeCloseTo((2 * Math.PI) / 12.8, 12);
   });
 
-  it("of less than three periods has no peak", () => {
+  it("the spectrum of less than three periods has no resolved peak", () => {
     const [found] = spectraOf([times(200).map((t) => Math.sin((2 * Math.PI * t) / 14))], STEP_S, 8, transformOf);
     expect(isResolved(found)).toBe(false);
   });
 
-  it("of columns that stay keeps the parts that are asked for, and of too few records is none", () => {
+  it("the spectrum of a constant has the requested segments, and too few records give none", () => {
     const [found] = spectraOf([times(1200).map(() => 0)], STEP_S, 8, transformOf);
     expect(found.resolution).toBeCloseTo((2 * Math.PI) / 12.8, 12);
     expect(spectraOf([times(7)], STEP_S, 8, transformOf)).toEqual([]);
     expect(spectraOf([], STEP_S, 8, transformOf)).toEqual([]);
   });
 
-  it("has segments of a power of two, and none of too few records", () => {
+  it("a segment has a power of two of records, and too few records give none", () => {
     expect(segmentLength(4001, 8)).toBe(256);
     expect(segmentLength(64, 8)).toBe(8);
     expect(segmentLength(63, 8)).toBe(0);
@@ -118,7 +118,7 @@ describe("a spectrum", () => {
 describe("righting arms", () => {
   const curve = { side: "port" as const, points: [0, 0.1, 0.2].map((heel_rad, i) => ({ heel_rad, trim_rad: 0, arm_m: [0, 0.3, 0.4][i] })) };
 
-  it("are read at the heel to the side of the curve, on the line between two points", () => {
+  it("righting arms are interpolated linearly at the heel to the side of the curve", () => {
     expect(heelToSide(curve, -0.05)).toBe(0.05);
     expect(heelToSide({ side: "starboard" }, -0.05)).toBe(-0.05);
     expect(armAt(curve, 0.05)).toBeCloseTo(0.15, 12);
@@ -126,14 +126,14 @@ describe("righting arms", () => {
     expect(armAt(curve, 0.15)).toBeCloseTo(0.35, 12);
   });
 
-  it("are not known on the other side, nor beyond the last point", () => {
+  it("righting arms are NaN on the other side and beyond the last point", () => {
     expect(armAt(curve, -0.01)).toBeNaN();
     expect(armAt(curve, 0.3)).toBeNaN();
     expect(armAt(curve, 0)).toBe(0);
   });
 });
 
-it("gives the numbers that Python gives: python/tests/test_app_files.py holds the file to them", () => {
+it("statistics and spectra agree with Python's, which python/tests/test_app_files.py checks against the same file", () => {
   const stored = JSON.parse(readFileSync(new URL("golden/statistics.json", import.meta.url), "utf8"));
   const t = times(stored.records, stored.step_s);
   const values = t.map((time) => stored.sines.reduce((sum: number, [a, omega, phase]: number[]) => sum + a * Math.sin(omega * time + phase), stored.mean));

@@ -10,7 +10,7 @@ import * as nb from "../src/texts/nb";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
-/** The texts of a language by their keys, as `transport.start`. */
+/** Texts of a language by their keys, such as `transport.start`. */
 function leaves(texts: object, path = ""): [string, unknown][] {
   return Object.entries(texts).flatMap(([name, one]): [string, unknown][] => {
     const key = path === "" ? name : `${path}.${name}`;
@@ -18,7 +18,7 @@ function leaves(texts: object, path = ""): [string, unknown][] {
   });
 }
 
-/** What a text is with stand-ins for what it is given: once with one of all, once with several. */
+/** Returns a text with substitutes for its arguments: once with the count one, once with several. */
 function written(text: unknown): string[] {
   if (typeof text !== "function") return [String(text)];
   const given = (first: number) => Array.from({ length: text.length }, (_, k) => first + k);
@@ -27,20 +27,20 @@ function written(text: unknown): string[] {
 
 const english = new Map(leaves(en));
 const norwegian = new Map(leaves(nb));
-/** Texts that the two languages have in common: names, symbols, units, and words that are the same in both. */
+/** Texts that are equal in both languages: names, symbols, units, and words. */
 const SAME = [
   "equations.names.B_dot", "exports.parquet", "exports.plot", "exports.save", "floating.trim", "page.name", "page.scenario", "page.title", "picture.scale.moment", "plots.arm_axis", 
   "plots.with_kind", "readouts.integrator", "settings.labels.simulation.integrator", "settings.integrators.dormand_prince", "settings.integrators.newmark", "settings.integrators.rk4",
   "share.send", "transport.pause", "transport.start",
 ];
 
-describe("Norwegian", () => {
-  it("has every text that English has, and no other", () => {
+describe("Norwegian texts", () => {
+  it("Norwegian and English have the same texts", () => {
     expect(english.size).toBeGreaterThan(300);
     expect([...norwegian.keys()].sort()).toEqual([...english.keys()].sort());
   });
 
-  it("is given the same as English, and uses each of it where English does", () => {
+  it("Norwegian texts use the same arguments as English texts", () => {
     for (const [key, text] of english) {
       const other = norwegian.get(key);
       expect(typeof other, key).toBe(typeof text);
@@ -52,7 +52,7 @@ describe("Norwegian", () => {
     }
   });
 
-  it("is nowhere empty, and nowhere English but for words that are the same in both", () => {
+  it("no Norwegian text is empty, or equal to the English one except for listed words", () => {
     for (const [key, text] of norwegian) expect(written(text).every((one) => one.trim() !== ""), key).toBe(true);
     const same = [...english.keys()].filter((key) => written(english.get(key)).join("\n") === written(norwegian.get(key)).join("\n"));
     expect(same.filter((key) => !SAME.includes(key))).toEqual([]);
@@ -60,8 +60,8 @@ describe("Norwegian", () => {
   });
 });
 
-describe("the language of the page", () => {
-  it("is the one that was chosen, else the browser's first that is here, else English", () => {
+describe("language of the page", () => {
+  it("the language is the chosen one, otherwise the browser's first available one, otherwise English", () => {
     expect(languageOf("nb", ["en-GB"])).toBe("nb");
     expect(languageOf("en", ["nb-NO", "nb"])).toBe("en");
     expect(languageOf(null, ["nb-NO", "en"])).toBe("nb");
@@ -71,7 +71,7 @@ describe("the language of the page", () => {
     expect(languageOf(null, [])).toBe("en");
   });
 
-  it("is Norwegian for each of the codes of Norwegian", () => {
+  it("every code of Norwegian selects bokmål", () => {
     expect(["nb", "no", "nn", "nn-NO", "NO"].map((code) => languageOf(null, [code]))).toEqual(["nb", "nb", "nb", "nb", "nb"]);
   });
 });
@@ -79,13 +79,13 @@ describe("the language of the page", () => {
 describe("the page", () => {
   const html = readFileSync(here("../index.html"), "utf8");
 
-  it("names only texts that there are", () => {
+  it("the page names only texts that exist", () => {
     const named = [...html.matchAll(/data-(?:text|label|title)="([^"]*)"/g)].map(([, key]) => key);
     expect(named.length).toBeGreaterThan(60);
     expect(named.filter((key) => typeof english.get(key) !== "string")).toEqual([]);
   });
 
-  it("has no text of its own but the name of the app, the signs of the axes and what stands where no script runs", () => {
+  it("the page has no text of its own except the app's name, axis symbols and the text without scripts", () => {
     const body = html.slice(html.indexOf("<body>")).replace(/<noscript[\s\S]*?<\/noscript>/, "").replace(/<script[\s\S]*?<\/script>/g, "");
     const texts = body.split(/<[^>]*>/).map((text) => text.trim()).filter((text) => /[A-Za-z]/.test(text));
     expect(texts).toEqual(["Kingpost", "e", "e", "e"]);
@@ -93,7 +93,7 @@ describe("the page", () => {
   });
 });
 
-/** What the app is written in, but for its texts and what is generated. */
+/** Source files of the app, except its texts and generated files. */
 function sources(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
     const path = join(folder, entry.name);
@@ -102,19 +102,19 @@ function sources(folder: string): string[] {
   });
 }
 
-/** The words of a literal, with a mark for each value in it; null for what is none. */
+/** Returns the words of a literal, with a mark for each value in it; null for other nodes. */
 function literal(node: ts.Node): string | null {
   if (ts.isStringLiteral(node) || ts.isNoSubstitutionTemplateLiteral(node)) return node.text;
   return ts.isTemplateExpression(node) ? [node.head.text, ...node.templateSpans.map((span) => span.literal.text)].join("§") : null;
 }
 
-/** Words with a space between them, or one that begins with a capital letter. */
+/** Matches words with a space between them, or one that begins with a capital letter. */
 const READS = /[A-Za-zé]{2,}[^A-Za-z]* [^a-z]*[A-Za-z]{2,}|^[A-Z][a-z]+| [a-z]{2,}|[a-z]{2,} /;
-/** Not for a person: code, selectors, media queries, styles, drawings, names of keys. */
+/** Matches texts that are not for users: code, selectors, media queries, styles, drawings, names of keys. */
 const CODE = /\n|<svg|^\(|^[.#]\w|px |\\quad|:\/\/|^--|^item-when|^(Enter|Escape|Delete|Home|Files|TimeoutError)$/;
-/** Attributes of elements that nobody reads. */
+/** Attributes of elements that users do not read. */
 const HIDDEN = ["class", "style", "d"];
-/** What else reads as words and is for programs, or stands in files of data as other programs write them. */
+/** Other texts that are for programs, or for data files in the form of other programs. */
 const FOR_PROGRAMS = [
   "forecast/futures.ts: no start is known",
   "app/background_engine.ts: equations for §",
@@ -157,13 +157,13 @@ function readable(path: string): string[] {
   return found;
 }
 
-it("has no text for a person outside the folder of the texts", () => {
+it("no source file outside the folder of texts has a text for users", () => {
   const found = sources(here("../src")).flatMap(readable);
   expect([...new Set(found)].filter((one) => !FOR_PROGRAMS.includes(one))).toEqual([]);
   expect(FOR_PROGRAMS.filter((one) => !found.includes(one))).toEqual([]);
 });
 
-it("has a heading for every kind of fault whose words are the page's own", () => {
+it("every kind of fault that the page reports has a heading", () => {
   expect(OF_PAGE.filter((kind) => !(kind in en.alert.headings))).toEqual([]);
   expect(OF_PAGE.map((kind) => isInEnglish({ kind, message: "" }))).toEqual(OF_PAGE.map(() => false));
   expect(["scenario", "diverged", "input", "internal"].map((kind) => isInEnglish({ kind, message: "" }))).toEqual([true, true, true, true]);

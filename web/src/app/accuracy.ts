@@ -1,20 +1,23 @@
 import type { Columns } from "../engine/columns";
 
 export interface Errors {
-  /** Energy error over the largest energy exchanged so far; NaN while that is below the rounding of the stored energy. */
+  /** Energy error over the largest energy exchanged so far; NaN while that energy is small (see ROUNDINGS). */
   energy: number;
-  /** Momentum error over the largest angular momentum in play so far; NaN before anything turns. */
+  /** Momentum error over the largest angular momentum so far; NaN before any body rotates. */
   momentum: number;
-  /** J */
+  /** Energy error, J. */
   energy_J: number;
-  /** N m s */
+  /** Momentum error, N m s. */
   momentum_N_m_s: number;
 }
 
-/** The exchanged energy counts from this many roundings of the stored energy on: a rounding is then a thousandth of it. */
+/**
+ * Smallest ratio of the exchanged energy to the rounding error of the stored energy at which a relative energy error is
+ * shown.
+ */
 const ROUNDINGS = 1000;
 
-/** Divides the engine's energy and momentum errors by their scales, the largest so far. */
+/** Divides the engine's energy and momentum errors by the largest energy and momentum so far. */
 export class Accuracy {
   private energy_J = 0;
   private stored_J = 0;
@@ -22,12 +25,12 @@ export class Accuracy {
 
   constructor(private readonly columns: Columns) {}
 
-  /** Nothing was exchanged yet. */
+  /** Forgets the largest energy and momentum, for a new run. */
   begin(): void {
     this.energy_J = this.stored_J = this.momentum_N_m_s = 0;
   }
 
-  /** Takes one row into account. */
+  /** Updates the largest energy and momentum with one row. */
   see(row: ArrayLike<number>): void {
     const read = (name: string): number => this.columns.read(row, name);
     this.energy_J = larger(this.energy_J, read("energy_scale"));
@@ -49,7 +52,7 @@ export class Accuracy {
   }
 }
 
-/** The first if the second is NaN. */
+/** Returns the larger of two numbers; the first one if the second is NaN. */
 function larger(known: number, found: number): number {
   return found > known ? found : known;
 }

@@ -1,15 +1,15 @@
 import type { Value, Values } from "../engine/engine";
 
-/** The request in an address: a scenario of the gallery, and values that override its file. */
+/** Request in an address: a scenario of the gallery, and values that override those of its file. */
 export interface Asked {
   scenario: string | null;
   values: Values;
 }
 
-/** The part after the `#` of an address that holds a whole run, possibly with other parts. */
+/** Part after the `#` of an address that holds a whole run; other parts may stand before or after it. */
 const RUN = /[#&]k\d+=/;
 
-/** Whether it holds a run, from this version of the app or another. */
+/** Whether the part after the `#` holds a run, written by this version of the app or by another. */
 export function holdsRun(hash: string): boolean {
   return RUN.test(hash);
 }
@@ -19,17 +19,20 @@ export function askedBy(search: string): Asked {
   return { scenario, values: Object.fromEntries(Object.entries(texts).map(([name, text]) => [name, valueOf(text)])) };
 }
 
-/** The query that asks for a scenario with these values; empty for none. */
+/** Returns the query of the address for a scenario with these values; empty if there is no scenario. */
 export function queryOf({ scenario, values }: Asked): string {
   if (scenario === null) return "";
   const set = Object.entries(values).map(([name, value]) => [name, String(value)]);
   return `?${new URLSearchParams([["scenario", scenario], ...set])}`;
 }
 
-/** The start page's address if the bare address opens a scenario. */
+/** Address of the start page, for a server whose bare address opens a scenario. */
 export const START = "?gallery";
 
-/** Whether an address asks for the start page: the bare one does, unless the server was started with a scenario to open. */
+/**
+ * Whether an address leads to the start page: the bare address does, unless the server was started with a scenario to
+ * open.
+ */
 export function asksForStart({ search, hash }: Pick<Location, "search" | "hash">, opening: string | undefined): boolean {
   if (search === START) return true;
   return search === "" && !holdsRun(hash) && opening === undefined;

@@ -6,14 +6,17 @@ import type { Session } from "./session";
 /** A second engine for computations that take longer than a frame. */
 export class BackgroundEngine {
   private client: EngineClient | null = null;
-  /** Source that is open there and its values, as handed to the run; null if none is. */
+  /** Source and values of the scenario that is open in this engine; null if none is open. */
   private held: { source: unknown; overrides: unknown } | null = null;
   private turn: Promise<unknown> = Promise.resolve();
   private readonly newest: Record<string, number> = {};
 
   constructor(private readonly startClient: () => EngineClient) {}
 
-  /** How the hulls of the present run float at rest with the crane as it stands; null if a newer request came. */
+  /**
+   * Computes how the hulls of the present run float at rest with the crane in its present pose; null if a newer request
+   * came.
+   */
   hydrostatics(session: Session, asker = "panel"): Promise<Hydrostatics | null> {
     return this.inTurn(`hydrostatics for ${asker}`, async () => {
       const snapshot = await session.snapshot();
@@ -23,12 +26,15 @@ export class BackgroundEngine {
     });
   }
 
-  /** How they float at rest with the crane at the start of the run, without some bodies; null if a newer request came. */
+  /**
+   * Computes how the hulls float at rest without some bodies and with the crane as at the start of the run; null if a
+   * newer request came.
+   */
   hydrostaticsAtStart(session: Session, without: readonly string[], asker: string): Promise<Hydrostatics | null> {
     return this.inTurn(`hydrostatics for ${asker}`, async () => (await this.opened(session))?.hydrostatics(without) ?? null);
   }
 
-  /** The matrices of the method at the moment that is shown; null if a newer request came. */
+  /** Computes the matrices of the method at the moment that is shown; null if a newer request came. */
   equations(session: Session, asker = "panel"): Promise<Equations | null> {
     return this.inTurn(`equations for ${asker}`, async () => {
       const { shown } = session;
@@ -41,7 +47,7 @@ export class BackgroundEngine {
     });
   }
 
-  /** The state at the moment that is shown; null if a newer request came. */
+  /** Returns the engine's state at the moment that is shown; null if a newer request came. */
   snapshot(session: Session): Promise<Uint8Array | null> {
     return this.inTurn("snapshot", async () => {
       if (!session.shown.isBack) return session.snapshot();
@@ -52,13 +58,16 @@ export class BackgroundEngine {
     });
   }
 
-  /** Goes to an earlier moment; the parameters of that moment may differ from those that were opened. */
+  /**
+   * Brings this engine to an earlier moment; the parameters at that moment may differ from those with which the
+   * scenario was opened.
+   */
   private async goTo(client: EngineClient, { shown, values }: Session): Promise<void> {
     const { recording, time_s } = shown;
     if (recording) await rewind(client, recording, time_s, values.inForce, () => (this.held = null));
   }
 
-  /** Answers only the newest question of each kind; after a failure the engine is opened again. */
+  /** Answers only the newest request of each kind; after a failure the next request opens the scenario again. */
   private inTurn<T>(kind: string, reckon: () => Promise<T | null>): Promise<T | null> {
     const asked = (this.newest[kind] ?? 0) + 1;
     this.newest[kind] = asked;

@@ -1,10 +1,10 @@
-/** Pieces of work that wait for a pause or are under way. */
+/** Number of tasks that wait for their pause or are in progress. */
 let due = 0;
 
-/** Whether no such work is left. */
+/** Whether no task waits for its pause or is in progress. */
 export const isCalm = () => due === 0;
 
-/** Does its work after a pause of what asks for it: another request begins the pause again. */
+/** Does a task after a pause that starts with the request; another request starts the pause again. */
 export class Calm {
   private timer: ReturnType<typeof setTimeout> | undefined;
 

@@ -1,6 +1,9 @@
 import type { Session } from "./session";
 
-/** Asks the session for the wall time since the last frame, once per frame that the browser draws; a hidden tab pauses. */
+/**
+ * Passes the wall time since the last frame to the session, once per frame of the browser; a hidden tab draws no
+ * frames, so the run stops.
+ */
 export function runClock(session: Session, draw: () => void): void {
   let last_ms = performance.now();
   const tick = (now_ms: number) => {

@@ -12,14 +12,14 @@ function superscript(exponent: number): string {
   return exponent < 0 ? `⁻${digits}` : digits;
 }
 
-/** A fixed number of decimals with a true minus sign, so that columns of numbers do not jump. */
+/** Formats a number with fixed decimals and a true minus sign, so that columns of numbers do not jump. */
 export function fixed(value: number, decimals: number): string {
   if (!Number.isFinite(value)) return "–";
   const text = value.toFixed(decimals);
   return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }
 
-/** Two digits and a power of ten, such as 1.9×10⁻⁷; "0" for zero and a dash for NaN. */
+/** Formats a number with two digits and a power of ten, such as 1.9×10⁻⁷; "0" for zero and a dash for NaN. */
 export function scientific(value: number): string {
   if (Number.isNaN(value)) return "–";
   if (value === 0) return "0";
@@ -29,12 +29,12 @@ export function scientific(value: number): string {
   return mantissa.replace("-", "−") + power;
 }
 
-/** A step or an interval, in ms below a second. */
+/** Formats a time step or an interval; in ms below one second. */
 export function duration(seconds: number): string {
   return seconds < 1 ? `${Number((seconds * 1000).toPrecision(6))} ms` : `${Number(seconds.toPrecision(6))} s`;
 }
 
-/** A length, in cm below half a metre. */
+/** Formats a length; in cm below half a metre. */
 export function length(metres: number): string {
   return metres < 0.5 ? `${Number((metres * 100).toPrecision(3))} cm` : `${Number(metres.toPrecision(3))} m`;
 }

@@ -9,9 +9,9 @@ export interface GalleryEntry {
   title: string;
   file: string;
   description: string;
-  /** Its group of the gallery, if it is in the gallery. */
+  /** Group of the scenario in the gallery; left out for a scenario that is not from the gallery. */
   group?: string;
-  /** Whether the bare address opens it. */
+  /** Whether the bare address opens this scenario. */
   opens?: boolean;
 }
 
@@ -21,12 +21,12 @@ export interface Group {
   entries: GalleryEntry[];
 }
 
-/** Address of the gallery's folder beside a page, with the slash at its end. */
+/** Address of the gallery's folder beside a page, with a slash at the end. */
 export function galleryFolder(base: string): string {
   return new URL("scenarios/", base).href;
 }
 
-/** The gallery beside the page, from wherever the folder is served. */
+/** The gallery of scenarios, read from the folder beside the page. */
 export class Gallery {
   private constructor(
     private readonly base: string,
@@ -52,7 +52,7 @@ export class Gallery {
     return this.entries.find(({ opens }) => opens)?.name;
   }
 
-  /** In the order of the list. */
+  /** Groups of scenarios, in the order of the list. */
   get groups(): Group[] {
     const groups: Group[] = [];
     for (const entry of this.entries) {
@@ -82,7 +82,10 @@ export class Gallery {
   }
 }
 
-/** The first sentence of a scenario's description. A full stop after a single letter, or before a number, does not end it. */
+/**
+ * Returns the first sentence of a scenario's description. A full stop after a single letter, or before a number, does
+ * not end it.
+ */
 export function firstSentence(description: string): string {
   const text = description.trim();
   return /^.*?[^\s(.]{2}[.!?](?=\s+[A-Z]|$)/s.exec(text)?.[0] ?? text;

@@ -5,16 +5,16 @@ import type { Session } from "./session";
 /** Read-only access to the run, for tests and the browser's console. */
 export interface Sample {
   status: string;
-  /** Whether the engine still owes an answer: an opening, a reset, a frame. */
+  /** Whether the engine still has to answer a request: an opening, a reset or a frame. */
   isWaiting: boolean;
   time_s: number;
   /** Names of values that wait for a reset. */
   pending: string[];
   /** Last time of the recording. */
   newest_s: number;
-  /** The row that is shown by column name, as in the CSV files. */
+  /** The row of the moment that is shown, by column name as in the CSV files. */
   row: Record<string, number>;
-  /** Per body x y z qw qx qy qz, world frame. */
+  /** Poses x y z qw qx qy qz for each body, world frame. */
   poses: number[];
   /** The sea around the hull, if there is one. */
   surface: Surface | null;
@@ -24,7 +24,7 @@ declare global {
   interface Window {
     kingpost?: {
       sample(): Sample | null;
-      /** Resolves when a run that does not go shows all that was asked of it. */
+      /** Resolves when the page shows everything that was requested; the run must be paused. */
       rested(): Promise<void>;
     };
   }

@@ -2,7 +2,7 @@ import type { Fault } from "../engine/engine";
 import { faultOfPage } from "./faults";
 import type { Listener } from "./run";
 
-/** The listeners of the run. If one throws, that is not a failure of the run: the others are still called. */
+/** Listeners of the run. An exception in one listener does not end the run: the other listeners are still called. */
 export class Listeners {
   private readonly all: Listener[] = [];
   private isFailing = false;
@@ -24,7 +24,7 @@ export class Listeners {
     }
   }
 
-  /** The part that shows faults may itself fail. */
+  /** Reports a fault once: the part that shows faults may itself fail. */
   private fail(fault: Fault): void {
     if (this.isFailing) return;
     this.isFailing = true;

@@ -51,7 +51,7 @@ export class Pages {
     simulator?.entitle();
   }
 
-  /** Says on the page that is shown what could not be opened. */
+  /** Reports on the visible page what could not be opened. */
   report(fault: Fault): void {
     if (byId("app").hidden) this.start.say(fault.message);
     else this.loaded?.report(fault);
@@ -68,7 +68,7 @@ export class Pages {
     this.start.isShown = true;
   }
 
-  /** The simulator in sight; null where it did not load, which the start page says. */
+  /** Shows the simulator; null if it could not be loaded, which the start page then reports. */
   private async simulate(): Promise<Simulator | null> {
     this.start.isShown = false;
     byId("app").hidden = false;

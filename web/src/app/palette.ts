@@ -6,7 +6,7 @@ const KEY = "kingpost.palette";
 const darkness = matchMedia("(prefers-color-scheme: dark)");
 const listeners: (() => void)[] = [];
 
-/** Palette that the user chose; null where the device decides. */
+/** Palette that the user chose; null if it follows the device. */
 export function chosenPalette(): PaletteName | null {
   try {
     return PALETTES.find((name) => name === localStorage.getItem(KEY)) ?? null;
@@ -20,7 +20,7 @@ export function choosePalette(name: PaletteName | null): void {
     if (name) localStorage.setItem(KEY, name);
     else localStorage.removeItem(KEY);
   } catch {
-    // It holds for this page only where nothing can be kept.
+    // Without storage, the choice is valid for this page only.
   }
   apply(name);
 }
@@ -29,12 +29,12 @@ export function isDark(): boolean {
   return ["dusk", "night"].includes(document.documentElement.dataset.palette ?? "");
 }
 
-/** Is told when the page has other colours. */
+/** Calls a listener whenever the colours of the page change. */
 export function onPalette(listener: () => void): void {
   listeners.push(listener);
 }
 
-/** From the start of the page on. */
+/** Applies the palette now and whenever the device changes between light and dark. */
 export function enablePalettes(): void {
   apply(chosenPalette());
   darkness.addEventListener("change", () => apply(chosenPalette()));

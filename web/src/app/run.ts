@@ -10,13 +10,13 @@ import type { Moment } from "./recording/recording";
  */
 export type Status = "loading" | "empty" | "idle" | "stepping" | "running" | "paused" | "stopped";
 
-/** An opened scenario, with all that follows from its channels. */
+/** An opened scenario: its model and channels, and data derived from them. */
 export interface Run {
   model: ModelInfo;
   lines: DrawnLine[];
   channels: Channel[];
   columns: Columns;
-  /** Inputs that a hand may set: levers and set-points. */
+  /** Inputs that can be set by hand: levers and set-points. */
   inputs: InputInfo[];
   jointAxes: JointAxis[];
   /** The parameter or field that switches the scenario's timeline off. */
@@ -30,11 +30,11 @@ export interface Run {
 export interface Source {
   text: string;
   file: string;
-  /** Texts of the files that were opened with it, by name; left out for a scenario of the gallery. */
+  /** Texts of the files that were opened with the scenario, by name; left out for a scenario of the gallery. */
   opened?: Record<string, string>;
-  /** Its name in the gallery, if it is from there. */
+  /** Name of the scenario in the gallery; left out for other scenarios. */
   gallery?: string;
-  /** Changes of a run that a link holds; a run of the link makes them again. */
+  /** Changes that a link holds; the run makes them again. */
   changes?: readonly Change[];
 }
 
@@ -42,15 +42,15 @@ export interface Listener {
   /** A scenario was opened or reset. */
   opened?(run: Run, frame: Frame, isAnother: boolean): void;
   advanced?(run: Run, frame: Frame): void;
-  /** Another moment is shown: a newer one, or a chosen one. */
+  /** Another moment is shown: a newer one, or one that the user chose. */
   moved?(run: Run, moment: Moment): void;
   /** An input of the run has changed. */
   inputsChanged?(run: Run): void;
   /** The run continues from an earlier moment: everything later is gone. */
   branched?(run: Run): void;
-  /** Something was set by hand during the run: its future changes. */
+  /** A parameter or an input was set by hand: forecasts made before are no longer valid. */
   steered?(): void;
-  /** The run has repeated lever moves of a link. */
+  /** The run has repeated changes of a link. */
   followed?(run: Run): void;
   statusChanged?(status: Status): void;
   valuesChanged?(): void;

@@ -6,20 +6,20 @@ import { fixed } from "./format";
 
 const words = texts.saved;
 
-/** A scenario to save: a file, and the reason if a run of it would differ from the present run. */
+/** A saved scenario: a file, and the reason if a run of the file differs from the present run. */
 export interface SavedFile {
   name: string;
   text: string;
-  /** Null if it would be the same. */
+  /** Reason why a run of the file differs from the present run; null if it does not differ. */
   differs: string | null;
 }
 
-/** Schemes that the browser solves with differences and other machines with exact derivatives. */
+/** Integrators that use finite differences in the browser and exact derivatives elsewhere. */
 const IMPLICIT = ["newmark", "generalized_alpha", "implicit_midpoint"];
 
 /**
- * The file of a scenario that was opened as `opened`, with values set and levers moved by hand. `pending` are the parameters whose values
- * wait for a reset.
+ * Makes the file of a scenario opened as `opened`, with the values that were set and the levers that were moved by
+ * hand. `pending` are the parameters whose values wait for a reset.
  */
 export async function savedFile(opened: string, replay: Replay, pending: string[] = []): Promise<SavedFile> {
   const differs = differenceOf(replay);
@@ -33,14 +33,17 @@ export async function savedFile(opened: string, replay: Replay, pending: string[
   return { name: nameOf(opened), text: `${says.map((line) => `# ${line}\n`).join("")}\n${yamlOf(replay.scenario)}`, differs };
 }
 
-/** A file can hold only the last value of a parameter that was set during the run. */
+/**
+ * Returns why a run of the file differs: a file holds only the last value of a parameter that was set during the run.
+ * Null if it does not differ.
+ */
 function differenceOf({ parameters }: Replay): string | null {
   if (parameters.length === 0) return null;
   const set = parameters.map(({ parameter, time_s }) => words.set_at(parameter, seconds(time_s))).join(", ");
   return words.differs(set);
 }
 
-/** The reason why there is nothing to save. */
+/** Returns the fault that explains why the scenario cannot be saved. */
 export function faultOfSaving(fault: Fault): Fault {
   if (isOfEngine(fault)) return fault;
   if (!fault.message.startsWith("operation:")) return { ...fault, kind: "unsaved" };
@@ -51,7 +54,7 @@ function nameOf(opened: string): string {
   return `${stemOf(opened)}-saved.yaml`;
 }
 
-/** Name of files made from a scenario. */
+/** Returns the stem of the names of files made from a scenario. */
 export function stemOf(opened: string): string {
   return opened.slice(opened.lastIndexOf("/") + 1).replace(/(-saved)?\.(ya?ml|json)$/i, "");
 }

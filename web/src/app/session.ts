@@ -13,7 +13,7 @@ import { Steering } from "./session/steering";
 
 export type { Listener, Run, Status } from "./run";
 
-/** Plays the scenario that is open: opens and resets it, runs it, goes back in it, and sets its values and inputs. */
+/** Plays the open scenario: resets it, runs it, goes back to earlier moments, and sets its values and inputs. */
 export class Session implements Player {
   /** Simulated time over wall time; infinite for as fast as possible. */
   speed = 1;
@@ -22,7 +22,7 @@ export class Session implements Player {
   private readonly rewinding: Rewinding;
   private readonly steering: Steering;
   private advancing = false;
-  /** Time at which a run at full speed pauses. */
+  /** Time at which a run as fast as possible pauses, s. */
   private until_s = Infinity;
 
   constructor(private readonly client: EngineClient) {
@@ -70,7 +70,7 @@ export class Session implements Player {
     this.state.dismissFault();
   }
 
-  /** Reports that there is nothing to open. */
+  /** Reports that no scenario can be opened. */
   beEmpty(fault: Fault): void {
     this.state.become("empty");
     this.state.report(fault);
@@ -86,22 +86,22 @@ export class Session implements Player {
     return this.opening.reset();
   }
 
-  /** Resets the run; a running run goes on. */
+  /** Resets the run; if it was running, it runs again. */
   restart(): void {
     this.opening.restart();
   }
 
-  /** Whether something that was asked of the engine, or waits for its turn, is not done. */
+  /** Whether a request to the engine is not answered, or an opening or reset waits. */
   get isWaiting(): boolean {
     return this.opening.isWaiting;
   }
 
-  /** Whether it runs, or will run when the present reset is done. */
+  /** Whether the session runs, or will run when the present reset is done. */
   get isGoing(): boolean {
     return this.status === "running" || this.status === "stepping" || this.opening.due === "start";
   }
 
-  /** Starts the run; from an earlier moment it branches. */
+  /** Starts the run; if an earlier moment is shown, the run branches from it. */
   start(): void {
     this.until_s = Infinity;
     if (this.shown.isBack) void this.rewinding.branch();
@@ -109,7 +109,7 @@ export class Session implements Player {
     else if (this.status === "idle" || this.status === "paused") this.state.become("running");
   }
 
-  /** Runs at full speed to a time, and pauses there. */
+  /** Runs as fast as possible to a time, and pauses there. */
   runTo(time_s: number): void {
     this.start();
     this.until_s = time_s;
@@ -135,13 +135,13 @@ export class Session implements Player {
     this.state.become("paused");
     let frame = await this.take(this.client.step());
     if (frame?.isPart && this.status === "paused") this.state.become("stepping");
-    // A pause or a reset may come before the answer.
+    // A pause or a reset may come before the engine's answer.
     const isOn = () => this.status === "stepping";
     while (frame?.isPart && isOn()) frame = await this.take(this.client.step());
     if (isOn()) this.state.become("paused");
   }
 
-  /** One frame of a run, `wall_s` after the previous one; sends no request while it waits for an answer. */
+  /** Advances a run by one frame, `wall_s` after the previous one; sends no request while an answer is expected. */
   async advance(wall_s: number): Promise<void> {
     if (this.status !== "running" || this.advancing) return;
     this.advancing = true;
@@ -182,47 +182,50 @@ export class Session implements Player {
     this.report(frame.fault);
   }
 
-  /** Sets a value. At the start it acts at once; during a run a live value acts at once, and any other waits for the reset. */
+  /**
+   * Sets a value. At the start it acts at once; during a run a live value acts at once, and any other value waits for
+   * the reset.
+   */
   set(name: string, value: Value): void {
     this.steering.set(name, value);
   }
 
-  /** The value that a control shows. */
+  /** Returns the value that a control shows. */
   value(name: string): Value | undefined {
     return this.values.shown(name);
   }
 
-  /** Names of the values that wait for a reset. */
+  /** Returns the names of the values that wait for a reset. */
   pending(): string[] {
     return this.values.pending();
   }
 
-  /** Sets an input from the moment that is shown. */
+  /** Sets an input, which acts from the moment that is shown. */
   setInput(name: string, value: number): Promise<void> {
     return this.steering.setInput(name, value);
   }
 
-  /** The value of an input, or the value that was just sent. */
+  /** Returns the value of an input; the new value while it is being sent. */
   input(name: string): number {
     return this.steering.input(name);
   }
 
-  /** Drops values and inputs that wait to be sent: they are not meant for another run. */
+  /** Drops values and inputs that wait to be sent: they belong to the present run. */
   dropSteering(): void {
     this.steering.drop();
   }
 
-  /** The changes of the present run so far. */
+  /** Returns the changes made so far in the present run. */
   changes(): Promise<readonly Change[]> {
     return this.opening.asked(this.client.changes());
   }
 
-  /** The state of the present run, for another engine. */
+  /** Returns the state of the present run, for another engine. */
   snapshot(): Promise<Uint8Array> {
     return this.opening.asked(this.client.snapshot());
   }
 
-  /** The present run as a scenario file; null, with a report, if that is impossible. */
+  /** Returns the present run as a scenario file; null, with a report, if this is not possible. */
   async save(): Promise<SavedFile | null> {
     try {
       const { source } = this;
@@ -234,7 +237,7 @@ export class Session implements Player {
     }
   }
 
-  /** The present run as a scenario in JSON, for exported files; null if that is impossible. */
+  /** Returns the present run as a resolved scenario in JSON, for exported files; null if this is not possible. */
   async resolved(): Promise<string | null> {
     return this.opening.asked(this.client.replay()).then(
       ({ scenario }) => scenario,

@@ -1,9 +1,9 @@
-/** Tasks that run one after another, so that an answer cannot belong to another scenario. */
+/** Runs tasks one after another, so that an answer cannot belong to another scenario. */
 export class Turns {
   private last: Promise<unknown> = Promise.resolve();
   private left = 0;
 
-  /** Called when no task is left. */
+  /** `through` is called when no task is left. */
   constructor(private readonly through: () => void) {}
 
   get isBusy(): boolean {
@@ -26,7 +26,7 @@ export class Turns {
   }
 }
 
-/** Sends values one after another; of several values of one name only the last. */
+/** Sends values one after another; if several values of one name wait, only the last is sent. */
 export class Latest<T> {
   private readonly waiting = new Map<string, T>();
 
@@ -43,7 +43,7 @@ export class Latest<T> {
     }
   }
 
-  /** A value that is being sent. */
+  /** Returns the value of a name that is being sent; undefined if there is none. */
   due(name: string): T | undefined {
     return this.waiting.get(name);
   }

@@ -5,16 +5,16 @@ import type { Opened } from "../engine/messages";
 export class SetValues {
   /** Values of the controls that override the scenario's. */
   wanted: Values = {};
-  /** The overriding values of the present run; the same object until one is set during the run. */
+  /** Values that override the scenario's in the present run; the same object until a value is set during the run. */
   overrides: Values = {};
-  /** Its values at the start. */
+  /** Overriding values of the present run at its start. */
   begun: Values = {};
-  /** The previous control values of parameters that the run has set again from a link. */
+  /** Values that the controls had before the run set parameters again from a link. */
   private readonly before = new Map<string, Value | undefined>();
   /** All values of the present run. */
   private applied: Values = {};
 
-  /** A run was opened with these values. */
+  /** Takes the values with which a run was opened. */
   begin(opened: Opened, overrides: Values): void {
     this.overrides = overrides;
     this.begun = overrides;
@@ -27,13 +27,13 @@ export class SetValues {
     this.wanted = { ...this.wanted, [name]: value };
   }
 
-  /** The present run has accepted a value. */
+  /** Records a value that the present run has accepted. */
   apply(name: string, value: Value): void {
     this.applied = { ...this.applied, [name]: value };
     this.overrides = { ...this.overrides, [name]: value };
   }
 
-  /** The present run has set a value again from a link: the control shows it until a reset. */
+  /** Records a value that the present run has set again from a link: the control shows it until a reset. */
   follow(name: string, value: Value): void {
     const before = this.before.has(name) ? this.before.get(name) : this.wanted[name];
     this.want(name, value);
@@ -41,7 +41,7 @@ export class SetValues {
     this.apply(name, value);
   }
 
-  /** The control values for a new start: without those that the run set again from a link. */
+  /** Returns the values of the controls for a new start, without the values that the run set again from a link. */
   forStart(): Values {
     const kept: Values = {};
     for (const [name, value] of Object.entries({ ...this.wanted, ...Object.fromEntries(this.before) })) {
@@ -56,36 +56,38 @@ export class SetValues {
     return this.applied;
   }
 
-  /** The present run went back to before a value was set; a control keeps a value that is not yet applied. */
+  /**
+   * Records that the present run went back to before a value was set; a control keeps a value that is not yet applied.
+   */
   goBack(name: string, value: Value): void {
     if (this.wanted[name] === this.applied[name]) this.want(name, value);
     this.apply(name, value);
   }
 
-  /** Gives up values that were refused: goes back to those of the present run, unless there are newer ones. */
+  /** Replaces refused values by those of the present run, unless the user has set newer ones. */
   giveUp(tried: Values): void {
     if (Object.keys(this.wanted).some((name) => this.wanted[name] !== tried[name])) return;
     const kept = Object.keys(this.wanted).map((name) => [name, this.applied[name]]);
     this.wanted = Object.fromEntries(kept.filter(([, value]) => value !== undefined));
   }
 
-  /** Names of the values that wait for a reset. */
+  /** Returns the names of the values that wait for a reset. */
   pending(): string[] {
     return Object.keys(this.wanted).filter((name) => this.wanted[name] !== this.applied[name]);
   }
 
-  /** The value that a control shows. */
+  /** Returns the value that a control shows. */
   shown(name: string): Value | undefined {
     return this.wanted[name] ?? this.applied[name];
   }
 }
 
-/** Whether a parameter, or a setting by its path, can be set while a run goes on. */
+/** Whether a parameter, or a setting given by its path, can be set during a run. */
 export function isLive({ parameters, live_settings }: Pick<ModelInfo, "parameters" | "live_settings">, name: string): boolean {
   return live_settings.includes(name) || parameters.some((one) => one.name === name && one.live);
 }
 
-/** Every value that a control shows, by parameter name or path. */
+/** Returns every value that a control shows, by parameter name or path. */
 function valuesOf({ model, settings }: Opened): Values {
   const values: Values = {
     "simulation.integrator": settings.integrator,

@@ -1,17 +1,17 @@
 import { Document, isCollection, isMap, isPair, isScalar, type Node, parseDocument, Scalar, visit } from "yaml";
 
-/** Longest line, in characters, where a line can be broken. */
+/** Longest line in characters, if it can be broken. */
 const LONGEST = 120;
-/** Words that some version of YAML does not read as text. */
+/** Words that some version of YAML reads as another type than text. */
 const TAKEN = /^(y|n|yes|no|on|off|true|false|null|nan|inf|infinity)$/i;
 const BARE = /^[a-z_][a-z0-9_.]*$/i;
-/** Words separated by single spaces: a folded block does not change them. */
+/** Words separated by single spaces: a folded block keeps them unchanged. */
 const FOLDS = /^[\x21-\x7e\u00a1-\ud7ff]+( [\x21-\x7e\u00a1-\ud7ff]+)+$/;
 /** Reads every scalar as text, so that numbers stay as they are written, to the last bit. */
 const AS_TEXT = { schema: "failsafe" } as const;
 const LAYOUT = { flowCollectionPadding: false, doubleQuotedAsJSON: true, lineWidth: LONGEST };
 
-/** A JSON object as YAML in the layout of the gallery's files; it reads back to the same values. */
+/** Writes a JSON object as YAML in the layout of the gallery's files; reading it gives the same values. */
 export function yamlOf(json: string): string {
   const file = parseDocument(json, AS_TEXT);
   if (!isMap(file.contents)) throw new TypeError("found no object");
@@ -26,7 +26,10 @@ function unquote(scalar: Scalar) {
   if (scalar.type === Scalar.QUOTE_DOUBLE && BARE.test(text) && !TAKEN.test(text)) scalar.type = Scalar.PLAIN;
 }
 
-/** Spreads a value over lines if it does not fit beside its name; a large part of the file has an empty line above. */
+/**
+ * Breaks a value over several lines if it does not fit beside its name; a large part of the file has an empty line
+ * above it.
+ */
 function layOut(value: Node, path: readonly unknown[]) {
   const [parent, above] = path.slice(-2);
   const key = isPair(above) && isScalar(above.key) ? above.key : null;

@@ -21,7 +21,7 @@ interface ResolvedBody {
   centre_of_mass_m?: unknown;
 }
 
-/** Answers that the engine writes as JSON, by the methods that give them. */
+/** Types of the engine's JSON answers, by the methods that return them. */
 interface Answers {
   channels_json: Channel[];
   equations_json: Equations;
@@ -37,12 +37,12 @@ interface Answers {
   warnings_json: Warning[];
 }
 
-/** An answer that was given as JSON. */
+/** Parses an answer that was given as JSON. */
 export function parsed<Name extends keyof Answers>(_: Name, json: string): Answers[Name] {
   return JSON.parse(json);
 }
 
-/** Asks an engine for an answer. */
+/** Calls a method of the engine and parses its JSON answer. */
 export function answer<Name extends keyof Answers>(
   engine: Record<Name, (...of: number[]) => string>,
   name: Name,

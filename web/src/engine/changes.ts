@@ -1,9 +1,9 @@
 import type { Value } from "./engine";
 
-/** A lever or a live parameter that was set in a run, at the end of a step. */
+/** A lever or a live parameter that was set during a run, at the end of a step. */
 export type Change = { time_s: number; input: string; value: number } | { time_s: number; parameter: string; value: Value };
 
-/** Changes made in a run so far, and those that a link says are to be made again. */
+/** Changes made so far in a run, and changes of a link that the run has still to repeat. */
 export class Changes {
   private all: Change[] = [];
 
@@ -16,8 +16,10 @@ export class Changes {
     return this.all;
   }
 
-  /** Records a change. Of several moves of one lever between two steps only the last counts, and a repeated move counts once. A parameter
-   * books energy each time. */
+  /**
+   * Records a change. If one lever is moved several times between two steps, only the last move counts, and a repeated
+   * move counts once. Every change of a parameter counts, because each adds energy.
+   */
   make(change: Change): void {
     if ("input" in change && this.all.some((one) => "input" in one && one.time_s === change.time_s && one.input === change.input && one.value === change.value)) return;
     const last = this.all.at(-1);
@@ -26,25 +28,25 @@ export class Changes {
     this.all.push(change);
   }
 
-  /** Removes and returns the changes that are due after a number of steps. */
+  /** Removes and returns the changes that are due after this number of steps. */
   takeDue(steps: number): Change[] {
     const now = this.due.filter((change) => this.stepOf(change) <= steps);
     if (now.length > 0) this.due = this.due.slice(now.length);
     return now;
   }
 
-  /** Steps until the next later change; infinite if there is none. */
+  /** Number of steps to the next change that is not yet due; infinite if there is none. */
   toNext(steps: number): number {
     const next = this.due.find((change) => this.stepOf(change) > steps);
     return next ? this.stepOf(next) - steps : Infinity;
   }
 
-  /** Manual control: no change is repeated any more. */
+  /** Drops the changes that were still to be repeated: from now on the user steers. */
   dropDue(): void {
     this.due = [];
   }
 
-  /** The run went back to this step. */
+  /** Drops the changes after a step to which the run went back. */
   dropAfter(steps: number): void {
     this.all = this.all.filter((change) => this.stepOf(change) <= steps);
     this.dropDue();

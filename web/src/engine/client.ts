@@ -3,11 +3,11 @@ import type { Fault, Value, Values } from "./engine";
 import { faultOfBreakdown, faultOfSilence, isOfEngine, UNLOADED } from "./faults";
 import type { FromWorker, LeverMove, Replies, Reply, Request } from "./messages";
 
-/** Interval of the checks whether the worker is alive, while an answer is expected, ms. */
+/** Interval between two checks whether the worker is alive, while an answer is expected, ms. */
 const LOOK_EVERY_MS = 1000;
 /**
- * Checks without a sign of life after which the worker counts as dead. The engine gives none during one step or one opening, which on a
- * phone, or beside other work, may take half a minute.
+ * Number of checks without a sign of life after which the worker counts as dead. A worker gives no sign of life during
+ * one step or one opening, which may take half a minute on a phone or a busy machine.
  */
 const MOST_SILENT_LOOKS = 60;
 
@@ -17,15 +17,16 @@ interface Waiting {
 }
 
 /**
- * The engine in its worker, seen from the page: each request returns a promise, and answers come in order. A worker that fails or falls
- * silent is ended, waiting requests are rejected with a fault of the kind `engine`, and the next request starts another worker.
+ * The engine in its worker, as the page uses it: each request returns a promise, and answers come in order. A worker
+ * that fails or does not answer is ended, waiting requests are rejected with a fault of the kind `engine`, and the next
+ * request starts another worker.
  */
 export class EngineClient {
   private readonly waiting = new Map<number, Waiting>();
   private worker: Worker | null = null;
   private lastId = 0;
   private silentLooks = 0;
-  /** Why a worker ended while nobody waited: the next request is told. */
+  /** Fault of a worker that ended while no request waited: the next request is rejected with it. */
   private lost: Fault | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
 
@@ -38,8 +39,8 @@ export class EngineClient {
   }
 
   /**
-   * `opened` holds the texts of the files that came with it, by name; null for a scenario of the gallery. `changes` are made at their
-   * times.
+   * Opens a scenario. `opened` holds the texts of the files that were opened with it, by name; null for a scenario of
+   * the gallery. `changes` are made at their times.
    */
   open(
     text: string,
@@ -59,7 +60,7 @@ export class EngineClient {
     return this.ask({ kind: "step" });
   }
 
-  /** At present, or at the start and without some bodies. */
+  /** Computes how the hulls float at rest: at present, or without some bodies and with the crane as at the start. */
   hydrostatics(without: readonly string[] | null = null): Promise<Replies["hydrostatics"]> {
     return this.ask({ kind: "hydrostatics", without });
   }
@@ -68,7 +69,7 @@ export class EngineClient {
     return this.ask({ kind: "equations" });
   }
 
-  /** Time at which it acts, s. */
+  /** Sets an input; resolves with the time at which it acts, s. */
   input(name: string, value: number): Promise<number> {
     return this.ask({ kind: "input", name, value });
   }
@@ -77,7 +78,7 @@ export class EngineClient {
     return this.ask({ kind: "parameter", name, value });
   }
 
-  /** The present run as a scenario. */
+  /** Asks for the present run as a scenario. */
   replay(): Promise<Replies["replay"]> {
     return this.ask({ kind: "replay" });
   }
@@ -91,7 +92,7 @@ export class EngineClient {
     return this.ask({ kind: "snapshot" });
   }
 
-  /** `moves` are the later lever moves, to be repeated. */
+  /** Continues from an earlier state; `moves` are the lever moves after it, which are repeated. */
   restore(snapshot: Uint8Array, moves: LeverMove[] = []): Promise<Replies["restore"]> {
     return this.ask({ kind: "restore", snapshot, moves });
   }
@@ -105,7 +106,7 @@ export class EngineClient {
     const id = ++this.lastId;
     const { lost } = this;
     this.lost = null;
-    // The next worker has nothing open.
+    // The next worker has no scenario open.
     if (lost && request.kind !== "open") return Promise.reject(lost);
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
@@ -137,7 +138,10 @@ export class EngineClient {
     else waiting?.resolve(reply.value as never);
   }
 
-  /** A dead worker does not answer, and a busy one cannot. Checks are counted instead of time, because a suspended page makes no checks. */
+  /**
+   * Starts to check that the worker is alive: a dead worker does not answer, and a busy one cannot. Checks are counted
+   * instead of time, because a suspended page makes no checks.
+   */
   private watch(): void {
     this.timer ??= setInterval(() => {
       this.silentLooks += 1;

@@ -2,7 +2,7 @@ import type { Channel } from "./engine";
 
 /** Positions of named columns in a row. */
 export class Columns {
-  /** Flat names in the order of a row: the names of the CSV files. */
+  /** Names of the columns in the order of a row, as in the CSV files. */
   readonly names: string[];
   private readonly index: Map<string, number>;
 
@@ -15,12 +15,12 @@ export class Columns {
     return this.names.length;
   }
 
-  /** -1 if there is no such column. */
+  /** Index of a column; -1 if there is no such column. */
   at(name: string): number {
     return this.index.get(name) ?? -1;
   }
 
-  /** NaN if there is no such column. */
+  /** Value of a column in a row; NaN if there is no such column. */
   read(row: ArrayLike<number>, name: string): number {
     const at = this.at(name);
     return at < 0 ? NaN : row[at];

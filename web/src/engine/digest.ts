@@ -1,4 +1,4 @@
-/** A short digest of texts and numbers: FNV-1a over their bytes, 32 bits, in hexadecimal. */
+/** Returns a short digest of texts and numbers: FNV-1a over their bytes, 32 bits, in hexadecimal. */
 export function digestOf(...parts: readonly (string | ArrayBufferView)[]): string {
   let hash = 0x811c9dc5;
   for (const part of parts) {

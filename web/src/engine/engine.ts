@@ -49,7 +49,10 @@ export type ParameterInfo = ParameterDescription;
 
 export type ModelInfo = Omit<Description, "bodies"> & { bodies: BodyInfo[] };
 
-/** Reads the description of a model from `model_json`, where a shape is under its kind, as in a scenario file. */
+/**
+ * Reads the description of a model from `model_json`, where the name of a shape's kind is the key of its data, as in a
+ * scenario file.
+ */
 export function readModel(json: string): ModelInfo {
   const described = parsed("model_json", json);
   return { ...described, bodies: described.bodies.map((body) => ({ ...body, shape: readShape(body.shape) })) };
@@ -64,20 +67,20 @@ function readShape(tagged: BodyDescription["shape"]): Shape | null {
   return { kind: "point" };
 }
 
-/** The settings of a resolved scenario, none of them left out. */
+/** Settings of a resolved scenario; none is left out. */
 export type Settings = Required<SimulationSettings>;
 
-/** The axis that a joint turns about or slides along, if it has one. */
+/** Axis about which a joint turns or along which it slides. */
 export interface JointAxis {
-  /** The child. */
+  /** Name of the child body. */
   body: string;
-  /** In the parent's drawing frame. */
+  /** Direction of the axis, in the parent's drawing frame. */
   axis: [number, number, number];
-  /** Position of the joint from the child's centre of mass, m; zero if the child turns about its own centre. */
+  /** Position of the joint relative to the child's centre of mass, m; zero if the child turns about its own centre. */
   arm_m: [number, number, number];
 }
 
-/** The joints of a resolved scenario that have one axis. */
+/** Returns the axes of all joints of a resolved scenario that have exactly one axis. */
 export function readJointAxes({ bodies = {} }: Resolved): JointAxis[] {
   return Object.entries(bodies).flatMap(([body, { joint, centre_of_mass_m }]) => {
     const [given] = Object.values(joint ?? {});
@@ -87,10 +90,13 @@ export function readJointAxes({ bodies = {} }: Resolved): JointAxis[] {
   });
 }
 
-/** Whether the scenario's timeline steers. */
+/** Path of the field that enables the scenario's timeline. */
 const TIMELINE = "operation.enabled";
 
-/** The name that switches the timeline of a resolved scenario off: the parameter for it, otherwise the field itself. */
+/**
+ * Returns the name that switches the timeline of a resolved scenario off: the name of the parameter for it, otherwise
+ * the path of the field.
+ */
 export function readTimelineSwitch({ parameters = [] }: Resolved): string {
   return parameters.find(({ writes }) => writes?.includes(TIMELINE))?.name ?? TIMELINE;
 }
@@ -103,7 +109,7 @@ function isVector(given: unknown): given is [number, number, number] {
 export interface Fault {
   kind: string;
   message: string;
-  /** An addition of the page, in its own language. */
+  /** Remark that the page adds, in the language of the page. */
   note?: string;
   file?: string;
   line?: number;
@@ -121,34 +127,37 @@ export interface Engine {
   step_s(): number;
   channels_json(): string;
   row(): Float64Array;
-  /** Per body x y z qw qx qy qz, metres, world frame. */
+  /** Poses x y z qw qx qy qz for each body, m, world frame. */
   poses(): Float64Array;
-  /** Elevation of the sea at every crossing of the lines x and y, world, m, row by row along the first x. */
+  /**
+   * Elevation of the sea at every crossing of the grid lines `x` and `y`, world frame, m, row by row along the first
+   * `x`.
+   */
   surface(x: Float64Array, y: Float64Array): Float64Array;
-  /** Lines to draw in addition to the bodies. */
+  /** Lines that are drawn in addition to the bodies. */
   lines_json(): string;
-  /** The points of these lines, line by line: x y z, metres, world frame. */
+  /** Points of the lines of `lines_json`, line by line: x y z, m, world frame. */
   line_points(): Float64Array;
   model_json(): string;
   /** Warnings from the rows so far. */
   warnings_json(): string;
-  /** Events in order of time, without the given number of first ones: time, element and event. */
+  /** Events in order of time, without the first `first` ones: time, element and event. */
   events_json(first: number): string;
-  /** Throws if a hull cannot float. */
+  /** Hydrostatics at rest; throws if a hull cannot float. */
   hydrostatics_json(): string;
-  /** The matrices of the method now, and the formulas of their blocks. */
+  /** Matrices of the method at the present state, and the formulas of their blocks. */
   equations_json(): string;
-  /** The scenario with defaults, parameters and overrides in place. */
+  /** The scenario with its defaults, parameters and overrides applied. */
   resolved_json(): string;
   inputs_json(): string;
   set_input(name: string, value: number): void;
-  /** The inputs set by hand so far. */
+  /** Inputs that were set by hand so far. */
   lever_moves_json(): string;
-  /** Parameters set since the start of the run, which a replay does not contain. */
+  /** Parameters that were set since the start of the run; a replay does not contain them. */
   parameters_set_json(): string;
-  /** The scenario with the inputs set by hand as its operation; throws if it has an enabled operation. */
+  /** The scenario with the inputs that were set by hand as its operation; throws if its own operation is enabled. */
   replay_json(): string;
-  /** Sets a live parameter from the next step on; throws if the run would have to start again. */
+  /** Sets a live parameter from the next step on; throws if the parameter needs a new run. */
   set_parameter(name: string, valueJson: string): void;
   snapshot(): Uint8Array;
   /** Continues from a snapshot of a run of the same scenario. */
@@ -159,7 +168,7 @@ export interface Engine {
 export type OpenEngine = (text: string, file: string, overridesJson: string, filesJson: string) => Engine;
 
 export function asFault(thrown: unknown): Fault {
-  // The engine's memory cannot be trusted after this.
+  // After such an error the engine's memory may be corrupt.
   if (thrown instanceof WebAssembly.RuntimeError) return faultOfBreakdown(thrown.message);
   if (typeof thrown === "object" && thrown !== null && "message" in thrown) {
     const { message } = thrown;

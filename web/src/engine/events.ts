@@ -9,19 +9,19 @@ export interface EventRecord {
   what: string;
 }
 
-/** Lever moves within this time of each other count as one, s: a hand drags the lever. */
+/** Largest interval between two moves of one lever in one drag, s. */
 const ONE_MOVE_S = 1;
 
-/** Most events of one kind that are listed: a load that slides on deck has thousands. */
+/** Largest number of listed events of one kind: a load that slides on deck has thousands. */
 const MOST_ALIKE = 50;
 
-/** Events of a run so far, and inputs set by hand. */
+/** Events of a run so far, and moves of levers by hand. */
 export class Events {
   private seen = 0;
   private readonly kept: Warning[] = [];
   private readonly alike = new Map<string, number>();
 
-  /** Only new events are requested from the engine. */
+  /** Returns all events and lever moves so far; asks the engine only for new events. */
   of(engine: Engine): Warning[] {
     const fresh = answer(engine, "events_json", this.seen);
     this.seen += fresh.length;
@@ -41,7 +41,7 @@ function byHand({ time_s, input, value }: LeverMove): Warning {
   return { time_s, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) };
 }
 
-/** Whether a lever stays where it was moved to. */
+/** Whether a move is the last of one drag: no move of the same input follows within ONE_MOVE_S. */
 function isEnd({ time_s, input }: LeverMove, at: number, moves: LeverMove[]): boolean {
   const next = moves[at + 1];
   return !next || next.input !== input || next.time_s - time_s > ONE_MOVE_S;

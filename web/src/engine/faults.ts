@@ -1,15 +1,15 @@
 import { texts } from "../texts";
 import type { Fault } from "./engine";
 
-/** Kinds of faults whose message is the page's own, in its language; those of the engine are in English. */
+/** Kinds of faults whose message the page writes, in its language; messages of the engine are in English. */
 export const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "saved", "setting", "two_operations"];
 
-/** A fault between the page and the engine, in words. The kind `engine` means that the engine is dead. */
+/** Whether a fault is of the kind `engine`: the engine is dead. */
 export function isOfEngine(fault: unknown): fault is Fault & { kind: "engine" } {
   return typeof fault === "object" && fault !== null && "kind" in fault && fault.kind === "engine";
 }
 
-/** Whether its message is in the engine's words. */
+/** Whether the engine wrote the message of a fault: such messages are in English. */
 export function isInEnglish({ kind }: Fault): boolean {
   return !OF_PAGE.includes(kind);
 }
@@ -28,7 +28,7 @@ export function faultOfBreakdown(why: string): Fault {
   return { kind: "engine", message: texts.engine.broke_down(why) };
 }
 
-/** A file that may exist, but could not be loaded. */
+/** Returns the fault of a file that may exist, but could not be loaded. */
 export function faultOfNetwork(url: string, why: string): Fault {
   return { kind: "network", message: texts.engine.not_fetched(url.slice(url.lastIndexOf("/") + 1), why) };
 }

@@ -1,28 +1,28 @@
-/** Fetches a file's text; null if it does not exist, and a fault if that is unknown. */
+/** Fetches a file's text; null if the file does not exist. Throws a fault if this is unknown. */
 export type FetchText = (url: string) => Promise<string | null>;
 
 /** Texts of files by their names. */
 export type Texts = Record<string, string>;
 
-/** Endings of hydrodynamic databases and tables, which are not scenarios. */
+/** Endings of the names of hydrodynamic databases and tables, which are not scenarios. */
 const NO_SCENARIOS = [".hydro.json", ".csv"];
-/** Fields of which every scenario has one, in YAML or JSON: first those that name other files. */
+/** Fields of which every scenario has at least one, in YAML or JSON: first the field that names other files. */
 const OF_SCENARIOS = [/(^|[{,\s])"?parts"?\s*:/m, /(^|[{,\s])"?bodies"?\s*:/m];
-/** Prefix of the names of files in the gallery. */
+/** Prefix of names of files that are in the gallery. */
 const GALLERY = "gallery:";
 
 export function isOfGallery(name: string): boolean {
   return name.startsWith(GALLERY);
 }
 
-/** The scenario among some files, which names the others; undefined if there is none. */
+/** Returns the name of the scenario among files that were opened together; undefined if there is none. */
 export function scenarioAmong(texts: Texts): string | undefined {
   const names = Object.keys(texts).filter((name) => !NO_SCENARIOS.some((ending) => name.endsWith(ending)));
   const found = OF_SCENARIOS.map((field) => names.find((name) => field.test(texts[name])));
   return found.find((name) => name !== undefined) ?? names[0];
 }
 
-/** The texts of all files of a scenario: parts may name further files. */
+/** Fetches the texts of all files of a scenario: its parts may name further files. */
 export async function gathered(
   namesBy: (texts: Texts) => readonly string[],
   take: (names: readonly string[]) => Promise<Texts>,
@@ -38,8 +38,9 @@ export async function gathered(
 }
 
 /**
- * The files of these names. Names with the gallery's prefix come from its folder. Others come from the files that were opened with the
- * scenario; if the scenario is one of the gallery, they also come from the gallery's folder.
+ * Returns the texts of the named files. A name with the gallery's prefix is read from the gallery's folder. Any other
+ * is one of the files that were opened with the scenario, or a file in the gallery's folder if the scenario is from the
+ * gallery.
  */
 export async function textsOf(names: readonly string[], opened: Texts | null, gallery: ScenarioFiles): Promise<Texts> {
   const own = names.filter((name) => !isOfGallery(name));
@@ -48,20 +49,21 @@ export async function textsOf(names: readonly string[], opened: Texts | null, ga
   return { ...Object.fromEntries(found), ...(opened ? openedWith(own, opened) : await gallery.take(own)) };
 }
 
-/** The files of a scenario that were opened with it; the folders in their names are ignored. */
+/** Returns those of the named files that were opened with the scenario; folders in the names are ignored. */
 export function openedWith(names: readonly string[], opened: Texts): Texts {
   const found = names.map((name) => [name, opened[name.slice(name.lastIndexOf("/") + 1)]] as const);
   return Object.fromEntries(found.filter(([, text]) => text !== undefined));
 }
 
 /**
- * The files that scenarios name, by name: fetched once from the gallery's folder. A missing file is left out; the engine then reports it.
+ * Files that scenarios name, each fetched once from the gallery's folder. A missing file is left out, and the engine
+ * reports it.
  */
 export class ScenarioFiles {
   private readonly texts = new Map<string, Promise<string | null>>();
 
   constructor(
-    /** Address of the gallery's folder, with the slash at its end. */
+    /** Address of the gallery's folder, with a slash at the end. */
     private readonly folder: string,
     private readonly fetchText: FetchText,
   ) {}
@@ -82,14 +84,14 @@ export class ScenarioFiles {
     return text;
   }
 
-  /** A name cannot lead outside the folder. */
+  /** Fetches a file; its name cannot lead outside the folder. */
   private async fetch(name: string): Promise<string | null> {
     const href = addressOf(name, this.folder);
     return href.startsWith(this.folder) ? this.fetchText(href) : null;
   }
 }
 
-/** Empty if the name is not possible in an address. */
+/** Address of a file in the folder; empty if the name is not possible in an address. */
 function addressOf(name: string, folder: string): string {
   try {
     return new URL(name, folder).href;

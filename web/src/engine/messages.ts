@@ -7,9 +7,9 @@ export interface OpenRequest {
   text: string;
   file: string;
   overrides: Values;
-  /** Texts of the files that were opened with it, by name; null for a scenario of the gallery. */
+  /** Texts of the files that were opened with the scenario, by name; null for a scenario of the gallery. */
   opened: Record<string, string> | null;
-  /** To be made at their times. */
+  /** Changes to make at their times. */
   changes: readonly Change[];
   /** Address of the folder with the files that the gallery's scenarios name. */
   folder: string;
@@ -28,45 +28,45 @@ export type Request =
   | { kind: "restore"; snapshot: Uint8Array; moves: LeverMove[] }
   | { kind: "parameter"; name: string; value: Value };
 
-/** A lever that was set by hand. */
+/** A move of a lever by hand. */
 export interface LeverMove {
   time_s: number;
   input: string;
   value: number;
 }
 
-/** A state of the engine to continue from. */
+/** State of the engine from which a run can continue. */
 export interface Snapshot {
   time_s: number;
   bytes: Uint8Array;
-  /** Whether a parameter was set just before: none is set between two keyframes. */
+  /** Whether a parameter was set just before this state: between two keyframes no parameter is set. */
   isChange: boolean;
 }
 
-/** The results of a stretch of simulation. */
+/** Results of a stretch of simulation. */
 export interface Frame {
-  /** One row for each recording time of the stretch, one after another, each as wide as `row`. */
+  /** Rows of the recording times of the stretch, one after another, each as long as `row`. */
   rows: Float64Array;
-  /** Poses and points of lines at the same times, one after another. */
+  /** Poses and points of lines at the times of `rows`, one after another. */
   row_poses: Float64Array;
   row_line_points: Float64Array;
-  /** States on the way, from time to time and after each set parameter. */
+  /** States during the stretch, at intervals and after each parameter that was set. */
   keyframes: Snapshot[];
-  /** Changes from a link that were made before the first of them. */
+  /** Changes of a link that the run made before the first step of the stretch. */
   changes: Change[];
-  /** The row now, on a recording time or not. */
+  /** The row at the end of the stretch; its time need not be a recording time. */
   row: Float64Array;
-  /** Per body x y z qw qx qy qz, world frame. */
+  /** Poses x y z qw qx qy qz for each body, world frame. */
   poses: Float64Array;
-  /** The points of the lines, one line's after another's: x y z, metres, world frame. */
+  /** Points of the lines, line by line: x y z, m, world frame. */
   line_points: Float64Array;
-  /** The sea around, where a hull is in it. */
+  /** Surface of the sea around the ship; null if there is no ship in a sea. */
   surface: Surface | null;
   /** Warnings from the rows so far. */
   warnings: Warning[];
   /** Events of the run so far, and inputs set by hand. */
   events: Warning[];
-  /** Whether the requested recording time is not reached yet: one frame did not have enough time. */
+  /** Whether the requested recording time is not yet reached, because the time budget of a frame was used up. */
   isPart: boolean;
   /** The reason why the run cannot go on. */
   fault: Fault | null;
@@ -86,24 +86,24 @@ export interface Opened {
   frame: Frame;
 }
 
-/** The run at the time to which it was brought back. */
+/** Inputs and frame of a run at the time to which it was brought back. */
 export interface Restored {
   inputs: InputInfo[];
   frame: Frame;
 }
 
-/** A run as a scenario, with values set and levers moved by hand. */
+/** A run as a scenario, with the values that were set and the levers that were moved by hand. */
 export interface Replay {
-  /** Resolved, as JSON, for a run of its own. */
+  /** The resolved scenario in JSON. */
   scenario: string;
-  /** Present time of the run. */
+  /** Present time of the run, s. */
   time_s: number;
   integrator: string;
   /** Number of lever moves by hand. */
   moves: number;
-  /** Parameters set during the run: the scenario has their last values from the start. */
+  /** Parameters set during the run: the scenario has their last values from the start on. */
   parameters: { time_s: number; parameter: string }[];
-  /** Its files that are not in the gallery. */
+  /** Files of the scenario that are not in the gallery. */
   files: string[];
 }
 
@@ -114,7 +114,7 @@ export interface Replies {
   step: Frame;
   hydrostatics: Hydrostatics;
   equations: Equations;
-  /** Time at which it acts, s. */
+  /** Time at which the input acts, s. */
   input: number;
   parameter: null;
   replay: Replay;
@@ -126,7 +126,7 @@ export interface Replies {
 /** Everything that goes to the worker. */
 export type ToWorker = { id: number; request: Request } | { isThere: true };
 
-/** A sign of life between the answers. */
+/** An answer, or a sign of life between answers. */
 export type FromWorker = Reply | { isAlive: true };
 
 export type Reply = { id: number; value: unknown } | { id: number; fault: Fault };

@@ -3,10 +3,10 @@ import { faultOfNetwork } from "./faults";
 
 /** Timeout for loading a file, ms. */
 const LONGEST_MS = 60_000;
-/** Status codes of a server for a missing file. */
+/** Status codes by which a server reports a missing file. */
 const NOT_THERE = [404, 410];
 
-/** The text at an address; null if there is none. Throws if that is unknown. */
+/** Fetches the text at an address; null if the file does not exist. Throws a fault if this is unknown. */
 export async function fetchText(url: string): Promise<string | null> {
   const response = await fetched(url);
   if (NOT_THERE.includes(response.status)) return null;

@@ -9,24 +9,24 @@ import type { Frame, LeverMove, Opened, Replay, Restored, Snapshot } from "./mes
 import { SurfaceGrid } from "./surface";
 import { withoutBodies } from "./without";
 
-/** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
+/** Longest wall time that one frame makes up for, s: on a slow machine the run is slower than asked for. */
 const LONGEST_WALL_S = 0.25;
-/** Longest time that one frame may compute, ms. */
+/** Longest computing time of one frame, ms. */
 const BUDGET_MS = 40;
-/** Most steps between two looks at the clock, and how long they may take, ms. */
+/** Largest number of steps between two checks of the clock, and the longest time for them, ms. */
 const STEPS_AT_ONCE = 64;
 const MS_AT_ONCE = 8;
-/** Recording times from one keyframe to the next. */
+/** Number of recording times between two keyframes. */
 const KEYFRAME_EVERY = 10;
 
-/** Data taken at the recording times within a frame. */
+/** Data that a frame collects at its recording times. */
 interface Taken {
   steps: number;
   rows: Float64Array[];
   poses: Float64Array[];
   line_points: Float64Array[];
   keyframes: Snapshot[];
-  /** Changes repeated before the first step. */
+  /** Changes of a link that were repeated before the first step. */
   changes: Change[];
 }
 
@@ -41,12 +41,12 @@ export class Runner {
   private stepsPerRecord = 1;
   private stepsAtOnce = 1;
   private owed_s = 0;
-  /** The newest row's time. */
+  /** Time of the newest recorded row, s. */
   private recorded_s = 0;
   private fault: Fault | null = null;
   /** Whether a parameter was set since the last step. */
   private isSet = false;
-  /** Lever moves to repeat when a stretch is computed again. */
+  /** Lever moves to repeat while a stretch is computed again. */
   private again: LeverMove[] = [];
   private events = new Events();
   private changes = new Changes([], 1);
@@ -57,8 +57,8 @@ export class Runner {
   ) {}
 
   /**
-   * Opens a scenario, with its files, at its initial state; if that throws, the present engine stays. `changes` are made at their times,
-   * until something is set by hand.
+   * Opens a scenario, with its files, at its initial state; if that throws, the present engine stays. `changes` are
+   * made at their times, until something is set by hand.
    */
   open(text: string, file: string, overrides: Values, files: Record<string, string> = {}, changes: readonly Change[] = []): Opened {
     const source = { file, files: JSON.stringify(files) };
@@ -93,8 +93,8 @@ export class Runner {
   }
 
   /**
-   * Advances by `wall_s` times `speed`, which may be infinite, within the time budget of one frame, and not beyond `until_s`; null if no
-   * step is due.
+   * Advances by `wall_s` times `speed`, which may be infinite, within the time budget of one frame and not beyond
+   * `until_s`; null if no step is due.
    */
   advance(wall_s: number, speed: number, until_s = Infinity): Frame | null {
     const engine = this.current();
@@ -119,7 +119,7 @@ export class Runner {
     return this.current().snapshot();
   }
 
-  /** Continues the run from an earlier state and repeats these moves; a later fault is cleared. */
+  /** Continues the run from an earlier state and repeats these lever moves; a fault after that state is cleared. */
   restore(snapshot: Uint8Array, moves: LeverMove[] = []): Restored {
     const engine = this.current();
     engine.restore(snapshot);
@@ -136,8 +136,8 @@ export class Runner {
   }
 
   /**
-   * How the hulls float at rest with the crane as it stands, or as at the start and without some bodies; a hull that cannot float gives a
-   * warning.
+   * Computes how the hulls float at rest: with the crane in its present pose, or without some bodies and with the crane
+   * as at the start. A hull that cannot float gives a warning.
    */
   hydrostatics(without: readonly string[] | null = null): Hydrostatics {
     try {
@@ -151,15 +151,15 @@ export class Runner {
     }
   }
 
-  /** The matrices of the method at the engine's state. */
+  /** Computes the matrices of the method at the engine's present state. */
   equations(): Equations {
     return answer(this.current(), "equations_json");
   }
 
-  /** Time at which it acts, s. */
+  /** Sets an input by hand; returns the time at which it acts, s. */
   input(name: string, value: number): number {
     const time_s = this.current().time_s();
-    // JSON has no negative zero, and a link contains JSON.
+    // JSON, which a link contains, has no negative zero.
     this.setByHand({ time_s, input: name, value: value === 0 ? 0 : value });
     return time_s;
   }
@@ -168,7 +168,7 @@ export class Runner {
     this.setByHand({ time_s: this.current().time_s(), parameter: name, value });
   }
 
-  /** The changes so far, by hand or repeated. */
+  /** Changes made so far, by hand or repeated from a link. */
   made(): readonly Change[] {
     return this.changes.made;
   }
@@ -186,7 +186,7 @@ export class Runner {
     if ("parameter" in change) this.isSet = true;
   }
 
-  /** Makes the changes that are due now; if the engine refuses one, the run ends. */
+  /** Makes the changes of a link that are due now; if the engine refuses one, the run ends. */
   private setAgain(taken: Taken): void {
     try {
       const time_s = this.current().time_s();
@@ -200,7 +200,7 @@ export class Runner {
     }
   }
 
-  /** The run as a scenario, without the files that it names. */
+  /** Returns the run as a scenario, without the list of the files that it names. */
   replay(): Omit<Replay, "files"> {
     const engine = this.current();
     return {
@@ -221,7 +221,7 @@ export class Runner {
     return this.stepsPerRecord - (this.steps % this.stepsPerRecord);
   }
 
-  /** Makes the lever moves that are due. */
+  /** Makes the lever moves that are due again. */
   private moveAgain(): void {
     while (this.again.length > 0 && this.toNextMove() <= 0) {
       this.set(this.again.shift()!);
@@ -273,7 +273,7 @@ export class Runner {
     this.isSet = false;
   }
 
-  /** Number of steps at once that leaves time to look at the clock. */
+  /** Sets the number of steps between two checks of the clock from the time that the last ones took. */
   private pace(steps: number, took_ms: number): void {
     const fits = took_ms > 0 ? Math.floor((MS_AT_ONCE * steps) / took_ms) : STEPS_AT_ONCE;
     this.stepsAtOnce = Math.max(1, Math.min(fits, 2 * this.stepsAtOnce, STEPS_AT_ONCE));
@@ -300,7 +300,7 @@ export class Runner {
   }
 }
 
-/** One after another. */
+/** Joins arrays one after another. */
 function flat(parts: Float64Array[]): Float64Array {
   const all = new Float64Array(parts.reduce((sum, { length }) => sum + length, 0));
   let at = 0;

@@ -5,12 +5,15 @@ import type { OpenRequest } from "./messages";
 import { fetchText } from "./network";
 import { file_names } from "./pkg/kingpost_wasm.js";
 
-/** Names of the files that a scenario needs, as far as the known texts tell. */
+/** Names of the files that a scenario needs, as far as they follow from the known texts. */
 export function fileNames(text: string, file = "", overrides: Values = {}, texts: Texts = {}): string[] {
   return JSON.parse(file_names(text, file, JSON.stringify(overrides), JSON.stringify(texts)));
 }
 
-/** The files that scenarios name: for a user's scenario the files opened with it, for one of the gallery the files of its folder. */
+/**
+ * Files that scenarios name: those opened together with a user's scenario, those in the gallery's folder for a scenario
+ * of the gallery.
+ */
 export class FilesOfScenarios {
   private readonly folders = new Map<string, ScenarioFiles>();
 

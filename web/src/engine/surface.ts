@@ -1,28 +1,33 @@
 import type { Engine, ModelInfo } from "./engine";
 
-/** Evenly spaced lines on each side of the middle. */
+/** Number of evenly spaced lines on each side of the middle. */
 const EVEN = 22;
-/** Further lines on each side: the spacing grows by this factor. */
+/** Number of further lines on each side, and the factor by which their spacing grows from line to line. */
 const BEYOND = 10;
 const GROWTH = 1.55;
-/** Even distances in a length of the longest hull. */
+/** Number of evenly spaced intervals in one length of the longest hull. */
 const IN_A_LENGTH = 20;
 
-/** Distance of each line from the middle, in lengths of the longest hull: dense around it, sparse to the horizon. */
+/**
+ * Distance of each line from the middle, in lengths of the longest hull: dense around the hull, sparse to the horizon.
+ */
 export const OFFSETS: readonly number[] = offsets();
-/** Lines of the grid along each axis: for each wave the engine computes one sine per line, not per crossing. */
+/**
+ * Number of grid lines along each axis: for each wave the engine computes one sine per line instead of one per
+ * crossing.
+ */
 export const LINES = OFFSETS.length;
 
-/** The sea around the ship, on a square grid along the world's axes. */
+/** Surface of the sea around the ship, on a square grid along the world's axes. */
 export interface Surface {
-  /** Positions of the lines, m. */
+  /** Positions of the grid lines, m. */
   x_m: Float64Array;
   y_m: Float64Array;
   /** Elevation at every crossing, row by row along the first x, m. */
   elevation_m: Float64Array | Float32Array;
 }
 
-/** The ships that the water is drawn for: hulls, and boxes that the waves move; none without a sea. */
+/** Returns the ships around which water is drawn: hulls, and boxes that the waves move; none without a sea. */
 export function shipsInTheSea({ sea, hulls, joints, bodies }: ModelInfo): { body: string; length_m: number }[] {
   if (!sea) return [];
   const boxes = joints.filter(({ kind }) => kind === "moved_by_waves").flatMap(({ body }) => {
@@ -32,7 +37,7 @@ export function shipsInTheSea({ sea, hulls, joints, bodies }: ModelInfo): { body
   return [...hulls.map(({ body, length_m }) => ({ body, length_m })), ...boxes];
 }
 
-/** The grid of the surface: around the hull, on lines that stay fixed while it drifts. */
+/** Grid of the sea's surface: around the hull, on lines that stay fixed while the hull drifts. */
 export class SurfaceGrid {
   private constructor(
     private readonly body: number,
@@ -40,7 +45,7 @@ export class SurfaceGrid {
     private readonly isLevel: boolean,
   ) {}
 
-  /** Null if there is no ship in a sea. */
+  /** Returns the grid of a model; null if there is no ship in a sea. */
   static around(model: ModelInfo): SurfaceGrid | null {
     const longest = shipsInTheSea(model).sort((a, b) => b.length_m - a.length_m)[0];
     if (!model.sea || !longest) return null;
@@ -48,13 +53,13 @@ export class SurfaceGrid {
     return new SurfaceGrid(body, longest.length_m, model.sea.wave_components === 0);
   }
 
-  /** The surface now. */
+  /** Computes the surface at the engine's present time. */
   surface(engine: Engine, poses: ArrayLike<number>): Surface {
     const [x_m, y_m] = [poses[7 * this.body], poses[7 * this.body + 1]].map((at) => this.linesAround(at));
     return { x_m, y_m, elevation_m: this.isLevel ? new Float64Array(LINES * LINES) : engine.surface(x_m, y_m) };
   }
 
-  /** The middle line is on a fixed grid of the world. */
+  /** Positions of the lines around a middle, which is rounded to a fixed grid of the world. */
   private linesAround(middle_m: number): Float64Array {
     const even_m = this.length_m / IN_A_LENGTH;
     const middle = Math.round(middle_m / even_m) * even_m;

@@ -1,6 +1,6 @@
 import { parsed } from "./answers";
 
-/** A resolved scenario without some of its bodies, and without their drives, limits and operations. */
+/** Returns a resolved scenario without some of its bodies, and without their drives, limits and operations. */
 export function withoutBodies(resolvedJson: string, bodies: readonly string[]): string {
   const scenario = parsed("resolved_json", resolvedJson);
   for (const name of bodies) if (scenario.bodies?.[name]) scenario.bodies[name].enabled = false;

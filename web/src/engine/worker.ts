@@ -8,7 +8,7 @@ import { fetched, said } from "./network";
 import { Runner } from "./runner";
 import { fileNames, FilesOfScenarios } from "./scenario_files";
 
-/** The part of a worker's global scope that is used here. */
+/** The part of a worker's global scope that this worker uses. */
 interface WorkerScope {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
   postMessage(message: FromWorker, transfer?: Transferable[]): void;
@@ -16,7 +16,7 @@ interface WorkerScope {
 
 declare const self: WorkerScope;
 const ready = load();
-// The error goes to the first request.
+// The first request reports the error.
 ready.catch(() => undefined);
 const runner = new Runner(
   (text, file, overrides, files) => new Simulation(text, file, overrides, files),
@@ -35,7 +35,7 @@ async function load(): Promise<void> {
 
 const files = new FilesOfScenarios();
 
-/** The present run as a scenario, with the names of the files that must be in its folder. */
+/** Returns the present run as a scenario, with the names of the files that must lie in its folder. */
 function replay(): Replay {
   const found = runner.replay();
   return { ...found, files: fileNames(found.scenario).filter((name) => !isOfGallery(name)) };
@@ -69,7 +69,7 @@ async function answer(request: Request): Promise<Replies[keyof Replies]> {
   }
 }
 
-/** The buffers of a frame in an answer; they are transferred, not copied. */
+/** Returns the buffers of a frame in an answer; they are transferred, not copied. */
 function buffersOf(value: Replies[keyof Replies]): Transferable[] {
   if (typeof value !== "object" || value === null) return [];
   if ("frame" in value) return buffersOf(value.frame);
@@ -81,7 +81,8 @@ function buffersOf(value: Replies[keyof Replies]): Transferable[] {
 
 let turn: Promise<void> = Promise.resolve();
 
-// In turn: otherwise a request could meet another scenario while one waits for a file.
+// Requests are handled one after another: otherwise a request could act on another scenario while an opening waits for
+// a file.
 self.onmessage = ({ data }) => {
   if ("isThere" in data) self.postMessage({ isAlive: true });
   else turn = turn.then(() => settle(data));

@@ -3,24 +3,24 @@ import type { Equations } from "../engine/engine";
 export type NamedMatrix = Equations["matrices"][number];
 export type SymbolicMatrix = Equations["formulas"][number];
 
-/** A range of rows or columns that belong together: a body's translation or rotation, or a coordinate. */
+/** A range of rows or columns: a body's translation, a body's rotation, or one coordinate of a joint. */
 export interface Stretch {
   from: number;
   length: number;
-  /** Index of the body that gives its colour; -1 for none. */
+  /** Index of the body whose colour the range has; -1 for none. */
   body: number;
 }
 
-/** A block of a matrix: the entries of a range of rows and a range of columns. */
+/** A block of a matrix: the entries in a range of rows and a range of columns. */
 export interface Block {
   rows: Stretch;
   columns: Stretch;
-  /** Entries by rows. */
+  /** Entries of the block, row by row. */
   values: number[][];
   isZero: boolean;
 }
 
-/** Entries below this fraction of a matrix's largest entry are shown as 0: rounding of sums. */
+/** Entries below this fraction of a matrix's largest entry are shown as 0: they are rounding errors of sums. */
 const NOISE = 1e-12;
 
 export function entry({ data, column_labels }: NamedMatrix, row: number, column: number): number {
@@ -37,8 +37,8 @@ export function isZero(matrix: NamedMatrix, value: number): boolean {
 }
 
 /**
- * Rows or columns in ranges: three translations or three rotations of one body together, a joint's coordinate alone. `bodyOf` gives the
- * index of the body of a label.
+ * Divides rows or columns into ranges: the three translations or the three rotations of a body, or one coordinate of a
+ * joint. `bodyOf` returns the index of the body of a label.
  */
 export function stretchesOf(labels: readonly string[], units: readonly string[], bodyOf: (label: string) => number): Stretch[] {
   const stretches: Stretch[] = [];
@@ -52,14 +52,16 @@ export function stretchesOf(labels: readonly string[], units: readonly string[],
   return stretches;
 }
 
-/** `ship.omega_x` and `ship.roll` are parts of a body's motion, `slew` is not. */
+/**
+ * Whether a label belongs to a component of a body's motion, such as `ship.omega_x` or `ship.roll`; `slew` does not.
+ */
 function hasParts(label: string): boolean {
   return label.includes(".");
 }
 
 const stem = (label: string) => label.slice(0, label.lastIndexOf("."));
 
-/** The blocks of a matrix, row by row. */
+/** Divides a matrix into blocks, row by row. */
 export function blocksOf(matrix: NamedMatrix, rows: readonly Stretch[], columns: readonly Stretch[]): Block[][] {
   const noise = NOISE * largest(matrix);
   return rows.map((down) =>
@@ -72,7 +74,7 @@ export function blocksOf(matrix: NamedMatrix, rows: readonly Stretch[], columns:
   );
 }
 
-/** A number in a cell: three digits, as short as they go. */
+/** Formats a number for a cell: at most three digits, without trailing zeros. */
 export function inCell(value: number): string {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);

@@ -15,9 +15,9 @@ import type { Highlight } from "./highlight";
 import { Polhode } from "./polhode";
 import { PrintedForms } from "./printed";
 
-/** Interval of new numbers during a run, ms: faster than a person reads. */
+/** Interval between two updates of the numbers during a run, ms: a person reads no faster. */
 const EVERY_MS = 250;
-/** The matrix that is shown first: all motion follows from it. */
+/** Matrix that is shown first: the rates of all bodies follow from it. */
 const FIRST = "B";
 
 /** The equations of the method with their numbers at the moment that is shown. */
@@ -86,7 +86,10 @@ export class EquationsPanel {
     void this.ask(run);
   }
 
-  /** One request at a time, and not faster than a person reads; the last request is for the moment that is shown at the end. */
+  /**
+   * Asks for the matrices: one request at a time, at most once per interval. The last request is for the moment that is
+   * then shown.
+   */
   private async ask(run: Run): Promise<void> {
     if (this.isAsking) return;
     this.isAsking = true;
@@ -132,12 +135,12 @@ export class EquationsPanel {
     this.sheet.replaceChildren(this.table.element);
     this.formula.hidden = !formula;
     if (!formula) return;
-    // If there are many blocks, only the table shows them.
+    // If the formula has many blocks, only the table shows them.
     const isOne = formula.blocks.length === 1 && formula.blocks[0].length === 1;
     void showFormula(this.formula, isOne ? `${formula.symbol} = ${formula.blocks[0][0]} \\quad (${formula.equation})` : `${formula.symbol} \\quad (${formula.equation})`);
   }
 
-  /** A block in symbols and in numbers, with its effect drawn on the ship. */
+  /** Shows a block in symbols and in numbers, and draws its effect on the ship. */
   private touch(block: Block | null): void {
     this.block = block;
     this.tell();

@@ -1,4 +1,7 @@
-/** A formula of LaTeX as MathML, which browsers draw and screen readers read; the reader of LaTeX is loaded with the first. */
+/**
+ * Shows a LaTeX formula as MathML, which browsers draw and screen readers read. The library is loaded with the first
+ * formula.
+ */
 export async function showFormula(element: HTMLElement, latex: string): Promise<void> {
   if (element.dataset.latex === latex) return;
   element.dataset.latex = latex;

@@ -4,15 +4,16 @@ import type { Block, NamedMatrix } from "./blocks";
 import { motionsOf } from "./moved";
 import type { BodyMotion } from "./moved";
 
-/** The effect of a block, to draw on the ship: its bodies, and how they move. */
+/** Effect of a block, drawn on the ship: the bodies that it concerns, and their motion. */
 export interface Highlight {
   bodies: number[];
   motions: BodyMotion[];
 }
 
 /**
- * For B and B' the motion of the body for a rate of the block's coordinate; for M, D and lists of bodies the body itself; for M*, N* and F*
- * all bodies that both coordinates move.
+ * Returns the effect of a block. For B and its derivative: the motion of the body at unit rate of the block's
+ * coordinate. For M, D and lists of bodies: the body. For M*, N* and F*: all bodies that both coordinates of the block
+ * move.
  */
 export function highlightOf({ matrices }: Equations, matrix: NamedMatrix, block: Block, bodyOf: (label: string) => number): Highlight {
   const b = matrices.find(({ name }) => name === "B");
@@ -30,7 +31,7 @@ export function highlightOf({ matrices }: Equations, matrix: NamedMatrix, block:
   return { bodies: [...first].filter((body) => !second || second.has(body)), motions: down.flatMap((column) => motionsOf(b, column, bodyOf)) };
 }
 
-/** A block of B is for the translation of a body or for its rotation, not both. */
+/** Returns the translation or the rotation of each motion: a block of B contains only one of them. */
 function partsOf(motions: BodyMotion[], { rows }: Block, b: NamedMatrix, bodyOf: (label: string) => number): BodyMotion[] {
   const first = stretchesOf(b.row_labels, b.row_units, bodyOf).find(({ body }) => body === rows.body);
   const isPlace = first?.from === rows.from;

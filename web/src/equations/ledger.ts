@@ -3,7 +3,10 @@ import type { Run } from "../app/session";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 
-/** Energy input, storage and loss, by columns of the results; all but the error in J since the start. */
+/**
+ * Parts of the energy balance and their columns in the results, J; each is shown as its change since the start of the
+ * run.
+ */
 const LINES = [
   { name: "drives", column: "work_by_drives" },
   { name: "outside", column: "work_by_outside" },
@@ -12,7 +15,7 @@ const LINES = [
   { name: "dissipated", column: "energy_dissipated" },
 ] as const;
 
-/** The ledger of energy as bars on one scale to either side of zero, its error beside it, and that of momentum. */
+/** Energy balance as bars to either side of zero, all on one scale, with the energy error and the momentum error. */
 export class Ledger {
   readonly element: HTMLElement;
   private readonly bars = LINES.map((line) => ({ ...line, bar: make("span", { class: "ledger-bar" }), value: make("td", {}) }));
@@ -29,7 +32,7 @@ export class Ledger {
     this.element = make("section", { class: "ledger" }, make("h3", {}, ledger), make("table", {}, make("tbody", {}, ...rows)), errors);
   }
 
-  /** Stored energies count from the first row of the run. */
+  /** Takes the first row of a run: all parts of the balance are shown relative to it. */
   begin(row: Float64Array): void {
     this.start = row;
   }

@@ -4,7 +4,7 @@ import { blocksOf, inCell, isZero, stretchesOf } from "./blocks";
 import type { Block, NamedMatrix, Stretch, SymbolicMatrix } from "./blocks";
 import { showFormula } from "./formula";
 
-/** The hues of the bodies are as far apart as possible. */
+/** Angle between the hues of successive bodies, degrees: the golden angle keeps the hues far apart. */
 const GOLDEN_ANGLE = 137.5;
 const FIRST_HUE = 210;
 
@@ -12,10 +12,10 @@ export function hueOf(body: number): number {
   return (FIRST_HUE + GOLDEN_ANGLE * body) % 360;
 }
 
-/** Names of rows and columns: as in the paper, or by bodies and coordinates. */
+/** Notation of the labels of rows and columns: the paper's symbols, or names of bodies and coordinates. */
 export type Notation = "paper" | "names";
 
-/** One matrix with its numbers; each block has the colour of its body. */
+/** Table of one matrix with its numbers; each block has the colour of its body. */
 export class MatrixTable {
   readonly element: HTMLElement;
   private readonly cells: HTMLElement[] = [];
@@ -97,7 +97,7 @@ export class MatrixTable {
   }
 }
 
-/** Unit of an entry: it maps the unit of its column to the unit of its row. */
+/** Returns the unit of an entry: the unit of its row over the unit of its column. */
 export function unitOf(row: string, column: string): string {
   if (column === "1") return row === "1" ? "" : row;
   return row === column ? "" : `(${row})/(${column})`;

@@ -4,10 +4,10 @@ import { rotate, vec3 } from "../view/fit";
 export type Vector = [number, number, number];
 export type Inertia = Vector[];
 
-/** Bodies that move as one: no joint between them moves. The first carries the others. */
+/** A group of bodies between which no joint moves. The first body carries the others. */
 export type Rigid = number[];
 
-/** The bodies of a model in groups that move as one, in the order of their first. */
+/** Divides the bodies of a model into groups between which no joint moves, in the order of their first bodies. */
 export function rigidsOf({ bodies, joints }: ModelInfo): Rigid[] {
   const rigids: Rigid[] = [];
   bodies.forEach(({ name, parent }, at) => {
@@ -20,7 +20,10 @@ export function rigidsOf({ bodies, joints }: ModelInfo): Rigid[] {
   return rigids;
 }
 
-/** Inertia of bodies that move as one about their common centre of mass, in the axes of the first; poses are x y z qw qx qy qz a body. */
+/**
+ * Returns the inertia of a group about its centre of mass, in the axes of its first body; poses are x y z qw qx qy qz
+ * for each body.
+ */
 export function inertiaOf(rigid: Rigid, bodies: readonly BodyInfo[], poses: ArrayLike<number>): Inertia {
   const placeOf = (body: number) => vec3((k) => poses[7 * body + k]);
   const mass = rigid.reduce((sum, body) => sum + bodies[body].mass_kg, 0);
@@ -29,7 +32,7 @@ export function inertiaOf(rigid: Rigid, bodies: readonly BodyInfo[], poses: Arra
   const total: Inertia = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
   for (const body of rigid) {
     const own = axesOf(body, poses);
-    // Axes of the body, and its position from the common centre, in the axes of the first body.
+    // Axes of the body, and its position relative to the group's centre of mass, in the axes of the first body.
     const turned = first.map((axis) => own.map((other) => dot(axis, other)));
     const d = first.map((axis) => dot(axis, placeOf(body).map((value, k) => value - centre[k])));
     const { mass_kg, inertia_kg_m2 } = bodies[body];
@@ -43,7 +46,7 @@ export function inertiaOf(rigid: Rigid, bodies: readonly BodyInfo[], poses: Arra
   return total;
 }
 
-/** The axes of a body in the world. */
+/** Returns the axes of a body in the world frame. */
 function axesOf(body: number, poses: ArrayLike<number>): number[][] {
   const at = 7 * body + 3;
   const turn = [poses[at], poses[at + 1], poses[at + 2], poses[at + 3]] as const;
@@ -54,10 +57,10 @@ function dot(a: readonly number[], b: readonly number[]): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** A surface as the image of the unit sphere. */
+/** A surface, given as the image of the unit sphere. */
 export type Surface = (unit: Vector) => Vector;
 
-/** Angular momentum about the centre of mass, body axes, N m s: J omega. */
+/** Returns the angular momentum about the centre of mass, J omega, in body axes, N m s. */
 export function momentumOf(inertia: readonly (readonly number[])[], omega: Vector): Vector {
   return vec3((k) => dot(inertia[k], omega));
 }
@@ -66,14 +69,14 @@ export function sizeOf(vector: Vector): number {
   return Math.hypot(...vector);
 }
 
-/** The sphere of angular momentum of this magnitude: a free body keeps the magnitude. */
+/** Returns the sphere of angular momenta of this magnitude; a body without moments stays on it. */
 export function momentumSphere(size: number): Surface {
   return ([x, y, z]) => [size * x, size * y, size * z];
 }
 
 /**
- * The angular momenta h of kinetic energy T (MacCullagh's ellipsoid): h' J^-1 h = 2 T. With J = C C' (Cholesky) they are
- * sqrt(2 T) C u of the unit vectors u.
+ * Returns the ellipsoid of angular momenta h with kinetic energy T (MacCullagh's ellipsoid): h' J^-1 h = 2 T. With J =
+ * C C' (Cholesky) its points are sqrt(2 T) C u for unit vectors u.
  */
 export function energyEllipsoid(inertia: readonly (readonly number[])[], energy_J: number): Surface {
   const [[a], [b, c], [d, e, f]] = cholesky(inertia);
@@ -96,7 +99,7 @@ const STEPS = 48;
 const MERIDIANS = 6;
 const PARALLELS = 5;
 
-/** A surface by its meridians and parallels. */
+/** Returns the meridians and parallels of a surface, for drawing. */
 export function circlesOf(surface: Surface): Vector[][] {
   const circle = (point: (angle: number) => Vector) => Array.from({ length: STEPS + 1 }, (_, k) => surface(point((2 * Math.PI * k) / STEPS)));
   const meridians = Array.from({ length: MERIDIANS }, (_, k) => (Math.PI * k) / MERIDIANS).map((at) =>

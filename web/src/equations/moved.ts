@@ -2,7 +2,10 @@ import { vec3 } from "../view/fit";
 import { blocksOf, stretchesOf } from "./blocks";
 import type { Block, NamedMatrix } from "./blocks";
 
-/** The body of a matrix label: the one that it names, or the one that its joint carries; -1 for none. */
+/**
+ * Returns a function that finds the body of a matrix label: the body that the label names, or the body that the named
+ * joint carries; -1 for none.
+ */
 export function bodyFinder(bodies: readonly string[], joints: readonly { name: string; body: string; free_coordinates: string[] }[]): (label: string) => number {
   const known = new Map(bodies.map((name, at) => [name, at]));
   for (const { name, body, free_coordinates } of joints) {
@@ -11,16 +14,19 @@ export function bodyFinder(bodies: readonly string[], joints: readonly { name: s
   return (label) => known.get(label) ?? known.get(label.slice(0, Math.max(0, label.lastIndexOf(".")))) ?? -1;
 }
 
-/** How a body moves with one coordinate, or how fast it moves: along and about its centre of mass. */
+/** Motion of a body with one coordinate, or its velocity: translation of the centre of mass, and rotation. */
 export interface BodyMotion {
   body: number;
-  /** World axes. */
+  /** Translation, in world axes. */
   linear: [number, number, number];
-  /** Body axes. */
+  /** Rotation, in body axes. */
   angular: [number, number, number];
 }
 
-/** The effect of a column of B: each body's motion at unit rate of that coordinate; bodies at rest are left out. */
+/**
+ * Returns the effect of a column of B: the motion of each body at unit rate of the column's coordinate, without bodies
+ * that do not move.
+ */
 export function motionsOf(b: NamedMatrix, column: number, bodyOf: (label: string) => number): BodyMotion[] {
   const rows = stretchesOf(b.row_labels, b.row_units, bodyOf);
   const blocks = blocksOf(b, rows, [{ from: column, length: 1, body: -1 }]).flat();

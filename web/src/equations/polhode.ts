@@ -7,23 +7,25 @@ import type { Rigid, Vector } from "./momentum";
 
 /** Length of the drawn path, s. */
 const PATH_S = 120;
-/** Size of the picture, CSS pixels; it is drawn at twice that. */
+/** Size of the picture in CSS pixels; it is drawn with twice as many. */
 const SIZE_PX = 300;
-/** Share of the picture that the larger surface fills. */
+/** Share of the picture that the larger of the two surfaces fills. */
 const FILLS = 0.9;
-/** A turn of the view by a key, and by a pixel of a drag, rad. */
+/** Rotation of the view by one press of a key, and by a drag of one pixel, rad. */
 const KEY_TURN = Math.PI / 18;
 const DRAG_TURN = 0.01;
 
-/** A body's angular momentum about its centre of mass, in its own axes, with the bodies fixed to it: on the momentum sphere and the energy
- * ellipsoid, where the polhode of a free body lies. */
+/**
+ * Angular momentum of a body, with all bodies fixed to it, about their centre of mass and in body axes. It is drawn
+ * with the momentum sphere and the energy ellipsoid, on which the polhode of a free body lies.
+ */
 export class Polhode {
   readonly element: HTMLElement;
   private readonly choice = make("select", { "aria-label": texts.equations.polhode_body, "data-testid": "polhode-body" });
   private readonly canvas = make("canvas", { width: 2 * SIZE_PX, height: 2 * SIZE_PX, class: "polhode", tabindex: 0, role: "img" });
   private readonly words = make("p", { class: "muted" });
   private readonly details: HTMLDetailsElement;
-  /** Angles of the view: about the vertical, and from above, rad. */
+  /** Angles of the view: about the vertical, and elevation, rad. */
   private view: [number, number] = [0.7, 0.5];
   private run: Run | null = null;
   private rigids: Rigid[] = [];
@@ -90,7 +92,7 @@ export class Polhode {
     pen.fill();
   }
 
-  /** Parts behind are fainter. */
+  /** The hidden parts are fainter. */
   private trace(pen: CanvasRenderingContext2D, points: readonly Vector[], scale: number, width: number): void {
     pen.lineWidth = width;
     const seen = points.map((point) => this.seen(point));
@@ -104,7 +106,7 @@ export class Polhode {
     }
   }
 
-  /** To the right, up, and towards the eye. */
+  /** Components of a vector in the view: to the right, up, and towards the eye. */
   private seen([x, y, z]: Vector): Vector {
     const [around, above] = this.view;
     const [c, s] = [Math.cos(around), Math.sin(around)];

@@ -4,11 +4,14 @@ import { texts } from "../texts";
 import { make } from "../ui/dom";
 import { showFormula } from "./formula";
 
-/** Block row and columns of B in eq. 46b: the velocity of the arm's centre. */
+/** Block row of B in eq. 46b, and its columns: the velocity of the arm's centre. */
 const ROW = 4;
 const COLUMNS = [0, 1, 2, 3];
 
-/** The equations of the paper with an error, as printed and corrected, for a crane of a slewing and a luffing body. */
+/**
+ * Equations of the paper that contain an error, as printed and corrected, for a crane with a slewing and a luffing
+ * body.
+ */
 export class PrintedForms {
   readonly element: HTMLElement;
   private readonly choice = make("select", { "aria-label": texts.equations.printed, "data-testid": "printed" });

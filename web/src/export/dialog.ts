@@ -11,7 +11,7 @@ import { pictureOfPlot, pictureOfShip } from "./pictures";
 import { RunFiles } from "./run_files";
 import type { MadeFile } from "./run_files";
 
-/** One item to save. */
+/** A file that can be saved. */
 interface Choice {
   name: string;
   help: string;
@@ -19,7 +19,7 @@ interface Choice {
   make(): Promise<MadeFile | string | null>;
 }
 
-/** A dialog with everything that can be saved of a run: the recording, pictures, the scenario. */
+/** Dialog with all files of a run that can be saved: the recording, pictures and the scenario. */
 export class ExportDialog {
   private readonly dialog = make("dialog", { class: "picker picker-small", "aria-label": texts.exports.title, "data-testid": "export-dialog" });
   private readonly body = make("div", { class: "export-choices" });
@@ -38,7 +38,7 @@ export class ExportDialog {
     document.body.append(this.dialog);
   }
 
-  /** Nothing can be saved before a scenario is open. */
+  /** Opens the dialog, if a scenario is open. */
   open(): void {
     if (!this.session.run) return;
     setText(this.said, "");
@@ -50,7 +50,7 @@ export class ExportDialog {
     this.dialog.showModal();
   }
 
-  /** Number of rows, and whether the recording is complete. */
+  /** Describes the number of rows, and whether the recording is complete. */
   private rows(): string {
     const { recorded, rows, thinnedUntil_s, last_s } = this.files.kept;
     if (thinnedUntil_s === null) return texts.exports.rows(rows.length, fixed(last_s, 2));
@@ -122,7 +122,7 @@ export class ExportDialog {
   }
 }
 
-/** The button that opens it. */
+/** Returns the button that opens the dialog. */
 export function exportTool(session: Session, scene: Scene, plots: () => readonly Plot[]): HTMLElement {
   const dialog = new ExportDialog(session, scene, plots);
   return tool(texts.exports.open, texts.exports.open, "export", "M10 13V3M6 7l4-4 4 4M3.5 12v4.5h13V12", () => dialog.open());

@@ -5,7 +5,10 @@ export interface UnitColumn {
   data: Float64Array;
 }
 
-/** Columns as a compressed Parquet file; its metadata holds `about`, as Python's results do, and the units. */
+/**
+ * Writes columns as a compressed Parquet file; its metadata holds `about`, as in results of the Python package, and the
+ * units.
+ */
 export async function parquetOf(columns: readonly UnitColumn[], about: Record<string, string>): Promise<ArrayBuffer> {
   const { parquetWriteBuffer } = await import("hyparquet-writer");
   const units = JSON.stringify(Object.fromEntries(columns.map(({ name, unit }) => [name, unit])));

@@ -4,17 +4,17 @@ import { scaleOf } from "../plots/sheet";
 
 /** Size of the text on a picture, in pixels of the page. */
 const TEXT = { title: 17, small: 13, margin: 14, line: 20 };
-/** Space for text below; unused space is cut off. */
+/** Height reserved for the text below, pixels of the page; unused height is cut off. */
 const MOST_WORDS_PX = 160;
 
-/** A picture on a background of the page's colour, with a title above and text below. */
+/** A picture on the page's background colour, with a title above it and text below. */
 class Sheet {
   readonly canvas = document.createElement("canvas");
   private readonly pen: CanvasRenderingContext2D;
   private readonly style = styleOf();
   private y = TEXT.margin;
 
-  /** Sizes are in pixels of the page; `scale` converts to pixels of the picture. */
+  /** Sizes are in pixels of the page; `scale` is the number of pixels of the picture per pixel of the page. */
   constructor(
     private readonly width: number,
     height: number,
@@ -40,7 +40,7 @@ class Sheet {
     this.y += TEXT.title + 8;
   }
 
-  /** The legend: lines with their colours and units, as many in a row as fit. */
+  /** Draws the legend: lines with their colours and units, as many in a row as fit. */
   legend(entries: readonly { label: string; colour: string; unit: string }[]): void {
     let x = TEXT.margin;
     for (const { label, colour, unit } of entries) {
@@ -61,7 +61,7 @@ class Sheet {
     this.y += height + 6;
   }
 
-  /** Text in as many rows as needed. */
+  /** Draws text in as many rows as needed. */
   words(text: string): void {
     this.pen.font = `400 ${TEXT.small}px ${this.style.colour("font")}`;
     const rows = [""];
@@ -76,7 +76,7 @@ class Sheet {
     }
   }
 
-  /** Cuts the picture to the height of its content. */
+  /** Cuts the picture to the height of its content, and returns it as a PNG file. */
   blob(): Promise<Blob> {
     const { width } = this.canvas;
     const height = Math.min(this.canvas.height, Math.round((this.y + TEXT.margin / 2) * this.scale));
@@ -87,7 +87,7 @@ class Sheet {
   }
 }
 
-/** The 3D view, with the run and its time below. */
+/** Makes a picture of the 3D view, with the name of the run and its time below. */
 export function pictureOfShip(canvas: HTMLCanvasElement, title: string, time: string): Promise<Blob> {
   const scale = canvas.width / canvas.clientWidth;
   const sheet = new Sheet(canvas.clientWidth, canvas.clientHeight + 2 * TEXT.margin + 2 * TEXT.line, scale);
@@ -97,7 +97,7 @@ export function pictureOfShip(canvas: HTMLCanvasElement, title: string, time: st
   return sheet.blob();
 }
 
-/** A plot with its title, the units of its lines, the text below it and its run. */
+/** Makes a picture of a plot with its title, the units of its lines, the text below it and the name of the run. */
 export async function pictureOfPlot(plot: Plot, run: string): Promise<Blob | null> {
   const found = await plot.picture();
   if (!found) return null;

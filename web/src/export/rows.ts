@@ -2,17 +2,17 @@ import type { Recorded } from "../app/recording/recording";
 import type { Run } from "../app/session";
 import { evenEnd } from "../plots/spectrum";
 
-/** The remaining part of a recording: the older part of a long one was thinned. */
+/** Rows of a recording that are still in memory; the older part of a long recording was thinned. */
 export interface Kept {
   rows: readonly Recorded[];
-  /** Approximate original number of records. */
+  /** Approximate number of records before thinning. */
   recorded: number;
-  /** Time from which no record is missing, s; null if none is missing. */
+  /** Time from which no record is missing, s; null if no record is missing at all. */
   thinnedUntil_s: number | null;
   last_s: number;
 }
 
-/** Share of an interval by which a time may be off the grid of the recording. */
+/** Largest deviation of a time from the grid of recording times, as a share of the interval. */
 const OFF_GRID = 1e-6;
 
 export function keptOf(items: readonly Recorded[], { record_every_s, step_s }: Run["model"]): Kept {
@@ -25,10 +25,10 @@ export function keptOf(items: readonly Recorded[], { record_every_s, step_s }: R
   return { rows, recorded, thinnedUntil_s: rows[from].time_s, last_s };
 }
 
-/** Interval at which a long task lets the page react, ms. */
+/** Interval at which a long task lets the page handle input, ms. */
 const BREATH_MS = 40;
 
-/** Joins the parts of a file as they are made; the page stays responsive. */
+/** Collects the parts of a file as they are made; the page stays responsive. */
 export async function gathered(parts: Iterable<string>): Promise<string[]> {
   const all: string[] = [];
   let since_ms = performance.now();

@@ -5,17 +5,17 @@ import { parquetOf } from "./parquet";
 import { gathered, keptOf } from "./rows";
 import type { Kept } from "./rows";
 
-/** A finished file. */
+/** A file that is ready to be saved. */
 export interface MadeFile {
   name: string;
   content: Blob;
 }
 
-/** The attributes, as in Python's results of the same run. */
+/** Values of attributes, equal to those in results of the Python package. */
 const FINISHED = "finished";
 const AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port";
 
-/** The recording of the run in hand as files. */
+/** Makes files of the recording of the present run. */
 export class RunFiles {
   constructor(private readonly session: Session) {}
 
@@ -51,7 +51,7 @@ export class RunFiles {
     return { name: `${this.stem}.parquet`, content: new Blob([file], { type: "application/vnd.apache.parquet" }) };
   }
 
-  /** Attributes that describe the run: those of `kingpost.results`, as far as the page knows them. */
+  /** Returns the attributes of the run that `kingpost.results` also has, as far as the page knows them. */
   private async about({ model }: Run): Promise<Record<string, string>> {
     const { recorded, rows } = this.kept;
     const scenario = await this.session.resolved();
@@ -80,7 +80,7 @@ export class RunFiles {
   }
 }
 
-/** The seed of a resolved scenario as it is written: JSON.parse would round one beyond 2^53. */
+/** Returns the seed of a resolved scenario as it is written in the text: JSON.parse would round a seed beyond 2^53. */
 function seedOf(scenario: string): string {
   return /"seed":\s*(\d+)/.exec(scenario)?.[1] ?? "0";
 }

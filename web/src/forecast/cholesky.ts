@@ -1,4 +1,6 @@
-/** The triangle L with L L^T = A of a symmetric positive definite matrix, in place; n rows, one after another. */
+/**
+ * Replaces a symmetric positive definite matrix A, n rows one after another, by the lower triangle L with L L^T = A.
+ */
 export function factorize(a: Float64Array, n: number): void {
   for (let i = 0; i < n; i++) {
     for (let j = 0; j <= i; j++) {
@@ -9,7 +11,7 @@ export function factorize(a: Float64Array, n: number): void {
   }
 }
 
-/** x with L L^T x = b, written over b. */
+/** Solves L L^T x = b, and writes x over b. */
 export function solve(l: Float64Array, n: number, b: Float64Array): void {
   for (let i = 0; i < n; i++) {
     for (let k = 0; k < i; k++) b[i] -= l[i * n + k] * b[k];

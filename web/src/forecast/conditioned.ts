@@ -3,7 +3,7 @@ import type { Random } from "./random";
 
 /** Measurements as a linear map of independent normal unknowns of mean 0 and variance 1. */
 export interface Measured {
-  /** One row for each measured value, one after another, with a number for each unknown. */
+  /** Rows of the map, one after another: one row for each measured value, with one coefficient for each unknown. */
   rows: Float64Array;
   values: Float64Array;
   /** Standard deviation of the noise in each value. */
@@ -11,9 +11,9 @@ export interface Measured {
 }
 
 /**
- * Unknowns x ~ N(0, 1), of which y = H x + noise was measured. A draw from N(0, 1) is moved by Matheron's rule to agree
- * with y: x + H^T (H H^T + R)^-1 (y - H x - noise) has the mean and the covariance of the unknowns given y (Chilès &
- * Delfiner, *Geostatistics*, 2nd ed., 2012, sec. 7.3).
+ * Unknowns x ~ N(0, 1), given measurements y = H x + noise. A sample of N(0, 1) is corrected by Matheron's rule: x +
+ * H^T (H H^T + R)^-1 (y - H x - noise) has the mean and the covariance of the unknowns given y (Chilès & Delfiner,
+ * *Geostatistics*, 2nd ed., 2012, sec. 7.3).
  */
 export class Conditioned {
   private readonly triangle: Float64Array;
@@ -44,7 +44,7 @@ export class Conditioned {
     return x;
   }
 
-  /** The mean of all draws. */
+  /** Mean of the unknowns, given the measurements. */
   mean(): Float64Array {
     const x = new Float64Array(this.unknowns);
     const off = this.measured.values.slice();
@@ -53,7 +53,7 @@ export class Conditioned {
     return x;
   }
 
-  /** H x. */
+  /** Computes H x. */
   seen(x: Float64Array): Float64Array {
     const { rows, values } = this.measured;
     return values.map((_, i) => {
@@ -63,7 +63,7 @@ export class Conditioned {
     });
   }
 
-  /** x + H^T w. */
+  /** Computes x + H^T w. */
   private add(weights: Float64Array, x: Float64Array): void {
     weights.forEach((weight, i) => {
       for (let k = 0; k < this.unknowns; k++) x[k] += weight * this.measured.rows[i * this.unknowns + k];

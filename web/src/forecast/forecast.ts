@@ -10,17 +10,20 @@ import { pastOf } from "./past";
 import type { Foreseers } from "./pool";
 import { judgedColumns, scoreOf, TrackRecord } from "./score";
 
-/** Number of futures of the moment that is shown, and of each earlier moment by which they are judged. */
+/** Number of futures for the moment that is shown, and for each earlier minute by which the forecast is judged. */
 export const FUTURES = 64;
 const FUTURES_JUDGED = 32;
 export const HORIZON_S = 60;
 /** Approximate time between two rows of a future, s. */
 const EVERY_S = 0.5;
-/** Wall time between two computations of futures during a run, and pause after the last change before one, ms. */
+/** Interval between two forecasts during a run, of wall time, and pause after the last change before a forecast, ms. */
 const AGAIN_MS = 5000;
 const CALM_MS = 200;
 
-/** Computes futures of the moment that is shown, while it is switched on: at a pause, and every few seconds of a run. */
+/**
+ * Computes futures of the moment that is shown, while the forecast is switched on: at a pause, and every few seconds
+ * during a run.
+ */
 export class Forecast {
   isOn = false;
   outlook: Outlook | null = null;
@@ -47,7 +50,7 @@ export class Forecast {
     });
   }
 
-  /** Called after every change of the futures. */
+  /** Calls a listener after every change of the futures. */
   onChange(act: () => void): void {
     this.heard.push(act);
   }
@@ -57,7 +60,7 @@ export class Forecast {
     this.begin();
   }
 
-  /** Drops futures that belong to another run or to other levers; a part of the recording may be gone. */
+  /** Drops futures that belong to another run or to other lever settings, and scores after `kept_s`. */
   private begin(kept_s = Infinity): void {
     this.foreseers.cancel();
     [this.outlook, this.fault] = [null, null];
@@ -83,7 +86,7 @@ export class Forecast {
     this.looked_ms = performance.now();
     try {
       const isWhole = await this.foresee(run, shown.recording).finally(() => (this.isLooking = false));
-      // New futures may be asked for meanwhile: the remaining minutes are judged after them.
+      // A new forecast may start meanwhile; the remaining minutes are then judged after it.
       if (isWhole) await this.judge(run, shown.recording);
     } catch (thrown) {
       this.fault = asFault(thrown);
@@ -91,7 +94,7 @@ export class Forecast {
     }
   }
 
-  /** Computes the futures of the moment that is shown; the first one replaces the previous futures. */
+  /** Computes the futures of the moment that is shown; the first one replaces all futures of the previous forecast. */
   private async foresee(run: Run, recording: Recording): Promise<boolean> {
     const { session } = this;
     const [now_s, values] = [session.shown.time_s, session.values.inForce];
@@ -106,7 +109,10 @@ export class Forecast {
     });
   }
 
-  /** Judges the method on earlier minutes: futures are computed from the data of that time and compared with the recording. */
+  /**
+   * Judges the forecast by earlier minutes of the recording: computes futures from the data up to each minute and
+   * compares them with the recorded values.
+   */
   private async judge(run: Run, recording: Recording): Promise<void> {
     if (!run.model.sea?.wave_components) return;
     const places = judgedColumns(run.model, run.columns);
@@ -141,7 +147,10 @@ export class Forecast {
   }
 }
 
-/** The part of a job that stays the same: only the measurements change from moment to moment. */
+/**
+ * Returns the seeds of the futures: they are equal for all moments, so that only the measurements change from moment to
+ * moment.
+ */
 function seedsOf(count: number, first = 1): number[] {
   return Array.from({ length: count }, (_, i) => first + i);
 }

@@ -7,7 +7,7 @@ import { Random } from "./random";
 import { expectedAmplitudes, SeasAhead } from "./sea";
 import type { EngineInSeas } from "./sea";
 
-/** Most steps at once, so that the worker can receive newer messages in between. */
+/** Largest number of steps in one call of the engine: between calls the worker can receive new messages. */
 const STEPS_AT_ONCE = 64;
 
 /** Continues a run from a state, with its levers unchanged, in seas that agree with the measurements. */
@@ -36,7 +36,10 @@ export class Futures {
     this.engine.free();
   }
 
-  /** Throws if the state belongs to another scenario, or if its sea cannot be replaced. */
+  /**
+   * Sets the state at which the futures start. Throws if it belongs to another scenario, or if its sea cannot be
+   * replaced.
+   */
   begin(start: Start): void {
     this.engine.restore(start.snapshot);
     this.start_s = this.engine.time_s();
@@ -79,7 +82,7 @@ export class Futures {
   }
 }
 
-/** The measurements up to a time, without anything later. */
+/** Returns the measurements up to a time. */
 function until({ time_s, x_m, y_m }: Past, end_s: number): Past {
   const count = time_s.filter((time) => time <= end_s + 1e-9).length;
   return { time_s: time_s.subarray(0, count), x_m: x_m.subarray(0, count), y_m: y_m.subarray(0, count) };

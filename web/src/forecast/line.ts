@@ -5,10 +5,10 @@ import { HORIZON_S } from "./forecast";
 import type { Forecast } from "./forecast";
 import type { Outlook } from "./outlook";
 
-/** The picture is wide enough for more than one line beside the ship. */
+/** Media query for pages that are wide enough for the full text beside the ship. */
 const WIDE = "(min-width: 600px)";
 
-/** The button that switches the futures on, and a line on what they are and how reliable they are. */
+/** Button that switches the forecast on, and a line that describes the futures and their reliability. */
 export class ForecastLine {
   private readonly button = byId("look-ahead", HTMLButtonElement);
   private readonly box = byId("ahead", HTMLDetailsElement);
@@ -27,7 +27,7 @@ export class ForecastLine {
     this.button.setAttribute("aria-pressed", String(isOn));
     this.box.hidden = !isOn;
     if (!isOn) return;
-    // A screen reader reads it when it is complete.
+    // A screen reader reads the line only when it is complete.
     this.inShort.ariaBusy = String(!fault && (outlook?.futures.length ?? 0) < (outlook?.wanted ?? 1));
     const [inShort, inFull] = fault ? [texts.forecast.none, fault.message] : outlook ? this.words(outlook) : [texts.forecast.looking, ""];
     setText(this.inShort, inShort);

@@ -1,14 +1,14 @@
 import type { Fault } from "../engine/engine";
 import type { OpenRequest } from "../engine/messages";
 
-/** Times and places, m, at which the wave was measured. */
+/** Times, s, and positions, m, at which the wave was measured. */
 export interface Past {
   time_s: Float64Array;
   x_m: Float64Array;
   y_m: Float64Array;
 }
 
-/** Start of the futures, and their length. */
+/** State at which the futures start, the measurements before it, and the length of the futures. */
 export interface Start {
   snapshot: Uint8Array;
   past: Past;
@@ -16,19 +16,19 @@ export interface Start {
   every_s: number;
 }
 
-/** A future. */
+/** One possible continuation of the run. */
 export interface Future {
   seed: number;
-  /** Time of its first row, s. */
+  /** Time of the first row, s. */
   start_s: number;
   every_s: number;
-  /** Rows from the start on, one after another; NaN after the run failed. */
+  /** Rows from the start of the future on, one after another; NaN after the run has failed. */
   rows: Float32Array;
-  /** Number of waves of the sea; with 0, all futures are equal. */
+  /** Number of wave components of the sea; with 0, all futures are equal. */
   waves: number;
-  /** Whether the wind has gusts; all futures have the gusts of the run. */
+  /** Whether the wind has gusts; the gusts are those of the run, in all futures. */
   isGusty: boolean;
-  /** Length of the measured past that it agrees with, s. */
+  /** Length of the measurements with which the future agrees, s. */
   past_s: number;
   fault: Fault | null;
 }
@@ -41,7 +41,7 @@ export type ToForeseer =
   | { kind: "look"; job: number; scenario: ScenarioOf; start: Start; seeds: number[] }
   | { kind: "cancel" };
 
-/** `done`: all futures of a job have come. */
+/** Answers of a worker; `done`: all futures of a job are computed. */
 export type FromForeseer =
   | { kind: "future"; job: number; future: Future }
   | { kind: "done"; job: number }

@@ -6,7 +6,10 @@ import { language } from "../texts";
 import { Forecast } from "./forecast";
 import { Foreseers } from "./pool";
 
-/** Number of engines in addition to that of the run: with more than two cores, one core is left for the run and the page. */
+/**
+ * Largest number of engines in addition to the engine of the run. On a machine with more than two cores, one core is
+ * left for the run and the page.
+ */
 const MOST_WORKERS = 6;
 
 export function openForecast(session: Session, background: BackgroundEngine, folder: string): Forecast {
@@ -16,7 +19,7 @@ export function openForecast(session: Session, background: BackgroundEngine, fol
   return new Forecast(session, background, new Foreseers(startWorker, loadModule, count), folder);
 }
 
-/** Compiled once and shared by the workers. */
+/** Loads the engine's module; it is compiled once and shared by the workers. */
 async function loadModule(): Promise<WebAssembly.Module> {
   const response = await fetched(moduleUrl);
   if (!response.ok) throw new Error(said(response));

@@ -3,15 +3,15 @@ import type { Places } from "../plots/stretch";
 import type { Future } from "./messages";
 import { fanOf } from "./quantiles";
 
-/** The futures of one moment that have been computed so far. */
+/** Futures of one moment, as far as they are computed. */
 export class Outlook {
   readonly futures: Future[] = [];
   private readonly fans = new Map<string, { of: number; lines: Float64Array[] }>();
 
   constructor(
-    /** Number of futures in the end. */
+    /** Number of futures when all are computed. */
     readonly wanted: number,
-    /** Numbers in a row. */
+    /** Number of values in a row. */
     private readonly width: number,
   ) {}
 
@@ -23,7 +23,7 @@ export class Outlook {
     return this.futures[0]?.start_s ?? NaN;
   }
 
-  /** Rows of a future. */
+  /** Number of rows of a future. */
   get length(): number {
     return this.futures.length > 0 ? this.futures[0].rows.length / this.width : 0;
   }
@@ -36,7 +36,7 @@ export class Outlook {
     return this.start_s + k * this.futures[0].every_s;
   }
 
-  /** Without waves there is one future for all seeds. */
+  /** Whether all futures are equal, because there are no waves. */
   get isOneLine(): boolean {
     return this.futures.length > 0 && this.futures[0].waves === 0;
   }
@@ -45,7 +45,7 @@ export class Outlook {
     return this.futures[future].rows.subarray(k * this.width, (k + 1) * this.width);
   }
 
-  /** The lines of the fan for these columns, one for each level, with a value at each time. */
+  /** Returns the lines of the fan for these columns: one line for each level, with a value at each time. */
   fan(places: Places): Float64Array[] {
     const key = places.join();
     const known = this.fans.get(key);

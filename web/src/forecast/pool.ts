@@ -2,7 +2,7 @@ import type { Fault } from "../engine/engine";
 import { faultOfBreakdown, UNLOADED } from "../engine/faults";
 import type { FromForeseer, Future, ScenarioOf, Start, ToForeseer } from "./messages";
 
-/** Job that is under way. */
+/** A job in progress. */
 interface Job {
   id: number;
   left: number;
@@ -11,10 +11,13 @@ interface Job {
   fail(fault: Fault): void;
 }
 
-/** The part of a worker that is used here. */
+/** The part of a worker that the pool uses. */
 export type ForeseerWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
 
-/** Engines in their own workers, in addition to that of the run: they share one compiled module and compute futures in turn. */
+/**
+ * Pool of engines in workers, in addition to the engine of the run: they share one compiled module, and each computes a
+ * part of the futures.
+ */
 export class Foreseers {
   private workers: ForeseerWorker[] = [];
   private job: Job | null = null;
@@ -26,7 +29,10 @@ export class Foreseers {
     private readonly count: number,
   ) {}
 
-  /** Computes futures from a start, one for each seed, and hands each on; true after the last, false if a newer job came in between. */
+  /**
+   * Computes futures from a start, one for each seed, and passes each to `hear`; returns true after the last one, false
+   * if a newer job has replaced this one.
+   */
   async look(scenario: ScenarioOf, start: Start, seeds: readonly number[], hear: (future: Future) => void): Promise<boolean> {
     this.job?.end(false);
     const id = ++this.lastId;

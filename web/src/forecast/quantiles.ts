@@ -1,9 +1,9 @@
-/** Shares of the futures that stay below the lines of a fan. */
+/** Levels of the lines of a fan: shares of the futures below each line. */
 export const LEVELS = [0.05, 0.25, 0.5, 0.75, 0.95] as const;
 
 /**
- * A quantile from a sample in ascending order: the next value is equally likely in each of the n + 1 gaps (Weibull's plotting position), so
- * that a band of 90 % contains 90 % for any n that is large enough.
+ * Returns a quantile of a sample in ascending order: a further value is equally likely in each of the n + 1 gaps
+ * (Weibull's plotting position), so that a band of 90 % contains 90 % for any n that is large enough.
  */
 export function quantile(ascending: ArrayLike<number>, share: number): number {
   const n = ascending.length;
@@ -14,7 +14,10 @@ export function quantile(ascending: ArrayLike<number>, share: number): number {
   return ascending[below] + (place - below) * (ascending[above] - ascending[below]);
 }
 
-/** The lines of a fan: for each level a value at each time. `values[k]` holds the values of all futures at time k. */
+/**
+ * Returns the lines of a fan: for each level a value at each time. `values[k]` holds the values of all futures at time
+ * k.
+ */
 export function fanOf(values: readonly Float64Array[]): Float64Array[] {
   const lines = LEVELS.map(() => new Float64Array(values.length));
   values.forEach((all, k) => {

@@ -6,7 +6,7 @@ export class Random {
     this.state = (seed + 1) >>> 0;
   }
 
-  /** Uniform over (0, 1): mulberry32, by T. Ettinger. */
+  /** Returns a number from the uniform distribution over (0, 1): mulberry32, by T. Ettinger. */
   uniform(): number {
     this.state = (this.state + 0x6d2b79f5) >>> 0;
     let word = this.state;
@@ -15,7 +15,7 @@ export class Random {
     return (((word ^ (word >>> 14)) >>> 0) + 0.5) / 2 ** 32;
   }
 
-  /** Normal, of mean 0 and variance 1, by the method of Box & Muller. */
+  /** Returns a number from the normal distribution of mean 0 and variance 1, by the method of Box & Muller. */
   normal(): number {
     const radius = Math.sqrt(-2 * Math.log(this.uniform()));
     return radius * Math.cos(2 * Math.PI * this.uniform());

@@ -4,25 +4,25 @@ import { Conditioned } from "./conditioned";
 import type { Past } from "./messages";
 import { Random } from "./random";
 
-/** An engine whose sea can be replaced. */
+/** An engine whose waves can be replaced. */
 export interface EngineInSeas extends Engine {
   /** Amplitudes and phases of the regular waves that make up the sea, m and rad. */
   wave_amplitudes_m(): Float64Array;
   wave_phases_rad(): Float64Array;
-  /** Complex elevation of each wave at a place and a time: real parts, then imaginary parts. */
+  /** Complex elevation of each wave at a position and a time: all real parts, then all imaginary parts. */
   wave_phasors(x_m: number, y_m: number, time_s: number): Float64Array;
   set_waves(amplitudes_m: Float64Array, phases_rad: Float64Array): void;
 }
 
-/** Standard deviation of the noise of a measured wave, over the significant height of the sea. */
+/** Standard deviation of the noise of a measured wave, over the significant wave height. */
 export const NOISE = 0.02;
-/** Different from the seeds of futures. */
+/** Seed of the noise; it differs from the seeds of the futures. */
 const NOISE_SEED = 0x5ea;
 
 /**
- * Possible seas, given the spectrum of the present sea and the measurements of a sensor at the ship. The waves are a_i Re{z_i e^(i q_i)}
- * with z_i complex normal, E|z_i|^2 = 1: unknown amplitudes and phases. The amplitudes a_i are those of the spectrum; only the sensor reads
- * the run's own phases.
+ * Possible seas, given the spectrum of the present sea and the measurements of a sensor at the ship. The elevation is
+ * the sum of a_i Re{z_i e^(i q_i)}, with amplitudes a_i from the spectrum and unknown complex normal z_i, E|z_i|^2 = 1.
+ * Only the sensor uses the amplitudes and phases of the run's own waves.
  */
 export class SeasAhead {
   readonly waves: number;
@@ -37,12 +37,12 @@ export class SeasAhead {
     this.waves = expected_m.length;
   }
 
-  /** Significant height, m. */
+  /** Significant wave height, m. */
   get height_m(): number {
     return 4 * Math.sqrt(this.expected_m.reduce((sum, a) => sum + (a * a) / 2, 0));
   }
 
-  /** The knowledge of the waves after this past. */
+  /** Returns the distribution of the waves given the measurements. */
   after(past: Past): Conditioned {
     const noise = this.relativeNoise * this.height_m;
     const values = this.measure(past, noise);
@@ -52,7 +52,7 @@ export class SeasAhead {
     return new Conditioned(2 * this.waves, { rows, values, noise });
   }
 
-  /** Puts the engine into one of the possible seas. */
+  /** Replaces the engine's waves by a sample of this distribution. */
   enter(known: Conditioned, random: Random): void {
     const z = known.draw(random);
     const [amplitudes_m, phases_rad] = [new Float64Array(this.waves), new Float64Array(this.waves)];
@@ -63,7 +63,10 @@ export class SeasAhead {
     this.engine.set_waves(amplitudes_m, phases_rad);
   }
 
-  /** Readings of the sensor: the elevation in the sea of the run, with noise; the same for the same time. */
+  /**
+   * Returns the readings of the sensor: the elevation in the sea of the run, with noise; a repeated reading at one time
+   * is equal.
+   */
   private measure({ time_s, x_m, y_m }: Past, noise: number): Float64Array {
     this.engine.set_waves(this.own.amplitudes_m, this.own.phases_rad);
     return time_s.map((time, i) => {
@@ -72,7 +75,7 @@ export class SeasAhead {
     });
   }
 
-  /** The elevation as a function of the two parts of each z. */
+  /** Returns the coefficients of the elevation with respect to the real and imaginary parts of each z. */
   private row({ time_s, x_m, y_m }: Past, i: number): Float64Array {
     const phasors = this.engine.wave_phasors(x_m[i], y_m[i], time_s[i]);
     const row = new Float64Array(2 * this.waves);
@@ -85,8 +88,8 @@ export class SeasAhead {
 }
 
 /**
- * Amplitudes of the waves of the engine's sea by the spectra, m. If the run drew its amplitudes at random, another engine is opened for the
- * amplitudes of the spectra.
+ * Returns the amplitudes of the waves of the engine's sea according to the spectra, m. If the amplitudes of the run are
+ * random, another engine is opened to compute them.
  */
 export function expectedAmplitudes(engine: EngineInSeas, open: (resolved: string) => EngineInSeas): Float64Array {
   const resolved = answer(engine, "resolved_json");

@@ -3,10 +3,10 @@ import type { Swarm } from "../view/cloud";
 import type { Outlook } from "./outlook";
 import { loads, placeOf } from "./score";
 
-/** Time between two places of a load, s: the cloud has to stay transparent. */
+/** Interval between two points of the cloud, s: more points would hide the picture. */
 const EVERY_S = 2;
 
-/** Possible positions of the loads of a run, from soon to late. */
+/** Returns the possible positions of the loads of a run, from soon to late. */
 export function swarmOf(outlook: Outlook, { model, columns }: Pick<Run, "model" | "columns">): Swarm {
   const [points, lateness]: [number[], number[]] = [[], []];
   const { length } = outlook;

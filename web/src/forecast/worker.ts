@@ -17,7 +17,7 @@ type Look = ToForeseer & { kind: "look" };
 declare const self: WorkerScope;
 const files = new FilesOfScenarios();
 let ready: Promise<unknown> = Promise.resolve();
-/** The present job; a message may replace it while a future is computed. */
+/** The present job; a message may replace it while futures are computed. */
 let asked: Look | null = null;
 let isBusy = false;
 let open: { scenario: string; futures: Futures } | null = null;
@@ -63,7 +63,7 @@ async function answer(look: Look): Promise<void> {
   self.postMessage({ kind: "done", job: look.job });
 }
 
-/** The scenario stays open from one job to the next. */
+/** Returns the opened scenario; it stays open for the next job. */
 async function opened(scenario: ScenarioOf): Promise<Futures> {
   await ready;
   const key = JSON.stringify([scenario.text, scenario.file, scenario.overrides, scenario.opened]);
@@ -79,7 +79,7 @@ async function opened(scenario: ScenarioOf): Promise<Futures> {
 
 const turns = new MessageChannel();
 
-/** A timer would wait some ms each time. */
+/** Waits until new messages are received; a timer would take some ms each time. */
 function messagesHeard(): Promise<void> {
   return new Promise((resolve) => {
     turns.port1.onmessage = () => resolve();

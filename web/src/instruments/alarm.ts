@@ -1,15 +1,15 @@
 const KEY = "kingpost.alarm";
-/** Frequency, Hz, and times, s, of the alarm: three short beeps. */
+/** Frequency, Hz, and durations, s, of the alarm: three short beeps. */
 const PITCH_HZ = 880;
 const BEEP_S = 0.14;
 const EVERY_S = 0.24;
 const BEEPS = 3;
 
-/** A sound when a limit is exceeded; it can be muted, which is remembered. */
+/** Sound for an exceeded limit; the choice to mute it is stored. */
 export class Alarm {
   private context: AudioContext | null = null;
 
-  /** Without storage it is not muted. */
+  /** Whether the alarm is muted; it is not if storage is denied. */
   get isMuted(): boolean {
     try {
       return localStorage.getItem(KEY) === "muted";
@@ -22,11 +22,11 @@ export class Alarm {
     try {
       localStorage.setItem(KEY, isMuted ? "muted" : "on");
     } catch {
-      // Without storage it holds for this page only.
+      // Without storage, the choice is valid for this page only.
     }
   }
 
-  /** Browsers give no sound before the person has touched the page. */
+  /** Sounds the alarm. A browser plays no sound before the user has touched the page. */
   sound(): void {
     if (this.isMuted || !navigator.userActivation?.hasBeenActive) return;
     this.context ??= new AudioContext();

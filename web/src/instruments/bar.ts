@@ -4,7 +4,9 @@ import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import type { LimitState, LimitTrack } from "./limits";
 
-/** A limit as a bar: the allowed range, the present value and the worst so far; amber near a bound, red beyond it. */
+/**
+ * A limit as a bar: the allowed range, the present value and the worst value so far; amber near a bound, red beyond it.
+ */
 export class LimitBar {
   readonly element: HTMLElement;
   private readonly value = make("span", { class: "limit-value" });
@@ -37,7 +39,7 @@ export class LimitBar {
     const shown = withUnit(number(value), limit);
     setText(this.value, shown);
     setText(this.worst, `${bounds(limit)}. ${worst ? texts.instruments.worst(number(worst.value), fixed(worst.time_s, 1)) : texts.instruments.counts_from(limit.from_s)}`);
-    // Powers of ten are not allowed there.
+    // ARIA values may not have powers of ten.
     const values = { "aria-valuemin": low, "aria-valuemax": high, "aria-valuenow": value };
     for (const [name, one] of Object.entries(values)) this.meter.setAttribute(name, one.toFixed(6));
     this.meter.setAttribute("aria-valuetext", `${shown}, ${texts.instruments.states[state]}`);
@@ -50,7 +52,7 @@ function put(element: HTMLElement, from: number, to: number): void {
   element.style.width = `${to - from}%`;
 }
 
-/** In words: "within 5 deg", "at most 80 kN". */
+/** Returns the bounds of a limit as text: "within 5 deg", "at most 80 kN". */
 export function bounds(limit: LimitInfo): string {
   const say = texts.instruments;
   const { at_least, at_most } = limit;
@@ -60,17 +62,17 @@ export function bounds(limit: LimitInfo): string {
   return at_least === -at_most ? say.within(shown(at_most)) : say.between(plain(at_least), shown(at_most));
 }
 
-/** Text of a bound as the scenario has it, without the unit. */
+/** Formats a bound as the scenario gives it, without its unit. */
 function plain(bound: number): string {
   return String(Number(bound.toPrecision(6))).replace("-", "−");
 }
 
-/** A ratio has no unit to show. */
+/** Appends the unit of a limit; a ratio has none. */
 function withUnit(text: string, { unit }: LimitInfo): string {
   return unit === "1" ? text : `${text} ${unit}`;
 }
 
-/** Three digits, as a dial has. */
+/** Formats a number with three digits, as on a dial. */
 export function number(value: number): string {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);

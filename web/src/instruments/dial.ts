@@ -2,7 +2,7 @@ import { fixed } from "../app/format";
 import { texts } from "../texts";
 import { svg } from "./svg";
 
-/** Exaggeration of the inclination in the picture: 5 degrees of heel have to be visible. */
+/** Factor by which the picture exaggerates the inclination, so that 5 degrees of heel are visible. */
 const MAGNIFIED = 3;
 const LARGEST_DEG = 25;
 
@@ -12,7 +12,7 @@ const SILHOUETTES = {
   side: "M-44 -4 L-40 16 H34 L44 -4 Z M-38 -4 V-20 H-20 V-4 Z M2 -4 V-30 H5 V-4 Z M4 -29 L26 -18 L25 -16 L4 -25 Z",
 };
 
-/** An inclination of the ship: a silhouette that leans against a scale, with the range of the last minute. */
+/** A dial with a silhouette of the ship inclined against a scale, and the range of the last minute. */
 export class Dial {
   readonly element: SVGSVGElement;
   private readonly ship: SVGElement;
@@ -22,7 +22,7 @@ export class Dial {
   constructor(
     private readonly label: string,
     ship: keyof typeof SILHOUETTES,
-    /** +1 if a positive angle turns the picture clockwise. */
+    /** +1 if a positive angle turns the picture clockwise, otherwise -1. */
     private readonly clockwise: 1 | -1,
   ) {
     this.ship = svg("path", { d: SILHOUETTES[ship], class: "dial-ship" });
@@ -32,7 +32,7 @@ export class Dial {
     this.element = svg("svg", { viewBox: "-70 -70 140 140", class: "dial", role: "img" }, ...ticks(), this.range, water, this.ship, this.needle);
   }
 
-  /** Angles in degrees. */
+  /** Shows an angle and its range over the last minute, degrees. */
   show(angle: number, low: number, high: number): void {
     const turn = this.turned(angle);
     this.ship.setAttribute("transform", `rotate(${turn})`);
@@ -46,7 +46,7 @@ export class Dial {
   }
 }
 
-/** A tick every degree, a longer one every five, on both ends of the needle. */
+/** Draws a tick every degree, a longer one every five degrees, at both ends of the needle. */
 function ticks(): SVGElement[] {
   const degrees = Array.from({ length: 2 * LARGEST_DEG + 1 }, (_, k) => k - LARGEST_DEG);
   return degrees.flatMap((degree) => {
@@ -56,7 +56,7 @@ function ticks(): SVGElement[] {
   });
 }
 
-/** Two arcs opposite to each other, degrees of the picture. */
+/** Draws two arcs opposite to each other; angles in degrees of the picture. */
 function arc(from: number, to: number): string {
   const [low, high] = [Math.min(from, to), Math.max(from, to)];
   const place = (angle: number) => {

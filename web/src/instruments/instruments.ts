@@ -11,7 +11,7 @@ import { ReadingTable } from "./reading_table";
 import { paletteChoice, soundSwitch } from "./settings";
 import { ShipDials } from "./ship_dials";
 
-/** The panel of instruments: heel and trim, the limits of the scenario as bars, and the readings of a crane operator. */
+/** Panel of instruments: heel and trim, the limits of the scenario as bars, and readings for a crane operator. */
 export class Instruments {
   private readonly panel = byId("instruments");
   private readonly tab = document.querySelector<HTMLElement>('.switcher [data-panel="instruments"]')!;
@@ -62,7 +62,9 @@ export class Instruments {
     }
   }
 
-  /** Bars are updated with every picture, even if the panel is closed, for the tab and the alarm. */
+  /**
+   * Updates the bars with every picture, also while the panel is closed, for the title of the tab and for the alarm.
+   */
   private show(run: Run, moment: Moment): void {
     const states = this.bars.map((bar) => bar.show(moment.time_s, moment.row));
     if (this.session.status === "running") this.warnOf(states);
@@ -71,7 +73,7 @@ export class Instruments {
     if (isPanelOpen("instruments")) for (const part of this.parts) part.show(run, moment);
   }
 
-  /** Called once for each limit that the run exceeds. */
+  /** Warns once of each limit that the run exceeds. */
   private warnOf(states: LimitState[]): void {
     const now = this.tracks.filter((_, i) => states[i] === "exceeded" && this.states[i] !== "exceeded");
     if (now.length === 0) return;

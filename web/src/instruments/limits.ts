@@ -1,24 +1,31 @@
 import type { LimitInfo } from "../engine/engine";
 
-/** ok: within the bounds; near: closer to a bound than a tenth of it; exceeded: beyond one; waiting: it does not count yet. */
+/**
+ * ok: within the bounds; near: within the bounds, but close to one; exceeded: beyond a bound; waiting: the limit does
+ * not count yet.
+ */
 export type LimitState = "ok" | "near" | "exceeded" | "waiting";
 
-/** Share of a bound, or of half the span between two, that counts as near. */
+/**
+ * Distance to a bound below which a value is near it, as a share of the bound, or of half the span between two bounds.
+ */
 const NEAR = 0.1;
 
-/** The value nearest to a bound, or farthest beyond it, in the unit of the limit. */
+/** Worst value of a run, nearest to a bound or farthest beyond it, in the unit of the limit, and its time. */
 export interface Worst {
   time_s: number;
   value: number;
 }
 
-/** Margin of a value to the bounds; negative beyond one, and for NaN. */
+/** Returns the distance of a value to the nearest bound; negative beyond a bound, and for NaN. */
 export function marginOf({ at_least, at_most }: LimitInfo, value: number): number {
   if (Number.isNaN(value)) return -Infinity;
   return Math.min(at_most === null ? Infinity : at_most - value, at_least === null ? Infinity : value - at_least);
 }
 
-/** A limit, with the worst value up to every time of a run: the list grows only when the worst gets worse. */
+/**
+ * A limit, with the worst value up to each time of a run: the list grows only when a value is worse than all before.
+ */
 export class LimitTrack {
   private worsts: Worst[] = [];
   /** Largest magnitude of a value so far: the scale for a bound of zero. */
@@ -29,12 +36,12 @@ export class LimitTrack {
     private readonly place: number,
   ) {}
 
-  /** The value of a row, in the unit of the limit. */
+  /** Returns the value in a row, in the unit of the limit. */
   valueIn(row: ArrayLike<number>): number {
     return row[this.place] / this.limit.unit_si;
   }
 
-  /** Takes one recorded row into account. */
+  /** Updates the worst value with one recorded row. */
   see(time_s: number, row: ArrayLike<number>): void {
     const value = this.valueIn(row);
     if (Math.abs(value) > this.size) this.size = Math.abs(value);
@@ -43,12 +50,12 @@ export class LimitTrack {
     if (!last || marginOf(this.limit, value) < marginOf(this.limit, last.value)) this.worsts.push({ time_s, value });
   }
 
-  /** The run continues from here: later values are dropped. */
+  /** Drops the values after a time from which the run continues. */
   dropAfter(time_s: number): void {
     this.worsts = this.worsts.filter((worst) => worst.time_s <= time_s);
   }
 
-  /** The worst value up to a time; null if no row counted. */
+  /** Returns the worst value up to a time; null if no value counts yet. */
   worstUntil(time_s: number): Worst | null {
     let at = this.worsts.length - 1;
     while (at >= 0 && this.worsts[at].time_s > time_s) at -= 1;
@@ -62,7 +69,7 @@ export class LimitTrack {
     return margin < NEAR * this.scale() ? "near" : "ok";
   }
 
-  /** The ends of a bar that shows the bounds and the values so far. */
+  /** Returns the ends of a bar that shows the bounds and all values so far. */
   range(): [number, number] {
     const { at_least, at_most } = this.limit;
     const room = 0.25 * this.scale();
@@ -75,7 +82,7 @@ export class LimitTrack {
     return this.worsts.slice(-1).map(({ value }) => value).filter(Number.isFinite);
   }
 
-  /** The scale of a margin: half the span, the bound, or, if that is zero, the largest value so far. */
+  /** Returns the scale of a margin: half the span, or the bound; if the bound is zero, the largest value so far. */
   private scale(): number {
     const { at_least, at_most } = this.limit;
     if (at_least !== null && at_most !== null) return (at_most - at_least) / 2;
@@ -83,7 +90,7 @@ export class LimitTrack {
   }
 }
 
-/** The worst of several states. */
+/** Returns the worst of several states. */
 export function gravest(states: readonly LimitState[]): LimitState {
   const order: LimitState[] = ["exceeded", "near", "ok"];
   return order.find((state) => states.includes(state)) ?? "waiting";

@@ -2,7 +2,10 @@ import type { Recorded } from "../app/recording/recording";
 import type { Series } from "../app/recording/series";
 import { RANGE_S } from "./readings";
 
-/** The smallest and the largest value of a column over the last minute before a time; NaN if there is no such column. */
+/**
+ * Returns the smallest and the largest value of a column in the last minute before a time; NaN if there is no such
+ * column.
+ */
 export function rangeOf(rows: Series<Recorded>, place: number, time_s: number): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (let at = rows.indexAt(time_s); at >= 0 && rows.items[at].time_s >= time_s - RANGE_S; at--) {

@@ -6,7 +6,7 @@ import { number } from "./bar";
 import { rangeOf } from "./range";
 import { pointsOf, readingsOf } from "./readings";
 
-/** The displayed unit, and the factor from the column's unit to it. */
+/** Displayed unit of an SI unit, and the factor from the SI unit to it. */
 const SHOWN: Record<string, [string, number]> = { N: ["kN", 1e-3], kg: ["t", 1e-3], rad: ["°", 180 / Math.PI], "1": ["", 1] };
 
 interface Row {
@@ -15,7 +15,9 @@ interface Row {
   cells: HTMLElement[];
 }
 
-/** Readings of tensions of ropes and angles, gaps, and the heave of named points: now, and over the last minute. */
+/**
+ * Table of readings at present and over the last minute: tensions of ropes, angles, gaps, and heave of named points.
+ */
 export class ReadingTable {
   readonly element: HTMLElement;
   private readonly rows: Row[] = [];
@@ -40,7 +42,7 @@ export class ReadingTable {
     this.element = make("table", { class: "readings" }, make("caption", {}, texts.instruments.readings), head, ...groups, ...ofPoints);
   }
 
-  /** Null if there are no readings. */
+  /** Returns the table for a run; null if it has no readings. */
   static of(run: Run, session: Session): ReadingTable | null {
     const table = new ReadingTable(run, session);
     return table.rows.length > 0 ? table : null;

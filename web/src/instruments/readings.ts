@@ -1,25 +1,27 @@
 import type { Channel, ModelInfo } from "../engine/engine";
 
-/** Readings of a crane at work, by the end of the variable's name: tensions of ropes and angles, crane capacity, gaps, drives, wind and waves.
- * */
+/**
+ * Readings for a crane operator, selected by the end of the variable's name: tensions of ropes, angles, crane capacity,
+ * gaps, drives, wind and waves.
+ */
 const READ = [
   "_tension", "_offlead", "_sidelead", "_daf", "load_radius", "rated_load",
   "hook_load", "clearance", "air_gap", "_utilisation",
   "wave_elevation", "wind_speed", "wind_direction",
 ];
-/** Length of the past for the range of a motion, s. */
+/** Length of the past over which the range of a motion is shown, s. */
 export const RANGE_S = 60;
 
-/** One reading. */
+/** A reading: a column of the results with its name and unit. */
 export interface Reading {
-  /** The element, body or point that it belongs to. */
+  /** Element, body or point to which the reading belongs. */
   thing: string;
   label: string;
   column: string;
   unit: string;
 }
 
-/** The readings for a crane operator, of each element. */
+/** Returns the readings for a crane operator, element by element. */
 export function readingsOf(channels: readonly Channel[]): Reading[] {
   const scalar = channels.filter(({ of_elements, labels }) => of_elements && labels.length === 1);
   return scalar
@@ -29,7 +31,7 @@ export function readingsOf(channels: readonly Channel[]): Reading[] {
     );
 }
 
-/** Under the name of its line, "tension of a line" becomes "tension". */
+/** Leaves out of a description the words that follow from its element: "tension of a line" becomes "tension". */
 function withoutThing(long_name: string): string {
   return long_name.replace(/ (of|from|above|that) .*$/, "");
 }
@@ -41,7 +43,7 @@ export interface PointReading {
   speed: string;
 }
 
-/** The named points of bodies that move. */
+/** Returns the named points of bodies that move. */
 export function pointsOf(channels: readonly Channel[]): PointReading[] {
   const of = (variable: string) => channels.find((channel) => channel.variable === variable);
   const [position, velocity] = [of("point_position"), of("point_velocity")];
@@ -55,7 +57,7 @@ export function pointsOf(channels: readonly Channel[]): PointReading[] {
   }));
 }
 
-/** The body of the first hull. */
+/** Returns the body of the first hull; null if there is none. */
 export function hullBodyOf({ hulls }: ModelInfo): string | null {
   return hulls[0]?.body ?? null;
 }

@@ -3,7 +3,7 @@ import { texts } from "../texts";
 import { make } from "../ui/dom";
 import type { Alarm } from "./alarm";
 
-/** The colour theme of the page. */
+/** Returns the choice of the page's colours. */
 export function paletteChoice(): HTMLElement {
   const { palette, palettes } = texts.instruments;
   const options = [make("option", { value: "" }, palettes.device), ...PALETTES.map((name) => make("option", { value: name }, palettes[name]))];
@@ -13,7 +13,7 @@ export function paletteChoice(): HTMLElement {
   return make("label", { class: "setting" }, palette, select);
 }
 
-/** Whether the alarm sounds when a limit is exceeded. */
+/** Returns the switch of the alarm for exceeded limits. */
 export function soundSwitch(alarm: Alarm): HTMLElement {
   const box = make("input", { type: "checkbox", "data-testid": "alarm-sound", checked: !alarm.isMuted });
   box.addEventListener("change", () => alarm.mute(!box.checked));

@@ -9,7 +9,7 @@ import { hullBodyOf } from "./readings";
 
 const DEGREES = 180 / Math.PI;
 
-/** Heel and trim of the first hull. */
+/** Dials of heel and trim of the first hull. */
 export class ShipDials {
   readonly element: HTMLElement;
   private readonly dials: { column: string; dial: Dial; value: HTMLElement; range: HTMLElement }[];
@@ -20,7 +20,7 @@ export class ShipDials {
   ) {
     const { heel, trim } = texts.floating;
     this.dials = [
-      // From aft, a heel to starboard turns the ship clockwise; from starboard, a trim by the bow does.
+      // Seen from aft, a heel to starboard turns the ship clockwise; seen from starboard, a trim by the bow does.
       { column: `${body}.roll`, dial: new Dial(heel, "aft", 1), ...words() },
       { column: `${body}.pitch`, dial: new Dial(trim, "side", 1), ...words() },
     ];
@@ -31,7 +31,7 @@ export class ShipDials {
     this.element = make("section", { class: "dials", "aria-label": texts.instruments.ship }, ...figures);
   }
 
-  /** Null if nothing floats. */
+  /** Returns the dials for a run; null if no hull floats. */
   static of({ model }: Run, session: Session): ShipDials | null {
     const body = hullBodyOf(model);
     return body === null ? null : new ShipDials(body, session);

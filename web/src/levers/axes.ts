@@ -3,11 +3,11 @@ import type { InputInfo } from "../engine/engine";
 import { cross, rotate } from "../view/fit";
 import type { Vec3 } from "../view/fit";
 
-/** The axes of two sticks: left and right, across (x, positive to the right) and along (y, positive away from the hand). */
+/** Axes of the two sticks: across (x, positive to the right) and along (y, positive away from the hand). */
 export const AXES = ["left_x", "left_y", "right_x", "right_y"] as const;
 export type Axis = (typeof AXES)[number];
 
-/** An input on an axis of a stick; `reversed` if the stick's positive side is the input's negative side. */
+/** An input on an axis of a stick; `reversed` if a positive deflection gives a negative input. */
 export interface Place {
   input: string;
   reversed: boolean;
@@ -15,17 +15,22 @@ export interface Place {
 
 export type Places = Partial<Record<Axis, Place>>;
 
-/** slew: about a vertical axis; raise: a boom about a horizontal axis; hoist: a drum, which turns about its own centre; other: unknown to
- * the model. */
+/**
+ * slew: about a vertical axis; raise: a boom about a horizontal axis; hoist: a drum that turns about its own centre;
+ * other: does not follow from the model.
+ */
 type Motion = "slew" | "raise" | "hoist" | "other";
 
 interface Moved extends Place {
   motion: Motion;
-  /** Bodies from the moved one down to the ground. */
+  /** Number of bodies between the moved body and the ground. */
   depth: number;
 }
 
-/** Default assignment of inputs to axes: slew and the first boom left, hoist and the next boom right, others on free axes. */
+/**
+ * Assigns inputs to axes by default: slewing and the first boom on the left stick, hoisting and the next boom on the
+ * right, others on free axes.
+ */
 export function placesOf(run: Run, poses: ArrayLike<number>): Places {
   const waiting = onSticks(run.inputs)
     .map((input) => movedBy(run, poses, input.name))
@@ -42,12 +47,15 @@ export function placesOf(run: Run, poses: ArrayLike<number>): Places {
   return places;
 }
 
-/** Inputs for a self-centring stick: they are set by hand, and zero is between their bounds. */
+/** Returns the inputs for a self-centring stick: they are set by hand, and zero lies between their bounds. */
 export function onSticks(inputs: readonly InputInfo[]): InputInfo[] {
   return inputs.filter(({ signal, lower, upper }) => !signal && lower < 0 && upper > 0);
 }
 
-/** The body that an input moves: that of the joint of its drive, or the last of the bodies that the drive connects. */
+/**
+ * Returns the motion of the body that an input moves: the body of its drive's joint, or the last of the bodies that the
+ * drive connects.
+ */
 function movedBy({ model, jointAxes }: Run, poses: ArrayLike<number>, input: string): Moved {
   const parents = new Map(model.bodies.map(({ name, parent }) => [name, parent]));
   const facts = model.elements.find(({ name, group }) => name === input && group === "drives")?.facts ?? [];
@@ -63,8 +71,10 @@ function movedBy({ model, jointAxes }: Run, poses: ArrayLike<number>, input: str
   return { input, ...motion, depth: depthOf(parents, joint.body) };
 }
 
-/** A stick to the right slews to the right, seen from above; a push away lowers and pays out. `arm` leads from the child's centre to the
- * joint. */
+/**
+ * Returns the kind of a motion, and whether the stick is reversed: a stick to the right slews to the right, seen from
+ * above; a stick pushed away lowers and pays out. `arm` is the vector from the child's centre to the joint.
+ */
 function motionAbout(axis: Vec3, arm: Vec3, isOfJoint: boolean): { motion: Motion; reversed: boolean } {
   if (Math.abs(axis[2]) > Math.hypot(axis[0], axis[1])) return { motion: "slew", reversed: axis[2] > 0 };
   if (Math.hypot(...arm) < 1e-9) return { motion: "hoist", reversed: false };
@@ -73,7 +83,9 @@ function motionAbout(axis: Vec3, arm: Vec3, isOfJoint: boolean): { motion: Motio
   return { motion: "raise", reversed: raises };
 }
 
-/** A vector from a body's axes to the world's; poses are x y z qw qx qy qz for each body, and the world has none. */
+/**
+ * Transforms a vector from a body's axes to the world's; poses are x y z qw qx qy qz for each body, without the world.
+ */
 function turned(vector: Vec3, poses: ArrayLike<number>, body: number): Vec3 {
   if (body < 0) return vector;
   const at = 7 * body + 3;

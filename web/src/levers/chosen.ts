@@ -5,7 +5,7 @@ import type { Place, Places } from "./axes";
 const PLACES_KEY = "kingpost.levers.";
 const HIDDEN_KEY = "kingpost.levers_hidden";
 
-/** The user's choice of an input for each axis in this scenario; null if the model decides. */
+/** Returns the inputs that the user has chosen for the axes in this scenario; null for the default of the model. */
 export function chosenPlaces(file: string): Places | null {
   try {
     const text = kept(PLACES_KEY + file);
@@ -28,7 +28,7 @@ export function hideSticks(hidden: boolean): void {
   keep(HIDDEN_KEY, hidden ? "yes" : null);
 }
 
-/** The setting of this page if storage is denied. */
+/** Choices on this page, if storage is denied. */
 const here = new Map<string, string>();
 
 function keep(key: string, text: string | null): void {
@@ -49,7 +49,7 @@ function kept(key: string): string | null {
   }
 }
 
-/** Reads stored places, which may be of another version of the page. */
+/** Reads stored choices, which another version of the page may have written. */
 function placesIn(stored: unknown): Places {
   const places: Places = {};
   for (const axis of AXES) {

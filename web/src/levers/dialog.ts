@@ -4,7 +4,10 @@ import { make } from "../ui/dom";
 import { AXES } from "./axes";
 import type { Axis, Places } from "./axes";
 
-/** Asks for the input of each axis of the sticks; `choose` gets every choice, and null for the model's default. */
+/**
+ * Asks the user for the input of each axis of the sticks; `choose` gets every choice, or null for the default of the
+ * model.
+ */
 export function askForPlaces(inputs: readonly InputInfo[], places: Places, choose: (places: Places | null) => Places): void {
   const dialog = make("dialog", { class: "axes-dialog", "aria-labelledby": "axes-title" });
   const rows = make("div", { class: "axes-rows" });
@@ -36,7 +39,7 @@ function rowOf(axis: Axis, inputs: readonly InputInfo[], places: Places, pick: (
   return make("div", { class: "axes-row" }, make("label", { for: `axis-${axis}` }, texts.levers.axes[axis]), select, reverse);
 }
 
-/** An input has one axis: when it moves to another axis it leaves the first, and keeps its sense. */
+/** Assigns an input to an axis. An input has only one axis: it leaves its previous axis and keeps its direction. */
 export function placed(places: Places, axis: Axis, input: string): Places {
   const held = Object.values(places).find((place) => place?.input === input);
   const others = Object.entries(places).filter(([name, place]) => name !== axis && place && place.input !== input);

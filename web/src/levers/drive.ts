@@ -1,10 +1,10 @@
 import type { Run } from "../app/run";
 import type { InputInfo } from "../engine/engine";
 
-/** Share of a limit from which the drive counts as at the limit. */
+/** Share of a limit above which a drive counts as at the limit. */
 const AT_LIMIT = 0.99;
 
-/** State of a drive: its rate over the largest (NaN if unknown), and the limits that it has reached. */
+/** State of a drive: its rate over the largest rate (NaN if unknown), and the limits that it has reached. */
 export interface Doing {
   share: number;
   rate: number;
@@ -13,9 +13,9 @@ export interface Doing {
 
 /** Reads the state of an input's drive from a row. */
 export class Drive {
-  /** Unit of its rate. */
+  /** Unit of the drive's rate. */
   readonly unit: string;
-  /** The largest rate, from the drive's limit or the bound of the input; NaN if there is neither. */
+  /** Largest rate, from the drive's limit or from the bound of the input; NaN if there is neither. */
   readonly greatest: number;
   private readonly rateAt: number;
   private readonly used: { limit: string; at: number }[];
@@ -50,7 +50,7 @@ function isRate(unit: string): boolean {
   return unit === "rad/s" || unit === "m/s";
 }
 
-/** The quantity of a utilisation: `effort` of `drive_effort_utilisation`. */
+/** Returns the limited quantity of a utilisation, for example `effort` for `drive_effort_utilisation`. */
 function limitOf(variable: string): string {
   return variable.split("_").at(-2) ?? variable;
 }

@@ -1,7 +1,7 @@
 import type { Axis } from "./axes";
 import { withoutDeadZone } from "./lever";
 
-/** The sticks of a gamepad of the standard layout, in the order of its axes; a push away is negative there. */
+/** Sticks of a gamepad with the standard layout, in the order of its axes; a push away from the hand is negative. */
 const STICKS: [Axis, number][] = [
   ["left_x", 1],
   ["left_y", -1],
@@ -9,7 +9,7 @@ const STICKS: [Axis, number][] = [
   ["right_y", -1],
 ];
 
-/** The first gamepad with the standard layout, read with every picture while connected. */
+/** Reads the first gamepad with the standard layout with every picture, while it is connected. */
 export function enableGamepad(take: (axis: Axis, deflection: number | null) => void, say: (name: string, isThere: boolean) => void): void {
   let isWatched = false;
   const look = () => {

@@ -1,6 +1,6 @@
 import type { Axis } from "./axes";
 
-/** Keys of the axes, for the positive and the negative side. */
+/** Keys for the positive and the negative side of each axis. */
 const KEYS: Record<string, [Axis, number]> = {
   w: ["left_y", 1],
   s: ["left_y", -1],
@@ -12,13 +12,16 @@ const KEYS: Record<string, [Axis, number]> = {
   j: ["right_x", -1],
 };
 
-/** Up, left, down, right of each stick. */
+/** Keys of each stick: up, left, down, right. */
 export const HINTS = { left: ["W", "A", "S", "D"], right: ["I", "J", "K", "L"] };
 
-/** Deflection of a stick while Shift is pressed. */
+/** Deflection of a stick by a key while Shift is pressed. */
 const FINE = 0.3;
 
-/** The letter keys move the sticks unless text is typed; `take` gets null when the last key of an axis is released. */
+/**
+ * Moves the sticks by the letter keys unless the user types text; `take` gets null when the last key of an axis is
+ * released.
+ */
 export function enableKeys(take: (axis: Axis, deflection: number | null) => void): void {
   const down = new Map<string, number>();
   const tell = (axis: Axis) => {

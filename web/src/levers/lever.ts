@@ -3,24 +3,24 @@ import type { InputInfo } from "../engine/engine";
 import type { Axis, Place } from "./axes";
 import { Drive } from "./drive";
 
-/** Who moves a lever. */
+/** Device by which a lever is moved. */
 export type Hand = "thumb" | "keys" | "gamepad" | "slider";
 
 /** Dead zone, as a share of the stick's travel. */
 const DEAD = 0.08;
-/** Number of steps of a stick from the middle to its end: a trembling thumb gives no new value. */
+/** Number of steps of a stick from the middle to its end: a trembling thumb does not change the value. */
 const PLACES = 50;
 
-/** A deflection without its dead zone, in steps; -1 to 1. */
+/** Returns a deflection outside the dead zone, rounded to steps; -1 to 1. */
 export function withoutDeadZone(deflection: number): number {
   const size = (Math.min(1, Math.abs(deflection)) - DEAD) / (1 - DEAD);
   return size <= 0 ? 0 : (Math.sign(deflection) * Math.round(PLACES * size)) / PLACES;
 }
 
-/** One axis of a stick, and the input that it sets. */
+/** An axis of a stick with the input that it sets. */
 export class Lever {
   readonly drive: Drive;
-  /** Whether the input is an angle or a length: the stick then sets its rate. */
+  /** Whether the input is an angle or a length; the stick then sets its rate. */
   readonly isPosition: boolean;
   private readonly hands = new Map<Hand, number>();
 
@@ -38,7 +38,7 @@ export class Lever {
     return this.input.name.replaceAll("_", " ");
   }
 
-  /** A hand moves it, or releases it: null. */
+  /** Sets the deflection by one device; null releases the lever. */
   take(hand: Hand, deflection: number | null): void {
     if (hand !== "slider") this.hands.delete("slider");
     if (deflection === null) this.hands.delete(hand);
@@ -53,31 +53,31 @@ export class Lever {
     return this.hands.size > 0;
   }
 
-  /** The largest deflection of all hands on it. */
+  /** Largest deflection by any device. */
   get deflection(): number {
     return [...this.hands.values()].reduce((most, one) => (Math.abs(one) > Math.abs(most) ? one : most), 0);
   }
 
-  /** The value of the input: in proportion between its bounds. */
+  /** Value of the input: the deflection between -1 and 1 maps to the bounds of the input. */
   get value(): number {
     const share = this.signed(this.deflection);
     return share < 0 ? -share * this.input.lower : share * this.input.upper;
   }
 
-  /** The new value of an angle or a length after a time, starting at `from`. */
+  /** Returns the value of an angle or a length after a time, starting at `from`. */
   valueAfter(from: number, seconds: number): number {
     const rate = Number.isFinite(this.drive.greatest) ? this.drive.greatest : 1;
     const to = from + this.signed(this.deflection) * rate * seconds;
     return Math.min(this.input.upper, Math.max(this.input.lower, to));
   }
 
-  /** The deflection for a value of the input. */
+  /** Returns the deflection for a value of the input. */
   deflectionOf(value: number): number {
     if (this.isPosition) return this.deflection;
     return this.signed(value < 0 ? -value / this.input.lower : value / this.input.upper);
   }
 
-  /** Converts between the stick's sense and the input's. */
+  /** Reverses a deflection if the stick is reversed. */
   signed(share: number): number {
     return (this.place.reversed ? -share : share) || 0;
   }

@@ -12,15 +12,18 @@ import { Lever } from "./lever";
 import type { Hand } from "./lever";
 import { Stick } from "./stick";
 
-/** Time between two sent moves of one lever, ms: each is stored with the run. */
+/** Smallest interval between two values of one lever sent to the engine, ms: each is stored with the run. */
 const SEND_EVERY_MS = 60;
-/** Time between two moves of an angle or a length that a stick drives, s of the run. */
+/** Interval between two values of an angle or a length that a stick changes, s of the run. */
 const WIND_EVERY_S = 0.1;
-/** Time of a message, ms, and of the vibration of a phone at a limit. */
+/** Durations, ms: of a message on the screen, and of a phone's vibration at a limit. */
 const MESSAGE_MS = 5000;
 const SHAKE_MS = 25;
 
-/** Two sticks over the picture, for the inputs that are set by hand. A lever that is moved during a pause acts when the run continues. */
+/**
+ * Two sticks over the picture, for the inputs that are set by hand. A lever that is moved during a pause acts when the
+ * run continues.
+ */
 export class Levers {
   private readonly box = byId("sticks");
   private readonly button = byId("levers-button", HTMLButtonElement);
@@ -30,7 +33,7 @@ export class Levers {
   private levers: { lever: Lever; stick: Stick; sent_ms: number; timer: number; wound_s: number; wasAtLimit: boolean }[] = [];
   private standard: Places = {};
   private built = "";
-  /** Hidden by the user; also if that cannot be stored. */
+  /** Whether the user has hidden the sticks, also if that cannot be stored. */
   private isAway = areHidden();
   private messageTimer = 0;
 
@@ -50,7 +53,7 @@ export class Levers {
     );
   }
 
-  /** Asks for the input of each axis. */
+  /** Asks the user for the input of each axis. */
   ask(): void {
     const { run } = this.session;
     if (run) askForPlaces(onSticks(run.inputs), this.places(), (places) => this.choose(run, places));
@@ -79,7 +82,7 @@ export class Levers {
     return chosenPlaces(this.file) ?? this.standard;
   }
 
-  /** Unchanged sticks stay, with the hand that holds them. */
+  /** Sticks that do not change are kept, and a hand can keep holding them. */
   private build(run: Run, places = this.places()): void {
     const inputs = new Map(onSticks(run.inputs).map((input) => [input.name, input]));
     const placed = AXES.flatMap((axis) => {
@@ -140,7 +143,7 @@ export class Levers {
     this.show();
   }
 
-  /** The last of several moves is always sent. */
+  /** Sends a lever's value, at most once per interval; the last value is always sent. */
   private sendSoon(lever: Lever): void {
     const own = this.levers.find((one) => one.lever === lever);
     if (!own || lever.isPosition) return;
@@ -158,7 +161,7 @@ export class Levers {
     void this.session.setInput(lever.input.name, lever.value);
   }
 
-  /** A held stick stays in the hand's position when the run goes back. */
+  /** Sends the values of held levers again after a reset or a branch: a held lever stays where the hand holds it. */
   private sendHeld(): void {
     for (const { lever } of this.levers) if (lever.isHeld) this.send(lever);
     this.show();
@@ -169,7 +172,7 @@ export class Levers {
     this.show();
   }
 
-  /** A stick for an angle or a length changes it at the rate of its deflection. */
+  /** Changes an angle or a length at the rate that the deflection gives. */
   private wind(own: (typeof this.levers)[number], time_s: number): void {
     const { lever } = own;
     if (!lever.isPosition) return;

@@ -5,20 +5,20 @@ import type { Doing } from "./drive";
 import type { Hand, Lever } from "./lever";
 import { withoutDeadZone } from "./lever";
 
-/** Deflection by an arrow key. */
+/** Change of the deflection by one press of an arrow key. */
 const KEY_STEP = 0.1;
 
 /** Moves an axis of a stick; null releases it. */
 type Take = (lever: Lever, hand: Hand, deflection: number | null) => void;
 
-/** Along the axis of a lever. */
+/** Display of one lever of the stick. */
 interface Shown {
   lever: Lever;
   isAcross: boolean;
   slider: HTMLElement;
   mark: HTMLElement;
   line: HTMLElement;
-  /** Rate of the drive over its largest rate. */
+  /** Bar with the rate of the drive over its largest rate. */
   share: HTMLElement;
 }
 
@@ -79,7 +79,7 @@ export class Stick {
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"] as const) {
       pad.addEventListener(end, (event) => event.pointerId === this.pointer && this.letGo());
     }
-    // A long press must not open a menu.
+    // A long press must not open the browser's menu.
     pad.addEventListener("contextmenu", (event) => event.preventDefault());
   }
 
@@ -96,7 +96,7 @@ export class Stick {
     for (const { lever } of this.axes) this.take(lever, "thumb", null);
   }
 
-  /** For screen readers: a lever stays where the arrow keys move it. */
+  /** Moves a lever by the arrow keys; it stays there when the key is released, for users of screen readers. */
   private key(lever: Lever, event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const steps: Record<string, number> = { ArrowUp: KEY_STEP, ArrowRight: KEY_STEP, ArrowDown: -KEY_STEP, ArrowLeft: -KEY_STEP, Home: -2, End: 2 };

@@ -1,6 +1,6 @@
 /**
- * A service worker that replaces the one that caches the app: it removes the cached files and itself. `kingpost serve` sends it, because a
- * local server can serve another build at each start.
+ * Service worker that replaces the worker that caches the app, and removes the cached files and itself. `kingpost
+ * serve` sends it, because a local server can serve another build at each start.
  */
 
 interface LeavingScope {
@@ -18,7 +18,7 @@ self.addEventListener("activate", (event) => event.waitUntil(leave()));
 async function leave(): Promise<void> {
   await caches.delete(`kingpost ${self.registration.scope}`);
   await self.registration.unregister();
-  // Reload pages that the other worker served.
+  // Reload the pages that the other worker has served.
   const windows = await self.clients.matchAll({ type: "window" });
   await Promise.all(windows.map((window) => window.navigate(window.url)));
 }

@@ -7,25 +7,27 @@ const words = texts.offline;
 
 let isBegun = false;
 
-/** If the app is cached on the device, it reports a newer build. */
+/** Reports a newer build, if the app is cached on the device. */
 export function watchOffline(): void {
   if (navigator.serviceWorker?.controller) void keepOffline();
 }
 
-/** Caches the app on the device, if it is served over a secure connection. The start page alone does not load the engine. Not during
- * development. */
+/**
+ * Caches the app on the device, if it is served over a secure connection, and not during development. The start page
+ * alone does not load the engine.
+ */
 export async function keepOffline(): Promise<void> {
   if (isBegun) return;
   isBegun = true;
   const { serviceWorker } = navigator;
   if (!import.meta.env.PROD || !serviceWorker) return;
   const script = new URL("offline.js", document.baseURI);
-  // The app also runs without it.
+  // The app also works without a service worker.
   const registration = await serviceWorker.register(script, { updateViaCache: "none" }).catch(() => undefined);
   if (!registration) return;
   watch(registration);
   const { active } = await serviceWorker.ready;
-  // The name of the script shows the build of the page.
+  // The name of the page's script identifies the page's build.
   if (!serviceWorker.controller) active?.postMessage({ claim: import.meta.url } satisfies ToOffline);
 }
 
@@ -37,13 +39,13 @@ function watch(registration: ServiceWorkerRegistration): void {
   };
   look();
   registration.addEventListener("updatefound", () => registration.installing?.addEventListener("statechange", look));
-  // A page may stay open for days.
+  // A page may stay open for days: look for a newer build when it becomes visible.
   document.addEventListener("visibilitychange", () => {
     if (!document.hidden && serviceWorker.controller) registration.update().catch(() => undefined);
   });
 }
 
-/** A newer build is cached, and waits. */
+/** Reports a newer build that is cached and waits to be used. */
 function tell(waiting: ServiceWorker): void {
   const button = make("button", { type: "button", class: "button", "data-testid": "update" }, words.reload);
   const said = make("p", {});

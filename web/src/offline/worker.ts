@@ -1,4 +1,7 @@
-/** The app's service worker: it caches all files of one build and serves only these, so that builds do not mix. */
+/**
+ * Service worker of the app: it caches all files of one build and serves only these, so that files of two builds do not
+ * mix.
+ */
 
 interface LastingEvent extends Event {
   waitUntil(work: Promise<unknown>): void;
@@ -9,9 +12,9 @@ interface FetchedEvent extends LastingEvent {
   respondWith(answer: Promise<Response>): void;
 }
 
-/** The part of a service worker's global scope that is used here. */
+/** The part of a service worker's global scope that this worker uses. */
 interface WorkerScope {
-  /** The files of this build by their paths, with a digest of each: the build writes them before this script. */
+  /** Paths of the files of this build, with a digest of each; the build writes them in front of this script. */
   kingpost_files: Record<string, string>;
   registration: { scope: string };
   clients: {
@@ -26,7 +29,7 @@ interface WorkerScope {
 
 /** `claim`: the page asks this worker to serve it from now on. `takeOver`: the page asks for the newer build. */
 export type ToOffline = { claim: string } | { takeOver: true };
-/** Other windows have the older build: they would mix it with the newer one. */
+/** Number of other windows with the older build: after an update they would mix files of the two builds. */
 export type FromOffline = { others: number };
 
 declare const self: WorkerScope;
@@ -45,7 +48,10 @@ self.addEventListener("message", (event) => {
   event.waitUntil("claim" in data ? claim(data.claim) : takeOver(ports[0]));
 });
 
-/** Files that an older build has cached are not fetched again. If one file fails, the whole build is dropped. */
+/**
+ * Caches all files of this build; files that an older build has cached are not fetched again. If one file fails, the
+ * build is not installed.
+ */
 async function keepAll(): Promise<void> {
   const cache = await opened();
   const keep = async (path: string) => {
@@ -54,7 +60,10 @@ async function keepAll(): Promise<void> {
   await Promise.all(Object.keys(files).map(keep));
 }
 
-/** A file of this build; a file with another digest on the host belongs to another build. */
+/**
+ * Fetches a file of this build; throws if the file on the host has another digest, because it then belongs to another
+ * build.
+ */
 async function fetched(path: string): Promise<Response> {
   const response = await fetch(new URL(path, folder), { cache: "no-cache" });
   const content = await response.arrayBuffer();
@@ -77,12 +86,12 @@ async function dropOthers(): Promise<void> {
   await Promise.all(others.map((request) => cache.delete(request)));
 }
 
-/** A browser with little storage may have dropped it. */
+/** Returns a cached file, or fetches it: a browser with little storage may have dropped it. */
 async function kept(path: string, request: Request): Promise<Response> {
   return (await (await opened()).match(keyOf(path))) ?? fetch(request);
 }
 
-/** A page of another build is not served from here. */
+/** Takes control of the open pages, if the page that asks for it is of this build. */
 async function claim(script: string): Promise<void> {
   if (pathOf(script) !== null) await self.clients.claim();
 }
@@ -94,7 +103,7 @@ async function takeOver(port: MessagePort): Promise<void> {
   else await self.skipWaiting();
 }
 
-/** The path of a file of this build, without its query; null for another address. */
+/** Returns the path of a file of this build, without the query; null for another address. */
 function pathOf(url: string): string | null {
   const { origin, pathname } = new URL(url);
   const place = origin + pathname;

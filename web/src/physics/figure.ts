@@ -4,10 +4,10 @@ import { Painted } from "../plots/chart";
 import type { PaintedAxes, Style } from "../plots/chart";
 import { make } from "../ui/dom";
 
-/** Smaller pictures are not drawn, pixels. */
+/** Smallest width and height of a picture that is drawn, pixels. */
 const LEAST_PX = 40;
 
-/** A picture of a lesson, repainted when its content, its size or the page's colours change. */
+/** Picture of a lesson, repainted when its content, its size or the colours of the page change. */
 export abstract class Figure<Content> {
   readonly area = make("div", { class: "lesson-area", role: "img" });
   private chart: Painted | null = null;
@@ -23,7 +23,7 @@ export abstract class Figure<Content> {
     });
   }
 
-  /** A description for screen readers. */
+  /** Draws a content; `name` is its description for screen readers. */
   draw(content: Content, name: string): void {
     this.content = content;
     if (this.area.getAttribute("aria-label") !== name) this.area.setAttribute("aria-label", name);
@@ -31,7 +31,7 @@ export abstract class Figure<Content> {
   }
 
   protected abstract axesOf(content: Content): PaintedAxes;
-  /** Left and right, bottom and top. */
+  /** Returns the ends of the axes: left and right, bottom and top. */
   protected abstract endsOf(content: Content): [[number, number], [number, number]];
   protected abstract paint(u: uPlot, style: Style, content: Content): void;
 

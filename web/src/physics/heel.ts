@@ -2,10 +2,13 @@ import type { Recording } from "../app/recording/recording";
 import type { Run } from "../app/session";
 import { DEGREES } from "./loss_chart";
 
-/** Most points of a drawn line: more than pixels would be invisible. */
+/** Largest number of points of a drawn line: more points than pixels are not visible. */
 const MOST_POINTS = 800;
 
-/** The heel of a body over a stretch of the recording, s and deg, counted to a side: 1 for starboard, -1 for port. */
+/**
+ * Returns the heel of a body over a part of the recording, s and deg, positive to the side `way`: 1 for starboard, -1
+ * for port.
+ */
 export function heelOver(recording: Recording, { columns }: Run, body: string, way: number, [from_s, to_s]: [number, number]): [number, number][] {
   const { rows } = recording;
   const kept = rows.items.slice(Math.max(0, rows.indexAt(from_s)), rows.indexAt(to_s) + 1);
@@ -14,7 +17,7 @@ export function heelOver(recording: Recording, { columns }: Run, body: string, w
   return kept.filter((_, k) => k % every === 0 || k === kept.length - 1).map(({ time_s, row }) => [time_s, way * row[at] * DEGREES]);
 }
 
-/** Time of the largest heel, among all recorded times, not only the drawn ones. */
+/** Returns the time of the largest heel among all recorded times; the drawn line may leave it out. */
 export function furthest(recording: Recording, { columns }: Run, body: string, way: number, [from_s, to_s]: [number, number]): [number, number] | null {
   const at = columns.at(`${body}.roll`);
   const { rows } = recording;

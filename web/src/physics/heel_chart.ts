@@ -4,10 +4,10 @@ import type { PaintedAxes, Style } from "../plots/chart";
 import { texts } from "../texts";
 import { Figure } from "./figure";
 
-/** A narrower range would show rounding noise as motion, deg. */
+/** Smallest range of the heel axis, deg: a narrower range would show rounding errors as motion. */
 const LEAST_DEG = 0.1;
 
-/** Heel over time, s and deg, reference levels, the largest heel and the present one. */
+/** Heel over time, s and deg, with reference levels, the largest heel and the present heel. */
 export interface HeelContent {
   axis: string;
   points: [number, number][];
@@ -17,7 +17,7 @@ export interface HeelContent {
   now: [number, number];
 }
 
-/** The heel of the recorded run over time. */
+/** Chart of the recorded heel over time. */
 export class HeelChart extends Figure<HeelContent> {
   protected axesOf({ axis }: HeelContent): PaintedAxes {
     return { across: texts.loss.time_axis, upwards: axis };

@@ -15,19 +15,22 @@ import { isByTimeline, lostWith, releaseOf, releasedAt } from "./release";
 import { armOf, bothSides, lossOf, mirror } from "./righting";
 import type { Arms, Loss } from "./righting";
 
-/** The scenario of the gallery for this lesson. */
+/** Address of the gallery's scenario for this lesson. */
 const EXAMPLE = "?scenario=loss_of_hook_load";
-/** Shown before the cut, and at least after it, s. */
+/** Durations that are shown before the cut, and at least after it, s. */
 const TIME_S = { before: 5, after: 30 };
 
-/** The ship that the lesson is about, with her righting arms: to starboard. */
+/** The ship of the lesson, with her righting arms to starboard. */
 interface Ship {
   body: string;
   before: Arms;
   after: Arms;
 }
 
-/** Loss of hook load: the ship's righting arms with and without the load, her present heel on them, and how far she rolls. */
+/**
+ * Lesson on the loss of the hook load: the ship's righting arms with and without the load, her present heel on them,
+ * and her largest roll.
+ */
 export class LossLesson {
   readonly element = make("div", { class: "lesson", "data-testid": "lesson-loss" });
   private readonly cut = make("button", { type: "button", class: "button button-primary", "data-testid": "cut" }, texts.loss.cut);
@@ -39,7 +42,7 @@ export class LossLesson {
   private readonly body = make("div", { class: "lesson-body" });
   private release: InputInfo | null = null;
   private ship: Ship | null = null;
-  /** The reason why there is no ship, or not yet. */
+  /** Reason why the lesson has no ship, or has none yet. */
   private lack = "";
   private asked: Run | null = null;
 
@@ -58,7 +61,7 @@ export class LossLesson {
     this.build();
   }
 
-  /** The arms are computed when the panel is visible: they take longer than many frames. */
+  /** Computes the righting arms when the panel is visible, because this takes longer than many frames. */
   show(): void {
     const { run, shown } = this.session;
     if (!run || !shown.recording || !this.release) return;
@@ -84,7 +87,7 @@ export class LossLesson {
     this.show();
   }
 
-  /** A failure becomes a warning like the engine's own. */
+  /** Computes the hydrostatics; a failure becomes a warning like those of the engine. */
   private afloat(without: readonly string[]): Promise<Hydrostatics | null> {
     return this.background.hydrostaticsAtStart(this.session, without, "loss").catch((thrown) => ({ hulls: [], warnings: [asFault(thrown).message] }));
   }
@@ -127,7 +130,7 @@ export class LossLesson {
   private async cutNow(): Promise<void> {
     const { release, session } = this;
     if (!release || !session.run) return;
-    // An input that a timeline steers cannot be set by hand: the run starts again without the timeline.
+    // An input that a timeline sets cannot be set by hand: the run starts again without the timeline.
     if (isByTimeline(release)) {
       session.set(session.run.timelineSwitch, false);
       await session.reset();
@@ -156,7 +159,7 @@ function levelsOf({ rest, reach }: Loss): { heel: number; colour: string; name: 
   return reach === null ? [first] : [first, { heel: reach * DEGREES, colour: COLOURS.area_1, name: levels.reach }];
 }
 
-/** The ship that carries the load, if she has righting arms with and without it. */
+/** Returns the ship that carries the load; null if she has no righting arms with the load or without it. */
 function shipOf(before: Hydrostatics, after: Hydrostatics, release: string): Ship | null {
   const hull = before.hulls.find(({ hanging }) => hanging.some(({ joint }) => joint === release));
   const lighter = after.hulls.find(({ force }) => force === hull?.force);

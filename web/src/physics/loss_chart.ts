@@ -7,12 +7,15 @@ import { armOf } from "./righting";
 import type { Arms, Loss } from "./righting";
 
 export const DEGREES = 180 / Math.PI;
-/** Names of colours of the theme. */
+/** Names of the theme's colours. */
 export const COLOURS = { before: "muted", after: "yaw", area_1: "roll", area_2: "pitch" } as const;
-/** Smallest range on the side from which she rolls, and margin beyond the important heels, deg. */
+/** Smallest range on the other side, from which she rolls, and margin beyond the largest marked heel, deg. */
 const OTHER_SIDE = { least: 10, beyond: 5 };
 
-/** Arms before and after, counted to the side to which she rolls, the results, and her present heel, rad. */
+/**
+ * Righting arms with and without the load, counted to the side to which she rolls, the results, and her present heel,
+ * rad.
+ */
 export interface LossContent {
   before: Arms;
   after: Arms;
@@ -22,7 +25,7 @@ export interface LossContent {
   isLost: boolean;
 }
 
-/** Righting arms with and without the load, the areas that drive and stop her, and the ship's present heel. */
+/** Chart of the righting arms with and without the load, the areas that drive and stop her, and her present heel. */
 export class LossChart extends Figure<LossContent> {
   protected axesOf({ side }: LossContent): PaintedAxes {
     return { across: texts.loss.heel_axis(side), upwards: texts.plots.arm_axis, written: (value) => `${tick(value)}°` };
@@ -54,13 +57,13 @@ export class LossChart extends Figure<LossContent> {
   }
 }
 
-/** Her present curve is a solid line. */
+/** Draws a curve of righting arms: solid if it is her present curve. */
 function drawArms(u: uPlot, colour: string, { heel, arm }: Arms, isNow: boolean): void {
   const points = heel.map((at, k): [number, number] => [at * DEGREES, arm[k]]);
   stroke(u, points, "y", isNow ? { colour, width: 2.5 } : { colour, width: 1.5, dash: [6, 4] });
 }
 
-/** Outline of the area between the arms and zero. */
+/** Returns the outline of the area between the righting arms and zero. */
 function under(arms: Arms, from: number, to: number): [number, number][] {
   const at = [from, ...arms.heel.filter((one) => one > from && one < to), to];
   return [[from * DEGREES, 0], ...at.map((one): [number, number] => [one * DEGREES, armOf(arms, one)]), [to * DEGREES, 0]];

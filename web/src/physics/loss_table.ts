@@ -5,12 +5,12 @@ import { DEGREES } from "./loss_chart";
 import { REQUIRED } from "./righting";
 import type { Loss } from "./righting";
 
-/** End of the engine's curves, deg. */
+/** Range of the heel at which water enters, and its default, deg; the engine's curves end where the range ends. */
 const FLOODING = { least: 0, most: 90, usual: 60 };
 const ROWS = ["heel_before", "heel_after", "area_1", "area_2", "ratio", "reach", "furthest", "exposed", "sheltered"] as const;
 type Row = (typeof ROWS)[number];
 
-/** The energy argument in numbers: the areas, the predicted and the actual roll, and the requirement. */
+/** Table of the energy argument: the areas, the predicted and the actual roll, and the requirement. */
 export class LossTable {
   readonly element = make("section", { class: "lesson-table" });
   private readonly flooding = make("input", { type: "number", min: FLOODING.least, max: FLOODING.most, step: "any", value: FLOODING.usual, id: "flooding", "data-testid": "flooding" });
@@ -23,7 +23,7 @@ export class LossTable {
     this.flooding.addEventListener("input", changed);
   }
 
-  /** Heel at which water enters; without a value, the usual one. */
+  /** Heel at which water enters, rad; the default if the field is empty. */
   get flooding_rad(): number {
     const given = this.flooding.valueAsNumber;
     return (given >= FLOODING.least && given <= FLOODING.most ? given : FLOODING.usual) / DEGREES;

@@ -1,34 +1,36 @@
-/** An oscillating mode about equilibrium, from the engine. */
+/** An oscillating mode about equilibrium, as the engine computes it. */
 export interface NaturalMode {
-  /** The coordinate that moves most. */
+  /** Coordinate with the largest amplitude in the mode. */
   coordinate: string;
   period_s: number;
   damping_ratio: number;
 }
 
-/** The modes at one value of the varied parameter. */
+/** Modes at one value of the varied parameter. */
 export interface ModesAt {
   value: number;
   modes: readonly NaturalMode[];
 }
 
-/** A point of a line: a value and its mode. */
+/** Point of a line: a value of the parameter with a mode. */
 export interface Place extends NaturalMode {
   value: number;
 }
 
-/** One mode over the values, in their order. */
+/** One mode at the values of the parameter, in ascending order. */
 export interface PeriodLine {
   coordinate: string;
   places: Place[];
 }
 
-/** Longer periods belong to station keeping, shorter ones to ropes and frames: outside the range of waves, s. */
+/**
+ * Range of periods, s: longer periods belong to station keeping, shorter ones to ropes and frames, and no sea has them.
+ */
 const PERIODS_S = { least: 1.5, most: 40 };
-/** A larger ratio of the periods at neighbouring values means another mode. */
+/** Largest ratio of the periods at neighbouring values within one mode. */
 const MOST_CHANGE = 1.5;
 
-/** Joins the nearest modes of the same coordinate from value to value into lines. */
+/** Joins modes into lines: from value to value, the nearest modes of the same coordinate. */
 export function linesOf(found: readonly ModesAt[]): PeriodLine[] {
   const lines: PeriodLine[] = [];
   for (const { value, modes } of [...found].sort((a, b) => a.value - b.value)) {
@@ -50,7 +52,9 @@ function nearest(lines: readonly PeriodLine[], period_s: number): PeriodLine | n
   return best && away(best) <= Math.log(MOST_CHANGE) ? best : null;
 }
 
-/** Crossings of lines with a period, interpolated linearly between two values; in order of the values. */
+/**
+ * Returns the points at which lines cross a period, interpolated linearly between two values, in order of the values.
+ */
 export function crossings(lines: readonly PeriodLine[], period_s: number): Place[] {
   const found = lines.flatMap(({ places }) =>
     places.flatMap((to, k): Place[] => {
@@ -65,13 +69,16 @@ export function crossings(lines: readonly PeriodLine[], period_s: number): Place
   return found.sort((a, b) => a.value - b.value);
 }
 
-/** The point at which a period is nearest to another, by their ratio; null if there is no line. */
+/** Returns the point whose period is nearest to another period, by their ratio; null if there is no line. */
 export function closest(lines: readonly PeriodLine[], period_s: number): Place | null {
   const away = (place: Place) => Math.abs(Math.log(place.period_s / period_s));
   return lines.flatMap(({ places }) => places).reduce<Place | null>((so, place) => (so && away(so) <= away(place) ? so : place), null);
 }
 
-/** Evenly spaced values over a range, in an order in which each halves a gap: a rough picture comes first. */
+/**
+ * Returns evenly spaced values over a range. Each value halves a gap between earlier ones, so that a rough picture
+ * comes first.
+ */
 export function valuesOver([low, high]: readonly [number, number], count: number): number[] {
   const order = [0, count - 1];
   for (let gap = 2 ** Math.ceil(Math.log2(count)); gap >= 1; gap /= 2) {

@@ -3,13 +3,16 @@ import type { FromSweep, Sweep } from "./messages";
 
 export type SweepWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
 
-/** Natural periods over a parameter, from an engine in its own worker: one sweep at a time; a newer sweep ends it. */
+/**
+ * Computes natural periods over a parameter with an engine in a separate worker, one sweep at a time; a newer sweep
+ * ends the previous one.
+ */
 export class Periods {
   private worker: SweepWorker | null = null;
 
   constructor(
     private readonly startWorker: () => SweepWorker,
-    /** Address of the folder that has the files that the gallery's scenarios name. */
+    /** Address of the folder with the files that scenarios of the gallery name. */
     readonly folder: string,
   ) {}
 

@@ -6,16 +6,19 @@ import { Figure } from "./figure";
 import type { PeriodLine, Place } from "./modes";
 import type { SeaSpectrum } from "./sea_spectrum";
 
-/** Colours of the theme for the modes, and of the sea. */
+/** Colours of the theme, for the modes and for the sea. */
 export const MODE_COLOURS = ["roll", "yaw", "line-4", "line-5", "line-6", "line-8", "pitch"];
 export const SEA_COLOUR = "line-7";
-/** Share of the width for the peak of the sea's spectrum. */
+/** Share of the chart's width that the peak of the sea's spectrum takes. */
 const SEA_SHARE = 0.3;
-/** Smaller densities of the sea, relative to the largest, are ignored. */
+/** Smallest drawn density of the sea's spectrum, relative to its peak. */
 const FAINT = 0.02;
 const MARGIN = 1.06;
 
-/** Periods over the varied parameter, the sea, the present value, and the crossings of a period with the peak. */
+/**
+ * Natural periods over the varied parameter, the spectrum of the sea, the present value, and the points at which a
+ * period equals the peak period.
+ */
 export interface PeriodsContent {
   axis: string;
   range: [number, number];
@@ -25,7 +28,10 @@ export interface PeriodsContent {
   met: readonly Place[];
 }
 
-/** Natural periods over a parameter; the spectrum of the sea is at the right, on the same axis of periods. */
+/**
+ * Chart of natural periods over a parameter; the spectrum of the sea is drawn on the right, on the same axis of
+ * periods.
+ */
 export class PeriodsChart extends Figure<PeriodsContent> {
   protected axesOf({ axis }: PeriodsContent): PaintedAxes {
     return { across: axis, upwards: texts.resonance.period_axis };

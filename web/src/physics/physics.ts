@@ -7,12 +7,12 @@ import { LossLesson } from "./loss";
 import { ResonanceLesson } from "./resonance";
 import type { Periods } from "./periods";
 
-/** The interface of a lesson. */
+/** A lesson, as the panel uses it. */
 interface Lesson {
   readonly element: HTMLElement;
-  /** Another run begins. */
+  /** Called when another run begins. */
   open(run: Run): void;
-  /** Another moment is shown, and the panel is visible. */
+  /** Called when another moment is shown and the panel is visible. */
   show(): void;
 }
 
@@ -49,7 +49,7 @@ export class PhysicsPanel {
     onPanelOpened("physics", () => this.look());
   }
 
-  /** Called for each picture, if something is new and the panel is visible. */
+  /** Draws the visible lesson with each picture, if something is new. */
   draw(): void {
     if (!this.isStale || !isPanelOpen("physics") || !this.session.run) return;
     this.isStale = false;
@@ -69,7 +69,7 @@ export class PhysicsPanel {
     this.look();
   }
 
-  /** The visible panel gets its label at once, not with the next picture. */
+  /** Shows the chosen lesson at once, without waiting for the next picture. */
   private look(): void {
     this.touch();
     this.draw();

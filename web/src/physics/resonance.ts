@@ -14,18 +14,18 @@ import { legendOf, meetings, tableOf, withUnit } from "./resonance_words";
 import type { Meetings } from "./resonance_words";
 import type { SeaSpectrum } from "./sea_spectrum";
 
-/** The scenario of the gallery for this lesson. */
+/** Address of the gallery's scenario for this lesson. */
 const EXAMPLE = "?scenario=offshore_vessel&waves=true";
 const VALUES = 25;
-/** Most reasons shown for values that were left out. */
+/** Largest number of reasons that are shown for values that were left out. */
 const MOST_REASONS = 3;
-/** Length of the shown roll, s. */
+/** Duration over which the roll is shown, s. */
 const ROLL_S = 120;
 
-/** A parameter that can be varied. */
+/** A parameter with a range of numbers. */
 type Varied = ParameterInfo & { range: [number, number] };
 
-/** The results of a sweep so far, and its parameter. */
+/** Results of a sweep so far; `key` identifies its scenario and values. */
 interface Found {
   key: string;
   sea: SeaSpectrum | null;
@@ -34,7 +34,10 @@ interface Found {
   fault: string;
 }
 
-/** Natural periods over a parameter, and the spectrum of the sea: their crossings, and the run there. */
+/**
+ * Lesson on resonance: natural periods over a parameter, the peak period of the sea, and runs at values where they are
+ * equal.
+ */
 export class ResonanceLesson {
   readonly element = make("div", { class: "lesson", "data-testid": "lesson-resonance" });
   private readonly choice = make("select", { id: "varied", "data-testid": "varied" });
@@ -94,7 +97,7 @@ export class ResonanceLesson {
     const axis = withUnit(parameter.label, parameter.unit);
     const content = { axis, range: parameter.range, lines, sea: found?.sea ?? null, now: typeof now === "number" ? now : null, met: met.crossings };
     this.chart.draw(content, texts.resonance.chart(axis));
-    // Buttons are not replaced while a finger is on them.
+    // A button is not replaced while the user presses it.
     const written = JSON.stringify([lines, found?.sea?.peak_s, found?.skipped, axis]);
     if (written === this.written) return;
     this.written = written;
@@ -146,7 +149,7 @@ export class ResonanceLesson {
     return this.varied.find(({ name }) => name === this.choice.value);
   }
 
-  /** The scenario and the values of the results, without the varied one. */
+  /** Returns a key of the scenario and its values without the varied parameter. */
   private key(): string {
     const { source, values } = this.session;
     const others = Object.entries(values.overrides).filter(([name]) => name !== this.choice.value);
@@ -178,7 +181,7 @@ export class ResonanceLesson {
     this.show();
   }
 
-  /** If a value waits for a reset, the run is reset, then started. */
+  /** Sets the value and starts the run; if the value waits for a reset, the run is reset first. */
   private run(name: string, value: number): void {
     const { session } = this;
     session.set(name, value);
@@ -187,13 +190,16 @@ export class ResonanceLesson {
   }
 }
 
-/** Live parameters mostly change the sea, not the periods of the ship; a length is probably that of a pendulum. */
+/**
+ * Returns the parameter that most likely changes the ship's periods: live parameters mostly change the sea, and a
+ * length is probably that of a pendulum.
+ */
 function likeliest(varied: readonly Varied[]): Varied | undefined {
   const structural = varied.filter(({ live }) => !live);
   return structural.find(({ unit }) => unit === "m") ?? structural[0] ?? varied[0];
 }
 
-/** Each reason once, for a few of the values. */
+/** Returns the reasons why values were left out, each once, with some of the values. */
 function reasons(skipped: Found["skipped"], unit: string): string[] {
   const others = skipped.filter(({ why }, k) => skipped.findIndex((one) => one.why === why) === k).slice(0, MOST_REASONS);
   return others.map(({ value, why }) => `${withUnit(String(value), unit, " ")}: ${why}.`);

@@ -9,10 +9,10 @@ import type { PeriodLine, Place } from "./modes";
 import { colourOf, SEA_COLOUR } from "./periods_chart";
 import type { SeaSpectrum } from "./sea_spectrum";
 
-/** Digits of a value that a button sets. */
+/** Number of digits of a value that a button sets. */
 const DIGITS = 3;
 
-/** Sentences on the crossings of periods with the sea's peak, each with the value to try. */
+/** Sentences about periods that equal the peak period of the sea, each with the value to try. */
 export interface Meetings {
   crossings: Place[];
   sentences(parameter: Pick<ParameterInfo, "unit">, isComputed: boolean): { text: string; value: number | null }[];
@@ -44,7 +44,7 @@ function rounded(value: number): number {
   return Number(value.toPrecision(DIGITS));
 }
 
-/** A name or a number with its unit, if it has one. */
+/** Appends the unit to a name or a number, if it has a unit. */
 export function withUnit(text: string, unit: string, between = ", "): string {
   return unit ? `${text}${between}${unit}` : text;
 }
@@ -55,7 +55,7 @@ export function legendOf(lines: readonly PeriodLine[], sea: SeaSpectrum | null):
   return sea ? [...entries, entry(SEA_COLOUR, texts.resonance.sea)] : entries;
 }
 
-/** A row for each value, a column for each line. */
+/** Returns a table with a row for each value of the parameter and a column for each line. */
 export function tableOf(axis: string, lines: readonly PeriodLine[]): HTMLElement[] {
   const values = [...new Set(lines.flatMap(({ places }) => places.map(({ value }) => value)))].sort((a, b) => a - b);
   const head = make("tr", {}, make("th", { scope: "col" }, axis), ...lines.map(({ coordinate }) => make("th", { scope: "col" }, `${inWords(coordinate)}, s`)));

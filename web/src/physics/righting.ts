@@ -1,21 +1,22 @@
 import type { RightingArmCurve } from "../generated/hydrostatics";
 import { onLine } from "../plots/stability";
 
-/** Righting arms over the heel to both sides: rad and m, both positive to starboard. */
+/** Righting arms over the heel to both sides, m and rad, both positive to starboard. */
 export interface Arms {
   heel: number[];
   arm: number[];
-  /** The ship's equilibrium; null if the arms do not turn her upright at any heel. */
+  /** Heel at which the ship is in stable equilibrium, rad; null if there is none. */
   rest: number | null;
 }
 
-/** Required ratio of area 2 to area 1, in exposed and in unexposed waters. */
+/** Required ratio of area 2 to area 1, in exposed and in other waters. */
 export const REQUIRED = { exposed: 1.4, sheltered: 1.0 };
 
 /**
- * Loss of hook load by the righting arms: area 1 drives the ship from her heel with the load to her new equilibrium; area 2 stops her from
- * there to the end, where her arm vanishes, water enters, or her curve ends. Angles in rad, counted to the side to which she rolls; areas
- * in m rad. (International Code on Intact Stability, 2008, part B, 2.9.5.)
+ * Loss of the hook load, evaluated with the righting arms: area 1 drives the ship from her heel with the load to her
+ * new equilibrium; area 2 stops her between the new equilibrium and the end, where the righting arm vanishes, water
+ * enters, or the curve ends. Angles in rad, positive to the side to which she rolls; areas in m rad. (International
+ * Code on Intact Stability, 2008, part B, 2.9.5.)
  */
 export interface Loss {
   /** 1 if she rolls to starboard, -1 if to port. */
@@ -23,16 +24,16 @@ export interface Loss {
   start: number;
   rest: number;
   end: number;
-  /** Whether water enters before the arms vanish: area 2 then ends there. */
+  /** Whether water enters before the righting arm vanishes; area 2 then ends there. */
   floods: boolean;
   area_1: number;
   area_2: number;
-  /** Largest roll without damping: where area 2 equals area 1; null if that is beyond the end. */
+  /** Largest roll without damping, at which area 2 equals area 1; null if that is beyond the end. */
   reach: number | null;
 }
 
 /**
- * The arms on both sides from those on one side, for a symmetric hull, with `a` the arm at zero heel:
+ * Returns the righting arms to both sides from those to one side, for a symmetric hull with the arm `a` at zero heel:
  * GZ(-phi) = 2 a cos(phi) - GZ(phi).
  */
 export function bothSides({ side, points, equilibrium_rad }: Pick<RightingArmCurve, "side" | "points" | "equilibrium_rad">): Arms {
@@ -43,12 +44,15 @@ export function bothSides({ side, points, equilibrium_rad }: Pick<RightingArmCur
   return { heel: along.map(([heel]) => heel), arm: along.map(([, arm]) => arm), rest: equilibrium_rad === null ? null : way * equilibrium_rad };
 }
 
-/** The arm at a heel, m; NaN beyond the curve. */
+/** Returns the righting arm at a heel, m; NaN beyond the curve. */
 export function armOf({ heel, arm }: Arms, at: number): number {
   return onLine(heel, arm, at);
 }
 
-/** The area under the arms from one heel to another, m rad, by trapezia; 0 if the second is not beyond the first. */
+/**
+ * Returns the area under the righting arms from one heel to another by the trapezoidal rule, m rad; 0 if the second
+ * heel is not beyond the first.
+ */
 export function areaOf(arms: Arms, from: number, to: number): number {
   let area = 0;
   const at = [from, ...arms.heel.filter((one) => one > from && one < to), to];
@@ -56,7 +60,10 @@ export function areaOf(arms: Arms, from: number, to: number): number {
   return area;
 }
 
-/** The loss of hook load, from the arms before and after; null if she has no equilibrium before or after. */
+/**
+ * Evaluates the loss of the hook load from the righting arms before and after it; null if there is no equilibrium
+ * before or after.
+ */
 export function lossOf(before: Arms, after: Arms, flooding_rad: number): Loss | null {
   if (before.rest === null || after.rest === null) return null;
   const way = after.rest >= before.rest ? 1 : -1;
@@ -68,22 +75,24 @@ export function lossOf(before: Arms, after: Arms, flooding_rad: number): Loss | 
   return { way, start, rest, end, floods: flooding_rad < upright, area_1, area_2, reach: area_2 < area_1 ? null : reachOf(arms, rest, end, area_1) };
 }
 
-/** Mirrors righting arms: heel and arm are counted to the other side. */
+/** Mirrors righting arms: heel and arm are then positive to the other side. */
 export function mirror({ heel, arm, rest }: Arms): Arms {
   return { heel: heel.map((one) => -one).reverse(), arm: arm.map((one) => -one).reverse(), rest: rest === null ? null : -rest };
 }
 
-/** The heel beyond equilibrium at which the arms fall through 0, or the last one. */
+/** Returns the heel beyond equilibrium at which the righting arm falls to 0, or the last heel of the curve. */
 function vanishing({ heel, arm }: Arms, rest: number): number {
   const k = heel.findIndex((_, i) => i > 0 && heel[i] > rest && arm[i - 1] > 0 && arm[i] <= 0);
   if (k < 0) return heel[heel.length - 1];
   return heel[k - 1] + ((heel[k] - heel[k - 1]) * arm[k - 1]) / (arm[k - 1] - arm[k]);
 }
 
-/** Number of bisections between equilibrium and end: more than enough for the shown digits. */
+/** Number of bisection steps between equilibrium and end: more than enough for the displayed digits. */
 const HALVINGS = 50;
 
-/** The heel at which the area from equilibrium reaches a value; all arms in between are positive. */
+/**
+ * Returns the heel up to which the area from equilibrium has a given value; all righting arms in between are positive.
+ */
 function reachOf(arms: Arms, rest: number, end: number, area: number): number {
   let [low, high] = [rest, end];
   for (let k = 0; k < HALVINGS; k++) {

@@ -1,23 +1,25 @@
 import type { EngineInSeas } from "../forecast/sea";
 
-/** The regular waves that make up a sea: rad/s and m. */
+/** Regular waves that make up a sea: frequencies, rad/s, and amplitudes, m. */
 export interface Waves {
   omega: number[];
   amplitude_m: number[];
 }
 
-/** The spectral density of a sea over the wave period, relative to its largest; and its peak. */
+/** Spectral density of a sea over the wave period, relative to its largest value, and its peak period. */
 export interface SeaSpectrum {
   period_s: number[];
   density: number[];
   peak_s: number;
 }
 
-/** A time after any ramp, and an interval in which no wave of the sea makes half a turn, s. */
+/** A time after any ramp, s, and an interval in which no wave of the sea makes half a turn, s. */
 const AT_S = 1000;
 const LAPSE_S = 0.05;
 
-/** The waves of an engine's sea: the rate of its phase gives each frequency, and the spectra give its amplitude. */
+/**
+ * Returns the waves of an engine's sea. The rate of a wave's phase gives its frequency; the spectra give its amplitude.
+ */
 export function wavesOf(engine: Pick<EngineInSeas, "wave_phasors">, amplitude_m: ArrayLike<number>): Waves {
   const [now, then] = [AT_S, AT_S + LAPSE_S].map((time_s) => engine.wave_phasors(0, 0, time_s));
   const count = amplitude_m.length;
@@ -33,15 +35,19 @@ export function wavesOf(engine: Pick<EngineInSeas, "wave_phasors">, amplitude_m:
   return waves;
 }
 
-/** Width over which each wave is spread, relative to its frequency: the density of a few hundred waves is then smooth. */
+/**
+ * Standard deviation by which each wave is spread, relative to its frequency: the density of a few hundred waves is
+ * then smooth.
+ */
 const SPREAD = 0.05;
-/** The spread ends at this multiple of its width. */
+/** Distance beyond the lowest and the highest frequency that the spectrum covers, in standard deviations. */
 const REACH = 3;
 const POINTS = 160;
 
 /**
- * S(omega) of a sea of regular waves. The a^2/2 of each wave is spread by a normal distribution over the logarithm of the frequency, in
- * which the returned periods are evenly spaced. Null for calm water.
+ * Returns the spectrum S(omega) of regular waves, over the period. The energy a^2/2 of each wave is spread by a normal
+ * distribution over the logarithm of the frequency, in which the returned periods are evenly spaced. Null for calm
+ * water.
  */
 export function spectrumOf({ omega, amplitude_m }: Waves): SeaSpectrum | null {
   if (omega.length === 0) return null;

@@ -38,7 +38,7 @@ async function sweep({ scenario, parameter, values }: Sweep): Promise<void> {
   }
 }
 
-/** Modes about the equilibrium nearest to the start of the scenario. */
+/** Returns the modes about the equilibrium that is nearest to the start of the scenario. */
 function modesOf(text: string, file: string, overrides: string, files: string): NaturalMode[] {
   const engine = new Simulation(text, file, overrides, files);
   try {

@@ -10,13 +10,13 @@ import { inWords } from "./lines";
 import { armAt, heelToSide } from "./stability";
 import { places } from "./table";
 
-/** The last computed righting arms, and their time. */
+/** Righting arms that were computed last, and the time of the run for which they hold. */
 export interface Arms {
   found: Hydrostatics;
   time_s: number;
 }
 
-/** A hull with a curve, and its present heel on it. */
+/** A hull with its curve of righting arms and its present heel. */
 interface Curve {
   body: string;
   side: string;
@@ -32,7 +32,7 @@ interface Curve {
 const DEGREES = 180 / Math.PI;
 const COLOURS = ["yaw", "roll", "pitch", "line-4"];
 
-/** Righting arms of the hulls over their heel, in degrees, with the present heel of each ship. */
+/** Chart of the righting arms of the hulls over the heel, in degrees, with the present heel of each ship. */
 export class ArmsChart implements Chart {
   private chart: Painted | null = null;
   private curves: Curve[] = [];
@@ -136,7 +136,7 @@ export class ArmsChart implements Chart {
   }
 }
 
-/** Names of the hulls with curves; empty for a single hull. */
+/** Returns the legend of hulls with curves; empty if there is only one hull. */
 export function armsLegend(hulls: readonly { body: string }[]): { label: string; colour: string; unit: string }[] {
   return hulls.length < 2 ? [] : hulls.map(({ body }, i) => ({ label: inWords(body), colour: COLOURS[i % COLOURS.length], unit: "" }));
 }

@@ -4,40 +4,40 @@ import type { DrawnLine } from "./drawn";
 import type { Fan } from "./fan";
 import type { Stretch } from "./stretch";
 
-/** Data of all charts of a plot: lines over the visible stretch of the recording. */
+/** Data of a plot for its charts: the lines over the visible time. */
 export interface Content {
   lines: DrawnLine[];
-  /** The visible numbers in displayed units; the first array has the times. */
+  /** Values of the lines over the visible time in displayed units; the first array holds the times. */
   stretch: Stretch;
   /** Futures over time. */
   fan: Fan;
-  /** The visible stretch, s. */
+  /** The visible time, s. */
   range_s: [number, number];
-  /** The moment that is shown; whether it lies before the newest. */
+  /** Time that is shown, and whether it is before the newest time. */
   shown_s: number;
   isBack: boolean;
-  /** The value of a line at the moment that is shown. */
+  /** Returns the value of a line at the time that is shown. */
   now(line: DrawnLine): number;
 }
 
-/** A way to show lines. */
+/** A way to draw the lines of a plot. */
 export interface Chart {
-  /** Draws into its area; the visible data is read again only if it is stale. */
+  /** Draws into the area of the chart; reads the visible data again only if it has changed. */
   draw(content: Content): void;
   resize(width: number, height: number): void;
-  /** For the legend: the value of each line, at the crosshair if there is one. */
+  /** Returns the value of each line for the legend, at the crosshair if there is one. */
   values(content: Content): string[];
-  /** The position of the crosshair in words; empty if there is none. */
+  /** Describes the position of the crosshair; empty if there is none. */
   at(content: Content): string;
-  /** Further text under the picture. */
+  /** Returns further text for below the picture. */
   notes(content: Content): string[];
-  /** Table of the content in numbers: its first row has the headings. */
+  /** Returns the content as a table of numbers; the first row holds the headings. */
   table(content: Content): string[][];
   canvas(): HTMLCanvasElement | null;
   destroy(): void;
 }
 
-/** Present colours and font of the page. */
+/** Colours and font that the page has at present. */
 export interface Style {
   colour(name: string): string;
   axis: Pick<uPlot.Axis, "stroke" | "font" | "labelFont" | "ticks" | "grid">;
@@ -51,24 +51,24 @@ export function styleOf(): Style {
   return { colour, axis: { stroke: colour("muted"), font, labelFont: font, ticks: { show: false }, grid } };
 }
 
-/** Space for the half of the last number that extends beyond the axis, pixels. */
+/** Space for the part of the last number that extends beyond the axis, pixels. */
 const LAST_TICK_PX = 24;
 const AXIS_PX = { across: 28, upright: 48, label: 18 };
 
-/** Numbers on an axis below this have a power of ten. */
+/** Numbers below this are written with a power of ten on an axis. */
 const TINY = 1e-5;
 
 export function tick(value: number): string {
   return Math.abs(value) >= TINY || value === 0 ? fixed(value, 6).replace(/\.0+$|(\.\d*?)0+$/, "$1") : scientific(value);
 }
 
-/** The axis across the bottom. */
+/** Returns the horizontal axis. */
 export function acrossAxis(style: Style, values: (value: number) => string, label?: string): uPlot.Axis {
   const named = label === undefined ? {} : { label, labelSize: AXIS_PX.label };
   return { ...style.axis, ...named, size: AXIS_PX.across, values: (_u, splits) => splits.map(values) };
 }
 
-/** An upright axis of a unit; those after the first stand on the right, without a grid. */
+/** Returns a vertical axis for a unit; all axes except the first stand on the right, without a grid. */
 export function uprightAxis(style: Style, scale: string, place: number, label: string): uPlot.Axis {
   const side = place === 0 ? 3 : 1;
   const grid = place === 0 ? style.axis.grid : { show: false };
@@ -80,20 +80,23 @@ export function paddingOf(axes: number): uPlot.Padding {
   return [8, axes > 1 ? 8 : LAST_TICK_PX, 0, 0];
 }
 
-/** Smallest share of the height for the lines if a limit is also drawn. */
+/** Smallest share of the chart's height that the lines keep: a limit that leaves them less is not drawn. */
 const LINES_SHARE = 0.15;
 const MARGIN = 0.06;
-/** Smallest range, relative to a nearly constant value: a narrower one would show rounding noise as motion. */
+/**
+ * Smallest range of an axis, relative to a nearly constant value: a narrower range would show rounding errors as
+ * motion.
+ */
 const LEAST_SHARE = 1e-6;
-/** If the range of lines is below this share of their distance from zero, the axis leaves zero out. */
+/** An axis includes zero if the range of the lines exceeds this share of their largest magnitude. */
 const FLAT = 0.25;
 
-/** Range of an axis, with a margin around lines, zero and limits. */
+/** Returns the range of an axis, with a margin around lines, zero and limits. */
 export function heightsOf(low: number | null, high: number | null, least: number, bounds: readonly number[]): [number, number] {
   let [bottom, top] = [low ?? 0, high ?? 0];
   const size = Math.max(Math.abs(bottom), Math.abs(top));
   if (top - bottom > FLAT * size) [bottom, top] = [Math.min(bottom, 0), Math.max(top, 0)];
-  // Nothing but zeros: one unit to either side.
+  // If all values are zero, the axis has one unit to either side.
   const lack = (size === 0 ? 1 : Math.max(least, LEAST_SHARE * size)) - (top - bottom) / 2;
   if (lack > 0) [bottom, top] = [bottom - lack, top + lack];
   const drawn = top - bottom;
@@ -105,7 +108,7 @@ export function heightsOf(low: number | null, high: number | null, least: number
   return [bottom - margin, top + margin];
 }
 
-/** Labels of the axes of a hand-painted chart. */
+/** Labels of the axes of a chart that the app paints. */
 export interface PaintedAxes {
   across: string;
   upwards: string;
@@ -113,7 +116,7 @@ export interface PaintedAxes {
   written?: (value: number) => string;
 }
 
-/** A chart with axes from the library and a hand-painted content. */
+/** Chart with axes from the library and a content that the app paints. */
 export class Painted {
   private readonly chart: uPlot;
 
@@ -133,7 +136,7 @@ export class Painted {
     this.chart = new uPlot(options, [[0, 1], [null, null]], area);
   }
 
-  /** Repaints it between these ends of its axes. */
+  /** Repaints the chart between these ends of its axes. */
   fit([left, right]: [number, number], [bottom, top]: [number, number]): void {
     this.chart.setData([[left, right], [null, null]], false);
     this.chart.batch(() => {
@@ -155,13 +158,13 @@ export class Painted {
   }
 }
 
-/** The ends of the axes of a chart: left, right, bottom, top. */
+/** Returns the ends of the axes of a chart: left, right, bottom, top. */
 export function endsOf(u: uPlot): [number, number, number, number] {
   const { x, y } = u.scales;
   return [x.min ?? 0, x.max ?? 1, y.min ?? 0, y.max ?? 1];
 }
 
-/** A line from point to point on a chart, in the unit of its axes. */
+/** Draws a line through points on a chart, in the units of its axes. */
 export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: string, style: { colour: string; width: number; dash?: number[] }): void {
   const { ctx, bbox } = u;
   ctx.save();
@@ -177,7 +180,7 @@ export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: stri
   ctx.restore();
 }
 
-/** Fills the polygon of points on a chart. */
+/** Fills a polygon on a chart. */
 export function fill(u: uPlot, points: Iterable<[number, number]>, scale: string, colour: string): void {
   const { ctx } = u;
   ctx.save();
@@ -190,7 +193,7 @@ export function fill(u: uPlot, points: Iterable<[number, number]>, scale: string
   ctx.restore();
 }
 
-/** A ring with a dot on a chart. */
+/** Draws a dot with a ring on a chart. */
 export function dot(u: uPlot, [x, y]: [number, number], scale: string, colour: string, ring: string): void {
   const { ctx } = u;
   ctx.save();
@@ -204,7 +207,7 @@ export function dot(u: uPlot, [x, y]: [number, number], scale: string, colour: s
   ctx.restore();
 }
 
-/** A label next to a point on a chart. */
+/** Writes a label next to a point on a chart. */
 export function word(u: uPlot, text: string, [x, y]: [number, number], font: string, colour: string, align: CanvasTextAlign): void {
   const { ctx } = u;
   ctx.save();

@@ -9,22 +9,22 @@ import type { Angle, ShownUnit } from "./units";
 export interface Bound {
   name: string;
   value: number;
-  /** Time from which it counts, s. */
+  /** Time from which the bound counts, s. */
   from_s: number;
 }
 
-/** A line of a plot: the columns of its numbers, their display, its colour and its limits. */
+/** Line of a plot: its columns, displayed unit, colour and limits. */
 export class DrawnLine {
   readonly places: Places;
   readonly shown: ShownUnit;
   readonly bounds: Bound[];
-  /** Largest magnitude of the visible numbers on its axis, in the displayed unit. */
+  /** Largest magnitude of the visible values on the line's axis, in the displayed unit. */
   largest = 0;
 
   constructor(
     readonly line: Line,
     readonly label: string,
-    /** Name of a colour of the theme. */
+    /** Name of one of the theme's colours. */
     readonly colour: string,
     columns: Columns,
     angle: Angle,
@@ -40,7 +40,7 @@ export class DrawnLine {
     );
   }
 
-  /** A recorded number in the displayed unit. */
+  /** Converts a recorded value to the displayed unit. */
   scaled(value: number): number {
     return (value + (this.line.offset ?? 0)) * this.shown.scale;
   }
@@ -55,10 +55,10 @@ export class DrawnLine {
   }
 }
 
-/** Colours of the theme for lines that do not belong to an axis. */
+/** Colours of the theme for lines that have no axis of rotation. */
 const FREE = ["yaw", "roll", "pitch", "line-4", "line-5", "line-6", "line-7", "line-8"];
 
-/** A colour for each line: the colour of its axis unless another line has it. */
+/** Returns a colour for each line: the colour of its axis of rotation, or another one if that is taken. */
 export function coloursOf(lines: readonly Line[]): string[] {
   const taken = new Set<string>();
   const take = (colour: string) => (taken.add(colour), colour);

@@ -6,13 +6,13 @@ import type { Places } from "./stretch";
 /** Opacity of the wide and the narrow band. */
 const DENSITIES = [0.16, 0.26];
 const DASHES_PX = [5, 4];
-/** Times for which values are given in text. */
+/** Number of times for which a table gives values. */
 const TOLD = 4;
 
 /** Futures over time: for each line of a plot two bands, with 90 and 50 % of the futures, and a dashed median. */
 export class Fan {
   private times: Float64Array = new Float64Array();
-  /** The lines of the fan for each line of the plot. */
+  /** Lines of the fan, for each line of the plot. */
   private fans: Float64Array[][] = [];
 
   fill(outlook: Outlook | null, lines: readonly Places[], scale: (value: number, line: number) => number): void {
@@ -21,7 +21,7 @@ export class Fan {
     this.fans = outlook ? lines.map((places, i) => outlook.fan(places).map((line) => line.map((value) => scale(value, i)))) : [];
   }
 
-  /** The lowest and the highest value of all or some lines, if there are any. */
+  /** Smallest and largest value of all fans; Infinity and -Infinity without futures. */
   get range(): [number, number] {
     return this.rangeOf(this.fans.map((_, i) => i));
   }
@@ -33,7 +33,7 @@ export class Fan {
     return [all(Math.min, Infinity), all(Math.max, -Infinity)];
   }
 
-  /** Rows of text: a time and the wide band of each line. */
+  /** Returns rows of a table: a time, and the wide band of each line. */
   rows(write: (value: number, line: number) => string): string[][] {
     const last = this.times.length - 1;
     const told = Array.from({ length: TOLD }, (_, i) => Math.round((last * (i + 1)) / TOLD));
@@ -41,7 +41,7 @@ export class Fan {
     return last < TOLD ? [] : told.map((k) => [texts.forecast.foreseen(write(this.times[k], -1)), ...this.fans.map((fan, i) => band(fan, i, k))]);
   }
 
-  /** Each in the colour of its line, on the scale of its axis. */
+  /** Draws the fan of each line in the line's colour, on the line's axis. */
   draw(u: uPlot, colours: readonly string[], scales: readonly string[]): void {
     if (this.times.length < 2) return;
     const { ctx, bbox } = u;
@@ -71,7 +71,7 @@ export class Fan {
     ctx.stroke();
   }
 
-  /** Follows a line forwards or backwards. */
+  /** Adds a line to the path, forwards or backwards. */
   private trace({ ctx, valToPos }: uPlot, line: Float64Array, scale: string, isBack = false): void {
     for (let n = 0; n < line.length; n++) {
       const k = isBack ? line.length - 1 - n : n;

@@ -3,20 +3,20 @@ import { texts } from "../texts";
 import { beside, inWords, labelOf, linesOf } from "./lines";
 import type { Line } from "./lines";
 
-/** Lines that belong together and are chosen at once. */
+/** Group of lines that are chosen together. */
 export interface Figure {
   title: string;
   lines: Line[];
-  /** The name of each line under this title. */
+  /** Name of each line below the title. */
   labels: string[];
 }
 
-/** Most lines of one plot: more cannot be distinguished. */
+/** Largest number of lines in one plot: more lines cannot be distinguished. */
 export const MOST_LINES = 8;
-/** Flexible bodies have many coordinates; a few of them do not describe the motion. */
+/** Kind of the joints of flexible bodies: they have many coordinates, and a few of them do not describe the motion. */
 const BENDS = "elastic";
 
-/** The possible lines of a run, groups of them, and the default selection. */
+/** Lines that a run offers, groups of them, and the default selection. */
 export class Figures {
   readonly lines: Line[];
   readonly all: Figure[];
@@ -41,12 +41,12 @@ export class Figures {
     return this.byId.get(id);
   }
 
-  /** The figure with exactly these lines. */
+  /** Returns the group with exactly these lines. */
   ofLines(ids: readonly string[]): Figure | undefined {
     return this.all.find(({ lines }) => lines.length === ids.length && lines.every(({ id }, i) => id === ids[i]));
   }
 
-  /** The default lines of each plot: moving bodies, and forces with limits. */
+  /** Returns the default lines of each plot: motions of bodies, and forces with limits. */
   defaults(): string[][] {
     const { hulls, bodies } = this.model;
     const moving = [...hulls.map(({ body }) => body), ...bodies.filter(({ floats }) => floats).map(({ name }) => name)].filter((body) => !this.isHeld(body));
@@ -58,13 +58,13 @@ export class Figures {
     return [limited.length > 0 ? limited : idsOf(this.rates(body)), angles];
   }
 
-  /** Whether a floating body is held. */
+  /** Whether a floating body can move in no coordinate. */
   private isHeld(body: string): boolean {
     const joint = this.model.joints.find((one) => one.body === body);
     return joint?.kind === "floating" && joint.free_coordinates.length === 0 && joint.prescribed.length === 0;
   }
 
-  /** Forces with limits. */
+  /** Returns the columns of forces with limits. */
   private limited(): string[] {
     const columns = [...new Set(this.model.limits.map(({ column }) => column))];
     return columns.filter((column) => this.line(column)?.unit === "N").slice(0, MOST_LINES);
@@ -78,12 +78,12 @@ export class Figures {
     return this.named(texts.plots.angles_of(inWords(body)), ["pitch", "yaw", "roll"].map((angle) => `${body}.${angle}`), texts.plots.turns);
   }
 
-  /** Motions to show together with the wave. */
+  /** Groups the heave of a hull with the wave. */
   private heave({ name, body }: ModelInfo["hulls"][number]): Figure {
     return this.named(texts.plots.heave_of(inWords(body)), [`${body}.heave`, `${name}.wave_elevation`], texts.plots.heave_and_wave);
   }
 
-  /** Coordinates that move freely or by a prescribed motion. */
+  /** Groups the coordinates that move freely or by a prescribed motion. */
   private joints(variable: string, title: string): Figure {
     const moving = this.model.joints.filter(({ kind, free_coordinates, prescribed }) => kind !== BENDS && kind !== "floating" && free_coordinates.length + prescribed.length > 0);
     const names = this.channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
@@ -96,7 +96,9 @@ export class Figures {
     return { title, lines: found.map(({ line }) => line), labels: found.map(({ label }) => label) };
   }
 
-  /** For each element the components of a quantity together; for forces and moments a figure for each unit. */
+  /**
+   * Groups the components of a vector for each element; forces and moments are in separate groups, one for each unit.
+   */
   private vectors(): Figure[] {
     const several = this.channels.filter(({ dims }) => dims.length > 1);
     return several.flatMap((channel) => {
@@ -123,7 +125,10 @@ function idsOf({ lines }: Figure): string[] {
   return lines.map(({ id }) => id);
 }
 
-/** Names of lines that were chosen one by one: if all belong to one element, its name is left out. */
+/**
+ * Returns the title and the labels of lines that were chosen one by one: if all belong to one element, the title has
+ * its name and the labels omit it.
+ */
 export function titleAndLabels(lines: readonly Line[], figure: Figure | undefined): { title: string; labels: string[] } {
   if (figure) return figure;
   const things = new Set(lines.map(({ thing }) => thing));

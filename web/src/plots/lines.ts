@@ -1,26 +1,26 @@
 import type { Channel, ModelInfo } from "../engine/engine";
 import { texts } from "../texts";
 
-/** Colours of the axes of rotation. */
+/** Names of the colours of rotations. */
 export type AxisColour = "pitch" | "yaw" | "roll";
 
-/** A possible line: a column of the recording, or the magnitude of a vector of columns. */
+/** A line that can be drawn: a column of the recording, or the magnitude of a vector in several columns. */
 export interface Line {
-  /** Its id in a stored view: the column, or the joined columns of the vector. */
+  /** Id in a stored view: the column, or all columns of the vector joined. */
   id: string;
-  /** The element or body that it belongs to; empty for the whole model. */
+  /** Element or body to which the line belongs; empty for the whole model. */
   thing: string;
-  /** Its name without that of the element or body. */
+  /** Name of the line without the name of the element or body. */
   what: string;
-  /** The engine's description. */
+  /** Description by the engine. */
   about: string;
   columns: readonly string[];
   /** SI unit of the columns. */
   unit: string;
-  /** Added to the column, in its unit. */
+  /** Number that is added to the column, in its unit. */
   offset?: number;
   colour?: AxisColour;
-  /** No line is drawn where an angle jumps from +180 to -180 degrees. */
+  /** Whether the line is interrupted where an angle jumps from +180 to -180 degrees. */
   wraps?: boolean;
 }
 
@@ -43,7 +43,7 @@ function lineOf(channel: Channel, place: number): Line {
   };
 }
 
-/** The owner of a column, and its other labels: the last dimension is the fastest. */
+/** Returns the element or body of a column, and the other labels of the column; the last dimension varies fastest. */
 function labelsAt({ dims, labels }: Channel, place: number): [string, string[]] {
   const found: string[] = [];
   let left = place;
@@ -54,18 +54,18 @@ function labelsAt({ dims, labels }: Channel, place: number): [string, string[]] 
   return dims[0] === "axis" || dims.length === 0 ? ["", found] : [found[0], found.slice(1)];
 }
 
-/** The magnitude of the force in a joint or a loop: for the joint of a hanging load it is the hook load. */
+/** Returns the magnitude of the force in a joint or a loop; for the joint of a hanging load this is the hook load. */
 export function carriedLine(thing: string, variable: string): Line {
   const columns = ["x", "y", "z"].map((axis) => `${thing}.${variable}.force_${axis}`);
   return { id: columns.join("+"), thing, what: texts.plots.carried, about: "", columns, unit: "N" };
 }
 
-/** Rise of a hull's centre of mass above its position at the draught of its data. */
+/** Returns the heave of a hull: the height of its centre of mass above the position at the draught of its data. */
 export function heaveLine({ body, origin_m }: Pick<ModelInfo["hulls"][number], "body" | "origin_m">): Line {
   return { id: `${body}.heave`, thing: body, what: texts.plots.heave, about: "", columns: [`${body}.position.z`], unit: "m", offset: origin_m[2], colour: "pitch" };
 }
 
-/** All possible lines of a run: every column except the time, and derived quantities. */
+/** Returns all lines that a run offers: every column except the time, and derived quantities. */
 export function linesOf(model: ModelInfo, channels: readonly Channel[]): Line[] {
   const carrying = ["joint_reaction", "loop_reaction"].flatMap((variable) => {
     const things = channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
@@ -75,24 +75,27 @@ export function linesOf(model: ModelInfo, channels: readonly Channel[]): Line[] 
   return [...columns.flatMap((channel) => channel.columns.map((_, place) => lineOf(channel, place))), ...carrying, ...model.hulls.map(heaveLine)];
 }
 
-/** The name in a legend. */
+/** Returns the name of a line in a legend. */
 export function labelOf({ thing, what }: Line): string {
   return thing === "" ? what : `${inWords(thing)} ${beside(thing, what)}`;
 }
 
-/** A description without leading words that the element's name contains: for `aft_line`, `line speed` becomes `speed`. */
+/**
+ * Leaves out of a description the leading words that the element's name contains: for `aft_line`, `line speed` becomes
+ * `speed`.
+ */
 export function beside(thing: string, what: string): string {
   const known = inWords(thing).split(" ");
   const words = what.split(" ");
   return words.slice(words.findIndex((word, at) => !known.includes(word) || at === words.length - 1)).join(" ");
 }
 
-/** A name of the scenario in ordinary spelling. */
+/** Returns a name of the scenario with spaces instead of underscores. */
 export function inWords(name: string): string {
   return name.replaceAll("_", " ");
 }
 
-/** Whether a line has these words, in any order, in its name, its columns or its description. */
+/** Whether the name, the columns or the description of a line contain these words, in any order. */
 export function hasWords(line: Line, search: string): boolean {
   const name = `${labelOf(line)} ${line.about} ${line.columns.join(" ")}`.toLowerCase();
   return search.toLowerCase().split(/\s+/).every((word) => name.includes(word));

@@ -6,7 +6,7 @@ import type { Chart, Content, Style } from "./chart";
 import type { DrawnLine } from "./drawn";
 import { places } from "./table";
 
-/** The first line on the horizontal axis, the second on the vertical: their path over the visible stretch. */
+/** Chart of the second line over the first one: their path during the visible time. */
 export class PhaseChart implements Chart {
   private chart: Painted | null = null;
   private content: Content | null = null;
@@ -57,7 +57,7 @@ export class PhaseChart implements Chart {
     return new Painted(this.area, axes, (u, style) => this.drawPath(u, style));
   }
 
-  /** The path in time, and the position of the moment that is shown. */
+  /** Draws the path, and the point at the time that is shown. */
   private drawPath(u: uPlot, style: Style): void {
     const { content } = this;
     if (!content || content.lines.length < 2) return;
@@ -73,7 +73,7 @@ function nameOf({ label, shown }: DrawnLine): string {
   return shown.unit ? `${label}, ${shown.unit}` : label;
 }
 
-/** Margin around the values. */
+/** Returns the range of the values with a margin. */
 function roundOf(values: ArrayLike<number>): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (let i = 0; i < values.length; i++) [low, high] = [Math.min(low, values[i]), Math.max(high, values[i])];

@@ -7,7 +7,7 @@ import type { Line } from "./lines";
 import { CHART_KINDS, PARTS } from "./view";
 import type { PlotView } from "./view";
 
-/** Actions of a picker on its plot. */
+/** Functions by which a picker changes its plot. */
 export interface Picked {
   place: number;
   view: PlotView;
@@ -17,7 +17,7 @@ export interface Picked {
   remove(): void;
 }
 
-/** Most figures in the list; a search finds the others. */
+/** Largest number of groups in the list; a search finds the others. */
 const MOST_FIGURES = 12;
 
 /** A dialog to choose the kind of a plot and, with a search, its lines. */
@@ -46,7 +46,7 @@ export class Picker {
     this.lines.append(this.chosen, this.search, this.count, this.list);
     this.dialog.append(make("form", { method: "dialog" }, this.heading, fields, this.lines, this.buttons()));
     this.dialog.addEventListener("click", (event) => event.target === this.dialog && this.dialog.close());
-    // Enter in the search field does not close the dialog.
+    // Enter in the search field must not close the dialog.
     this.search.addEventListener("keydown", (event) => event.key === "Enter" && event.preventDefault());
     document.body.append(this.dialog);
   }
@@ -113,7 +113,7 @@ export class Picker {
     });
   }
 
-  /** The lines that match the search. */
+  /** Lists the lines that match the search. */
   private offer(): void {
     const { figures } = this.picked!;
     const words = this.search.value.trim();

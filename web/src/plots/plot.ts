@@ -19,9 +19,9 @@ import { TimeChart } from "./time_chart";
 import type { Angle } from "./units";
 import type { PlotView } from "./view";
 
-/** Least time between two tables of the same plot, ms. */
+/** Smallest interval between two tables of the same plot, ms. */
 const TABLE_EVERY_MS = 1000;
-/** Smaller plots are not drawn, pixels. */
+/** Smallest width and height of a plot that is drawn, pixels. */
 const LEAST_PX = 40;
 
 /** Data that all plots of a run share. */
@@ -30,19 +30,19 @@ export interface PlotContext {
   shown: Shown;
   figures: Figures;
   angle: Angle;
-  /** The visible stretch of time, s. */
+  /** The visible time, s. */
   range_s(): [number, number];
   arms(): Arms | null;
-  /** Futures, drawn after the recorded lines. */
+  /** Futures; they are drawn with the recorded lines. */
   outlook(): Outlook | null;
-  /** The user has selected a stretch of time. */
+  /** Called when the user has selected a range of time. */
   chooseRange(range_s: [number, number]): void;
-  /** The user wants to choose other lines. */
+  /** Called when the user wants to choose other lines. */
   choose(plot: Plot): void;
   changed(): void;
 }
 
-/** A plot for a picture. */
+/** A plot as content of a picture. */
 export interface PlotPicture {
   title: string;
   entries: { label: string; colour: string; unit: string }[];
@@ -50,7 +50,7 @@ export interface PlotPicture {
   canvas: HTMLCanvasElement;
 }
 
-/** One plot: the choice of lines, a legend with the values at the crosshair or the moment that is shown, and the chart. */
+/** A plot: its lines, a chart, and a legend with the values at the crosshair or at the time that is shown. */
 export class Plot {
   readonly element: HTMLElement;
   private readonly title: HTMLButtonElement;
@@ -91,7 +91,7 @@ export class Plot {
     this.show();
   }
 
-  /** Applies the view. */
+  /** Applies the chosen view: kind, lines and units. */
   show(): void {
     const { view, context } = this;
     const { run, figures, angle } = context;
@@ -134,7 +134,7 @@ export class Plot {
     this.legend.replaceChildren(...entries, ...hulls);
   }
 
-  /** The hulls whose righting arms are drawn. */
+  /** Returns the legend of the hulls whose righting arms are drawn. */
   private hulls(): PlotPicture["entries"] {
     return this.view.kind === "arms" ? armsLegend(this.context.run.model.hulls) : [];
   }
@@ -170,13 +170,13 @@ export class Plot {
     this.stale = true;
   }
 
-  /** Colours come from the page's theme; they are read when a chart is made. */
+  /** Makes the charts again with the colours of the page's theme, which are read only when a chart is made. */
   restyle(): void {
     this.chart.destroy();
     this.stale = true;
   }
 
-  /** Whether the lines were drawn again. */
+  /** Draws the plot; returns whether it was drawn again. */
   draw(): boolean {
     if (this.stale) this.isTabled = false;
     const content = this.content();
@@ -200,10 +200,10 @@ export class Plot {
     return { lines, stretch, fan, range_s: context.range_s(), shown_s: shown.time_s, isBack: shown.isBack, now };
   }
 
-  /** Reads the visible stretch from the recording. */
+  /** Reads the visible time from the recording. */
   private fill({ range_s }: Content): void {
     const rows = this.context.shown.recording?.rows;
-    // Over time with one record before the left edge, so that the line starts there.
+    // A chart over time also needs the record before its left edge, where the line starts.
     const first = rows ? rows.indexAt(range_s[0]) : 0;
     const isAt = rows?.items[first]?.time_s === range_s[0];
     const from = Math.max(0, this.view.kind === "time" || isAt ? first : first + 1);
@@ -223,7 +223,7 @@ export class Plot {
     this.notes.hidden = notes === "";
   }
 
-  /** Updates the table, the statistics and the number of decimals from time to time. */
+  /** Updates the table, the statistics and the number of decimals, at most once per interval. */
   private drawTable(content: Content): void {
     const now = performance.now();
     if (this.isTabled || now - this.tabledAt_ms < TABLE_EVERY_MS) return;
@@ -244,7 +244,7 @@ export class Plot {
     this.stale = true;
   }
 
-  /** The content of the plot, to save as a picture. */
+  /** Returns the content of the plot, to save as a picture. */
   async picture(): Promise<PlotPicture | null> {
     const content = this.content();
     this.fill(content);

@@ -16,11 +16,16 @@ import type { PlotsView } from "./view";
 import { between, ViewDialog } from "./view_dialog";
 import { stretchOf, windowLength } from "./window";
 
-/** Righting arms are computed after this pause of the controls, ms; during a run, at this interval. */
+/**
+ * Pause after the last change before righting arms are computed, and interval between computations during a run, ms.
+ */
 const CALM_MS = 300;
 const ARMS_EVERY_MS = 4000;
 
-/** The plots of the recording: any channel, over time, as a spectrum or against another; the choice is stored for each scenario. */
+/**
+ * Plots of the recording: any column over time, as a spectrum or against another column; the choice is stored for each
+ * scenario.
+ */
 export class Plots {
   private readonly list = make("div", { class: "plots-list" });
   private readonly picker = new Picker();
@@ -54,7 +59,7 @@ export class Plots {
     session.listen({
       opened: (run, _frame) => this.open(run),
       advanced: (_run, { rows }) => rows.length > 0 && this.touch(),
-      // The rows give the newest values.
+      // During a run, new rows update the plots.
       moved: () => session.status !== "running" && this.touch(),
       branched: () => this.askArmsSoon(),
       statusChanged: (status) => status === "paused" && this.askArmsSoon(),
@@ -73,7 +78,7 @@ export class Plots {
     this.touch();
   }
 
-  /** The plots that can be saved as pictures. */
+  /** Plots that can be saved as pictures. */
   get shown(): readonly Plot[] {
     return this.plots;
   }
@@ -118,7 +123,7 @@ export class Plots {
     this.build(run);
   }
 
-  /** Another stretch of time, or another unit of angles. */
+  /** Shows another range of time, or another unit of angles. */
   private show(): void {
     if (!this.context || !this.view) return;
     keepView(this.file, this.view);
@@ -144,7 +149,7 @@ export class Plots {
     };
   }
 
-  /** The stretch of time in sight. */
+  /** Returns the visible time. */
   private range_s(): [number, number] {
     const { run, shown } = this.session;
     const { duration_s, record_every_s, step_s } = run!.model;
@@ -195,7 +200,7 @@ export class Plots {
     this.build(run);
   }
 
-  /** Only if a plot shows them: they cost more than many frames. */
+  /** Whether a plot shows righting arms: they are computed only then, because this takes longer than many frames. */
   private get needsArms(): boolean {
     return this.session.run !== null && this.session.run.model.hulls.length > 0 && this.view !== null && this.view.plots.some(({ kind }) => kind === "arms");
   }

@@ -1,13 +1,13 @@
 import { make } from "../ui/dom";
 import type { Chart, Content } from "./chart";
 
-/** Size of a saved chart, independent of the screen, pixels of the page. */
+/** Size of a saved chart, pixels of the page; it does not depend on the screen. */
 const SIZE = { width: 1100, height: 460 };
-/** Timeout for a chart that loads a library, ms. */
+/** Pause between two attempts to draw a chart that loads a library, ms. */
 const PAUSE_MS = 25;
 const MOST_PAUSES = 80;
 
-/** The chart of a plot on its own canvas; null if it could not be drawn. */
+/** Draws the chart of a plot on a separate canvas; null if it could not be drawn. */
 export async function drawnApart(chartIn: (area: HTMLElement) => Chart, content: Content): Promise<HTMLCanvasElement | null> {
   const area = make("div", { class: "plot-sheet", style: `width: ${SIZE.width}px; height: ${SIZE.height}px`, "aria-hidden": "true" });
   document.body.append(area);
@@ -31,7 +31,7 @@ function copyOf(canvas: HTMLCanvasElement): HTMLCanvasElement {
   return copy;
 }
 
-/** Pixels of the picture per pixel of the page. */
+/** Returns the number of pixels of the picture per pixel of the page. */
 export function scaleOf(canvas: HTMLCanvasElement): number {
   return canvas.width / SIZE.width;
 }

@@ -1,23 +1,26 @@
-/** A one-sided spectral density over the angular frequency: its integral is the variance. */
+/** One-sided spectral density over the angular frequency; its integral is the variance. */
 export interface Spectrum {
   /** Frequencies, rad/s, evenly spaced from 0. */
   omega: Float64Array;
-  /** Unit of the values squared, times s/rad. */
+  /** Spectral density, in the squared unit of the values times s/rad. */
   density: Float64Array;
-  /** Frequency spacing, rad/s: 2 pi over the length of a segment. */
+  /** Frequency resolution, rad/s: 2 pi over the duration of a segment. */
   resolution: number;
   segments: number;
 }
 
-/** Records whose steps differ by more than this share are not evenly spaced. */
+/** Largest relative difference of the steps of evenly spaced records. */
 const EVEN = 1e-6;
-/** Fewest records of a segment. */
+/** Smallest number of records in a segment. */
 const SHORTEST = 8;
 
-/** Transforms a sequence of real numbers whose length is a power of two: re, im of the frequencies from 0 to the Nyquist frequency. */
+/**
+ * Transforms a sequence of real numbers whose length is a power of two; returns re, im of each frequency from 0 to the
+ * Nyquist frequency.
+ */
 export type Transform = (values: Float64Array) => ArrayLike<number>;
 
-/** The library is loaded with the first spectrum. */
+/** Loads the library for Fourier transforms, with the first spectrum. */
 export async function loadTransform(): Promise<(length: number) => Transform> {
   const { default: FFT } = await import("fft.js");
   return (length) => {
@@ -27,7 +30,10 @@ export async function loadTransform(): Promise<(length: number) => Transform> {
   };
 }
 
-/** The evenly spaced records up to the last one, or to the one before if a run ended off the grid: [from, to). */
+/**
+ * Returns the range [from, to) of evenly spaced records that ends at the last record, or at the one before if the run
+ * ended off the grid.
+ */
 export function evenEnd(times_s: ArrayLike<number>): [number, number] {
   const gap = (i: number) => times_s[i] - times_s[i - 1];
   const isEven = (i: number, step_s: number) => Math.abs(gap(i) - step_s) <= EVEN * step_s;
@@ -40,15 +46,19 @@ export function evenEnd(times_s: ArrayLike<number>): [number, number] {
   return [from, to];
 }
 
-/** Records of a segment: a power of two, so that at least `parts` fit into the record; 0 if it is too short. */
+/**
+ * Returns the number of records in a segment: a power of two, such that at least `parts` segments fit into the record;
+ * 0 if the record is too short.
+ */
 export function segmentLength(records: number, parts: number): number {
   const length = 2 ** Math.floor(Math.log2(Math.max(1, records / parts)));
   return length >= SHORTEST ? length : 0;
 }
 
 /**
- * By Welch's method, as `kingpost.statistics.spectrum`: segments of the record less its mean that overlap by half, each under a Hann
- * window; their squares averaged and divided by the mean square of the window (Welch, IEEE Trans. Audio Electroacoust. 15(2), 1967).
+ * Computes a spectrum by Welch's method, as `kingpost.statistics.spectrum`: the record less its mean is divided into
+ * segments that overlap by half, each under a Hann window; their squared transforms are averaged and divided by the
+ * mean square of the window (Welch, IEEE Trans. Audio Electroacoust. 15(2), 1967).
  */
 export function welch(values: ArrayLike<number>, step_s: number, length: number, transformOf: (length: number) => Transform): Spectrum {
   const window = hann(length);
@@ -65,31 +75,37 @@ export function welch(values: ArrayLike<number>, step_s: number, length: number,
   }
   const square = window.reduce((sum, one) => sum + one * one, 0);
   const scale = step_s / square / (2 * Math.PI * segments);
-  // All lines but the first and the last stand for two sides.
+  // All frequencies except the first and the last also stand for their negative.
   for (let k = 0; k < density.length; k++) density[k] *= scale * (k === 0 || 2 * k === length ? 1 : 2);
   const resolution = (2 * Math.PI) / (length * step_s);
   return { omega: Float64Array.from(density, (_, k) => k * resolution), density, resolution, segments };
 }
 
-/** Periodic, so that windows that overlap by half add up evenly. */
+/** Returns a periodic Hann window: windows that overlap by half add up to a constant. */
 function hann(length: number): Float64Array {
   return Float64Array.from({ length }, (_, i) => 0.5 - 0.5 * Math.cos((2 * Math.PI * i) / length));
 }
 
-/** Index of the largest density, except at 0, which contains the drift. */
+/** Returns the index of the largest density, except at frequency 0, which contains the drift. */
 export function peakOf({ density }: Spectrum): number {
   return density.reduce((best, value, k) => (k > 0 && value > density[best] ? k : best), 1);
 }
 
-/** Fewest periods of a peak in a segment: nearer to 0 it merges with the drift, since a Hann window is four lines wide. */
+/**
+ * Smallest number of periods of a peak in a segment: with fewer it merges with the drift, because the peak of a Hann
+ * window is four frequencies wide.
+ */
 const FEWEST_PERIODS = 3;
 
-/** Whether the segments are long enough for the largest density to be a motion rather than the drift. */
+/** Whether the segments are long enough for the largest density to be a motion and not the drift. */
 export function isResolved(spectrum: Spectrum): boolean {
   return peakOf(spectrum) >= FEWEST_PERIODS;
 }
 
-/** Spectra of columns by at most this many parts of the record, and by fewer where the segments are too short for a peak. */
+/**
+ * Computes spectra of columns with at most this number of segments; with fewer if the segments are too short for a
+ * peak.
+ */
 export function spectraOf(
   columns: readonly ArrayLike<number>[],
   step_s: number,
@@ -109,7 +125,7 @@ function isStill({ density }: Spectrum): boolean {
   return density.every((value) => value === 0);
 }
 
-/** Number of frequencies from 0 that contain this share of the variance. */
+/** Returns the number of frequencies from 0 on that contain this share of the variance. */
 export function linesThatHold({ density }: Spectrum, share: number): number {
   const whole = density.reduce((sum, value) => sum + value, 0);
   let [sum, k] = [0, 0];

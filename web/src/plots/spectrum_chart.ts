@@ -7,14 +7,16 @@ import { evenEnd, isResolved, linesThatHold, loadTransform, peakOf, spectraOf } 
 import type { Spectrum, Transform } from "./spectrum";
 import { places } from "./table";
 
-/** Visible share of the variance, and the extension of the axis beyond it. */
+/** Share of the variance that is visible, and factor by which the axis extends beyond it. */
 const SHOWN_SHARE = 0.995;
 const BEYOND = 1.5;
 const FEWEST_LINES = 8;
-/** Least time between two spectra while a run goes, ms. */
+/** Smallest interval between two spectra during a run, ms. */
 const EVERY_MS = 500;
 
-/** Spectral densities of lines over the angular frequency, from the visible evenly spaced records. */
+/**
+ * Chart of spectral densities over the angular frequency, computed from the evenly spaced records in the visible time.
+ */
 export class SpectrumChart implements Chart {
   private chart: uPlot | null = null;
   private transformOf: ((length: number) => Transform) | null = null;
@@ -56,7 +58,7 @@ export class SpectrumChart implements Chart {
     this.found = spectraOf(within, step_s, this.parts(), transformOf);
   }
 
-  /** Frequency up to which nearly all of the variance is visible, rad/s. */
+  /** Returns the frequency up to which nearly all of the variance is visible, rad/s. */
   private end(): number {
     const [first] = this.found;
     if (!first) return 1;
@@ -132,7 +134,7 @@ export class SpectrumChart implements Chart {
   }
 }
 
-/** Unit of a density: the unit of the line squared, over an angular frequency. */
+/** Returns the unit of a density: the squared unit of the line over the unit of the angular frequency. */
 function unitOf({ shown }: DrawnLine): string {
   return shown.unit === "" ? "s/rad" : `(${shown.unit})² s/rad`;
 }
@@ -145,7 +147,7 @@ function digits(value: number): string {
   return String(Number(value.toPrecision(3))).replace("-", "−");
 }
 
-/** A frequency, and its period in seconds. */
+/** Formats a frequency, and its period in seconds. */
 function wordsOf(omega: number): [string, string] {
   return [digits(omega), omega > 0 ? digits((2 * Math.PI) / omega) : "∞"];
 }

@@ -1,20 +1,23 @@
-/** Statistics of a stretch of a record, as `kingpost statistics` defines them. */
+/** Statistics of a part of a record, as `kingpost statistics` defines them. */
 export interface Statistics {
   mean: number;
-  /** About the mean. */
+  /** Standard deviation about the mean. */
   standard_deviation: number;
   minimum: number;
   maximum: number;
-  /** Four standard deviations, crest to trough: for a wave elevation its Hs. */
+  /** Significant double amplitude, four standard deviations; for a wave elevation this is Hs. */
   significant_double_amplitude: number;
-  /** Mean time between up-crossings of the mean, s; NaN where there are fewer than two. */
+  /** Mean time between up-crossings of the mean, s; NaN if there are fewer than two. */
   zero_up_crossing_period: number;
 }
 
-/** Up-crossings that a mean period needs. */
+/** Smallest number of up-crossings for a mean period. */
 const FEWEST_CROSSINGS = 2;
 
-/** Statistics of values at these times; unevenly spaced rows, such as thinned ones, are weighted by their duration. */
+/**
+ * Computes the statistics of values at these times; rows that are not evenly spaced, such as thinned rows, are weighted
+ * by their duration.
+ */
 export function statisticsOf(times_s: ArrayLike<number>, values: ArrayLike<number>): Statistics {
   const weights = weightsOf(times_s);
   const mean = weighted(values, weights, (value) => value);
@@ -32,7 +35,10 @@ export function statisticsOf(times_s: ArrayLike<number>, values: ArrayLike<numbe
   };
 }
 
-/** Duration of each record: half of the interval to each neighbour, at the ends the same on both sides. Even records have equal weight. */
+/**
+ * Returns the duration of each record: half of the interval to each neighbour; a record at an end counts its only
+ * interval on both sides. Evenly spaced records have equal weight.
+ */
 function weightsOf(times_s: ArrayLike<number>): Float64Array {
   const last = times_s.length - 1;
   if (last < 1) return new Float64Array(times_s.length).fill(1);
@@ -49,7 +55,7 @@ function weighted(values: ArrayLike<number>, weights: Float64Array, of: (value: 
   return sum / whole;
 }
 
-/** Each crossing is interpolated linearly between two records. */
+/** Computes the mean up-crossing period; each crossing is interpolated linearly between two records. */
 function upCrossingPeriod(times_s: ArrayLike<number>, values: ArrayLike<number>, mean: number): number {
   const crossings: number[] = [];
   for (let i = 0; i + 1 < values.length; i++) {

@@ -10,7 +10,7 @@ type Name = keyof Statistics;
 const NAMES: Name[] = ["mean", "standard_deviation", "minimum", "maximum", "significant_double_amplitude", "zero_up_crossing_period"];
 const PERIOD_DECIMALS = 2;
 
-/** The statistics of the lines of a plot over the visible stretch of time. */
+/** Table of the statistics of a plot's lines over the visible time. */
 export class StatisticsTable {
   readonly element: HTMLElement;
   private readonly table = make("table", { class: "plot-statistics" });
@@ -22,7 +22,7 @@ export class StatisticsTable {
   }
 
   show(title: string, lines: readonly DrawnLine[], times_s: Float64Array, columns: readonly Float64Array[], start_s: number): void {
-    // A record before the stretch, where a line starts, does not count.
+    // The record before the visible time, where a line starts, does not count.
     const first = times_s[0] < start_s ? 1 : 0;
     const times = times_s.subarray(first);
     const [from, to] = [times[0] ?? NaN, times.at(-1) ?? NaN].map((one) => fixed(one, 2));
@@ -40,7 +40,7 @@ export class StatisticsTable {
     const hasPeriod = Number.isFinite(found.zero_up_crossing_period);
     const text = (name: Name): string => {
       if (name === "zero_up_crossing_period") return hasPeriod ? fixed(found[name], PERIOD_DECIMALS) : "–";
-      // A line that does not oscillate has no amplitude.
+      // A line that does not oscillate has no significant amplitude.
       if (name === "significant_double_amplitude" && !hasPeriod) return "–";
       return fixed(found[name], decimals);
     };

@@ -1,6 +1,9 @@
 import type { Recorded } from "../app/recording/recording";
 
-/** Columns of a line in a row: one column, or those of a vector whose magnitude it is; -1 if there is none. */
+/**
+ * Columns of a line in a row: one column, or the components of a vector whose magnitude is drawn; -1 for a missing
+ * column.
+ */
 export type Places = readonly number[];
 
 export function read(row: ArrayLike<number>, places: Places): number {
@@ -8,12 +11,12 @@ export function read(row: ArrayLike<number>, places: Places): number {
   return places.length === 1 ? value(places[0]) : Math.hypot(...places.map(value));
 }
 
-/** Lines over a stretch of the recording, each in one contiguous array. */
+/** Lines over a part of the recording, each in one contiguous array. */
 export class Stretch {
   private arrays: Float64Array[] = [];
   length = 0;
 
-  /** Copies a range of records; the first array has their times. `scale` converts a number to the displayed unit. */
+  /** Copies a range of records; the first array holds their times. `scale` converts a value to the displayed unit. */
   fill(rows: readonly Recorded[], [from, to]: [number, number], lines: readonly Places[], scale: (value: number, line: number) => number): void {
     this.length = to - from;
     if (this.arrays.length !== lines.length + 1 || this.arrays[0].length < this.length) {
@@ -27,7 +30,7 @@ export class Stretch {
     }
   }
 
-  /** Views, not copies: they are valid until the next filling. */
+  /** Arrays of the lines; they are views and valid until the next `fill`. */
   get data(): Float64Array[] {
     return this.arrays.map((one) => one.subarray(0, this.length));
   }

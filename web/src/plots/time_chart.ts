@@ -7,22 +7,22 @@ import type { DrawnLine } from "./drawn";
 import { rowsOf } from "./table";
 import { wrapPlaces } from "./window";
 
-/** Smallest range of an angle: a narrower one would show rounding noise, rad. */
+/** Smallest range of an angle axis, rad: a narrower range would show rounding errors. */
 const LEAST_ANGLE = 1e-4;
-/** Smallest range of other quantities, in their unit. */
+/** Smallest range of other axes, in their unit. */
 const LEAST = 1e-9;
-/** A narrower selection is a click, pixels. */
+/** Smallest width of a selection, pixels; a narrower one counts as a click. */
 const LEAST_DRAG_PX = 6;
 const TIME_DECIMALS = 2;
 
-/** Lines over time, an axis for each unit, with the limits of their columns. */
+/** Chart of lines over time, with an axis for each unit and the limits of the columns. */
 export class TimeChart implements Chart {
   private chart: uPlot | null = null;
   private content: Content | null = null;
 
   constructor(
     private readonly area: HTMLElement,
-    /** The user has selected a stretch of time with the mouse. */
+    /** Called when the user has selected a range of time with the mouse. */
     private readonly choose: (range_s: [number, number]) => void,
   ) {}
 
@@ -97,7 +97,7 @@ export class TimeChart implements Chart {
     return new uPlot(options, stretch.data, this.area);
   }
 
-  /** Range for the lines of a unit, their limits and their futures. */
+  /** Returns the range of the axis of a unit, from its lines, their limits and their futures. */
   private rangeFor(lines: readonly DrawnLine[], unit: string): uPlot.Range.Function {
     const places = lines.flatMap((line, i) => (line.shown.unit === unit ? [i] : []));
     const own = places.map((i) => lines[i]);
@@ -110,7 +110,7 @@ export class TimeChart implements Chart {
     };
   }
 
-  /** Draws the futures behind the lines. */
+  /** Draws the futures below the lines. */
   private drawFan(u: uPlot, style: Style): void {
     if (!this.content) return;
     const { fan, lines } = this.content;
@@ -124,7 +124,7 @@ export class TimeChart implements Chart {
     if (width >= LEAST_DRAG_PX) this.choose([u.posToVal(left, "x"), u.posToVal(left + width, "x")]);
   }
 
-  /** A vertical line at an earlier moment that is shown. */
+  /** Draws a vertical line at the time that is shown, if it is before the newest. */
   private drawMoment(u: uPlot, style: Style): void {
     const { content } = this;
     if (!content?.isBack || content.lines.length === 0) return;
@@ -133,7 +133,7 @@ export class TimeChart implements Chart {
     stroke(u, [[content.shown_s, min!], [content.shown_s, max!]], scale, { colour: style.colour("accent"), width: 1 });
   }
 
-  /** The limits of a column, from the time at which they count, in the colour of its line. */
+  /** Draws the limits of a column in the colour of its line, from the time at which they count. */
   private drawBounds(u: uPlot, style: Style): void {
     const { content } = this;
     if (!content) return;

@@ -1,20 +1,20 @@
-/** Whether angles are shown in degrees or in radians. */
+/** Unit in which angles are displayed. */
 export type Angle = "deg" | "rad";
 
-/** The display of numbers of an SI unit. */
+/** Displayed unit of an SI unit. */
 export interface ShownUnit {
   unit: string;
   /** Factor from the SI unit to the displayed unit. */
   scale: number;
-  /** Decimals of a number that is not small. */
+  /** Number of decimals, unless the numbers are small. */
   decimals: number;
 }
 
 const DEGREES_PER_RADIAN = 180 / Math.PI;
-/** Shown in thousands, as in pictures of `kingpost plot`. */
+/** Units that are displayed in thousands, as in pictures of `kingpost plot`. */
 const BY_THE_THOUSAND = ["N", "N m", "J", "W"];
 const DECIMALS = { deg: 2, rad: 5, thousand: 2, other: 4 };
-/** Fewest digits of the largest visible number, if the decimals give fewer. */
+/** Smallest number of digits of the largest visible number; small numbers get more decimals. */
 const DIGITS = 3;
 const MOST_DECIMALS = 9;
 
@@ -27,12 +27,12 @@ export function shownUnit(si: string, angle: Angle): ShownUnit {
   return { unit: si === "1" ? "" : pretty(si), scale: 1, decimals: DECIMALS.other };
 }
 
-/** Usual notation of powers. */
+/** Returns a unit with superscripts for powers. */
 function pretty(unit: string): string {
   return unit.replaceAll("^2", "²").replaceAll("^3", "³");
 }
 
-/** Decimals for numbers up to a magnitude: enough for small numbers. */
+/** Returns the number of decimals for numbers up to a magnitude; small numbers get more. */
 export function decimalsFor({ decimals }: ShownUnit, largest: number): number {
   if (!(largest > 0) || !Number.isFinite(largest)) return decimals;
   const needed = DIGITS - 1 - Math.floor(Math.log10(largest));

@@ -6,18 +6,21 @@ import { FOLLOWING, isWindow } from "./window";
 import type { WindowChoice } from "./window";
 
 export const CHART_KINDS = ["time", "spectrum", "phase", "arms"] as const;
-/** Over time, its spectrum, one line against another, or righting arms over the heel. */
+/** Kind of a chart: lines over time, their spectrum, one line over another, or righting arms over the heel. */
 export type ChartKind = (typeof CHART_KINDS)[number];
 
-/** Smallest number of segments of a record for its spectrum: more give a smoother spectrum, fewer a finer one. */
+/**
+ * Smallest numbers of segments for a spectrum that the user can choose: more segments give a smoother spectrum, fewer a
+ * finer one.
+ */
 export const PARTS = [2, 4, 8, 16];
 
 /** Content of one plot. */
 export interface PlotView {
   kind: ChartKind;
-  /** Ids of its lines. */
+  /** Ids of the lines of the plot. */
   lines: string[];
-  /** Whether its table is shown under it. */
+  /** Whether the table of statistics is shown below the plot. */
   isTold: boolean;
   parts: number;
 }
@@ -40,13 +43,13 @@ export function defaultView(figures: Figures): PlotsView {
   return { plots: figures.defaults().map((lines) => plotOf(lines)), angle: "deg", window: FOLLOWING };
 }
 
-/** A fixed stretch of time belongs to this run and is not stored. */
+/** Stores a view of a scenario; a fixed range of time belongs to the present run and is not stored. */
 export function keepView(file: string, view: PlotsView): void {
   const window = view.window.kind === "between" ? FOLLOWING : view.window;
   try {
     localStorage.setItem(KEY + file, JSON.stringify({ ...view, window }));
   } catch {
-    // Without storage it holds for this page only.
+    // Without storage, the view is valid for this page only.
   }
 }
 
@@ -54,11 +57,11 @@ export function forgetView(file: string): void {
   try {
     localStorage.removeItem(KEY + file);
   } catch {
-    // There is nothing to remove.
+    // Without storage, there is no view to remove.
   }
 }
 
-/** The stored view of a scenario, with the lines that still exist; null if there is none. */
+/** Returns the stored view of a scenario, with the lines that still exist; null if there is none. */
 export function keptView(file: string, figures: Figures): PlotsView | null {
   try {
     const text = localStorage.getItem(KEY + file);
@@ -68,7 +71,7 @@ export function keptView(file: string, figures: Figures): PlotsView | null {
   }
 }
 
-/** Checks a view that another version of the app may have stored. */
+/** Checks a stored view, which another version of the app may have written. */
 export function viewOf(kept: unknown, figures: Figures): PlotsView | null {
   if (!isObject(kept) || !Array.isArray(kept.plots)) return null;
   const plots = kept.plots.map((plot) => plotFrom(plot, figures)).filter((plot) => plot !== null);

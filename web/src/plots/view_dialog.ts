@@ -5,7 +5,7 @@ import type { PlotsView } from "./view";
 import { FOLLOWING, LAST_S } from "./window";
 import type { WindowChoice } from "./window";
 
-/** A dialog for the settings of all plots: the stretch of time and the unit of angles. */
+/** Dialog for the settings of all plots: the visible time and the unit of angles. */
 export class ViewDialog {
   private readonly dialog = make("dialog", { class: "picker picker-small", "aria-label": texts.plots.view_title, "data-testid": "view-dialog" });
   private readonly window = make("select", { "data-testid": "plot-window" });
@@ -80,7 +80,7 @@ export class ViewDialog {
     this.tell();
   }
 
-  /** Ends in the wrong order are swapped. */
+  /** Sets a fixed range of time; if its ends are in the wrong order, they are swapped. */
   private setBetween(): void {
     const [from_s, to_s] = [this.from.valueAsNumber, this.to.valueAsNumber];
     if (Number.isFinite(from_s) && Number.isFinite(to_s) && from_s !== to_s) this.view!.window = between(Math.min(from_s, to_s), Math.max(from_s, to_s));

@@ -9,10 +9,10 @@ import { sharedRun } from "./making";
 import type { SharedRun } from "./shared_run";
 
 const words = texts.share;
-/** Prefixes of addresses that mean the local machine. */
+/** Hosts of addresses that are valid on this machine only. */
 const OWN_HOSTS = /^(localhost|127\.|\[::1\])/;
 
-/** Offers a link to the present run: to another program, to the clipboard, as a text to copy, as a QR code. */
+/** Dialog with a link to the present run: to send to another program, to copy, or as a QR code. */
 export class ShareDialog {
   private readonly says = make("div", { class: "share-says" });
   private readonly field = make("textarea", { readonly: true, rows: 3, spellcheck: "false", "aria-label": words.link, "data-testid": "share-link" });
@@ -53,7 +53,8 @@ export class ShareDialog {
     const buttons = make("div", { class: "share-buttons" }, this.copy, this.send);
     const dialog = make("dialog", { class: "share", "aria-labelledby": "share-title", "data-testid": "share-dialog" }, head, this.says, this.field, buttons, this.done, this.qr);
     close.addEventListener("click", () => dialog.close());
-    // A click outside: the dialog has no padding, so a click on the element itself is on the backdrop.
+    // Closes the dialog after a click outside it: the dialog has no padding, so a click on the element itself is on the
+    // backdrop.
     dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());
     return dialog;
   }
@@ -74,7 +75,7 @@ export class ShareDialog {
     this.says.replaceChildren(...lines.map((line) => make("p", {}, line)));
   }
 
-  /** A page without a secure connection has no clipboard and cannot send to other programs. */
+  /** Shows the link; a page without a secure connection cannot use the clipboard or send the link to other programs. */
   private show(link: string): void {
     this.field.value = link;
     this.field.hidden = link === "";

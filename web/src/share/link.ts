@@ -5,15 +5,18 @@ import { packed, unpacked } from "./packing";
 import { sharedRunOf } from "./shared_run";
 import type { SharedRun } from "./shared_run";
 
-/** Prefix of links that are written: `#k1=`, then the result of `packed`, a point, and a digest of the content. */
+/** Version in the prefix of a link: `#k1=`, then the result of `packed`, a point, and a digest of the content. */
 const VERSION = 1;
 const KEY = /^k(\d+)$/;
-/** Longest text after the `#`, characters: browsers accept more, messengers and mail programs truncate. */
+/**
+ * Largest length of the text after the `#`, characters: browsers accept more, but messengers and mail programs
+ * truncate.
+ */
 export const LONGEST = 64_000;
-/** Largest content, bytes: a hundred scenarios. A small link could unpack to gigabytes. */
+/** Largest content of a link, bytes: a hundred scenarios. Without this limit a short link could unpack to gigabytes. */
 const LARGEST = 2_000_000;
 
-/** The text after the `#` in an address that opens a run. */
+/** Returns the part of an address, from the `#` on, that opens a run. */
 export async function hashOf(run: SharedRun): Promise<string> {
   const json = JSON.stringify(run);
   const bytes = new TextEncoder().encode(json);
@@ -22,7 +25,7 @@ export async function hashOf(run: SharedRun): Promise<string> {
   return hash;
 }
 
-/** The run in an address; throws a fault of the kind `link` with the reason if there is none. */
+/** Reads the run in an address; throws a fault of the kind `link` with the reason if there is none. */
 export async function runIn(hash: string): Promise<SharedRun> {
   const { version, text } = entryOf(hash) ?? { version: VERSION, text: "" };
   if (version > VERSION) throw faultOfLink(texts.share.newer);

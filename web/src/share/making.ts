@@ -5,7 +5,10 @@ import { digestOf } from "../engine/digest";
 import type { Moment } from "../app/recording/recording";
 import type { SharedMoment, SharedRun, SharedScenario } from "./shared_run";
 
-/** The present run at the shown moment; it is paused, so that the link is for the moment that is seen. Null if there is none. */
+/**
+ * Pauses the present run and returns it as the content of a link, at the moment that is shown. Null if no scenario is
+ * open.
+ */
 export async function sharedRun(session: Session): Promise<SharedRun | null> {
   session.pause();
   const changes = await session.changes();
@@ -15,12 +18,14 @@ export async function sharedRun(session: Session): Promise<SharedRun | null> {
   return { scenario: scenarioOf(source, run), values: values.begun, changes: changes.filter(isBy(moment)), moment: momentOf(moment) };
 }
 
-/** The link contains nothing after the moment that is shown. */
+/** Returns a test for changes that a link contains: those up to the moment that is shown. */
 function isBy(moment: Moment): (change: Change) => boolean {
   return ({ time_s }) => time_s <= moment.time_s;
 }
 
-/** A scenario of the gallery is given by name: every copy of the app has its text. */
+/**
+ * Returns the scenario for a link: a scenario of the gallery by its name, because every copy of the app has its text.
+ */
 function scenarioOf({ gallery, file, text, opened }: Source, { digest }: Run): SharedScenario {
   return gallery === undefined ? { file, text, opened: opened ?? {} } : { gallery, digest };
 }
@@ -30,8 +35,8 @@ function momentOf({ time_s, row }: Moment): SharedMoment | null {
 }
 
 /**
- * Whether the present run has the numbers of the link at the link's moment; null at any other moment, and if something else was set by
- * hand.
+ * Whether the present run has, at the link's moment, the same numbers as the link; null at any other moment, or if the
+ * values or changes differ from those of the link.
  */
 export async function isSame(session: Session, link: SharedRun): Promise<boolean | null> {
   const { moment } = session.shown;

@@ -8,7 +8,10 @@ import type { SharedRun } from "./shared_run";
 
 const words = texts.share;
 
-/** A notice for a run from a link: what the run repeats, a button to its moment, and there whether the numbers agree. */
+/**
+ * Notice for a run from a link: what the run repeats, a button that runs to the link's moment, and at that moment
+ * whether the numbers agree.
+ */
 export class LinkNotice {
   private link: SharedRun | null = null;
   private isCompared = false;
@@ -22,7 +25,7 @@ export class LinkNotice {
     });
   }
 
-  /** The present run came from this link. */
+  /** Shows the notice for a run that was opened from this link. */
   tell(link: SharedRun): void {
     this.link = link;
     this.show();
@@ -47,7 +50,7 @@ export class LinkNotice {
     ].filter((text) => text !== "");
     const button = make("button", { type: "button", class: "button", "data-testid": "run-to" }, words.run_to);
     button.addEventListener("click", () => {
-      // Hidden until the link's moment.
+      // The notice is hidden until the run reaches the link's moment.
       this.close();
       byId("start").focus();
       session.runTo(moment!.time_s);
@@ -55,7 +58,7 @@ export class LinkNotice {
     this.close = notice("link", words.notice, says, moment ? [button] : []);
   }
 
-  /** At the link's moment. */
+  /** Compares the numbers at the link's moment, and reports the result. */
   private async compare(): Promise<void> {
     const { link, session } = this;
     if (!link?.moment || this.isCompared || session.status !== "paused") return;

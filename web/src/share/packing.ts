@@ -1,6 +1,6 @@
 type Bytes = Uint8Array<ArrayBuffer>;
 
-/** Bytes as a short text for an address: deflated, in base64url without padding. */
+/** Packs bytes as a short text for an address: compressed by deflate, in base64url without padding. */
 export async function packed(bytes: Bytes): Promise<string> {
   const parts: string[] = [];
   await each(through(bytes, new CompressionStream("deflate-raw")), (part) => parts.push(String.fromCharCode(...part)));
@@ -25,7 +25,7 @@ function through(bytes: Bytes, stream: CompressionStream | DecompressionStream):
   return new Blob([bytes]).stream().pipeThrough(stream);
 }
 
-/** Part by part, so that the reader can stop early. */
+/** Reads a stream part by part, so that reading can stop early. */
 async function each(stream: ReadableStream<Bytes>, take: (part: Bytes) => void): Promise<void> {
   const reader = stream.getReader();
   try {

@@ -1,12 +1,14 @@
 import { encode } from "uqr";
 import { svg } from "../instruments/svg";
 
-/** Longest text that a phone can read from a screen, characters; the limit of the standard is 2953. */
+/**
+ * Largest length of a text whose QR code a phone can read from a screen, characters; the limit of the standard is 2953.
+ */
 export const LONGEST_QR = 1000;
-/** Quiet zone, modules, as the standard requires. */
+/** Width of the quiet zone, modules, as the standard requires. */
 const QUIET = 4;
 
-/** A QR code as a picture, dark on white with any theme. */
+/** Returns a QR code as a picture, dark on white in every theme. */
 export function qrCode(text: string, label: string): SVGSVGElement {
   const { data, size } = encode(text, { ecc: "L", border: QUIET });
   const modules = data.flatMap((row, y) => row.flatMap((isDark, x) => (isDark ? [`M${x} ${y}h1v1h-1z`] : [])));

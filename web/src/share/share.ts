@@ -2,7 +2,7 @@ import type { Session } from "../app/session";
 import { byId } from "../ui/dom";
 import type { ShareDialog } from "./dialog";
 
-/** Makes a link to the present run; the code for it is loaded at the first use. */
+/** Makes the Share button open a link to the present run; its code is loaded at the first use. */
 export function enableSharing(session: Session): void {
   const button = byId("share", HTMLButtonElement);
   let dialog: Promise<ShareDialog> | null = null;

@@ -1,16 +1,16 @@
 import type { Change } from "../engine/changes";
 import type { Value, Values } from "../engine/engine";
 
-/** A moment of a run, and a digest of its row of results. */
+/** Moment of a run, with a digest of its row of results. */
 export interface SharedMoment {
   time_s: number;
   digest: string;
 }
 
-/** A scenario by its name in the gallery, with a digest of its files, or as texts. */
+/** A scenario by its name in the gallery with a digest of its files, or by its texts. */
 export type SharedScenario = { gallery: string; digest: string } | { file: string; text: string; opened: Record<string, string> };
 
-/** A whole run in a link: its initial values, its changes with their times, and the moment that was shown. */
+/** Content of a link: the initial values of a run, its changes with their times, and the moment that was shown. */
 export interface SharedRun {
   scenario: SharedScenario;
   values: Values;
@@ -18,7 +18,7 @@ export interface SharedRun {
   moment: SharedMoment | null;
 }
 
-/** Reads the content of a link; null if it is invalid: anyone can write a link. */
+/** Checks the content of a link, which anyone can write; null if it is not valid. */
 export function sharedRunOf(given: unknown): SharedRun | null {
   if (!isRecord(given)) return null;
   const { scenario, values, changes, moment } = given;

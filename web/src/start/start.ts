@@ -7,13 +7,13 @@ import { addressOf, cardOf } from "./card";
 
 const { start } = texts;
 
-/** The start page: what Kingpost is, and the gallery as cards. */
+/** The start page: a description of Kingpost, and the gallery as cards. */
 export class StartPage {
   private readonly page = byId("start-page");
   private readonly alert = make("p", { class: "start-alert", role: "alert", "data-testid": "start-alert" });
   private readonly groups = make("div", { class: "start-groups" }, make("p", { class: "muted" }, start.loading));
 
-  /** `open` gets the address of the chosen scenario; `prepare` is called when a choice is likely. */
+  /** `open` receives the address of the chosen scenario; `prepare` is called when the user is likely to choose one. */
   constructor(
     private readonly open: (query: string) => void,
     private readonly prepare: () => void,
@@ -39,12 +39,12 @@ export class StartPage {
     return make("header", { class: "hero" }, picture, words, languageChoice("language"));
   }
 
-  /** The cards; they need the list of the gallery but not the engine. */
+  /** Shows the cards, which need the list of the gallery but not the engine. */
   offer(gallery: Gallery): void {
     this.groups.replaceChildren(...gallery.groups.map((group, k) => section(group, k)));
   }
 
-  /** There are no cards; files can still be opened. */
+  /** Shows that the list of the gallery could not be loaded; files can still be opened. */
   lack(why: string): void {
     this.groups.replaceChildren();
     this.say(start.failed(why));
@@ -59,7 +59,7 @@ export class StartPage {
     if (isShown) document.title = start.page_title;
   }
 
-  /** A link of this page stays in this document; with a key held down it does what the browser does. */
+  /** Opens a link of this page within the document; with a modifier key the browser handles it. */
   private follow(event: MouseEvent): void {
     const link = linkOf(event);
     if (!link || event.button !== 0 || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;

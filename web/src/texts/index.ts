@@ -3,13 +3,13 @@ import { languageHere } from "./language";
 import type { Language } from "./language";
 import * as nb from "./nb";
 
-/** Texts that a language must have. */
+/** Type of the texts that each language must have. */
 export type Texts = typeof en;
 
 const ALL: Record<Language, Texts> = { en, nb };
 
-/** The language of the page's texts. */
+/** Language of the page. */
 export const language: Language = languageHere();
 
-/** The texts of the page. */
+/** Texts of the page, in its language. */
 export const texts: Texts = ALL[language];

@@ -1,4 +1,4 @@
-/** The languages of the app by their codes, each with its own name for itself. */
+/** Languages of the app by their codes, each under its name in that language. */
 export const LANGUAGES = { en: "English", nb: "Norsk (bokmål)" } as const;
 export type Language = keyof typeof LANGUAGES;
 
@@ -8,16 +8,16 @@ export function isLanguage(code: string): code is Language {
 }
 
 const KEY = "kingpost.language";
-/** Browsers' codes for Norwegian; the app has bokmål. */
+/** Browsers' codes for Norwegian; the app offers bokmål for all of them. */
 const NORWEGIAN = ["nb", "no", "nn"];
 
-/** The chosen language; otherwise the first of the browser's that the app has; otherwise English. */
+/** Returns the chosen language; otherwise the first of the browser's languages that the app has; otherwise English. */
 export function languageOf(chosen: string | null, preferred: readonly string[]): Language {
   const known = [chosen ?? "", ...preferred].map((tag) => tag.toLowerCase().split("-")[0]);
   return known.map((code) => (NORWEGIAN.includes(code) ? "nb" : code)).find(isLanguage) ?? "en";
 }
 
-/** The language of the page; a worker's name is the language of its page. */
+/** Returns the language of the page; in a worker, the name of the worker gives it. */
 export function languageHere(): Language {
   if (typeof document === "undefined") return languageOf(typeof name === "undefined" ? null : name, []);
   return languageOf(chosenLanguage(), navigator.languages);
@@ -31,12 +31,12 @@ function chosenLanguage(): string | null {
   }
 }
 
-/** The page is reloaded at the same address, because its texts are written only once. */
+/** Stores the choice and reloads the page at the same address, because its texts are written only once. */
 export function chooseLanguage(language: Language): void {
   try {
     localStorage.setItem(KEY, language);
   } catch {
-    // Without storage, the browser's language stays.
+    // Without storage, the page keeps the browser's language.
   }
   location.reload();
 }

@@ -5,11 +5,11 @@ import { byId, make, setText } from "./dom";
 
 const DOI = /doi:\s*(10\.\d{4,}\/[^\s,;]*[^\s,;.)])/g;
 
-/** The description of the scenario, with its papers as links. */
+/** Shows the description of the scenario, with links to its papers. */
 export function showAbout(session: Session): void {
   session.listen({
     opened: ({ model }) => {
-      // Descriptions of the gallery are in English; the language of others is unknown.
+      // Descriptions in the gallery are in English; the language of others is unknown.
       for (const id of ["about-title", "about-text"]) byId(id).lang = session.source?.gallery === undefined ? "" : "en";
       setText(byId("about-title"), model.title);
       const parts = linked(model.description).map(({ text, href }) => (href ? make("a", { href }, text) : text));
@@ -19,14 +19,14 @@ export function showAbout(session: Session): void {
   });
 }
 
-/** A force or a drive with its facts. */
+/** Returns the entry of a force or a drive, with its facts. */
 function acting({ name, kind, enabled, facts }: ModelInfo["elements"][number]): HTMLElement[] {
   const words = facts.map(({ label, value, unit }) => `${label} ${value} ${unit}`.trimEnd()).join(", ");
   const heading = `${name}: ${kind}`;
   return [make("dt", {}, enabled ? heading : texts.about.off(heading)), make("dd", {}, words)];
 }
 
-/** A text in parts; each DOI has a link. */
+/** Splits a text into parts; each DOI becomes a link. */
 export function linked(text: string): { text: string; href?: string }[] {
   const parts: { text: string; href?: string }[] = [];
   let from = 0;

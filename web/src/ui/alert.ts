@@ -4,7 +4,7 @@ import { isInEnglish } from "../engine/faults";
 import { language, texts } from "../texts";
 import { byId, make } from "./dom";
 
-/** Shows a fault until it is dismissed or something opens; the app runs on. */
+/** Shows a fault until the user dismisses it or a scenario opens; the app continues to run. */
 export function showFaults(session: Session): void {
   const region = byId("alert");
   session.listen({
@@ -27,13 +27,13 @@ function lines(fault: Fault): HTMLElement[] {
   return details.length > 0 ? [...words, make("dl", { lang: "en" }, ...details)] : words;
 }
 
-/** Advice of the page, for faults that the engine cannot explain. */
+/** Returns the page's advice for faults whose message has none. */
 function advice({ field, found }: Fault): string[] {
   if (!found?.startsWith("no file ")) return [];
   return [field?.endsWith(".database") ? texts.alert.its_database : texts.alert.its_file];
 }
 
-/** The parts of a fault one by one: a long message is hard to read on a phone. */
+/** Returns the parts of a fault for a list: a long message is hard to read on a phone. */
 function facts(fault: Fault): [string, string][] {
   const place = [fault.file, fault.line, fault.column].filter((part) => part !== undefined && part !== "").join(":");
   const words = texts.alert.facts;

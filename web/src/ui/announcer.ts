@@ -3,7 +3,7 @@ import type { Session } from "../app/session";
 import { texts } from "../texts";
 import { byId, setText } from "./dom";
 
-/** Pause after the last change before a message, ms: Step pressed many times gives one message. */
+/** Pause after the last change before an announcement, ms: many presses of Step give one announcement. */
 const CALM_MS = 400;
 
 /** Announces the state of the run to screen readers. */
@@ -18,12 +18,12 @@ export function announce(session: Session): void {
     opened: soon,
     statusChanged: soon,
     valuesChanged: soon,
-    // The track itself announces an earlier moment.
+    // For an earlier moment the time slider announces itself.
     moved: () => session.status !== "running" && !session.shown.isBack && soon(),
   });
 }
 
-/** The state in words, without the numbers that change during a run. */
+/** Describes the state, without numbers that change during a run. */
 function wordsOf(session: Session): string {
   const { run, status, shown } = session;
   const { moment } = shown;

@@ -6,7 +6,7 @@ import { checkbox, choice, number, sliderRange } from "./items";
 import type { Item } from "./items";
 import { byId, make } from "./dom";
 
-/** The controls of the scenario's parameters: switches together, then choices, then numbers. */
+/** Controls of the scenario's parameters: first switches, then choices, then numbers. */
 export class Controls {
   private readonly form = byId("parameters", HTMLFormElement);
   private readonly levers = make("div", { id: "levers" });
@@ -44,14 +44,14 @@ export class Controls {
     this.show();
   }
 
-  /** A note under the control that was changed last and waits for a restart. */
+  /** Returns the button that restarts the run; it stands below the last changed control that waits for a restart. */
   private restartButton(): HTMLElement {
     const button = make("button", { type: "button", class: "button is-due", "data-testid": "restart" }, texts.controls.restart_now);
     button.addEventListener("click", () => this.session.restart());
     return button;
   }
 
-  /** A lever for each input that is set by hand, and a line on what sets the others. */
+  /** Shows a lever for each input that is set by hand, and names the inputs that the scenario sets. */
   private showLevers(): void {
     const inputs = this.session.run?.inputs ?? [];
     this.inputs = inputs.filter((input) => !input.signal).map(({ name }) => this.lever(name));
@@ -82,7 +82,7 @@ export class Controls {
     }
   }
 
-  /** A lever acts at once, at any time. */
+  /** Returns the lever of an input; it acts at once, at any time. */
   private lever(name: string): Item {
     const input = this.session.run!.inputs.find((one) => one.name === name)!;
     const range = sliderRange(input);
@@ -94,7 +94,9 @@ export class Controls {
     return lever;
   }
 
-  /** At a branch of the run levers have their values of that moment; a held lever keeps the hand's value. */
+  /**
+   * Shows the present values of the inputs, also after a branch; a control that the user is editing keeps its value.
+   */
   private showInputs(inputs: readonly InputInfo[]): void {
     for (const { name, element, show } of this.inputs) {
       const input = inputs.find((one) => `input-${one.name}` === name);
@@ -114,13 +116,13 @@ export class Controls {
   private offerRestart(pending: string[]): void {
     if (pending.length === 0) return this.restart.remove();
     const last = pending.map((name) => this.items.find((item) => item.name === name)?.element).filter((element) => element !== undefined).at(-1);
-    // Only a numerical setting may be waiting.
+    // If no parameter waits, a numerical setting does.
     if (!last) byId("settings").append(this.restart);
     else if (last.nextElementSibling !== this.restart) last.after(this.restart);
   }
 }
 
-/** A stick sets many digits, and its lever has few places. */
+/** Rounds a value to four digits: a stick sets many digits, and its control has little space. */
 function inShort(value: number): number {
   return Number(value.toPrecision(4));
 }

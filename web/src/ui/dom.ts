@@ -1,4 +1,4 @@
-/** The element with this id; a missing one, or one of another kind, is a bug of the page. */
+/** Returns the element with this id; throws if it is missing or of another kind, which is a bug of the page. */
 export function byId(id: string): HTMLElement;
 export function byId<T extends Element>(id: string, kind: new () => T): T;
 export function byId(id: string, kind: new () => Element = HTMLElement): Element {
@@ -15,7 +15,7 @@ export function byTestId(id: string): HTMLElement {
 
 type Attributes = Record<string, string | number | boolean>;
 
-/** Makes an element; `true` sets an attribute without a value, `false` leaves it out. */
+/** Makes an element; `true` sets an attribute without a value, `false` leaves the attribute out. */
 export function make<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
@@ -29,7 +29,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Sets text only if it changed, to avoid needless layout. */
+/** Sets a text only if it has changed, to avoid needless layout. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

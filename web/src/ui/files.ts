@@ -1,9 +1,14 @@
 import { byId } from "./dom";
 
-/** Largest file, bytes: ten times a hydrodynamic database of a thousand frequencies and directions. */
+/**
+ * Largest size of a file, bytes: ten times that of a hydrodynamic database with a thousand frequencies and directions.
+ */
 const MOST_BYTES = 100e6;
 
-/** Files that are chosen or dropped on the page, handed on together as texts by name; a file that is too large is refused unread. */
+/**
+ * Passes files that are chosen or dropped on the page to `open`, together, as texts by name; a file that is too large
+ * is refused before it is read.
+ */
 export function enableFiles(open: (texts: Record<string, string>) => void, refuse: (file: File, most_bytes: number) => void): void {
   const take = async (files: File[]) => {
     const large = files.find(({ size }) => size > MOST_BYTES);

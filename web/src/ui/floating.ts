@@ -8,10 +8,10 @@ import type { Moment } from "../app/recording/recording";
 import { texts } from "../texts";
 import { byId, byTestId, make, setText } from "./dom";
 
-/** Hydrostatics are computed after this pause of the controls, ms: they cost more than many frames. */
+/** Pause after the last change before hydrostatics are computed, ms: they take longer than many frames. */
 const CALM_MS = 250;
 
-/** How the ship floats, over the picture: heel, trim, draught, the wave and the metacentric height, where there is a hull. */
+/** Box over the picture with the heel, trim, draught, wave and metacentric height of the first hull. */
 export class Floating {
   private readonly box = byId("floating");
   private readonly warnings = byId("floating-warnings");
@@ -54,7 +54,7 @@ export class Floating {
     if (this.session.run === run && found) this.showAtRest(found);
   }
 
-  /** Values of the first hull, like the rest of the box. */
+  /** Shows the hydrostatics of the first hull, as the rest of the box. */
   private showAtRest(found: Hydrostatics | null): void {
     const height_m = found?.hulls[0]?.metacentric_height_m[0];
     setText(byTestId("metacentric-height"), height_m === undefined ? "–" : `${fixed(height_m, 2)} m`);

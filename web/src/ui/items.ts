@@ -2,7 +2,7 @@ import type { ParameterInfo, Value } from "../engine/engine";
 import { texts } from "../texts";
 import { make } from "./dom";
 
-/** One control: its element, and functions that show its value and whether the value waits for a reset. */
+/** A control: its element, and a function that shows its value and whether the value waits for a reset. */
 export interface Item {
   name: string;
   element: HTMLElement;
@@ -41,14 +41,14 @@ export function choice({ name, label, live, choices }: Named & Pick<ParameterInf
   };
 }
 
-/** When a change takes effect; empty for a control that is not a parameter. */
+/** Returns a note when a change takes effect; empty for a control that is not a parameter. */
 function whenOf(live: boolean | undefined): Node | string {
   if (live === undefined) return "";
   const { live: at_once, restart } = texts.controls;
   return make("span", { class: live ? "item-when item-live" : "item-when item-restart" }, live ? at_once : restart);
 }
 
-/** A slider with an editable number; without a range only the number. */
+/** Returns a slider with a field for the number; without a range, only the field. */
 export function number({ name, label, live, unit, range }: Numeric, set: (value: number) => void): Item {
   const text = unit ? `${label}, ${unit}` : label;
   const box = make("input", {
@@ -69,7 +69,7 @@ export function number({ name, label, live, unit, range }: Numeric, set: (value:
   let shown = "";
   box.addEventListener("change", () => {
     if (Number.isFinite(box.valueAsNumber)) set(box.valueAsNumber);
-    // NaN keeps the present value, and shows it.
+    // If the field has no valid number, it shows the present value again.
     else box.value = shown;
   });
   return {
@@ -87,15 +87,18 @@ function inShort(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
-/** Restores a number of degrees that was converted to radians and back. */
+/** Returns the number of degrees before it was converted to radians and back, without rounding errors. */
 export function withoutRounding(value: number): string {
   return String(Number(value.toPrecision(12)));
 }
 
-/** Range of the slider of a position lever, rad or m; its box takes any number. */
+/** Half range of the slider of a position input, rad or m; the field beside the slider takes any number. */
 const SLIDER_REACH = 100;
 
-/** The slider's range for an input. The set-point of a position has no real bounds: they are plus and minus a million. */
+/**
+ * Returns the range of an input's slider. The set-point of a position has no real bounds: they are plus and minus a
+ * million.
+ */
 export function sliderRange({ unit, lower, upper }: { unit: string; lower: number; upper: number }): [number, number] {
   const isPosition = unit === "rad" || unit === "m";
   return isPosition ? [Math.max(lower, -SLIDER_REACH), Math.min(upper, SLIDER_REACH)] : [lower, upper];
@@ -112,7 +115,7 @@ function sliderFor(name: string, text: string, [lower, upper]: [number, number])
   });
 }
 
-/** A round step (1, 2 or 5 times a power of ten) that gives a slider 100 to 250 places. */
+/** Returns a round step (1, 2 or 5 times a power of ten) that divides a slider into 100 to 250 steps. */
 export function sliderStep(lower: number, upper: number): number {
   const finest = (upper - lower) / 250;
   if (!(finest > 0) || !Number.isFinite(finest)) return 1;

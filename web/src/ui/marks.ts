@@ -2,19 +2,19 @@ import { fixed } from "../app/format";
 import type { Warning } from "../engine/engine";
 import { texts } from "../texts";
 
-/** Events closer together than this share of the track share a mark. */
+/** Largest distance of events that share one mark, as a share of the track. */
 const TOGETHER = 1 / 150;
-/** Number of events that a mark names; the others are counted. */
+/** Largest number of events that a mark names; it counts the others. */
 const MOST_WORDS = 4;
 
 /** A mark of events on the track. */
 export interface Mark {
-  /** From 0 at the start to 1 at the end. */
+  /** Position on the track, from 0 at the start to 1 at the end. */
   share: number;
   words: string;
 }
 
-/** Marks of events, in order of time; events too close for the track share one mark. */
+/** Returns the marks of events, in order of time; events that are close together on the track share one mark. */
 export function marksOf(happened: readonly Warning[], from_s: number, to_s: number): Mark[] {
   const length_s = to_s - from_s;
   if (length_s <= 0) return [];
@@ -33,7 +33,7 @@ function wordsOf(all: Warning[]): string {
   return [...words, ...(all.length > MOST_WORDS ? [texts.scrubber.more(all.length - MOST_WORDS)] : [])].join("\n");
 }
 
-/** Text of the nearest mark, if one is near. */
+/** Returns the text of the nearest mark; empty if none is within `near`. */
 export function wordsNear(marks: readonly Mark[], share: number, near: number): string {
   const away = (mark: Mark) => Math.abs(mark.share - share);
   const nearest = marks.reduce<Mark | null>((so, mark) => (so && away(so) <= away(mark) ? so : mark), null);

@@ -1,6 +1,6 @@
 import { make } from "./dom";
 
-/** A button that opens a small panel beneath it; Escape and a press elsewhere close it. */
+/** Returns a button that opens a small panel beneath it; Escape, or a press outside, closes the panel. */
 export function menuOf(element: HTMLDetailsElement, title: string, icon: string, ...parts: HTMLElement[]): void {
   const summary = make("summary", { class: "button button-quiet" });
   summary.innerHTML = `<svg viewBox="0 0 20 20" width="18" height="18" aria-hidden="true"><path d="${icon}" /></svg>`;
@@ -13,7 +13,7 @@ export function menuOf(element: HTMLDetailsElement, title: string, icon: string,
 /** Distance of the panel from the bottom of its container, pixels. */
 const FOOT_PX = 8;
 
-/** The panel fits the available height; listeners are added only once, even if the menu is filled again. */
+/** Fits the panel to the available height; the listeners are added only once, even if the menu is filled again. */
 function listenOnce(element: HTMLDetailsElement, panel: HTMLElement): void {
   element.ontoggle = () => {
     const room = element.closest("section")?.getBoundingClientRect();
@@ -36,7 +36,7 @@ export interface Choice<Name extends string> {
   label: string;
 }
 
-/** A choice, as radio buttons. */
+/** Returns a choice as radio buttons. */
 export function oneOf<Name extends string>(
   group: string,
   legend: string,
@@ -52,7 +52,7 @@ export function oneOf<Name extends string>(
   return make("fieldset", {}, make("legend", { class: "visually-hidden" }, legend), ...items);
 }
 
-/** A switch. */
+/** Returns a switch. */
 export function tick(testId: string, label: string, isOn: boolean, set: (isOn: boolean) => void): HTMLElement {
   const input = make("input", { type: "checkbox", checked: isOn, "data-testid": testId });
   input.addEventListener("change", () => set(input.checked));

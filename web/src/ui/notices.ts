@@ -1,7 +1,7 @@
 import { texts } from "../texts";
 import { byId, make } from "./dom";
 
-/** Shows a notice until it is dismissed, at most one of each kind; returns a function that closes it. */
+/** Shows a notice until the user dismisses it, at most one of each kind; returns a function that closes it. */
 export function notice(kind: string, heading: string, says: readonly string[], buttons: readonly HTMLElement[] = []): () => void {
   const region = byId("notices");
   const dismiss = make("button", { type: "button", class: "button alert-close", "aria-label": texts.warnings.dismiss }, "×");

@@ -4,7 +4,7 @@ import type { Session } from "../app/session";
 import { texts } from "../texts";
 import { byId, setText } from "./dom";
 
-/** The speed of the run relative to wall time, and whether it lags. */
+/** Shows the speed of the run relative to wall time, and whether it is slower than the chosen speed. */
 export function showPace(session: Session): void {
   const pace = new Pace();
   const shown = byId("pace");

@@ -5,7 +5,7 @@ import { duration, fixed, integratorName, scientific } from "../app/format";
 import { texts } from "../texts";
 import { byTestId, setText } from "./dom";
 
-/** The time, always visible, and the numerical method with its errors, in a line that can be opened. */
+/** Shows the time, and, in a line that can be opened, the numerical method and its errors. */
 export class Readouts {
   private readonly time = byTestId("time");
   private readonly energy = byTestId("energy-error");
@@ -31,7 +31,7 @@ export class Readouts {
     });
   }
 
-  /** The integrator can change during a run. */
+  /** Shows the integrator, which can change during a run, and the step size. */
   private showScheme({ model }: Run, integrator: string): void {
     const name = integratorName(integrator);
     const short = name.replace(/ \(.*/, "");
@@ -53,7 +53,7 @@ export class Readouts {
   }
 }
 
-/** Errors are relative to the largest energy and momentum of all rows so far. */
+/** Updates the scales of the errors, the largest energy and momentum, with all rows of a frame. */
 function see(run: Run, frame: Frame): void {
   const { width } = run.columns;
   for (let at = 0; at < frame.rows.length; at += width) run.accuracy.see(frame.rows.subarray(at, at + width));
@@ -65,7 +65,9 @@ function seeAnew(run: Run, { rows }: Recording): void {
   for (const { row } of rows.items) run.accuracy.see(row);
 }
 
-/** Before anything has moved there is no scale: a zero error is 0, and any other is shown without scaling. */
+/**
+ * Formats a relative error; before anything has moved there is no scale, and a nonzero error is shown as `inItself`.
+ */
 function relative(value: number, absolute: number, inItself: string): string {
   if (Number.isNaN(value)) return absolute === 0 ? "0" : inItself;
   return scientific(value);

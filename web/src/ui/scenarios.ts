@@ -15,18 +15,20 @@ import type { SharedRun } from "../share/shared_run";
 import { language, texts } from "../texts";
 import { byId, make } from "./dom";
 
-/** Prefixes of files and links among the choices. */
+/** Prefixes of choices that are files or links. */
 const FILE = "file:";
 const LINK = "link:";
-/** Pause after the last change before values are written to the address, ms: browsers limit address changes. */
+/**
+ * Pause after the last change before the values are written to the address, ms: browsers limit the number of changes.
+ */
 const CALM_MS = 300;
 
-/** State of a page in the browser's history. */
+/** State of a page in the browser's history: the choice that was open. */
 export interface Choice {
   choice: string;
 }
 
-/** A choice that is not in the gallery: a file that was opened here, or a scenario from a link. */
+/** Choice that is not in the gallery: a file that the user opened, or a scenario from a link. */
 interface Own {
   source: Source;
   values: Values;
@@ -36,20 +38,20 @@ interface Own {
   link?: SharedRun;
 }
 
-/** The choice of a scenario by the address, from the gallery or as a file; the address holds the choice and its values. */
+/** The choice of a scenario, from the gallery or as a file; the address holds the choice and its values. */
 export class Scenarios {
   private readonly select = byId("gallery", HTMLSelectElement);
   private readonly own = new Map<string, Own>();
   private gallery: Gallery;
   private shown = "";
-  /** The values with which the shown scenario was opened. */
+  /** Values with which the present scenario was opened. */
   private values: Values = {};
   private readonly soon = new Calm(CALM_MS, () => this.writeValues());
 
   constructor(
     private readonly session: Session,
     base: string,
-    /** Called when a run from a link is open. */
+    /** Called when a run from a link has been opened. */
     private readonly linked: (link: SharedRun) => void,
   ) {
     this.gallery = Gallery.empty(base);
@@ -57,13 +59,13 @@ export class Scenarios {
     session.listen({ valuesChanged: () => this.soon.ask() });
   }
 
-  /** The list of choices. */
+  /** Fills the list of choices. */
   offer(gallery: Gallery): void {
     this.gallery = gallery;
     this.fill();
   }
 
-  /** Opens the scenario of the address; if that fails, the default one. */
+  /** Opens the scenario of the address; if that fails, the default scenario. */
   async openAddress(): Promise<void> {
     if (holdsRun(location.hash)) return this.openLink(location.hash);
     const asked = askedBy(location.search);
@@ -78,9 +80,9 @@ export class Scenarios {
     return opening ? openingOf(opening) : OPENING;
   }
 
-  /** Opens the default instead of a scenario that cannot be opened, with a message. */
+  /** Opens the default scenario instead of one that cannot be opened, and reports the reason. */
   private async openFirst(why: Fault | null): Promise<void> {
-    // Without an engine, another scenario would fail in the same way.
+    // If the engine does not work, another scenario would fail too.
     if (isOfEngine(why) || !(await this.openAsked(this.first))) return;
     history.replaceState(null, "", location.pathname + (this.gallery.opening ? "" : queryOf(this.first)));
     if (why) this.session.report(why);
@@ -95,7 +97,7 @@ export class Scenarios {
     this.session.report(why);
   }
 
-  /** The reason why it cannot be opened. */
+  /** Opens the run in the address; returns the reason if it cannot be opened. */
   private async triedLink(hash: string): Promise<Fault | null> {
     try {
       const link = await runIn(hash);
@@ -115,7 +117,9 @@ export class Scenarios {
     return { ...source, changes };
   }
 
-  /** Opens with the file's own values if those of the address are refused, with a message. */
+  /**
+   * Opens a scenario; if it refuses the values of the address, opens it with its own values and reports the refusal.
+   */
   private async openAsked({ scenario, values }: Asked): Promise<boolean> {
     const name = scenario ?? "";
     if (await this.openNamed(name, values)) return true;
@@ -149,19 +153,19 @@ export class Scenarios {
     return isOpen;
   }
 
-  /** The address shows the user's choice, so that it can be sent as a link and Back works. */
+  /** Opens the user's choice and writes it to the address, so that the address can be sent as a link and Back works. */
   private async choose(choice: string): Promise<void> {
     const own = this.own.get(choice);
     if (!(await (own ? this.openOwn(choice, own) : this.openNamed(choice, openingOf(choice).values)))) return;
     history.pushState({ choice }, "", location.pathname + this.address());
   }
 
-  /** Whether a history state belongs to a file that was opened here, or to a link. */
+  /** Whether a history state belongs to a file that the user opened, or to a link. */
   holds(state: Choice | null): boolean {
     return state !== null && this.own.has(state.choice);
   }
 
-  /** Back or forward, or another link in the address; a scenario that is already open stays. */
+  /** Opens what the address or the history asks for; a scenario that is already open stays. */
   async goTo(state: Choice | null): Promise<void> {
     this.soon.cancel();
     const own = state && this.own.get(state.choice);
@@ -171,7 +175,7 @@ export class Scenarios {
     else await this.openAddress();
   }
 
-  /** Opens a scenario with the files that it names. */
+  /** Opens a scenario together with the files that it names. */
   async openFiles(dropped: Record<string, string>): Promise<void> {
     const file = scenarioAmong(dropped);
     if (!file) return this.session.report(faultOfDatabase(Object.keys(dropped)[0]));
@@ -198,7 +202,7 @@ export class Scenarios {
     this.select.value = this.shown;
   }
 
-  /** The address after its path: empty for a user's own file; a link stays. */
+  /** Returns the part of the address after its path: empty for a file of the user; a link is kept. */
   private address(): string {
     const own = this.own.get(this.shown);
     return own ? own.hash : queryOf({ scenario: this.shown, values: this.session.values.wanted });

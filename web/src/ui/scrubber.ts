@@ -5,10 +5,10 @@ import { byId, byTestId, make, setText } from "./dom";
 import { marksOf, wordsNear } from "./marks";
 import type { Mark } from "./marks";
 
-/** Distance to a mark within which its text is shown, as a share of the track. */
+/** Largest distance of the pointer to a mark whose text is shown, as a share of the track. */
 const NEAR = 1 / 100;
 
-/** The whole recording as a track: the moment that is shown, marks of events, and access to any moment. */
+/** The recording as a time slider, with the moment that is shown and marks of events. */
 export class Scrubber {
   private readonly range = byId("cursor", HTMLInputElement);
   private readonly list = byId("marks");
@@ -25,7 +25,7 @@ export class Scrubber {
     this.show();
   }
 
-  /** Arrow keys move from record to record; the browser handles the rest. */
+  /** Moves from record to record by the arrow keys; the browser handles all other keys. */
   private key(event: KeyboardEvent): void {
     const records = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
     const { recording, time_s } = this.session.shown;
@@ -34,7 +34,7 @@ export class Scrubber {
     this.session.scrub(recording.beside(time_s, records));
   }
 
-  /** Shows the events at the pointer. */
+  /** Shows the text of events near the pointer. */
   private point({ clientX }: PointerEvent): void {
     const { left, width } = this.list.getBoundingClientRect();
     this.range.title = wordsNear(this.marks, (clientX - left) / width, NEAR);
@@ -59,7 +59,7 @@ export class Scrubber {
   private showMarks(): void {
     const { marks, start_s, now } = this.session.shown.recording!;
     this.marks = marksOf(marks, start_s, now.time_s);
-    // A run shifts the marks a little all the time: they are moved only when the shift is visible.
+    // During a run the marks shift slightly with every frame: they are moved only when the shift is visible.
     const listed = this.marks.map(({ share, words }) => `${share.toFixed(3)} ${words}`).join("\n");
     if (listed === this.listed) return;
     this.listed = listed;

@@ -8,7 +8,7 @@ import { languageChoice } from "./language";
 
 const { labels } = texts.settings;
 
-/** The advanced settings: integrator, form of the equations and step size, which are fields of the scenario. */
+/** The advanced settings, which are fields of the scenario: integrator, form of the equations and step size. */
 export class Settings {
   private readonly items: Item[];
 

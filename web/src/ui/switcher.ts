@@ -1,10 +1,13 @@
 import { byId } from "./dom";
 
-/** Shows one panel at a time: among all panels on a narrow screen, among those beside the picture on a wide one, where the plots stay. */
+/**
+ * Shows one panel at a time: of all panels on a narrow screen; on a wide screen of those beside the picture, and the
+ * plots are always visible.
+ */
 export function enableSwitcher(): void {
   for (const button of buttons()) button.addEventListener("click", () => showPanel(button.dataset.panel!));
   document.querySelector(".skip-link")!.addEventListener("click", (event) => {
-    // A link would change the address, and with it the page.
+    // A link would change the address, and thus the page.
     event.preventDefault();
     showPanel("controls");
     byId("controls").focus();
@@ -21,7 +24,7 @@ export function showPanel(id: string): void {
   byId(id).dispatchEvent(new Event(OPENED));
 }
 
-/** Tells a panel that it is visible: its content may be old. */
+/** Event that reports to a panel that it has become visible, so that it updates its content. */
 const OPENED = "panel-opened";
 
 export function onPanelOpened(id: string, act: () => void): void {
@@ -32,7 +35,7 @@ export function isPanelOpen(id: string): boolean {
   return byId(id).classList.contains("is-open");
 }
 
-/** Offers a panel if it has content; an open panel without content is replaced by the controls. */
+/** Shows or hides the button of a panel; if the open panel is hidden, the controls are shown instead. */
 export function offerPanel(id: string, isOffered: boolean): void {
   const button = buttons().find(({ dataset }) => dataset.panel === id)!;
   button.hidden = !isOffered;

@@ -8,7 +8,7 @@ const words = texts.transport;
 const PLAY = "M5 3v14l12-7z";
 const PAUSE = "M4 3h4v14H4zM12 3h4v14h-4z";
 
-/** Start and pause, step, reset and speed, and the line with the state of the run. */
+/** Buttons to start, pause, step and reset, the choice of the speed, and the line with the state of the run. */
 export class Transport {
   private readonly start = byId("start", HTMLButtonElement);
   private readonly step = byId("step", HTMLButtonElement);
@@ -36,7 +36,7 @@ export class Transport {
     else this.session.start();
   }
 
-  /** The action of Start depends on whether an earlier moment is shown. */
+  /** Shows whether Start continues from an earlier moment. */
   private showBack(): void {
     if (this.isBack === this.session.shown.isBack) return;
     this.isBack = this.session.shown.isBack;

@@ -3,7 +3,7 @@ import type { Warning } from "../engine/engine";
 import { texts } from "../texts";
 import { byId, make } from "./dom";
 
-/** Shows the engine's warnings of a run, each until it is dismissed or another run begins. */
+/** Shows the engine's warnings of a run, each until the user dismisses it or another run begins. */
 export function showWarnings(session: Session): void {
   const region = byId("run-warnings");
   let shown = "";

@@ -6,12 +6,12 @@ import { cross, unit, vec3 } from "./fit";
 import { bowArrowOf } from "./hull";
 import type { Palette } from "./palette";
 
-/** Faces that meet at a smaller angle are shaded smoothly, rad. */
+/** Largest angle between two faces that are shaded as one smooth surface, rad. */
 const CREASE = 0.5;
 /** Smallest upward component of the normal of faces that are painted as deck. */
 const LEVEL = 0.9;
 
-/** The hull mesh of the hydrodynamic database, painted below and above its water line. */
+/** Returns the hull mesh of a hydrodynamic database, painted below and above its water line. */
 export function meshHullOf({ mesh, origin_m }: HullInfo & { mesh: MeshInfo }, palette: Palette): Group {
   const positions: number[] = [];
   const colours: number[] = [];
@@ -38,7 +38,7 @@ export function meshHullOf({ mesh, origin_m }: HullInfo & { mesh: MeshInfo }, pa
   return group;
 }
 
-/** The box around a mesh, body axes. */
+/** Returns the box around a mesh, body axes. */
 export function boxOfMesh({ vertices_m }: MeshInfo): Box {
   const end = (of: (...values: number[]) => number) =>
     vec3((k) => vertices_m.reduce((so, vertex) => of(so, vertex[k]), vertices_m[0][k]));

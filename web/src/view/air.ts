@@ -3,13 +3,13 @@ import type { DataTexture } from "three";
 import type { Palette } from "./palette";
 import { ripplesOf } from "./ripples";
 
-/** Direction of the sun: from astern and starboard, high enough for short shadows. */
+/** Direction to the sun: astern and to starboard, high enough for short shadows. */
 export const TO_SUN = new Vector3(-0.72, -0.46, 1.05).normalize();
 
-/** Brightness of sky and water relative to the theme's colours: tone mapping darkens them again. */
+/** Brightness of sky and water relative to the theme's colours, which tone mapping darkens again. */
 const BRIGHTNESS = { day: 1.15, night: 1 };
 
-/** Shared values of the shaders of sky and sea, so that they meet without an edge. */
+/** Values that the shaders of sky and sea share, so that sky and sea meet without a visible edge. */
 export type Air = ReturnType<typeof airOf>;
 
 export function airOf() {
@@ -24,19 +24,19 @@ export function airOf() {
     toSun: { value: TO_SUN },
     /** Distance at which haze takes most of the colour, m. */
     visibility_m: { value: 3000 },
-    /** Size of the tile of ripples, m. */
+    /** Size of a tile of ripples, m. */
     tile_m: { value: 20 },
-    /** Steepness of the ripples, and of waves beyond the engine's grid. */
+    /** Slope of the ripples, and of the waves beyond the engine's grid. */
     rippleSlope: { value: 0 },
     farSlope: { value: 0 },
-    /** Displacement of the ripples, tiles. */
+    /** Displacement of the ripples, in tiles. */
     drift: { value: new Vector2() },
     ripples,
     underWater: { value: false },
   };
 }
 
-/** Paints the air and the water in the theme's colours. */
+/** Sets the colours of air and water from the theme. */
 export function paintAir(air: Air, palette: Palette): void {
   const brightness = palette.isDark ? BRIGHTNESS.night : BRIGHTNESS.day;
   const paint = (uniform: { value: Color }, colour: Color) => uniform.value.copy(colour).multiplyScalar(brightness);
@@ -49,7 +49,7 @@ export function paintAir(air: Air, palette: Palette): void {
   air.ripples.value ??= ripplesOf();
 }
 
-/** The colour of the sky in a direction; the horizon's on and below it. */
+/** Shader code for the colour of the sky in a direction; on and below the horizon it is the colour of the horizon. */
 export const SKY_GLSL = /* glsl */ `
   uniform vec3 zenith, haze, sunColour, toSun;
   vec3 skyColour(vec3 direction) {
@@ -62,7 +62,7 @@ export const SKY_GLSL = /* glsl */ `
     return sunColour * 9.0 * smoothstep(0.9993, 0.9997, dot(direction, toSun));
   }`;
 
-/** The water: its colour, the mirrored sky, ripples, and the view from below. */
+/** Shader code for the water: its colour, the mirrored sky, the ripples, and the view from below. */
 export const WATER_GLSL = /* glsl */ `
   uniform vec3 deep, shallow, foamColour;
   uniform vec2 drift;
@@ -94,19 +94,19 @@ export const WATER_GLSL = /* glsl */ `
     return mix(colour, foamColour * mix(0.65, 1.0, light), foam);
   }
 
-  // Haze over the water: all of it at the horizon, in the sky's own colour there.
+  // Mixes a colour with haze over the water: at the horizon only the haze is left, in the colour of the sky there.
   vec3 hazed(vec3 colour, vec3 direction, float distance_m) {
     float clear = exp(-distance_m / visibility_m);
     return mix(skyColour(normalize(vec3(direction.xy, 0.0))), colour, clear);
   }
 
-  // Unbounded water: dark below, lighter towards the surface.
+  // Colour of deep water in a direction: dark below, lighter towards the surface.
   vec3 depths(vec3 direction) {
     vec3 lit = mix(deep, shallow, 0.75);
     return mix(0.35 * deep, lit, smoothstep(-0.9, 1.0, direction.z));
   }
 
-  // The surface from below: the sky in a round window, the depths mirrored around it.
+  // Colour of the surface from below: the sky in a round window, and the deep water mirrored around it.
   vec3 undersideColour(vec3 direction, vec3 normal, float distance_m) {
     vec3 beyond = refract(direction, -normal, 1.33);
     vec3 mirrored = depths(reflect(direction, -normal));
@@ -115,7 +115,7 @@ export const WATER_GLSL = /* glsl */ `
     return mix(depths(direction), colour, exp(-2.2 * distance_m / tile_m / 14.0));
   }`;
 
-/** The last lines of each of these shaders. */
+/** Last lines of each of these shaders. */
 export const FINISH_GLSL = /* glsl */ `
     #include <tonemapping_fragment>
     #include <colorspace_fragment>

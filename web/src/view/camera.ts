@@ -5,26 +5,29 @@ import { cornersOf, fitDistance, frame, roomIn, unit } from "./fit";
 import type { Area, Box, Vec3 } from "./fit";
 import { Outlook } from "./outlook";
 
-/** From the starboard quarter and above: the crane near, the bow away. */
+/**
+ * Default direction from the target to the eye: from the starboard quarter and above, with the crane near and the bow
+ * away.
+ */
 const FIRST_VIEW: Vec3 = [-0.62, -1, 0.62];
 const UP: Vec3 = [0, 0, 1];
 const FIELD_DEG = 32;
-/** The eye's lowest place around what it looks at, rad from above. */
+/** Largest polar angle of the eye around its target, from the vertical, rad. */
 const LOWEST = 0.94 * Math.PI;
-/** Distance of a followed body, in sizes of the body, and smallest distance in sizes of the model. */
+/** Distance to a followed body: `own` in sizes of the body, but at least `model` in sizes of the model. */
 const FOLLOWED = { own: 9, model: 0.25 };
-/** Smallest height of the eye above the water, in sizes of the model. */
+/** Smallest height of the eye above the water, relative to the size of the model. */
 const ABOVE_WATER = 0.012;
-/** Margin around the fitted objects. */
+/** Ratio of the eye's distance after a fit to the distance at which the objects just fill the picture. */
 const MARGIN = 1.16;
-/** Margin at which the eye steps back. */
+/** Ratio of the eye's distance to the distance that just fills the picture, below which the camera steps back. */
 const EDGE = 1.06;
-/** Time in which the eye steps back, ms. */
+/** Time constant with which the camera steps back, ms. */
 const STEP_BACK_MS = 180;
 const KEY_TURN = Math.PI / 36;
 const KEY_ZOOM = 0.9;
 
-/** The camera: orbits the ship by mouse, touch and keys, and keeps it in the picture until the user moves it. */
+/** Camera that orbits the ship by mouse, touch and keys, and keeps her in the picture until the user moves it. */
 export class Eye {
   readonly camera = new PerspectiveCamera(FIELD_DEG, 1, 0.5, 3000);
   private readonly orbit: OrbitControls;
@@ -32,25 +35,25 @@ export class Eye {
   private boxes: Box[] = [];
   private poses: ArrayLike<number> = [];
   private root: Vec3 = [0, 0, 0];
-  /** The body that the camera follows. */
+  /** Index of the body that the camera follows. */
   private followed = 0;
-  /** Direction of the view for a fit. */
+  /** Direction from the target to the eye for a fit. */
   private back = FIRST_VIEW;
   private readonly outlook: Outlook;
   private last_ms = 0;
   private width = 1;
   private height = 1;
-  /** The part of the picture that nothing covers. */
+  /** Part of the picture that no controls cover. */
   private room: Area = { left: 0, top: 0, right: 1, bottom: 1 };
-  /** Whether the user has turned or zoomed the view; it then stays until the next fit. */
+  /** Whether the user has turned or zoomed the view, which then stays until the next fit. */
   isTaken = false;
 
   constructor(
     canvas: HTMLCanvasElement,
     private readonly moved: () => void,
-    /** The controls that cover the picture. */
+    /** Returns the areas of the controls that cover the picture. */
     private readonly covers: () => Area[],
-    /** Back to the first view. */
+    /** Returns to the first view. */
     private readonly home: () => void,
   ) {
     this.camera.up.set(...UP);
@@ -64,7 +67,7 @@ export class Eye {
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
-  /** The points to keep in the picture. */
+  /** Sets the bodies to keep in the picture. */
   watch(boxes: Box[], poses: ArrayLike<number>): void {
     this.boxes = boxes;
     this.poses = poses;
@@ -81,7 +84,7 @@ export class Eye {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Everything from one side; the user can turn the view from there. */
+  /** Shows everything from one side; the user can turn the view from there. */
   lookFrom(back: Vec3 = FIRST_VIEW): void {
     this.leavePost();
     this.followed = 0;
@@ -90,7 +93,7 @@ export class Eye {
     this.fit();
   }
 
-  /** Near a body, following it. */
+  /** Moves the camera near a body and follows the body. */
   goAlong(body: number): void {
     this.leavePost();
     this.followed = body;
@@ -106,7 +109,7 @@ export class Eye {
     this.moved();
   }
 
-  /** From the place of a person; `target` is the body to look at. */
+  /** Shows the view of a person on a body; `target` is the body to look at. */
   standAt(post: Post, target: number | null): void {
     this.isTaken = true;
     this.orbit.enabled = false;
@@ -120,7 +123,7 @@ export class Eye {
     this.useLens();
   }
 
-  /** Keeps the eye above the water; null if it may go under, or if there is no water. */
+  /** Keeps the eye above the water. `water_m` is null if the eye may go under water, or if there is no water. */
   stayAbove(water_m: ((x: number, y: number) => number | null) | null): void {
     const { position } = this.camera;
     const water = this.outlook.isTaken ? null : (water_m?.(position.x, position.y) ?? null);
@@ -134,7 +137,7 @@ export class Eye {
     this.camera.lookAt(this.orbit.target);
   }
 
-  /** Follows the ship's centre. */
+  /** Moves the camera with the followed body. */
   follow(poses: ArrayLike<number>): void {
     this.poses = poses;
     const root = this.rootOf(poses);
@@ -152,7 +155,7 @@ export class Eye {
     else this.fit();
   }
 
-  /** Centres the target in the uncovered part of the picture in which it appears largest. */
+  /** Centres the target in the part of the picture that no controls cover and in which the target appears largest. */
   private makeRoom(points: readonly Vec3[]): void {
     const { width, height } = this;
     const nearness = (area: Area) => 1 / frame(points, unit(this.back), UP, this.lensOf(area)).distance;
@@ -176,7 +179,7 @@ export class Eye {
     this.moved();
   }
 
-  /** Called once per frame: the rest of a drag, and a step back while something is outside the picture. */
+  /** Updates the camera once per frame: continues a drag, and steps back while an object is outside the picture. */
   update(now_ms: number): void {
     const passed_ms = Math.min(now_ms - this.last_ms, 250);
     this.last_ms = now_ms;
@@ -194,7 +197,7 @@ export class Eye {
     return (this.camera.fov * Math.PI) / 180;
   }
 
-  /** The longest diagonal of a body, m. */
+  /** Returns the longest diagonal of a body, m. */
   size(): number {
     return Math.max(0.1, ...this.boxes.map(({ low, high }) => Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])));
   }
@@ -203,13 +206,13 @@ export class Eye {
     return this.lensOf(this.room);
   }
 
-  /** Projects to a part of the picture. */
+  /** Returns the field of view of a part of the picture. */
   private lensOf({ left, top, right, bottom }: Area) {
     const share = (bottom - top) / this.height;
     return { fov: 2 * Math.atan(share * Math.tan(this.fov / 2)), aspect: (right - left) / (bottom - top) };
   }
 
-  /** Without damping an update drops the rest of a drag. */
+  /** Stops the motion that continues after a drag: an update without damping drops the rest of it. */
   private stopSwinging(): void {
     const { enableDamping } = this.orbit;
     this.orbit.enableDamping = false;
@@ -217,7 +220,7 @@ export class Eye {
     this.orbit.enableDamping = enableDamping;
   }
 
-  /** Moves a share of the way to a view that contains everything, never nearer. */
+  /** Moves the camera by a share of the way to a view that contains everything; never moves it nearer. */
   private stepBack(share: number): void {
     const points = cornersOf(this.poses, this.boxes);
     const offset = this.camera.position.clone().sub(this.orbit.target);

@@ -1,17 +1,17 @@
 import { Group, IcosahedronGeometry, InstancedMesh, Matrix4, MeshBasicMaterial } from "three";
 import type { Palette } from "./palette";
 
-/** Places, x y z, m, world, one after another, and the time of each, from 0 to 1. */
+/** Positions x y z one after another, world, m, and the time of each from 0 to 1. */
 export interface Swarm {
   points: ArrayLike<number>;
   lateness: ArrayLike<number>;
 }
 
-/** Size of one place, over that of the model. */
+/** Size of a drawn point, relative to the size of the model. */
 const SIZE = 0.0035;
 const OPACITY = 0.6;
 
-/** Possible future places as a cloud: soon in one colour, late in another. */
+/** Possible future positions as a cloud of points: early ones in one colour, late ones in another. */
 export class Cloud extends Group {
   private drawn: InstancedMesh<IcosahedronGeometry, MeshBasicMaterial> | null = null;
 

@@ -1,6 +1,6 @@
 import type { Area } from "./fit";
 
-/** Parts of the page that cover the picture, in pixels. */
+/** Returns the areas of the page's controls that cover the picture, pixels. */
 export function coversOf(canvas: HTMLCanvasElement): Area[] {
   const picture = canvas.getBoundingClientRect();
   const parts = [...document.querySelectorAll(".floating, .stick, .scene-tools, .scene-note, .frames-legend, .readouts")];

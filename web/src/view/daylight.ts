@@ -6,12 +6,12 @@ import type { Palette } from "./palette";
 import type { Tier } from "./quality";
 import { Sky } from "./sky";
 
-/** Strengths of the lights: of the sky if it is a light source, otherwise of a plain light. */
+/** Intensities of the lights: of the sky if it is a light source, otherwise of a plain light. */
 const LIGHT = {
   day: { sun: 2.3, sky: 0.6, plain: 1.15 },
   night: { sun: 2.1, sky: 2.2, plain: 1.7 },
 };
-/** Range of the shadows, in sizes of the objects. */
+/** Range of the shadows, relative to the size of the objects. */
 const REACH = 1.1;
 
 /** The sky, the sun with its shadows, and the ambient light. */
@@ -42,7 +42,7 @@ export class Daylight extends Group {
     this.plain.groundColor.set(palette.isDark ? 0x46566a : 0x9aa8b5);
   }
 
-  /** Sets a sea or a plain room around it; returns whether that is new. */
+  /** Sets the surroundings, a sea or a plain room; returns whether they have changed. */
   surround(hasSea: boolean): boolean {
     if (this.sky.hasSea === hasSea) return false;
     this.sky.hasSea = hasSea;
@@ -69,7 +69,7 @@ export class Daylight extends Group {
     return (this.isDark ? LIGHT.night : LIGHT.day).sky;
   }
 
-  /** The sun moves with the ship, so that the shadow stays sharp while she drifts. */
+  /** Moves the sun with the ship, so that the shadow stays sharp while she drifts. */
   follow(x: number, y: number, z: number, size: number): void {
     this.sun.target.position.set(x, y, z);
     this.sun.position.copy(TO_SUN).multiplyScalar(2.4 * size).add(this.sun.target.position);
@@ -81,7 +81,7 @@ export class Daylight extends Group {
     this.sun.shadow.normalBias = (2.5 * REACH * size) / mapSize.x;
   }
 
-  /** The sky as light, from all sides. */
+  /** Renders the sky as a light from all directions. */
   private rendered(): WebGLRenderTarget {
     const generator = new PMREMGenerator(this.renderer);
     const room = new Scene();

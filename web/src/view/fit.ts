@@ -1,6 +1,6 @@
 export type Vec3 = readonly [number, number, number];
 
-/** The vector of three components, each computed from its index. */
+/** Returns a vector of three components, each computed from its index. */
 export function vec3(of: (k: number) => number): [number, number, number] {
   return [of(0), of(1), of(2)];
 }
@@ -31,7 +31,7 @@ export interface Box {
   high: Vec3;
 }
 
-/** The eight corners of each body's box in the world; poses are x y z qw qx qy qz a body. */
+/** Returns the eight corners of each body's box in the world; poses are x y z qw qx qy qz for each body. */
 export function cornersOf(poses: ArrayLike<number>, boxes: readonly Box[]): Vec3[] {
   return boxes.flatMap(({ low, high }, body) => {
     const at = 7 * body;
@@ -56,11 +56,11 @@ export function middleOf(points: readonly Vec3[]): Vec3 {
 export interface Lens {
   /** Vertical field of view, rad. */
   fov: number;
-  /** Width over height. */
+  /** Ratio of width to height. */
   aspect: number;
 }
 
-/** A target and a distance at which the points fill the picture, with equal margins. */
+/** Returns a target and a distance of the eye at which the points fill the picture with equal margins. */
 export function frame(points: readonly Vec3[], back: Vec3, up: Vec3, lens: Lens): { target: Vec3; distance: number } {
   const right = unit(cross(up, back));
   const top = cross(back, right);
@@ -83,8 +83,8 @@ export function frame(points: readonly Vec3[], back: Vec3, up: Vec3, lens: Lens)
 }
 
 /**
- * The least distance from `target`, along the unit vector `back` towards the eye, at which every
- * point is in the picture. `up` need not be square to `back`.
+ * Returns the smallest distance of the eye from `target`, along the unit vector `back`, at which every point is in the
+ * picture. `up` need not be perpendicular to `back`.
  */
 export function fitDistance(points: readonly Vec3[], target: Vec3, back: Vec3, up: Vec3, lens: Lens): number {
   const right = unit(cross(up, back));
@@ -98,7 +98,7 @@ export function fitDistance(points: readonly Vec3[], target: Vec3, back: Vec3, u
   }, 0);
 }
 
-/** A rectangle on the screen, pixels; y downwards. */
+/** A rectangle on the screen, pixels; y is positive downwards. */
 export interface Area {
   left: number;
   top: number;
@@ -106,7 +106,7 @@ export interface Area {
   bottom: number;
 }
 
-/** The best uncovered part of a picture of this size: by default the largest. */
+/** Returns the best uncovered part of a picture of this size; by default the largest part. */
 export function roomIn(width: number, height: number, covers: readonly Area[], worth: (area: Area) => number = sizeOf): Area {
   const edges = (ends: number[], of: (cover: Area) => number) => [...ends, ...covers.map(of)];
   const covered = (area: Area) => covers.some((one) => one.left < area.right && one.right > area.left && one.top < area.bottom && one.bottom > area.top);

@@ -12,25 +12,28 @@ import type { Palette } from "./palette";
 import { boxOf, edgesOf, shapedHullOf, solidOf } from "./solids";
 import { Stays } from "./stays";
 
-/** The data of a run for drawing. */
+/** Data of a run that are needed to draw it. */
 export type Shown = Pick<Run, "model" | "lines">;
-/** The data of a moment for drawing. */
+/** Data of a moment that are needed to draw it. */
 export type Pose = { [part in keyof Pick<Frame, "poses" | "line_points">]: ArrayLike<number> };
 
-/** The bodies of a run with their connections: as ships and cranes, or as the model's own solids. */
+/** The bodies of a run with their connections, drawn as ships and cranes or as the model's own solids. */
 export class Fleet {
   readonly world = new Group();
   bodies: Group[] = [];
-  /** Size of the model's solids. */
+  /** Boxes around the solids of the model. */
   boxes: Box[] = [];
-  /** Size of everything drawn. */
+  /** Boxes around all drawn parts. */
   drawn: Box[] = [];
   craft: Craft | null = null;
   private linkages: Linkages | null = null;
   private lines: DrawnLines | null = null;
   private stays: Stays | null = null;
 
-  /** `start` holds the poses at the start of the run: the connections are found from it. */
+  /**
+   * Builds the bodies and their connections; `start` holds the poses at the start of the run, from which the
+   * connections are found.
+   */
   build({ model, lines }: Shown, start: Pose, palette: Palette, isPlain: boolean): void {
     this.clear();
     const hulls = model.bodies.map(({ name }) => shapedHullOf(model, name));
@@ -63,7 +66,7 @@ export class Fleet {
     return Math.max(0.1, ...this.boxes.map((box) => Math.hypot(...edgesOf(box))));
   }
 
-  /** Cuts a body along a plane and shows its inside, or removes the cut. */
+  /** Cuts a body along a plane and shows its inside; a null plane removes the cut. */
   cut(body: number, plane: Plane | null): void {
     this.bodies[body]?.traverse((object) => {
       if (!(object instanceof Mesh && object.material instanceof Material)) return;

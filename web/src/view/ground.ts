@@ -14,7 +14,7 @@ const FRAGMENT = /* glsl */ `
   uniform vec3 line, xAxis, yAxis;
   uniform vec2 centre;
   uniform float spacing, reach, strength;
-  // How much of this pixel a line of one and a half pixels covers, at every multiple of the spacing.
+  // Share of a pixel that is covered by lines of 1.5 pixels at the multiples of a spacing.
   float lines(vec2 p, float every) {
     vec2 q = p / every;
     vec2 away = abs(fract(q - 0.5) - 0.5) / fwidth(q);
@@ -74,12 +74,12 @@ export class Ground extends Group {
     this.shadow.opacity = palette.isDark ? 0.3 : 0.13;
   }
 
-  /** Draws lines at this distance, m. */
+  /** Sets the spacing of the grid, m. */
   space(spacing: number): void {
     this.grid.uniforms.spacing.value = spacing;
   }
 
-  /** Fades with the distance from a place, within a few sizes of the model. */
+  /** Makes the grid fade with the distance from a position, within a few sizes of the model. */
   reachFrom(x: number, y: number, size: number): void {
     this.grid.uniforms.centre.value = [x, y];
     this.grid.uniforms.reach.value = 6 * size;

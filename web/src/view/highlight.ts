@@ -4,18 +4,18 @@ import type { Highlight } from "../equations/highlight";
 import type { Box } from "./fit";
 import type { Palette } from "./palette";
 
-/** Lengths of arrows, relative to the size of the model: for the fastest translation, and for any rotation. */
+/** Length of an arrow, relative to the size of the model: of the fastest translation, and of any rotation. */
 const ALONG = 0.45;
 const ABOUT = 0.3;
-/** Head of an arrow, as a part of its length. */
+/** Length of an arrow's head, relative to the arrow. */
 const HEAD = 0.2;
 
-/** Highlighted bodies, each in a box, and arrows of their motion. */
+/** Marks of highlighted bodies: a box around each, and arrows of its motion. */
 export class Marks {
   readonly group = new Group();
   private arrows: { arrow: ArrowHelper; body: number; isTurning: boolean; direction: Vector3 }[] = [];
 
-  /** `boxes` are the bodies' own, `size` that of the model, m. */
+  /** Shows a highlight, or none. `boxes` are the boxes of the bodies, and `size` is the size of the model, m. */
   show(highlight: Highlight | null, bodies: readonly Object3D[], boxes: readonly Box[], size: number, palette: Palette): void {
     this.clear();
     if (!highlight) return;
@@ -29,7 +29,7 @@ export class Marks {
     this.place(bodies);
   }
 
-  /** Follows the bodies: rotations are in body axes, translations in the world's. */
+  /** Moves the marks with the bodies: rotations are in body axes, translations in world axes. */
   place(bodies: readonly Object3D[]): void {
     for (const { arrow, body, isTurning, direction } of this.arrows) {
       arrow.position.copy(bodies[body].position);
@@ -46,7 +46,7 @@ export class Marks {
   private point(body: number, [x, y, z]: readonly number[], length: number, colour: Color, isTurning: boolean): void {
     const direction = new Vector3(x, y, z).normalize();
     const arrow = new ArrowHelper(direction, new Vector3(), length, colour, HEAD * length, 0.6 * HEAD * length);
-    // Visible through the hull, because most centres of mass lie inside one.
+    // Arrows are visible through the hull, because most centres of mass lie inside one.
     for (const part of [arrow.line, arrow.cone]) {
       part.renderOrder = 1;
       for (const material of [part.material].flat()) {

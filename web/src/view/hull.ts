@@ -8,7 +8,7 @@ interface Box {
   height_m: number;
 }
 
-/** Heights of the strakes as parts of the hull's height, from the keel. */
+/** Heights of the strakes above the keel, as shares of the hull's height. */
 const STRAKES = [
   { from: 0, to: 0.38, colour: "bottom" },
   { from: 0.38, to: 0.42, colour: "stripe" },
@@ -16,7 +16,7 @@ const STRAKES = [
   { from: 0.9, to: 1, colour: "stripe" },
 ] as const;
 
-/** A box that floats: a painted hull with its deck, an arrow to the bow and side lights. */
+/** Returns a floating box: a painted hull with its deck, an arrow to the bow and side lights. */
 export function hullOf(box: Box, palette: Palette): Group {
   const group = new Group();
   const bevel = 0.03 * Math.min(box.length_m, box.width_m, box.height_m);
@@ -25,7 +25,7 @@ export function hullOf(box: Box, palette: Palette): Group {
   return group;
 }
 
-/** The outline in plan, its corners rounded. */
+/** Returns the outline in plan, with rounded corners. */
 function planOf(length: number, width: number, radius: number): Shape {
   const [x, y] = [length / 2, width / 2];
   const shape = new Shape();
@@ -66,7 +66,7 @@ function deckOf(box: Box, bevel: number, palette: Palette): Mesh {
   return deck;
 }
 
-/** An arrow along the deck and two frame lines: they show the bow from any side. */
+/** Returns an arrow along the deck and two frame lines, which show the bow from any side. */
 function markingsOf(box: Box, palette: Palette): Mesh[] {
   const [l, w, z] = [box.length_m, box.width_m, box.height_m / 2 + 0.02];
   const line = (x: number) => {
@@ -84,7 +84,7 @@ function markingsOf(box: Box, palette: Palette): Mesh[] {
   return [arrow, line(0), line(-0.25 * l)];
 }
 
-/** An arrow along a deck of this length and width, about its centre. */
+/** Returns an arrow along a deck of this length and width, about its centre. */
 export function bowArrowOf(l: number, w: number, palette: Palette): Mesh {
   const arrow = new Shape();
   const [tip, root, wing, stem] = [0.43 * l, 0.27 * l, 0.27 * w, 0.07 * w];
@@ -99,7 +99,7 @@ export function bowArrowOf(l: number, w: number, palette: Palette): Mesh {
   return flat(arrow, palette.marking, 0);
 }
 
-/** Red to port, green to starboard, at the bow. */
+/** Returns the side lights at the bow: red to port, green to starboard. */
 function lightsOf(box: Box): Mesh[] {
   const radius = 0.06 * box.height_m;
   const light = (side: number, colour: number) => {

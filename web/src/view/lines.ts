@@ -6,19 +6,22 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import type { DrawnLine } from "../engine/engine";
 import type { Palette } from "./palette";
 
-/** Width of a line that is too thin to be drawn to scale, pixels: it stays visible from afar. */
+/** Width of a line that is too thin to be drawn to scale, pixels; it stays visible from a distance. */
 const WIDTH_PX = 2.2;
 
-/** Axis along which three's cylinders stand. */
+/** Axis of cylinders in the library. */
 const ALONG = new Vector3(0, 1, 0);
 
-/** The collar at the end of a cylinder barrel, relative to the barrel's radius: its radius and its length. */
+/** Radius and length of the collar at the end of a cylinder's barrel, relative to the radius of the barrel. */
 const COLLAR = { radius: 1.22, length: 1.1 };
 
-/** A function that lays a line through its points: x y z of each. */
+/** Places a line along its points: x y z of each. */
 type Lay = (points: ArrayLike<number>, from: number) => void;
 
-/** The lines of the engine: ropes, tubes and pins, through their points. All tubes are one draw call, and all pins another. */
+/**
+ * Lines of the engine: ropes, tubes and pins, placed along their points. All tubes are one draw call, and all pins
+ * another.
+ */
 export class DrawnLines {
   private readonly drawn: { lay: Lay; points: number }[];
   private readonly tubes: Instances | null;
@@ -38,7 +41,7 @@ export class DrawnLines {
     });
   }
 
-  /** Moves them to their present points, line by line. */
+  /** Moves the lines to their present points, which follow line by line. */
   place(points: ArrayLike<number>): void {
     let from = 0;
     for (const line of this.drawn) {
@@ -49,13 +52,13 @@ export class DrawnLines {
   }
 }
 
-/** Solids of one shape, with individual sizes and colours, as one mesh. */
+/** Solids of one shape with different sizes and colours, as one mesh. */
 class Instances {
   private count = 0;
 
   private constructor(private readonly mesh: InstancedMesh) {}
 
-  /** Null if there are none. */
+  /** Returns a set for this number of solids; null if the number is 0. */
   static of(count: number, geometry: BufferGeometry, world: Group): Instances | null {
     if (count === 0) return null;
     const mesh = new InstancedMesh(geometry, new MeshStandardMaterial({ roughness: 0.35, metalness: 0.25 }), count);
@@ -70,7 +73,10 @@ class Instances {
     return (points, from) => this.put(at, point(points, from), new Quaternion(), new Vector3().setScalar(radius_m));
   }
 
-  /** From its first point to its second; a barrel has a collar at the rod's end. */
+  /**
+   * Returns a function that places a tube from its first point to its second; a barrel has a collar at the end with the
+   * rod.
+   */
   tube(radius_m: number, colour: Color, isBarrel: boolean): Lay {
     const [at, collar] = [this.next(colour), isBarrel ? this.next(colour) : -1];
     return (points, from) => {
@@ -107,7 +113,7 @@ function threadOf(count: number, colour: Color, world: Group): Lay {
   world.add(object);
   const { data } = geometry.getAttribute("instanceStart") as InterleavedBufferAttribute;
   return (points, from) => {
-    // Each part stores both of its ends.
+    // Each part of a line stores both of its ends.
     for (let part = 0; part + 1 < count; part++) {
       for (let k = 0; k < 6; k++) data.array[6 * part + k] = points[from + 3 * part + k];
     }

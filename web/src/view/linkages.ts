@@ -4,18 +4,20 @@ import type { ModelInfo, PointInfo } from "../engine/engine";
 import { painted } from "./lines";
 import type { Palette } from "./palette";
 
-/** Radius of a loop's pin, relative to the thickness of the slimmer of its bodies. */
+/** Radius of a loop's pin, relative to the thickness of the more slender of its two bodies. */
 const PIN = 0.6;
 
-/** Axis along which three's cylinders stand. */
+/** Axis of cylinders in the library. */
 const ALONG = new Vector3(0, 1, 0);
 
-/** The connections of closed loops: pins, and rods for a fixed distance. */
+/** Connections of closed loops: pins, and rods for a constant distance. */
 export class Linkages {
   private readonly lines: Line[] = [];
   private readonly names: string[];
 
-  /** Adds them to the objects of the bodies and to the world; `thickness` is that of the bodies, m. */
+  /**
+   * Adds the connections to the objects of the bodies and to the world; `thickness` is the thickness of each body, m.
+   */
   constructor(
     model: ModelInfo,
     private readonly bodies: readonly Group[],
@@ -31,7 +33,7 @@ export class Linkages {
     }
   }
 
-  /** Moves rods between two bodies to the present places of their pins. */
+  /** Moves rods between two bodies to the present positions of their pins. */
   place(): void {
     for (const line of this.lines) line.place();
   }
@@ -42,7 +44,7 @@ export class Linkages {
     this.lines.push(line);
   }
 
-  /** A ball at a point that the engine describes; it moves with the body's object. */
+  /** Returns a ball at a point of a body, which moves with the object of the body. */
   private pin({ body, position_m }: PointInfo, radius: number, colour: Color): Object3D {
     const ball = painted(new SphereGeometry(radius, 20, 14), colour);
     ball.position.set(...position_m);
@@ -55,14 +57,14 @@ export class Linkages {
   }
 }
 
-/** A round rod of length 1 from the origin. */
+/** Returns a round rod of length 1 from the origin. */
 function spanning(radius: number, colour: Color): Mesh {
   const geometry = new CylinderGeometry(radius, radius, 1, 24);
   geometry.translate(0, 0.5, 0);
   return painted(geometry, colour);
 }
 
-/** A rod along the line from one object to another. */
+/** A rod from one object to another. */
 class Line {
   readonly group = new Group();
   private readonly start = new Vector3();

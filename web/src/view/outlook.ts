@@ -6,13 +6,13 @@ import { Place } from "./craft/place";
 /** Vertical field of view of a person at a window, degrees. */
 const FIELD_DEG = 58;
 const NEAR_M = 0.1;
-/** Turn of the eyes by a drag, rad per pixel, and largest turn up and down, rad. */
+/** Rotation of the view by a drag, rad per pixel, and largest rotation up and down, rad. */
 const DRAG = 0.004;
 const STEEPEST = 1.4;
-/** Downward angle if there is nothing to look at, rad. */
+/** Downward angle of the view if there is no target, rad. */
 const DOWN = 0.12;
 
-/** The eyes of a person on a body; they look at a target until they are turned. */
+/** View of a person on a body; it faces a target until the user turns it. */
 export class Outlook {
   private post: Post | null = null;
   private target: number | null = null;
@@ -33,7 +33,7 @@ export class Outlook {
     return this.post !== null;
   }
 
-  /** Moves to the post; `target` is the body to look at. */
+  /** Moves the view to a viewpoint; `target` is the body to look at. */
   take(post: Post, target: number | null): void {
     this.post = post;
     this.target = target;
@@ -49,7 +49,7 @@ export class Outlook {
     this.camera.up.set(0, 0, 1);
   }
 
-  /** Turns to the left and down, rad. */
+  /** Turns the view to the left and down, rad. */
   turn(left: number, down: number): void {
     if (!this.post) return;
     this.around += left;
@@ -58,7 +58,7 @@ export class Outlook {
     this.turned();
   }
 
-  /** Follows the body. */
+  /** Moves the view with its body. */
   place(poses: ArrayLike<number>): void {
     if (!this.post) return;
     const { body, point, looks_rad } = this.post;

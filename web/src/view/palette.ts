@@ -15,7 +15,7 @@ export interface Palette {
   pin: Color;
   line: Color;
   grid: Color;
-  /** Colours of the air and the water. */
+  /** Colours of the air and the water, the zenith first. */
   zenith: Color;
   haze: Color;
   sun: Color;

@@ -1,16 +1,16 @@
 import type { WebGLRenderer } from "three";
 
-/** The level of detail of the scene. */
+/** Level of detail of the scene. */
 export interface Tier {
-  /** Most pixels of the picture per pixel of the page. */
+  /** Largest number of pixels of the picture per pixel of the page. */
   pixelRatio: number;
-  /** Texels along an edge of the map of shadows. */
+  /** Number of texels along an edge of the shadow map. */
   shadowSize: number;
-  /** Ripples on the sea, interpolated lines, light from the sky; otherwise flat colours. */
+  /** Whether there are ripples on the sea, interpolated lines and light from the sky; otherwise flat colours. */
   ripples: boolean;
 }
 
-/** From the best to the one for a computer without a graphics card. */
+/** Levels of detail, from the best to the level for a computer without a graphics card. */
 export const TIERS: readonly Tier[] = [
   { pixelRatio: 2, shadowSize: 4096, ripples: true },
   { pixelRatio: 1.5, shadowSize: 4096, ripples: true },
@@ -21,21 +21,26 @@ export const TIERS: readonly Tier[] = [
 ];
 export const LOWEST = TIERS.length - 1;
 
-/** Number of frames in a mean. */
+/** Number of frames over which the time per frame is averaged. */
 const WINDOW = 30;
-/** Target time per frame, unless the display is slower, ms. */
+/** Target time per frame, ms. */
 const AIM_MS = 1000 / 60;
-/** A mean above the first multiple of the display's frame time is too slow; below the second a better tier may be possible. */
+/**
+ * Multiples of the target time: a mean above the first is too slow; below the second, a better level may be possible.
+ */
 const SLOW = 1.35;
 const ROOMY = 1.12;
-/** Number of fast means before a better tier is tried, and its upper bound. */
+/** Number of fast means before a better level is tried, and its upper bound. */
 const PATIENCE = 6;
 const LONGEST_PATIENCE = 192;
 
 /** Names of software renderers. */
 const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
-/** Chooses a tier by the times between frames: worse soon, better after a while and later each time that it failed. */
+/**
+ * Chooses a level of detail by the times between frames: a lower one soon, a better one after a while, and later each
+ * time that it was too slow.
+ */
 export class Quality {
   private sum_ms = 0;
   private frames = 0;
@@ -49,7 +54,7 @@ export class Quality {
     return TIERS[this.at];
   }
 
-  /** Takes the time between two consecutive frames; returns whether the tier has changed. */
+  /** Takes the time between two consecutive frames; returns whether the level has changed. */
   drew(interval_ms: number): boolean {
     this.sum_ms += interval_ms;
     this.frames += 1;
@@ -79,22 +84,25 @@ export class Quality {
   }
 }
 
-/** Sets the quality of a renderer from the times between consecutive frames. */
+/** Sets the level of detail of a renderer from the times between consecutive frames. */
 export class Drawing {
   private last_ms = 0;
 
   constructor(
     private readonly quality: Quality,
-    /** Whether the tier is fixed. */
+    /** Whether the level is fixed. */
     private readonly isHeld: boolean,
   ) {}
 
-  /** Starts at the likely tier of the machine: low and fixed without a graphics card, lower on a phone. */
+  /**
+   * Starts at a level that the machine can probably draw: the lowest, and fixed, without a graphics card; a lower one
+   * on a phone.
+   */
   static of(renderer: WebGLRenderer): Drawing {
     const gl = renderer.getContext();
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-    // For saved pictures: `#quality=best` after the address.
+    // `#quality=best` after the address fixes the best level, for saved pictures.
     if (new URLSearchParams(location.hash.slice(1)).get("quality") === "best") return new Drawing(new Quality(), true);
     if (SOFTWARE.test(name)) return new Drawing(new Quality(LOWEST), true);
     return new Drawing(new Quality(matchMedia("(pointer: coarse)").matches ? 1 : 0), false);
@@ -104,14 +112,14 @@ export class Drawing {
     return this.quality.tier;
   }
 
-  /** A picture was drawn; returns whether the tier has changed. */
+  /** Takes the time of a drawn picture; returns whether the level has changed. */
   drew(now_ms: number): boolean {
     const [last_ms, isHeld] = [this.last_ms, this.isHeld];
     this.last_ms = now_ms;
     return !isHeld && last_ms > 0 && this.quality.drew(now_ms - last_ms);
   }
 
-  /** No picture was needed: the next one does not follow a previous one. */
+  /** Takes note that no picture was needed: the interval to the next picture does not count. */
   rest(): void {
     this.last_ms = 0;
   }

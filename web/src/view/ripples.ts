@@ -1,11 +1,17 @@
 import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RGBAFormat } from "three";
 
-/** Texels along an edge of the tile. */
+/** Number of texels along an edge of a tile. */
 const SIZE = 256;
-/** Waves in the tile: along x, along y, share of the slope, phase. The numbers of waves are whole, so that tiles join. */
+/**
+ * Waves in a tile: numbers of waves along x and along y, share of the slope, and phase. The numbers are whole, so that
+ * tiles join.
+ */
 const WAVES = waves(28);
 
-/** Slope of the small waves at a place of the tile, from -1 to 1; x and y go from 0 to 1. */
+/**
+ * Returns the slopes of the ripples along x and y at a position in the tile, from -1 to 1; the position goes from 0 to
+ * 1.
+ */
 export function rippleSlope(x: number, y: number): [number, number] {
   const slope: [number, number] = [0, 0];
   for (const { along, across, share, phase } of WAVES) {
@@ -17,7 +23,7 @@ export function rippleSlope(x: number, y: number): [number, number] {
   return slope;
 }
 
-/** A tile of decorative small waves: slopes in red and green. */
+/** Returns a tile of decorative ripples: the slopes as red and green. */
 export function ripplesOf(): DataTexture {
   const texels = new Uint8Array(4 * SIZE * SIZE);
   for (let j = 0; j < SIZE; j++) {
@@ -40,7 +46,7 @@ function byteOf(slope: number): number {
   return Math.round(255 * Math.min(1, Math.max(0, 0.5 + 0.5 * slope)));
 }
 
-/** Around one main direction, shorter ones less steep; the same at every start. */
+/** Returns waves around one main direction, the shorter ones less steep; they are equal at every start. */
 function waves(count: number): { along: number; across: number; share: number; phase: number }[] {
   const random = randomFrom(7);
   const drawn = Array.from({ length: count }, (_, i) => {
@@ -51,7 +57,7 @@ function waves(count: number): { along: number; across: number; share: number; p
   return drawn.map((wave) => ({ ...wave, share: 1.5 / drawn.length ** 0.5 / Math.hypot(wave.along, wave.across) ** 0.35 }));
 }
 
-/** Numbers from 0 to 1 from a linear congruential generator. */
+/** Returns a generator of numbers from 0 to 1, a linear congruential generator. */
 function randomFrom(seed: number): () => number {
   let state = seed;
   return () => (state = (1103515245 * state + 12345) % 2147483648) / 2147483648;

@@ -14,17 +14,20 @@ import { Tools } from "./tools";
 import { View } from "./view";
 
 export interface Scene {
-  /** Whether the picture was drawn again. */
+  /** Draws the picture if something has changed; returns whether it was drawn. */
   draw(): boolean;
   /** Highlights bodies and their motion; null for nothing. */
   highlight(what: Highlight | null): void;
-  /** Possible future places of the loads. */
+  /** Shows possible future positions of the loads. */
   foresee(outlook: Outlook | null): void;
-  /** The present picture; copy it at once, because a browser soon clears it. */
+  /** Returns the present picture; copy it at once, because a browser soon clears it. */
   picture(): HTMLCanvasElement | null;
 }
 
-/** Connects the 3D picture to the run and to its buttons; without WebGL it shows a message, and the rest works. */
+/**
+ * Connects the 3D picture to the run and to its buttons; without WebGL it shows a message, and the rest of the page
+ * works.
+ */
 export function createScene(session: Session, background: BackgroundEngine): Scene {
   let view: View;
   try {
@@ -49,13 +52,13 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
   });
   const timeOfPicture = follow(session);
   let drawn: unknown = null;
-  /** Futures for the next picture: they arrive faster than pictures. */
+  /** Update of the futures for the next picture: futures arrive faster than pictures are drawn. */
   let due: (() => void) | null = null;
   return {
     draw() {
       const { recording } = session.shown;
       const moment = recording && recording.at(timeOfPicture());
-      // An unchanged picture is not drawn again; between two poses every moment differs.
+      // An unchanged picture is not drawn again; during playback every moment has other poses.
       if (moment && moment.poses !== drawn) {
         view.show(moment);
         view.showSea(moment.surface);
@@ -74,7 +77,10 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
   };
 }
 
-/** The time of the picture: during a run slightly behind the newest, otherwise the moment that is shown everywhere. */
+/**
+ * Returns a function for the time of the picture: during a run slightly earlier than the newest frame, otherwise the
+ * moment that is shown.
+ */
 function follow(session: Session): () => number {
   const playback = new Playback();
   const wall_s = () => performance.now() / 1000;
@@ -87,7 +93,10 @@ function follow(session: Session): () => number {
   return () => playback.at(wall_s());
 }
 
-/** A browser may drop the graphics context, and restores it empty. */
+/**
+ * Reports that the browser has dropped the graphics context, and repaints after it is restored, because it is then
+ * empty.
+ */
 function showLosses(canvas: HTMLElement, view: View): void {
   const message = byId("scene-message");
   canvas.addEventListener("webglcontextlost", () => {
@@ -100,7 +109,7 @@ function showLosses(canvas: HTMLElement, view: View): void {
   });
 }
 
-/** The data of the water for the picture. */
+/** Returns the note on the grid and the water for the picture. */
 function noteOf(model: ModelInfo, spacing: number): string {
   const { sea } = model;
   if (!sea) return texts.picture.no_water(length(spacing));

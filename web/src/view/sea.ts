@@ -7,17 +7,20 @@ import { setDefine } from "./sky";
 import { drawnWaves, heightAt, refined, roughness } from "./waves";
 import type { DrawnWaves } from "./waves";
 
-/** Between these distances, in lengths of the hull, the waves fade to level water: the lines get too far apart to show them. */
+/**
+ * Distances between which the waves fade to level water, in lengths of the hull: beyond them the lines are too far
+ * apart to show waves.
+ */
 const LEVEL_BETWEEN = [1.4, 3.6] as const;
-/** Range, in lines from the middle, for the sea's roughness. */
+/** Range over which the roughness of the sea is computed, in lines from the middle. */
 const ROUGH_LINES = 20;
-/** Ripples: the tile in lengths of the hull, steepness with waves and on still water, speed in tiles a second. */
+/** Ripples: size of the tile in lengths of the hull, slope with waves and on still water, speed in tiles per second. */
 const TILE = 0.16;
 const RIPPLE_SLOPE = { waves: 0.16, still: 0.05 };
 const DRIFT_PER_S = 0.03;
-/** Haze, in lengths of the hull. */
+/** Distance of the haze, in lengths of the hull. */
 const VISIBILITY = 45;
-/** Largest time step of the ripples per frame, s: a pause does not move them. */
+/** Largest time step of the ripples per frame, s, so that they do not jump after a pause. */
 const LONGEST_FRAME_S = 0.1;
 
 const VERTEX = /* glsl */ `
@@ -101,7 +104,9 @@ const FRAGMENT = /* glsl */ `
     }
   #endif`;
 
-/** The surface of the sea around the ship from the engine; the sky shader draws the level sea beyond. */
+/**
+ * Surface of the sea around the ship, from the engine's elevations; the shader of the sky draws the level sea beyond.
+ */
 export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
   private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
   private drawn: DrawnWaves | null = null;
@@ -134,7 +139,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.visible = false;
   }
 
-  /** Its level of detail: ripples and interpolated lines. */
+  /** Sets the level of detail: with or without ripples and interpolated lines. */
   detail(ripples: boolean): void {
     setDefine(this.material, "FLAT", !ripples);
     this.material.transparent = ripples;
@@ -143,7 +148,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.show(this.surface);
   }
 
-  /** Hidden if there is no sea. */
+  /** Shows a surface; null hides the sea. */
   show(surface: Surface | null): void {
     this.visible = surface !== null;
     this.surface = surface;
@@ -165,7 +170,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     return this.surface !== null;
   }
 
-  /** Height of the water at a place, m; null if there is none. */
+  /** Returns the height of the water at a position, m; null if there is no water. */
   heightAt(x: number, y: number): number | null {
     return this.isShown && this.drawn ? heightAt(this.drawn, x, y) : null;
   }
@@ -198,7 +203,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     value.set((value.x + DRIFT_PER_S * passed_s) % 1000, (value.y + 0.6 * DRIFT_PER_S * passed_s) % 1000);
   }
 
-  /** Allocates for a new number of lines along each axis. */
+  /** Allocates the mesh for a new number of lines along each axis. */
   private lay(lines: number): void {
     if (this.shares.length === lines * lines) return;
     this.shares = sharesOf(lines);
@@ -213,7 +218,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
   }
 }
 
-/** Share of the wave at each crossing: 1 around the middle, 0 far away, smooth in between. */
+/** Returns the share of the wave at each crossing: 1 around the middle, 0 far away, smooth in between. */
 function sharesOf(lines: number): Float32Array<ArrayBuffer> {
   const step = (lines - 1) / (OFFSETS.length - 1);
   const offset = (k: number) => {
@@ -228,7 +233,7 @@ function sharesOf(lines: number): Float32Array<ArrayBuffer> {
   });
 }
 
-/** Two triangles for each cell, counter-clockwise from above. */
+/** Returns two triangles for each cell, counter-clockwise as seen from above. */
 function triangles(lines: number): number[] {
   const indices: number[] = [];
   for (let i = 0; i + 1 < lines; i++) {

@@ -3,14 +3,14 @@ import type { Object3D } from "three";
 import type { Box } from "./fit";
 import type { Palette } from "./palette";
 
-/** Number of points of the water's height along the cut. */
+/** Number of points at which the height of the water is drawn along the cut. */
 const PLACES = 65;
-/** Thickness of the drawn water line, relative to the hull's length. */
+/** Thickness of the water line, relative to the length of the hull. */
 const LINE = 0.0022;
 
-/** A cut along a hull's centre line: the clipping plane, and the water in it. */
+/** A cut along the centre line of a hull: the clipping plane, and the water in it. */
 export class Section extends Group {
-  /** Keeps the port side. */
+  /** Clipping plane; the port side remains visible. */
   readonly plane = new Plane();
   private readonly line = strip(1);
   private readonly water = strip(0.3);
@@ -26,7 +26,7 @@ export class Section extends Group {
     this.water.material.color.copy(shallow);
   }
 
-  /** Where the hull is now. */
+  /** Moves the cut to the present pose of the hull. */
   place(hull: Pick<Object3D, "position" | "quaternion">, box: Box, heightAt: (x: number, y: number) => number | null): void {
     const turned = (x: number, y: number, z: number) => new Vector3(x, y, z).applyQuaternion(hull.quaternion);
     const [forward, port] = [turned(1, 0, 0).setZ(0).normalize(), turned(0, 1, 0)];

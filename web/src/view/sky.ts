@@ -19,7 +19,7 @@ const FRAGMENT = /* glsl */ `
   uniform vec3 studioHigh, studioLow, eye;
   ${SKY_GLSL}
   ${WATER_GLSL}
-  // The level sea, as far as the horizon: it needs no mesh.
+  // The level sea up to the horizon, which needs no mesh.
   vec3 farSea(vec3 towards) {
     float distance_m = max(eye.z, 0.2) / max(-towards.z, 1e-5);
     #ifdef FLAT
@@ -47,7 +47,7 @@ const FRAGMENT = /* glsl */ `
     ${FINISH_GLSL}
   }`;
 
-/** The background: sky and level sea to the horizon, or a plain room if there is no sea. */
+/** Background: sky and level sea up to the horizon, or a plain room if there is no sea. */
 export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
   private readonly eye = new Float32Array(3);
   private readonly own = {
@@ -63,7 +63,7 @@ export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
     );
     this.material.uniforms = { ...air, ...this.own, eye: { value: this.eye } };
     this.frustumCulled = false;
-    // After the opaque objects, so that only the remaining pixels are painted.
+    // The background is drawn after the opaque objects, so that only the remaining pixels are painted.
     this.renderOrder = 1;
     this.onBeforeRender = (_renderer, _scene, { matrixWorld }) => this.eye.set(matrixWorld.elements.slice(12, 15));
   }
@@ -81,13 +81,13 @@ export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
     this.own.hasSea.value = hasSea;
   }
 
-  /** With ripples, or as flat colours. */
+  /** Sets the level of detail: with ripples, or with flat colours. */
   detail(ripples: boolean): void {
     setDefine(this.material, "FLAT", !ripples);
   }
 }
 
-/** Compiles a shader with a definition or without it. */
+/** Adds a definition to a shader, or removes it. */
 export function setDefine(material: ShaderMaterial, name: string, defined: boolean): void {
   if (name in material.defines === defined) return;
   if (defined) material.defines[name] = "";

@@ -8,13 +8,13 @@ import { vec3 } from "./fit";
 import { hullOf } from "./hull";
 import type { Palette } from "./palette";
 
-/** Density of the ball of a point mass, kg/m3: a tonne is 1.2 m across. */
+/** Density of the ball that shows a point mass, kg/m3: a mass of one tonne has a diameter of 1.2 m. */
 const BALL_DENSITY = 1100;
 
-/** A hull with its shape. */
+/** A hull with a mesh. */
 export type ShapedHull = HullInfo & { mesh: MeshInfo };
 
-/** The look of a body in its own frame: x forward, y to port, z up; its hull mesh if there is one. */
+/** Returns the solid of a body in its own frame (x forward, y to port, z up); if the body has a hull mesh, the mesh. */
 export function solidOf(body: BodyInfo, palette: Palette, isShip: boolean, hull: ShapedHull | undefined): Object3D {
   const { shape } = body;
   if (hull) return meshHullOf(hull, withHull(palette, body.colour));
@@ -51,7 +51,7 @@ function geometryOf(shape: Shape, mass_kg: number): BufferGeometry {
   }
 }
 
-/** A cylinder about its centre with slightly bevelled edges. */
+/** Returns a cylinder about its centre with slightly bevelled edges. */
 function cylinderOf(radius: number, length: number, axis: "x" | "y" | "z"): BufferGeometry {
   const [half, edge] = [length / 2, 0.12 * Math.min(radius, length)];
   const corner = (sign: number) =>
@@ -66,7 +66,7 @@ function cylinderOf(radius: number, length: number, axis: "x" | "y" | "z"): Buff
   return geometry;
 }
 
-/** A point mass has no size: it is drawn as a ball whose size follows from its mass. */
+/** Returns the ball of a point mass, whose size follows from its mass. */
 function ballOf(mass_kg: number): BufferGeometry {
   return new SphereGeometry(ballRadius(mass_kg), 36, 24);
 }
@@ -75,29 +75,29 @@ export function ballRadius(mass_kg: number): number {
   return Math.cbrt((3 * mass_kg) / (4 * Math.PI * BALL_DENSITY));
 }
 
-/** The hull of a body, if it has a mesh. */
+/** Returns the hull of a body; undefined if it has no mesh. */
 export function shapedHullOf(model: ModelInfo, body: string): ShapedHull | undefined {
   return model.hulls.find((hull): hull is ShapedHull => hull.body === body && hull.mesh !== null);
 }
 
-/** The box around a body. */
+/** Returns the box around a body. */
 export function boxOf(body: BodyInfo, hull: ShapedHull | undefined): Box {
   if (hull) return boxOfMesh(hull.mesh);
   const [x, y, z] = halfSizes(body);
   return { low: [-x, -y, -z], high: [x, y, z] };
 }
 
-/** The box, enlarged for a frame of this length at the body's centre. */
+/** Returns the box, enlarged so that it contains a frame of this length at the body's centre. */
 export function withFrame({ low, high }: Box, length: number): Box {
   return { low, high: [Math.max(high[0], length), Math.max(high[1], length), Math.max(high[2], length)] };
 }
 
-/** Lengths of a box's edges. */
+/** Returns the lengths of a box's edges. */
 export function edgesOf({ low, high }: Box): Vec3 {
   return [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
 }
 
-/** Half sizes of the box around a body, body axes. */
+/** Returns the half sizes of the box around a body, body axes. */
 function halfSizes(body: BodyInfo): [number, number, number] {
   const { shape } = body;
   switch (shape?.kind) {

@@ -1,4 +1,4 @@
-/** Spacing of the grid, m, for the size of a model, m: 1, 2 or 5 times a power of ten. */
+/** Returns the spacing of the grid for a model of this size, m: 1, 2 or 5 times a power of ten. */
 export function gridSpacing(size: number): number {
   const power = 10 ** Math.floor(Math.log10(size / 5));
   const parts = [1, 2, 5, 10].map((part) => part * power);

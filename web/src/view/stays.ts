@@ -16,7 +16,7 @@ export class Stays extends InstancedMesh {
     this.frustumCulled = false;
   }
 
-  /** Follows the bodies. */
+  /** Moves the bars with the bodies. */
   place(bodies: readonly Object3D[]): void {
     this.stays.forEach(({ from, to, radius }, i) => {
       const [start, end] = [from, to].map(({ body, point }) => new Vector3(...point).applyQuaternion(bodies[body].quaternion).add(bodies[body].position));

@@ -8,7 +8,7 @@ import type { CameraName, View } from "./view";
 const CAMERA_ICON = "M2.5 6.5h9v8h-9zM11.5 9.5l6-3v8l-6-3";
 const SHOW_ICON = "M2 10s3-5 8-5 8 5 8 5-3 5-8 5-8-5-8-5zM10 12.2a2.2 2.2 0 1 0 0-4.4 2.2 2.2 0 0 0 0 4.4z";
 
-/** The menus on the picture: the viewpoint, and additional drawings. */
+/** Menus on the picture: the viewpoint, and the overlays. */
 export class Tools {
   private readonly cameras = byId("cameras", HTMLDetailsElement);
   private offered = "";
@@ -22,7 +22,7 @@ export class Tools {
     view.onLook((camera) => this.mark(camera));
   }
 
-  /** The choices that the present run offers. */
+  /** Offers the viewpoints and overlays that are possible in the present run. */
   offer(): void {
     const cameras = this.view.cameras();
     if (cameras.join() !== this.offered) this.addCameras(cameras);

@@ -12,7 +12,7 @@ import {
 import type { Color } from "three";
 import type { Palette } from "./palette";
 
-/** The paper numbers its axes 1 athwartship, 2 up, 3 along the ship: our y, z and x. */
+/** The paper numbers its axes 1 athwartship, 2 up and 3 along the ship: these are y, z and x here. */
 const AXES = [
   { axis: "x", number: 3 },
   { axis: "y", number: 1 },
@@ -20,8 +20,8 @@ const AXES = [
 ] as const;
 
 /**
- * A body's frame (e1 e2 e3), drawn over everything; `mark` is its superscript, as in
- * Fig. 3, and `scale` the size of the labels as `labelScale` gives it.
+ * Returns the frame (e1 e2 e3) of a body, drawn over everything. `mark` is its superscript, as in Fig. 3; `scale` is
+ * the size of the labels, from `labelScale`.
  */
 export function triadOf(length: number, mark: string, scale: number, palette: Palette, opacity = 1): Group {
   const group = new Group();
@@ -37,7 +37,7 @@ export function triadOf(length: number, mark: string, scale: number, palette: Pa
   return group;
 }
 
-/** An arrow along y from the origin. */
+/** Returns an arrow along y from the origin. */
 function arrowOf(length: number, colour: Color, opacity: number): Group {
   const material = new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true, opacity });
   const stem = new Mesh(new CylinderGeometry(0.016 * length, 0.016 * length, 0.85 * length, 10), material);
@@ -48,12 +48,12 @@ function arrowOf(length: number, colour: Color, opacity: number): Group {
   return new Group().add(stem, head);
 }
 
-/** Size of a label of a given height in a picture of a given height, pixels. */
+/** Returns the scale of a label that has a height in pixels, in a picture of a given height. */
 export function labelScale(pixels: number, height: number, fov: number): number {
   return (2 * Math.tan(fov / 2) * pixels) / height;
 }
 
-/** The letter e with its number below and its frame above, at one size on the screen. */
+/** Returns a label: the letter e with its number below and its frame above, of a constant size on the screen. */
 function labelOf(number: string, mark: string, scale: number, colour: Color, palette: Palette): Sprite {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 128;

@@ -33,17 +33,17 @@ const LABEL_PX = 58;
 /** Length of a body frame, relative to the longest diagonal of a body. */
 const FRAME_LENGTH = 0.14;
 
-/** Opacity of the water over the longest diagonal of a body. */
+/** Density of the fog under water, times the longest diagonal of a body. */
 const FOG = 0.22;
 
-/** The viewpoints. */
+/** Names of the viewpoints. */
 const CAMERAS = ["free", "load", "cab", "bridge", "top", "section"] as const;
 export type CameraName = (typeof CAMERAS)[number];
 
-/** Directions of views: that from above is slightly tilted to starboard, so that the bow is to the right. */
+/** Directions of the views; the view from above is slightly tilted to starboard, so that the bow is to the right. */
 const FROM: Partial<Record<CameraName, Vec3>> = { top: [0, -0.002, 1], section: [0, -1, 0.1] };
 
-/** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
+/** The 3D picture: world z up, the object of each body at the pose that the engine gives. It is drawn on demand. */
 export class View {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
@@ -88,7 +88,7 @@ export class View {
     onPalette(() => this.repaint());
   }
 
-  /** Builds the bodies; `refit` for another model, not for a reset of the same one. */
+  /** Builds the bodies; `refit` is true for another model, and false for a reset. */
   build(run: Shown, frame: Pose, refit: boolean): void {
     if (run !== this.run) this.start = frame;
     this.run = run;
@@ -107,7 +107,7 @@ export class View {
     this.stale = true;
   }
 
-  /** The overlays at a moment. */
+  /** Shows the overlays of a moment. */
   showOverlays(run: Run, moment: Moment, path: () => readonly Vec3[]): void {
     this.overlays.show(run, moment, this.start.poses, path, this.palette);
     this.stale = true;
@@ -118,20 +118,20 @@ export class View {
     return this.fleet.craft?.load ?? null;
   }
 
-  /** Pixels of a metre at the centre of the view. */
+  /** Returns the number of pixels per metre at the centre of the view. */
   pixelsPerMetre(): number {
     const { camera, target, fov } = this.eye;
     return this.canvas.clientHeight / (2 * Math.tan(fov / 2) * camera.position.distanceTo(target));
   }
 
-  /** The viewpoints that this model offers. */
+  /** Returns the viewpoints that this model offers. */
   cameras(): CameraName[] {
     const { craft } = this.fleet;
     const offered = { free: true, load: craft?.load != null, cab: craft?.cab != null, bridge: craft?.bridge != null, top: true, section: this.hull() >= 0 };
     return CAMERAS.filter((name) => offered[name]);
   }
 
-  /** Looks from somewhere else. */
+  /** Changes the viewpoint. */
   look(from: CameraName): void {
     const { craft } = this.fleet;
     this.camera = from;
@@ -144,12 +144,12 @@ export class View {
     this.stale = true;
   }
 
-  /** Called when the viewpoint changes. */
+  /** Calls a listener when the viewpoint changes. */
   onLook(tell: (camera: CameraName) => void): void {
     this.tell = tell;
   }
 
-  /** The first body with a bow and a stern; -1 where there is none. */
+  /** Returns the index of the first body with a bow and a stern; -1 if there is none. */
   private hull(): number {
     return this.run?.model.bodies.findIndex(({ name, floats, shape }) => floats && (shape?.kind === "box" || this.run!.model.hulls.some(({ body }) => body === name))) ?? -1;
   }
@@ -160,14 +160,14 @@ export class View {
     this.place(this.frame);
   }
 
-  /** A section shows only the line of the sea. */
+  /** Shows or hides the water: a section shows only its line. */
   private showWater(): void {
     const isCut = this.camera === "section";
     this.section.visible = isCut && this.sea.isShown;
     this.sea.visible = this.sea.isShown && !isCut;
   }
 
-  /** Whether the eye may go under water. */
+  /** Sets whether the eye may go under water. */
   dive(may: boolean): void {
     this.mayDive = may;
     this.stale = true;
@@ -179,7 +179,7 @@ export class View {
     if (this.run) this.build(this.run, this.frame, false);
   }
 
-  /** Sets the sea; null if there is none to draw. */
+  /** Shows the surface of the sea; null if there is none to draw. */
   showSea(surface: Surface | null): void {
     this.sea.show(surface);
     this.showWater();
@@ -204,7 +204,7 @@ export class View {
     this.stale = true;
   }
 
-  /** Shows possible future places; null for none. */
+  /** Shows possible future positions; null for none. */
   showCloud(swarm: Swarm | null): void {
     this.cloud.show(swarm, this.eye.size(), this.palette);
     this.stale = true;
@@ -214,12 +214,12 @@ export class View {
     this.look(this.camera);
   }
 
-  /** Distance of the grid's lines, m. */
+  /** Returns the spacing of the grid, m. */
   spacing(): number {
     return gridSpacing(this.eye.size());
   }
 
-  /** Whether there was anything new to draw. */
+  /** Draws the picture if something has changed; returns whether it was drawn. */
   draw(): boolean {
     this.eye.update(performance.now());
     this.eye.stayAbove(this.mayDive || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y));
@@ -234,7 +234,7 @@ export class View {
     return true;
   }
 
-  /** Draws now, so that the picture can be copied before the browser clears it. */
+  /** Draws the picture at once, so that it can be copied before the browser clears it. */
   picture(): HTMLCanvasElement {
     this.stale = true;
     this.draw();
@@ -254,7 +254,7 @@ export class View {
     this.stale = true;
   }
 
-  /** Under water, distant objects fade to the water's colour. */
+  /** Sets the fog for a position of the eye: under water, distant objects fade to the colour of the water. */
   private lookFrom({ x, y, z }: { x: number; y: number; z: number }): void {
     const water_m = this.sea.heightAt(x, y);
     const isUnder = water_m !== null && z < water_m;
@@ -278,7 +278,7 @@ export class View {
     this.detail();
   }
 
-  /** Draws with the level of detail that the machine can handle. */
+  /** Applies the level of detail that the machine can draw. */
   private detail(): void {
     const { tier } = this.drawing;
     this.sea.detail(tier.ripples);
@@ -289,7 +289,7 @@ export class View {
     this.stale = true;
   }
 
-  /** Rebuilds everything. */
+  /** Rebuilds all objects, for other colours. */
   repaint(): void {
     this.palette = readPalette();
     this.light();
@@ -313,7 +313,7 @@ export class View {
   }
 }
 
-/** The colour of the water at the depth of the eye. */
+/** Returns the colour of the water at the depth of the eye. */
 function fogColour({ deep, shallow }: Palette): Color {
   return deep.clone().lerp(shallow, 0.4);
 }

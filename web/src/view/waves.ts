@@ -1,20 +1,22 @@
 import type { Surface } from "../engine/surface";
 
-/** Slope at which foam begins, and at which it covers the water; the steepest stable wave has about 0.4 on its flanks. */
+/**
+ * Slopes at which foam begins, and at which it covers the water; the steepest stable wave has about 0.4 on its flanks.
+ */
 const FOAM_BETWEEN = [0.13, 0.3] as const;
 
-/** The sea's surface on a grid of lines, ready to be drawn: row by row along the first x first. */
+/** Surface of the sea on a grid of lines, ready to be drawn: row by row along the first x. */
 export interface DrawnWaves {
   x_m: Float64Array;
   y_m: Float64Array;
   height_m: Float32Array;
-  /** Two slopes for each crossing: along x and along y. */
+  /** Slopes along x and along y, for each crossing. */
   slope: Float32Array;
-  /** From 0 to 1. */
+  /** Foam at each crossing, from 0 to 1. */
   foam: Float32Array;
 }
 
-/** The engine's elevations with one interpolated line between each two. */
+/** Returns the engine's surface with one interpolated line between each two lines. */
 export function refined(surface: Surface): Surface {
   const { x_m, y_m, elevation_m } = surface;
   const [nx, ny] = [x_m.length, y_m.length];
@@ -26,7 +28,10 @@ export function refined(surface: Surface): Surface {
   return { x_m: fx, y_m: fy, elevation_m: out };
 }
 
-/** With a `share` of each elevation: slopes by differences, and foam where the water is steep near a crest. */
+/**
+ * Returns the surface to draw with a `share` of each elevation: slopes by differences, and foam where the water is
+ * steep near a crest.
+ */
 export function drawnWaves({ x_m, y_m, elevation_m }: Surface, share: (i: number, j: number) => number): DrawnWaves {
   const [nx, ny] = [x_m.length, y_m.length];
   const height_m = new Float32Array(nx * ny);
@@ -47,14 +52,17 @@ export function drawnWaves({ x_m, y_m, elevation_m }: Surface, share: (i: number
   return { x_m, y_m, height_m, slope, foam };
 }
 
-/** Share of white water, which is where a wave is steep and not a trough; `above_m` is the height above the surroundings. */
+/**
+ * Returns the share of foam on the water: a wave is white where it is steep, except in a trough. `above_m` is the
+ * height above the surroundings.
+ */
 export function foamOf(slope: number, above_m: number): number {
   if (above_m < 0) return 0;
   const t = Math.min(1, Math.max(0, (slope - FOAM_BETWEEN[0]) / (FOAM_BETWEEN[1] - FOAM_BETWEEN[0])));
   return t * t * (3 - 2 * t);
 }
 
-/** Height of the drawn surface at a place, m: 0 outside the grid. */
+/** Returns the height of the drawn surface at a position, m; 0 outside the grid. */
 export function heightAt({ x_m, y_m, height_m }: DrawnWaves, x: number, y: number): number {
   const [i, u] = cellOf(x_m, x);
   const [j, v] = cellOf(y_m, y);
@@ -64,7 +72,7 @@ export function heightAt({ x_m, y_m, height_m }: DrawnWaves, x: number, y: numbe
   return (1 - u) * ((1 - v) * height_m[at] + v * height_m[at + 1]) + u * ((1 - v) * height_m[next] + v * height_m[next + 1]);
 }
 
-/** Root mean square of the slope within a distance of the middle line, in lines. */
+/** Returns the root mean square of the slope within a number of lines from the middle line. */
 export function roughness({ slope, x_m, y_m }: DrawnWaves, lines: number): number {
   const [middleX, middleY] = [(x_m.length - 1) / 2, (y_m.length - 1) / 2];
   let sum = 0;
@@ -90,7 +98,7 @@ function between(lines: Float64Array): Float64Array {
   return Float64Array.from({ length: 2 * lines.length - 1 }, (_, k) => (k % 2 ? (lines[(k - 1) / 2] + lines[(k + 1) / 2]) / 2 : lines[k / 2]));
 }
 
-/** Values on the lines and halfway between them, by a cubic with slopes from differences. */
+/** Computes values on the lines and halfway between them, by a cubic with slopes from differences. */
 function fill(lines: Float64Array, value: (k: number) => number, put: (k: number, value: number) => void): void {
   const last = lines.length - 1;
   const slopeAt = (k: number) => {

@@ -1,4 +1,4 @@
-// The address says which scenario is open, and with which values; Back leads from one to the one before.
+// The address holds the open scenario and its values; Back returns to the previous scenario.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -11,7 +11,7 @@ const queryOf = (page) => new URL(page.url()).search;
 const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector("[data-testid=title]").textContent === wanted, title);
 
 export default {
-  async "opens by name what the command line runs, with the file's own values"(host) {
+  async "an address with a name opens that scenario with the file's own values"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     assert.equal(await item(page, "load").isChecked(), false);
     assert.equal(await item(page, "torque_history").inputValue(), "constant");
@@ -20,18 +20,18 @@ export default {
     await close();
   },
 
-  async "takes parameters from the address, and says which it does not know"(host) {
+  async "parameters of the address are applied, and an unknown one is reported"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper&load=true&crane_x_m=3.5" });
     assert.equal(await item(page, "load").isChecked(), true);
     assert.equal(await item(page, "crane_x_m").inputValue(), "3.5");
     await page.goto(`${host.address}?scenario=paper&nonesuch=3`);
-    await page.getByText("It opened with its own values").waitFor();
+    await page.getByText("The scenario opened with its own values").waitFor();
     assert.match(await page.getByTestId("alert").textContent(), /nonesuch: found an unknown name/);
     assert.equal(queryOf(page), "?scenario=paper");
     await close();
   },
 
-  async "writes what is set into the address, which opens the same again"(host) {
+  async "set values are written to the address, which opens the same run again"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     await setNumber(page, "crane_x_m", 7);
     await page.waitForURL(/crane_x_m=7$/);
@@ -41,7 +41,7 @@ export default {
     await close();
   },
 
-  async "keeps a file among the choices, out of the address and within reach of Back"(host) {
+  async "an opened file stays among the choices, is not in the address, and Back returns to it"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, `title: ${OWN}`));
     await titled(page, OWN);

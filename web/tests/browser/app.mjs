@@ -1,31 +1,34 @@
-// How the tests drive the app: open a page, set controls, read numbers.
+// Functions with which the tests use the app: open a page, set controls, read numbers.
 import assert from "node:assert/strict";
 
 export const PHONE = { width: 390, height: 844 };
 export const DESKTOP = { width: 1440, height: 900 };
-/** Wide enough for the desktop's layout. Without a graphics card each pixel costs time, so tests draw one for two by two unless they ask for all. */
+/**
+ * Viewport of the desktop layout. Without a graphics card each pixel costs time, so that tests draw one pixel for two
+ * by two unless they need all.
+ */
 export const WINDOW = { width: 1000, height: 640 };
 
-/** Against waiting for what never comes: where four processes share two processors and none draws by a graphics card, a run takes a minute. */
+/** Limit for waiting: with four processes on two processors, all without a graphics card, a run takes a minute. */
 export const WAIT_MS = 300_000;
 
-/** The paper's ship as its card opens it: with the load on, and a motor that stops by itself. */
+/** Query of the paper's ship as its card opens it: with the load on, and a motor that stops by itself. */
 export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=pulse";
 
-/** Everything of a picture but its pixels. */
+/** Makes WebGL draw no pixels; everything else of a picture is computed. */
 function drawNothing() {
   for (const draw of ["clear", "drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"]) WebGL2RenderingContext.prototype[draw] = () => {};
 }
 
 /**
- * Pages that tests have left, for the next test that needs one of the kind: a new one compiles the app and the engine once more.
- * What a test has kept, routed or asked to be emulated is undone when it leaves.
+ * Pages that tests have closed, for the next test that needs a page of the same kind, because a new page compiles the
+ * app and the engine again. Storage, routes and emulation of a test are reset when it ends.
  */
 const left = new WeakMap();
 
 const leftIn = (browser) => left.get(browser) ?? left.set(browser, new Map()).get(browser);
 
-/** After a failure nobody knows what a page is like. */
+/** Drops all pages after a failure, because their state is unknown. */
 export async function forgetPages(browser) {
   left.delete(browser);
   await Promise.all(browser.contexts().map((context) => context.close()));
@@ -56,9 +59,9 @@ async function leave(browser, kind, one) {
 }
 
 /**
- * Opens an address of the app. The app is kept on the device only where that is tested, and pixels are drawn only where they are looked
- * at: without a graphics card that is most of what a test would do. For the same reason the view comes to rest at once there.
- * `prepare` is given a context of the test's own before the address opens.
+ * Opens an address of the app. The app is cached on the device only in tests of the cache, and pixels are drawn only in
+ * tests of the picture, because drawing takes most of the time without a graphics card. For the same reason the view
+ * then comes to rest at once. `prepare` gets a separate context before the address opens.
  */
 export async function openPage({ browser, address }, { query = "", draws = false, reducedMotion = draws ? "reduce" : "no-preference", colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale, scale = viewport === WINDOW ? 0.5 : 1, prepare } = {}) {
   const isPhone = viewport.width < 600;
@@ -84,7 +87,7 @@ export async function openPage({ browser, address }, { query = "", draws = false
   };
 }
 
-/** Opens a scenario in the app and waits until it is there. */
+/** Opens a scenario in the app and waits until it is open. */
 export async function openApp(host, { query = PAPER, ...options } = {}) {
   const opened = await openPage(host, { query, ...options });
   await opened.page.waitForFunction(() => window.kingpost?.sample());
@@ -94,7 +97,7 @@ export async function openApp(host, { query = PAPER, ...options } = {}) {
 export const sample = (page) => page.evaluate(() => window.kingpost.sample());
 export const item = (page, name) => page.getByTestId(`parameter-${name}`);
 
-/** Waits until a reset has brought what a control says into the run. */
+/** Waits until a reset has applied the value of a control to the run. */
 export async function settle(page) {
   await page.waitForFunction(() => {
     const { status, pending, isWaiting } = window.kingpost.sample();
@@ -102,7 +105,7 @@ export async function settle(page) {
   });
 }
 
-/** Waits until the page shows all that was asked of it: nothing moves on, and picture and plots are drawn. */
+/** Waits until the page is at rest: no request waits, and picture and plots are drawn. */
 export const rested = (page) => page.evaluate(() => window.kingpost.rested());
 
 export async function setNumber(page, name, value) {
@@ -116,7 +119,7 @@ export async function setChecked(page, name, value) {
   await settle(page);
 }
 
-/** The paper's Figs. 9 to 11: crane at the centre, no load, constant torque. */
+/** Sets the case of the paper's Figs. 9 to 11: crane at the centre, no load, constant torque. */
 export async function setFigures(page) {
   await setChecked(page, "load", false);
   await item(page, "torque_history").selectOption("constant");
@@ -125,14 +128,14 @@ export async function setFigures(page) {
   await setNumber(page, "crane_y_m", 0);
 }
 
-/** Angles of the plots in degrees or radians. */
+/** Sets the unit of angles in the plots: degrees or radians. */
 export async function setAngle(page, angle) {
   await page.getByTestId("view-plots").click();
   await page.getByTestId(`unit-${angle}`).click();
   await page.getByTestId("view-done").click();
 }
 
-/** Has a plot show lines that belong together, or these, over time or as another kind of plot. */
+/** Sets the lines of a plot, as a group or one by one, and its kind. */
 export async function setPlot(page, place, { figure, lines = [], kind }) {
   await page.getByTestId(`choose-${place}`).click();
   const picker = page.getByTestId("picker");
@@ -148,15 +151,15 @@ export async function setPlot(page, place, { figure, lines = [], kind }) {
   await page.getByTestId("picker-done").click();
 }
 
-/** Opens a file, and others of these texts by their names with it. */
+/** Opens a file, together with other files given as texts by name. */
 export async function openFile(page, name, text, others = {}) {
   const files = Object.entries({ [name]: text, ...others });
   await page.getByTestId("file").setInputFiles(files.map(([one, content]) => ({ name: one, mimeType: "text/yaml", buffer: Buffer.from(content) })));
 }
 
 /**
- * Presses Step until the time is reached: once as a person does, then from within the page, which is faster. The picture
- * of the steps between waits: without a graphics card one takes longer than many steps.
+ * Presses Step until the time is reached: once by the button, then from within the page, which is faster. The picture
+ * waits until the end of the steps, because without a graphics card it takes longer than many steps.
  */
 export async function stepTo(page, time_s) {
   const before = (await sample(page)).time_s;
@@ -181,27 +184,30 @@ export async function stepTo(page, time_s) {
   }, time_s);
 }
 
-/** The numbers of a text, with the page's minus sign read as one. */
+/** Returns the numbers in a text; the page's minus sign counts as a minus. */
 export async function numberIn(page, testId) {
   const text = await page.getByTestId(testId).textContent();
   return Number.parseFloat(text.replace("−", "-"));
 }
 
-/** Waits until a text of the page is a number near to another: plots are drawn when the machine gets round to it. */
+/** Waits until a text of the page is a number near another one: on a busy machine plots are drawn late. */
 export const showsNumber = (page, testId, expected, tolerance) =>
   page.waitForFunction(
     ([id, number, allowed]) => Math.abs(Number.parseFloat(document.querySelector(`[data-testid="${id}"]`)?.textContent.replace("−", "-")) - number) <= allowed,
     [testId, expected, tolerance],
   );
 
-/** Waits until a text of the page is this. */
+/** Waits until a text of the page equals this text. */
 export const showsText = (page, testId, text) => page.waitForFunction(([id, wanted]) => document.querySelector(`[data-testid="${id}"]`)?.textContent === wanted, [testId, text]);
 
 export function close(actual, expected, tolerance, what) {
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected} within ${tolerance}`);
 }
 
-/** Counts pixels of a picture of the canvas, and the box, in pixels of the page, around those darker than the background. */
+/**
+ * Counts the pixels in a picture of the canvas that are darker than the background, and returns the box around them in
+ * pixels of the page.
+ */
 export async function look(page) {
   await page.addStyleTag({ content: ".scene-tools, .scene-note, .frames-legend, .hint, .alert { visibility: hidden }" });
   const picture = (await page.getByTestId("canvas").screenshot()).toString("base64");

@@ -6,7 +6,7 @@ import { item, look, openApp, rested, sample, setChecked, setNumber, settle, ste
 const TOWER = 7;
 
 export default {
-  async "moves the crane: at the start the picture follows the slider at once"(host) {
+  async "at the start the picture follows a slider at once"(host) {
     const { page, close } = await openApp(host, { draws: true });
     const before = await look(page);
     await page.getByTestId("slider-crane_x_m").fill("8");
@@ -23,7 +23,7 @@ export default {
     await close();
   },
 
-  async "starts where Start is clicked at once after a value was typed"(host) {
+  async "Start right after a typed value starts the run with it"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_moored" });
     const name = "parameter-load_t";
     for (const more of isThorough ? [1, 2] : [1]) {
@@ -39,7 +39,7 @@ export default {
     await close();
   },
 
-  async "leaves a Step of very many steps off when it is paused or reset"(host) {
+  async "Pause or Reset ends a long Step"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper&simulation.step_s=1e-9" });
     await page.getByTestId("step").click();
     await page.waitForFunction(() => window.kingpost.sample().status === "stepping");
@@ -57,7 +57,7 @@ export default {
   },
 
   ...thorough({
-    async "shows a lever where a reset puts it"(host) {
+    async "a lever shows its initial value after a reset"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
       const lever = item(page, "input-hoist");
       const before = await lever.inputValue();
@@ -72,7 +72,7 @@ export default {
     },
   }),
 
-  async "keeps a change under way for the reset, and says so"(host) {
+  async "a change during a run waits for the reset, and the page reports it"(host) {
     const { page, close } = await openApp(host);
     await stepTo(page, 0.02);
     await item(page, "crane_y_m").fill("5");
@@ -86,7 +86,7 @@ export default {
     await close();
   },
 
-  async "draws the gray tower and the green arm, and the load when it is on"(host) {
+  async "the picture has the gray tower, the green arm, and the load if it is on"(host) {
     const { page, close } = await openApp(host, { draws: true, scale: 1 });
     const seen = await look(page);
     assert.ok(seen.green > 1500, `green pixels: ${seen.green}`);
@@ -97,7 +97,7 @@ export default {
     await close();
   },
 
-  async "turns the view by keys, by dragging and back to the fit"(host) {
+  async "keys and dragging turn the view, and Fit restores it"(host) {
     const { page, close } = await openApp(host, { draws: true });
     const fitted = await look(page);
     await page.getByTestId("canvas").focus();
@@ -121,7 +121,7 @@ export default {
     await close();
   },
 
-  async "draws the body frames on demand"(host) {
+  async "body frames are drawn on demand"(host) {
     const { page, close } = await openApp(host, { draws: true });
     const before = await look(page);
     await page.getByTestId("frames").evaluate((box) => box.click());
@@ -131,7 +131,7 @@ export default {
     await close();
   },
 
-  async "shows the values at the crosshair"(host) {
+  async "the legend shows the values at the crosshair"(host) {
     const { page, close } = await openApp(host);
     await stepTo(page, 0.3);
     await rested(page);
@@ -142,7 +142,7 @@ export default {
     await close();
   },
 
-  async "changes integrator and step size from the advanced fold"(host) {
+  async "integrator and step size are changed in the advanced settings"(host) {
     const { page, close } = await openApp(host);
     await page.locator("#advanced summary").click();
     await page.getByTestId("parameter-simulation.integrator").selectOption("midpoint_euler");

@@ -1,4 +1,4 @@
-// What goes wrong is shown, and the app runs on.
+// Faults are shown, and the app continues to run.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -9,7 +9,7 @@ const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml"
 const message = (page) => page.getByTestId("alert-message").textContent();
 
 export default {
-  async "shows where a bad scenario is wrong and keeps running the last good one"(host) {
+  async "an invalid scenario is reported with its place, and the previous one stays"(host) {
     const { page, close } = await openApp(host);
     await stepTo(page, 0.02);
     const bad = paper.replace("mass_kg: 10000", "mass_kg: -5");
@@ -26,7 +26,7 @@ export default {
     await close();
   },
 
-  async "gives one clear error for an empty file, another format and an unknown field"(host) {
+  async "an empty file, another format or an unknown field gives one clear error"(host) {
     const { page, close } = await openApp(host);
     const cases = { "empty.yaml": "", "picture.yaml": "\u0089PNG\r\n\u001a\n\u0000", "field.yaml": paper.replace("title:", "titel:") };
     for (const [name, text] of Object.entries(cases)) {
@@ -39,7 +39,7 @@ export default {
   },
 
   ...thorough({
-    async "opens a good file of the person's own"(host) {
+    async "a valid file of the user opens"(host) {
       const { page, close } = await openApp(host);
       await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
       await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");
@@ -49,14 +49,14 @@ export default {
     },
   }),
 
-  async "says so when no scenario has the name asked for, and opens the paper"(host) {
+  async "an unknown name of a scenario is reported, and the paper's ship opens"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=nonesuch" });
     assert.match(await message(page), /found nonesuch, allowed: paper/);
     await stepTo(page, 0.01);
     await close();
   },
 
-  async "says what a database that is opened by itself is"(host) {
+  async "a database that is opened without a scenario is reported as such"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "barge.hydro.json", "{}");
     await page.getByTestId("alert-message").waitFor();
@@ -64,7 +64,7 @@ export default {
     await close();
   },
 
-  async "refuses a value out of range and goes back to the one before"(host) {
+  async "a value out of range is refused, and the control returns to the previous value"(host) {
     const { page, close } = await openApp(host);
     await item(page, "crane_x_m").fill("50");
     await item(page, "crane_x_m").blur();
@@ -74,7 +74,7 @@ export default {
     assert.match(shown, /50 m is not a number from -10 to 10 m\./);
     assert.ok(!shown.includes("--set"));
     assert.equal(await item(page, "crane_x_m").inputValue(), "-10");
-    // A field that was emptied shows what is in force.
+    // An emptied field shows the present value again.
     await item(page, "crane_x_m").fill("");
     await item(page, "crane_x_m").blur();
     assert.equal(await item(page, "crane_x_m").inputValue(), "-10");
@@ -87,7 +87,7 @@ export default {
     await close();
   },
 
-  async "stops with time and body where a run diverges, and keeps the plots"(host) {
+  async "a diverged run stops with its time and body, and the plots stay"(host) {
     const { page, close } = await openApp(host);
     await setFigures(page);
     await item(page, "motor_2").check();

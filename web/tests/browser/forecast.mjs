@@ -1,4 +1,4 @@
-// Looking ahead: futures in the plots and in the picture, with what they are and how far they are to be trusted.
+// Forecast: futures in the plots and in the picture, with a description and their reliability.
 import assert from "node:assert/strict";
 import { openApp, PHONE, rested, stepTo } from "./app.mjs";
 import { thorough } from "../lane.mjs";
@@ -7,7 +7,7 @@ import { assertAccessible } from "./axe.mjs";
 const box = (page) => page.getByTestId("ahead");
 const said = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector("[data-testid=ahead]").innerText.replaceAll("\u00a0", " ")), pattern.source);
 
-/** Painted pixels of the first plot to the right of a share of its width. */
+/** Returns the number of painted pixels of the first plot to the right of a share of its width. */
 function paintedAfter(page, share) {
   return page.evaluate((from) => {
     const canvas = document.querySelector("[data-testid=plot-1] canvas");
@@ -20,7 +20,7 @@ function paintedAfter(page, share) {
 }
 
 const accessible = ["day", "dusk", "night", "bright"].map((palette) => [
-  `passes axe while it looks ahead, open and closed, ${palette}`,
+  `the forecast line passes axe, open and closed, ${palette}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport: PHONE, query: "?scenario=offshore_vessel&waves=true" });
     await page.emulateMedia({ reducedMotion: "reduce" });
@@ -35,9 +35,9 @@ const accessible = ["day", "dusk", "night", "bright"].map((palette) => [
 ]);
 
 export default {
-  // A minute of a vessel in waves a hundred times over.
+  // This computes a hundred futures of a vessel in waves, each of one minute.
   ...thorough({
-    async "looks ahead at a pause: 64 futures come one after another, as a fan on the plots and a cloud in the picture"(host) {
+    async "at a pause 64 futures are computed one after another and shown as a fan and a cloud"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
       await stepTo(page, 62);
       assert.equal(await box(page).isVisible(), false);
@@ -50,16 +50,16 @@ export default {
       });
       await page.getByTestId("look-ahead").click();
       await said(page, /^64 futures of 60 s/);
-      await said(page, /From 62\.0 s, with the levers as they are\. Each agrees with the wave that was measured at the ship over the last 62 s\./);
+      await said(page, /From 62\.0 s, with the present lever positions\. Each future agrees with the wave that was measured at the ship over the last 62 s\./);
       const heads = await page.evaluate(() => window.heads);
       assert.ok(heads.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, heads.join(" | "));
-      // The first minute is whole: futures of it are held against what came.
-      await said(page, /Their 90 % band held \d+ % of the past minute\./);
+      // The first minute is complete: its futures are compared with the recording.
+      await said(page, /The 90 % band contained \d+ % of the recorded values of the past minute\./);
       await rested(page);
-      // The same for one who does not see it.
-      await page.waitForFunction(() => /at 12[0-9.]+.s, forecast, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
+      // The table for screen readers has the same values.
+      await page.waitForFunction(() => /forecast at 12[0-9.]+.s, 90.% band.*\d to .*\d/.test(document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent));
       assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
-      // Going on from there drops them; switched off they are gone.
+      // Continuing the run drops the futures, and switching off hides them.
       await page.getByTestId("look-ahead").click();
       assert.equal(await box(page).isVisible(), false);
       await rested(page);
@@ -67,7 +67,7 @@ export default {
       await close();
     },
 
-    async "looks ahead again from an earlier moment, and while a run goes on"(host) {
+    async "the forecast is computed again from an earlier moment and during a run"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
       await stepTo(page, 4);
       await page.getByTestId("look-ahead").click();
@@ -83,11 +83,11 @@ export default {
 
   ...thorough(Object.fromEntries(accessible)),
 
-  async "says that there is one future where there are no waves, until it is switched off"(host) {
+  async "the forecast reports a single future without waves, until it is switched off"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });
     await stepTo(page, 1);
     await page.getByTestId("look-ahead").click();
-    await said(page, /^One future of 60 s[^]*From 1\.0 s, with the levers as they are\. Without waves/);
+    await said(page, /^One future of 60 s[^]*From 1\.0 s, with the present lever positions\. Without waves/);
     await page.getByTestId("look-ahead").click();
     assert.equal(await box(page).isVisible(), false);
     await close();

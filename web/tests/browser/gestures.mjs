@@ -1,4 +1,4 @@
-// Fingers, dropped files, a change of theme.
+// Touch gestures, dropped files, and changes of the theme.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -32,7 +32,7 @@ async function drop(page, name, text) {
 }
 
 export default {
-  async "zooms by pinching, and does not scroll the page"(host) {
+  async "a pinch zooms the picture and does not scroll the page"(host) {
     const { page, close } = await openApp(host, { draws: true, reducedMotion: "no-preference", viewport: PHONE });
     const before = await look(page);
     await spread(page);
@@ -42,7 +42,7 @@ export default {
     await close();
   },
 
-  async "opens a scenario that is dropped on the page"(host) {
+  async "a scenario that is dropped on the page opens"(host) {
     const { page, close } = await openApp(host);
     await drop(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A dropped ship"));
     await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A dropped ship");
@@ -52,7 +52,7 @@ export default {
     await close();
   },
 
-  async "draws the picture again when lost graphics come back, paused as well"(host) {
+  async "the picture is drawn again after lost graphics are restored, also during a pause"(host) {
     const { page, close } = await openApp(host, { draws: true });
     await stepTo(page, 0.1);
     await rested(page);
@@ -69,18 +69,18 @@ export default {
     await close();
   },
 
-  async "says how fast it runs, and that it lags behind the speed asked for"(host) {
-    // No machine takes so many steps in so short a time.
+  async "the page shows the speed of the run, and that it is slower than the chosen speed"(host) {
+    // No machine takes this number of steps in so short a time.
     const { page, close } = await openApp(host, { query: "?scenario=flexible_boom&simulation.step_s=1e-7" });
     await page.getByTestId("speed").selectOption("20");
     await page.getByTestId("start").click();
     await page.getByText(/^[\d.]+× slow$/).waitFor();
-    // It is said below nine tenths of the speed.
+    // The note is shown below nine tenths of the speed.
     assert.ok(Number.parseFloat(await page.getByTestId("pace").textContent()) < 18);
     await close();
   },
 
-  async "follows the browser's theme while it is open"(host) {
+  async "an open page follows changes of the browser's theme"(host) {
     const { page, close } = await openApp(host, { draws: true });
     const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     const [light, seenLight] = [await ground(), await look(page)];

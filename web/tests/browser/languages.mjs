@@ -1,4 +1,4 @@
-// The app in Norwegian: all that it says itself, with room for its longer words; and the way to another language and back.
+// The app in Norwegian: all its texts, with space for longer words; and switching to another language and back.
 import assert from "node:assert/strict";
 import { cases, thorough } from "../lane.mjs";
 import { DESKTOP, item, openApp, openPage, PHONE, sample, stepTo } from "./app.mjs";
@@ -6,7 +6,7 @@ import { assertAccessible } from "./axe.mjs";
 import { assertUncropped } from "./layout.mjs";
 
 const NARROW = { width: 340, height: 640 };
-/** English words that would stand on the page if a text had been left behind. */
+/** English words that would be on the page if a text were not translated. */
 const ENGLISH = /\b(Start with|Controls|Plots|Instruments|Equations|Reset|Resume|Speed|Levers|Advanced|Draught|Look ahead|Camera|Show|Language|Export|Save|Share)\b/;
 
 async function openStart(host, { viewport = DESKTOP, locale = "nb-NO", prepare } = {}) {
@@ -17,7 +17,7 @@ async function openStart(host, { viewport = DESKTOP, locale = "nb-NO", prepare }
 
 const languageOf = (page) => page.evaluate(() => document.documentElement.lang);
 
-/** What can be read on the page but for what is marked as English. */
+/** Returns the readable text of the page, except text that is marked as English. */
 function ownWords() {
   const words = [];
   const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -28,14 +28,14 @@ function ownWords() {
   return words.filter((word) => word !== "").join(" | ");
 }
 
-/** All that is said is there, and nothing in English beside it. */
+/** Checks that all texts are present and that none is in English. */
 async function assertNorwegian(page, ...words) {
   const found = await page.evaluate(ownWords);
   for (const word of words) assert.ok(found.includes(word), `${word} in ${found}`);
   assert.doesNotMatch(found, ENGLISH);
 }
 
-/** Each panel of a run, with nothing cropped and nothing that a machine finds hard to use. */
+/** Checks each panel of a run: nothing is cropped, and axe finds no violation. */
 async function assertPanels(page, viewport) {
   const panels = { plots: "Eksport", instruments: "Avlesninger", equations: "Pek på en blokk", controls: "Avansert" };
   for (const [panel, word] of Object.entries(panels)) {
@@ -49,7 +49,7 @@ async function assertPanels(page, viewport) {
 }
 
 const inNorwegian = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((viewport) => [
-  `speaks Norwegian to a Norwegian browser, ${viewport.width}x${viewport.height}`,
+  `the page is in Norwegian in a Norwegian browser, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openStart(host, { viewport });
     assert.equal(await languageOf(page), "nb");
@@ -74,7 +74,7 @@ const inNorwegian = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).ma
 ]);
 
 const narrow = [PHONE, NARROW].map((viewport) => [
-  `leaves room for Norwegian words at an earlier moment too, ${viewport.width}x${viewport.height}`,
+  `Norwegian texts fit at an earlier moment too, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport, locale: "nb-NO", query: "?scenario=offshore_vessel" });
     await stepTo(page, 0.5);
@@ -92,7 +92,7 @@ export default {
 
   ...thorough(Object.fromEntries(narrow)),
 
-  async "goes to English and back where a person chooses it, at the same address"(host) {
+  async "the user switches to English and back at the same address"(host) {
     const { page, close } = await openStart(host);
     await page.getByTestId("language").selectOption("en");
     await page.waitForFunction(() => document.documentElement.lang === "en");
@@ -110,7 +110,7 @@ export default {
     await close();
   },
 
-  async "says in Norwegian what a hand did, though the engine's thread tells it"(host) {
+  async "lever moves by hand are listed in Norwegian, although the engine's worker reports them"(host) {
     const { page, close } = await openApp(host, { locale: "nb-NO", query: "?scenario=lowering_by_winch" });
     await page.getByTestId("step").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0);
@@ -123,7 +123,7 @@ export default {
     await close();
   },
 
-  async "marks the engine's words as English, and says its own beside them in Norwegian"(host) {
+  async "messages of the engine are marked as English, and those of the page are in Norwegian"(host) {
     const { page, close } = await openApp(host, { locale: "nb-NO", query: "?scenario=quayside_lift&box_t=9999" });
     const message = page.getByTestId("alert-message");
     await message.waitFor();
@@ -134,7 +134,7 @@ export default {
     await close();
   },
 
-  async "speaks the browser's language where nothing can be kept"(host) {
+  async "the page has the browser's language if storage is denied"(host) {
     const denied = (context) => context.addInitScript(() => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("denied", "SecurityError"); } }));
     const { page, close } = await openStart(host, { prepare: denied });
     assert.equal(await languageOf(page), "nb");
@@ -145,7 +145,7 @@ export default {
   },
 
   ...thorough({
-    async "speaks English to a browser of another language"(host) {
+    async "the page is in English in a browser of another language"(host) {
       const { page, close } = await openStart(host, { locale: "ko-KR" });
       assert.equal(await languageOf(page), "en");
       await page.getByText("Start with the paper's crane ship").waitFor();

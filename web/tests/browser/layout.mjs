@@ -1,16 +1,16 @@
-// Nothing is cropped on a phone or a desktop; everything is labelled, reachable and large enough.
+// Nothing is cropped on a phone or a desktop, and all controls are labelled, reachable and large enough.
 import assert from "node:assert/strict";
 import { cases } from "../lane.mjs";
 import { DESKTOP, look, openApp, PHONE, rested, setAngle, settle, stepTo } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const SCREENS = { phone: PHONE, "narrow phone": { width: 340, height: 640 }, "phone on its side": { width: 844, height: 390 }, desktop: DESKTOP };
-/** Where the page was too small for its parts, or for the lines of its plots. */
+/** Screens on which the page was once too small for its parts, or for the lines of its plots. */
 const SMALL = { "window at 400 %": { width: 320, height: 256 }, "short phone": { width: 390, height: 460 }, tablet: { width: 1024, height: 768 }, "small window": { width: 1000, height: 640 } };
-/** Least height of the lines of a plot, pixels. */
+/** Smallest height of the lines of a plot, pixels. */
 const PLOT_PX = 130;
 
-/** What a finger meets: a checkbox counts with its label. */
+/** Returns the visible targets of a finger with their sizes; a checkbox counts together with its label. */
 function targets() {
   const shown = [...document.querySelectorAll("button, select, input, summary, canvas, label.item-checkbox")];
   return shown
@@ -40,13 +40,13 @@ export async function assertUncropped(page, screen) {
   assert.deepEqual(cropped, [], "texts that do not fit");
 }
 
-/** Lines have room, and at least two heights are named. */
+/** Checks that lines have space, and that each axis has at least two numbers. */
 async function assertPlotted(page) {
   const areas = await page.evaluate(() => [...document.querySelectorAll(".plot-area")].map(({ clientWidth, clientHeight }) => [clientWidth, clientHeight]));
   for (const [width, height] of areas) assert.ok(width >= 260 && height >= PLOT_PX, `a plot is ${width} x ${height}`);
 }
 
-/** Fit leaves the ship in what nothing on the picture covers. */
+/** Checks that Fit places the ship in the part of the picture that no control covers. */
 async function assertInSight(page) {
   const covers = await page.evaluate(() => {
     const picture = document.getElementById("canvas").getBoundingClientRect();
@@ -60,7 +60,7 @@ async function assertInSight(page) {
 }
 
 const layouts = cases(Object.entries({ ...SCREENS, ...SMALL }), ([name]) => ["desktop", "window at 400 %"].includes(name)).map(([name, viewport]) => [
-  `crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
+  `the page crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { draws: true, viewport });
     await assertUncropped(page, viewport);
@@ -79,7 +79,7 @@ const layouts = cases(Object.entries({ ...SCREENS, ...SMALL }), ([name]) => ["de
 ]);
 
 const lookedUp = cases([DESKTOP, SMALL.tablet, PHONE, { width: 320, height: 640 }], ({ width }) => width === 320).map((viewport) => [
-  `crops nothing where an earlier moment is shown, ${viewport.width}x${viewport.height}`,
+  `the page crops nothing at an earlier moment, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport });
     await page.getByTestId("speed").selectOption("Infinity");
@@ -97,7 +97,7 @@ const lookedUp = cases([DESKTOP, SMALL.tablet, PHONE, { width: 320, height: 640 
 
 const schemes = ["light", "dark"].flatMap((colorScheme) => [PHONE, DESKTOP].map((viewport) => ({ colorScheme, viewport })));
 const accessible = cases(schemes, ({ colorScheme, viewport }) => colorScheme === "dark" && viewport === PHONE).map(({ colorScheme, viewport }) => [
-  `passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
+  `the page passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport, colorScheme, query: "?scenario=nonesuch" });
     await stepTo(page, 0.01);
@@ -112,14 +112,14 @@ export default {
   ...Object.fromEntries(accessible),
   ...Object.fromEntries(lookedUp),
 
-  async "says the state of the run, and the plots in numbers, to those who do not see them"(host) {
+  async "screen readers get the state of the run and the plots as tables"(host) {
     const { page, close } = await openApp(host);
     const says = (words) => page.waitForFunction((text) => document.getElementById("announcer").textContent.startsWith(text), words);
     await says("Crane ship of Jardim et al. (2019): at the start.");
     await stepTo(page, 0.05);
     await says("Paused at 0.05 s.");
     await setAngle(page, "rad");
-    // A table is written once a second at most.
+    // A table is written at most once a second.
     const tabled = (words) => words.every((one) => document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent.includes(one));
     await page.waitForFunction(tabled, ["0.05 s", "rad/s"]);
     const rows = await page.locator("[data-testid=plot-1] .visually-hidden table tr").allTextContents();
@@ -132,14 +132,14 @@ export default {
     await close();
   },
 
-  async "has targets that a finger meets on the picture too"(host) {
+  async "controls on the picture are large enough for a finger"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper_true_draught", viewport: PHONE });
     await page.getByTestId("floating-warnings").waitFor();
     await assertUncropped(page, PHONE);
     await close();
   },
 
-  async "refits the ship when the window changes"(host) {
+  async "the ship is fitted again when the window changes"(host) {
     const { page, close } = await openApp(host, { draws: true, scale: 1 });
     await page.setViewportSize(PHONE);
     await settle(page);
@@ -150,7 +150,7 @@ export default {
     await close();
   },
 
-  async "reaches every control by the Tab key, with its focus in sight"(host) {
+  async "every control is reached by the Tab key and visible with focus"(host) {
     const { page, close } = await openApp(host);
     const wanted = await page.evaluate(() => {
       const all = [...document.querySelectorAll("button, select, input, summary, canvas")];

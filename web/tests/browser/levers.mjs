@@ -1,4 +1,4 @@
-// The crane by hand: two thumbs on a phone, keys, a gamepad, and what a run that is under way takes.
+// The crane by hand: two thumbs on a phone, keys, a gamepad, and parameters that are set during a run.
 import assert from "node:assert/strict";
 import { cases, thorough } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
@@ -26,7 +26,7 @@ class Thumbs {
     return this.down.map((place, id) => place && at(this.pads[id], place, id)).filter((point) => point !== null);
   }
 
-  /** Puts a thumb on a stick, or moves it there; across and along from -1 to 1. */
+  /** Puts a thumb on a stick or moves it there; across and along from -1 to 1. */
   async move(stick, ...place) {
     const isNew = this.down[stick] === null;
     this.down[stick] = isNew ? [0, 0] : place;
@@ -44,12 +44,15 @@ class Thumbs {
 const LEFT = 0;
 const RIGHT = 1;
 
-/** Waits until a column of the row that is shown is so. */
+/** Waits until a column of the shown row meets a condition. */
 const until = (page, column, test) => page.waitForFunction(([name, body]) => new Function("value", `return ${body}`)(window.kingpost.sample().row[name]), [column, test]);
 const asked = async (page, input) => Number(await page.getByTestId(`lever-${input}`).getAttribute("aria-valuenow"));
 const waitAsked = (page, input, percent) => page.waitForFunction(([id, value]) => document.querySelector(`[data-testid="${id}"]`).getAttribute("aria-valuenow") === value, [`lever-${input}`, String(percent)]);
 
-/** Waits until a column is so, and pauses the run there: what a thumb does next, it does at that moment on a slow machine too. */
+/**
+ * Waits until a column meets a condition and pauses the run there, so that the next move of a thumb acts at that moment
+ * also on a slow machine.
+ */
 async function pausedWhen(page, column, test) {
   const press = ([name, body]) => new Function("value", `return ${body}`)(window.kingpost.sample().row[name]) && (document.querySelector("[data-testid=start]").click(), true);
   await page.waitForFunction(press, [column, test]);
@@ -57,14 +60,16 @@ async function pausedWhen(page, column, test) {
 
 const goOn = (page) => page.evaluate(() => document.querySelector("[data-testid=start]").click());
 
-/** Picks the box up, carries it over the quay and sets it down, as far as its height and the crane's angle say. */
+/**
+ * Lifts the box, carries it over the quay and sets it down, guided by its height and the slewing angle of the crane.
+ */
 async function landByThumb(page) {
   const thumbs = await Thumbs.on(page);
   await page.getByTestId("speed").selectOption("5");
   await thumbs.move(RIGHT, 0, -1);
   await goOn(page);
   await pausedWhen(page, "box.position.z", "value > 5.5");
-  // Both thumbs at once: it goes on up while the crane begins to slew to port.
+  // Both thumbs at the same time: the hoist goes on while the crane begins to slew to port.
   await thumbs.move(LEFT, 0.8, 0);
   await goOn(page);
   await pausedWhen(page, "box.position.z", "value > 7");
@@ -84,13 +89,13 @@ async function landByThumb(page) {
   await goOn(page);
   await until(page, "on_quay.contact_normal_force", "value > 4e4");
   await until(page, "hoist_rope.rope_tension", "value < 100");
-  // Slack for the swell: with none, the next roll of the ship takes part of the weight again.
+  // Slack for the ship's motion: without it, the next roll of the ship would lift part of the weight again.
   const { row } = await sample(page);
   await pausedWhen(page, "hoist_rope.rope_length", `value > ${row["hoist_rope.rope_length"] + SLACK_M}`);
   await thumbs.letGo(RIGHT);
 }
 
-/** A gamepad of the standard layout, whose axes the test sets. */
+/** A gamepad with the standard layout, whose axes the test sets. */
 async function plugIn(page) {
   await page.evaluate(() => {
     window.pad = { id: "A pad of the test", connected: true, mapping: "standard", axes: [0, 0, 0, 0], buttons: [] };
@@ -101,7 +106,7 @@ async function plugIn(page) {
 
 const screens = [PHONE, DESKTOP, { width: 320, height: 640 }, { width: 844, height: 390 }].flatMap((viewport) => ["light", "dark"].map((colorScheme) => ({ viewport, colorScheme })));
 const accessible = cases(screens, ({ viewport, colorScheme }) => viewport.width === 320 && colorScheme === "light").map(({ viewport, colorScheme }) => [
-  `passes axe with the sticks, ${colorScheme}, ${viewport.width}x${viewport.height}`,
+  `the page with sticks passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { query: QUAYSIDE, viewport, colorScheme });
     await stepTo(page, 0.1);
@@ -116,7 +121,7 @@ const accessible = cases(screens, ({ viewport, colorScheme }) => viewport.width 
 ]);
 
 export default {
-  async "lifts a box from the deck to the quay with two thumbs on a phone"(host) {
+  async "two thumbs lift a box from the deck to the quay on a phone"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE, viewport: PHONE });
     await landByThumb(page);
     const { row } = await sample(page);
@@ -127,7 +132,7 @@ export default {
     await close();
   },
 
-  async "keeps the load in sight between the sticks on a phone, and puts the sticks away"(host) {
+  async "the load is visible between the sticks on a phone, and the sticks can be hidden"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE, viewport: PHONE });
     const scene = await page.locator("#scene").boundingBox();
     for (const id of ["stick-left", "stick-right"]) {
@@ -148,7 +153,7 @@ export default {
     await close();
   },
 
-  async "moves the levers by letters, and not while a number is typed"(host) {
+  async "letter keys move the levers, except while a number is typed"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     await page.getByTestId("start").click();
     await page.keyboard.down("k");
@@ -166,11 +171,11 @@ export default {
     await close();
   },
 
-  async "says what a drive does, and that it is at its limit, to those who do not see it"(host) {
+  async "screen readers get the rate of a drive and its reached limit"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     const lever = page.getByTestId("lever-hoist");
     await lever.focus();
-    // It is looked for before it comes: it stays for a few seconds.
+    // The test waits for the message before it appears, because it is shown only for a few seconds.
     const message = page.getByTestId("sticks-message").getByText("The run is paused").waitFor();
     await page.keyboard.press("End");
     assert.match(await lever.getAttribute("aria-valuetext"), /^command 100 %/);
@@ -184,7 +189,7 @@ export default {
   },
 
   ...thorough({
-    async "shows a lever as the engine has it where the run is brought back, and at a reset"(host) {
+    async "a lever shows the engine's value after a branch and after a reset"(host) {
       const { page, close } = await openApp(host, { query: QUAYSIDE });
       await stepTo(page, 0.3);
       await page.getByTestId("lever-hoist").focus();
@@ -206,7 +211,7 @@ export default {
     },
   }),
 
-  async "takes a gamepad"(host) {
+  async "a gamepad moves the levers"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     await plugIn(page);
     await page.getByText("Gamepad connected").waitFor();
@@ -219,7 +224,7 @@ export default {
     await close();
   },
 
-  async "gives an axis another input, and keeps that"(host) {
+  async "the input of an axis can be changed, and the choice is stored"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     const places = () => page.evaluate(() => [...document.querySelectorAll(".stick")].map((stick) => [...stick.querySelectorAll("[role=slider]")].map((axis) => axis.getAttribute("aria-label"))));
     assert.deepEqual(await places(), [["slewing gear", "main luffing"], ["knuckle luffing", "hoist"]]);
@@ -243,7 +248,7 @@ export default {
     await close();
   },
 
-  async "winds a drive of an angle on for as long as a stick is held"(host) {
+  async "a held stick keeps changing the angle of a drive"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch&winch_angle_rad=0" });
     await page.getByTestId("start").click();
     await page.keyboard.down("i");
@@ -257,7 +262,7 @@ export default {
     await close();
   },
 
-  async "sets the sea under way, and offers a restart for what cannot be set so"(host) {
+  async "live parameters of the sea are set during a run, and other parameters offer a restart"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_moored" });
     await stepTo(page, 0.5);
     await page.getByTestId("slider-significant_height_m").fill("4");

@@ -1,4 +1,5 @@
-// What does not come or breaks down: the engine, its worker, the gallery's list. The page says so and has a way on.
+// Parts that do not load or that break down: the engine, its worker, the gallery's list. The page reports this and
+// offers a way to continue.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -9,7 +10,7 @@ const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml"
 
 const alertOf = (page) => page.getByTestId("alert").textContent();
 
-/** Opens the app where some addresses cannot be reached. */
+/** Opens the app while some addresses cannot be reached. */
 async function openWithout(host, pattern) {
   const { page } = await openPage(host, { query: PAPER, prepare: (context) => context.route(pattern, (route) => route.abort()) });
   await page.getByTestId("alert-message").waitFor();
@@ -29,7 +30,7 @@ async function opensAtReset({ page, context }, pattern) {
   await context.close();
 }
 
-/** With an engine that ends under way. */
+/** Opens the app with an engine that ends during a run. */
 async function startsAgain(page, end) {
   await setNumber(page, "crane_x_m", 3);
   await page.getByTestId("start").click();
@@ -43,15 +44,15 @@ async function startsAgain(page, end) {
 }
 
 export default {
-  async "says so when the engine does not load, and loads it at Reset"(host) {
+  async "an engine that does not load is reported, and Reset loads it"(host) {
     await opensAtReset(await openWithout(host, "**/*.wasm"), "**/*.wasm");
   },
 
-  async "says so when the engine's script is missing, and starts it at Reset"(host) {
+  async "a missing engine script is reported, and Reset starts the engine"(host) {
     await opensAtReset(await openWithout(host, "**/worker-*.js"), "**/worker-*.js");
   },
 
-  async "opens files where the gallery's list did not come"(host) {
+  async "files can be opened if the gallery's list did not load"(host) {
     const { page, context } = await openWithout(host, "**/index.json");
     assert.match(await alertOf(page), /index\.json could not be fetched/);
     assert.match(await page.getByTestId("hint").textContent(), /Open a scenario/);
@@ -62,15 +63,15 @@ export default {
     await context.close();
   },
 
-  async "starts another engine where it breaks down under way, with the same values"(host) {
+  async "an engine that breaks down during a run is replaced, with the same values"(host) {
     const { page, close } = await openApp(host);
     await startsAgain(page, () => void setTimeout(() => { throw new Error("out of memory"); }));
     await close();
   },
 
-  // The page knows after sixty looks, one a second.
+  // The page detects it after sixty checks, one per second.
   ...thorough({
-    async "starts another engine where it falls silent under way, with the same values"(host) {
+    async "an engine that stops answering during a run is replaced, with the same values"(host) {
       const { page, close } = await openApp(host);
       await startsAgain(page, () => self.close());
       await close();

@@ -1,4 +1,4 @@
-// The app's numbers against the paper's truth row and the native golden runs.
+// The app's numbers compared with the paper's reference row and with native golden runs.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -8,7 +8,7 @@ const GOLDEN = fileURLToPath(new URL("../../../crates/kingpost/tests/golden/pape
 const goldens = JSON.parse(readFileSync(GOLDEN, "utf8"));
 const golden = (name) => goldens.find((one) => one.name === name);
 
-/** Ship's centre held, crane at the centre, no load, tower motor alone, t = 0.5 s. */
+/** Reference values: ship's centre fixed, crane at the centre, no load, only the tower's motor, t = 0.5 s. */
 const TRUTH = {
   "ship.angular_velocity.y": 0.19709,
   "ship.angular_velocity.z": -0.12348,
@@ -19,7 +19,7 @@ const TRUTH = {
   "luff.joint_position": 0.0632,
 };
 
-/** Half a unit of the last digit given, and no coarser than 1e-5 for the ship's rates. */
+/** Tolerances: half a unit of the last given digit, but at least 1e-5 for the ship's rates. */
 const tolerance = (name) => (name.startsWith("ship.") ? 1e-5 : 5.001e-5);
 
 function assertBits(actual, expected) {
@@ -29,7 +29,7 @@ function assertBits(actual, expected) {
 }
 
 export default {
-  async "opens with the paper's page: stern corner, load on, pulse, motor 1"(host) {
+  async "the app opens with the paper's ship: stern corner, load on, pulse, motor 1"(host) {
     const { page, close: done } = await openApp(host);
     const says = async (name) => page.getByTestId(`parameter-${name}`);
     for (const [name, checked] of [["motor_1", true], ["motor_2", false], ["load", true], ["hold_centre", true]]) {
@@ -44,7 +44,7 @@ export default {
     await done();
   },
 
-  async "meets the truth row: motor 1, crane at the centre, no load, 0.5 s"(host) {
+  async "a run has the values of the reference row: motor 1, crane at the centre, no load, 0.5 s"(host) {
     const { page, close: done } = await openApp(host);
     await setFigures(page);
     await setChecked(page, "motor_1", false);
@@ -66,11 +66,12 @@ export default {
     await done();
   },
 
-  async "gives the same bits after running, pausing and stepping"(host) {
+  async "running, pausing and stepping give the same bits"(host) {
     const { page, close: done } = await openApp(host);
     await page.getByTestId("speed").selectOption("0.125");
     await page.getByTestId("start").click();
-    // The page itself presses it: between two looks from outside a slow machine may pass the golden run's end.
+    // The page itself presses the button: a slow machine could pass the end of the golden run between two checks from
+    // outside.
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1 && (document.querySelector("[data-testid=start]").click(), true));
     await rested(page);
     const { status, time_s } = await sample(page);
@@ -81,7 +82,7 @@ export default {
     await done();
   },
 
-  async "runs on past the scenario's duration until it is paused"(host) {
+  async "a run goes on after the scenario's duration until it is paused"(host) {
     const { page, close: done } = await openApp(host);
     await page.getByTestId("speed").selectOption("20");
     await page.getByTestId("start").click();

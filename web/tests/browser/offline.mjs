@@ -1,4 +1,5 @@
-// The app is kept on the device where it is served safely: it opens without a network, and builds do not mix.
+// The app is cached on the device if it is served over a secure connection: it opens without a network, and builds do
+// not mix.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -13,7 +14,7 @@ const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 const isKept = (page) => page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 60_000 });
 const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector("[data-testid=title]").textContent === wanted, title);
 
-/** A copy of the built app, which can become another build. */
+/** A copy of the built app, which the test can change into another build. */
 function buildOf() {
   const folder = mkdtempSync(join(tmpdir(), "kingpost-"));
   cpSync(DIST, folder, { recursive: true });
@@ -24,7 +25,7 @@ function buildOf() {
   };
   return {
     folder,
-    /** As a build with other scenarios has it: their files, and the list of the worker. */
+    /** Changes a file of the copy, and its digest in the list of the worker, as another build has them. */
     change(path, how) {
       const digest = write(path, how);
       write("offline.js", (script) => script.replace(new RegExp(`"${path}":"\\w+"`), `"${path}":"${digest}"`));
@@ -36,7 +37,7 @@ function buildOf() {
 const retitled = (title) => (text) => text.replace(/^title: .*/m, `title: ${title}`);
 
 export default {
-  async "opens other scenarios of the gallery, and itself, once the network is cut"(host) {
+  async "the app and other scenarios of the gallery open without a network"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper", serviceWorkers: "allow" });
     await isKept(page);
     await page.context().setOffline(true);
@@ -49,7 +50,7 @@ export default {
     await page.goto(`${host.address}?scenario=barge`);
     await page.waitForFunction(() => window.kingpost?.sample());
     await stepTo(page, 0.2);
-    // What is loaded only when it is asked for.
+    // A part that is loaded only when it is used.
     await page.getByTestId("show-equations").click();
     await page.locator(".matrix").waitFor();
     await page.getByTestId("share").click();
@@ -57,7 +58,7 @@ export default {
     await close();
   },
 
-  async "can be installed: its manifest and icons are there, under the folder that it is served from"(host) {
+  async "the app can be installed: its manifest and icons are in the folder from which it is served"(host) {
     const { page, close } = await openApp(host);
     const found = await page.evaluate(async () => {
       const link = document.querySelector('link[rel="manifest"]').href;
@@ -78,7 +79,7 @@ export default {
     await close();
   },
 
-  async "stays one build until the newer one is asked for, and becomes that as a whole"({ browser }) {
+  async "the app stays at one build until the user updates, and is then replaced completely"({ browser }) {
     const build = buildOf();
     const { address, stop } = await serve(build.folder, "/deep/below/");
     const { page, close } = await openApp({ browser, address }, { query: "?scenario=paper", serviceWorkers: "allow" });
@@ -93,7 +94,7 @@ export default {
     await settle(page);
     assert.notEqual(await page.getByTestId("title").textContent(), "A newer chain");
 
-    // Another window has the older build too: the two would be mixed there.
+    // Another window has the older build too: an update would mix the two builds there.
     const other = await page.context().newPage();
     await other.goto(`${address}?scenario=paper`);
     await other.waitForFunction(() => window.kingpost?.sample());
@@ -104,7 +105,7 @@ export default {
     await page.getByTestId("update").click();
     await titled(page, "A newer chain");
     assert.equal(await page.getByTestId("notice-update").count(), 0);
-    // Of the older build nothing is left.
+    // No file of the older build is left.
     const kept = await page.evaluate(async () => Promise.all((await caches.keys()).map(async (name) => (await (await caches.open(name)).keys()).map(({ url }) => url))));
     assert.equal(kept.length, 1);
     assert.equal(kept[0].filter((url) => url.includes("scenarios/paper.yaml")).length, 1);
@@ -116,12 +117,12 @@ export default {
     build.remove();
   },
 
-  async "is taken off the device by the server that runs it from a file, which has the last word on what it shows"({ browser }) {
+  async "a local server removes the cached app from the device and serves its own files"({ browser }) {
     const build = buildOf();
     const { address, stop } = await serve(build.folder, "/");
     const { page, close } = await openApp({ browser, address }, { query: "?scenario=paper", serviceWorkers: "allow" });
     await isKept(page);
-    // As `kingpost serve` answers, with another scenario of the same name.
+    // Answers as `kingpost serve`, with another scenario of the same name.
     cpSync(join(build.folder, "offline-leave.js"), join(build.folder, "offline.js"));
     writeFileSync(join(build.folder, "scenarios/paper.yaml"), retitled("Served now")(readFileSync(join(build.folder, "scenarios/paper.yaml"), "utf8")));
     await page.reload();
@@ -136,7 +137,7 @@ export default {
     build.remove();
   },
 
-  async "keeps nothing of a build whose files are not all its own, and runs all the same"({ browser }) {
+  async "a build with a file of another build is not cached, and the app runs"({ browser }) {
     const build = buildOf();
     writeFileSync(join(build.folder, "scenarios/chain.yaml"), "version: 1\n");
     const { address, stop } = await serve(build.folder, "/");

@@ -1,4 +1,4 @@
-// The panels beside the picture: instruments with the limits of the scenario, and the equations with their numbers.
+// Panels beside the picture: instruments with the limits of the scenario, and the equations with their numbers.
 import assert from "node:assert/strict";
 import { cases } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
@@ -6,11 +6,11 @@ import { DESKTOP, openApp, PHONE, sample, stepTo } from "./app.mjs";
 
 const all = [PHONE, DESKTOP].flatMap((viewport) => ["day", "dusk", "night", "bright"].map((palette) => ({ viewport, palette })));
 const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && palette === "night").map(({ viewport, palette }) => [
-  `passes axe with each panel, ${palette}, ${viewport.width}x${viewport.height}`,
+  `each panel passes axe, ${palette}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport, query: "?scenario=slew_and_land" });
     await stepTo(page, 0.1);
-    // Colours change at once, not over a moment in which their contrast is another.
+    // Colours change at once: during a transition their contrast would be another.
     await page.emulateMedia({ reducedMotion: "reduce" });
     await page.getByTestId("show-instruments").click();
     await page.getByTestId("palette").selectOption(palette);
@@ -27,7 +27,7 @@ const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && pal
 export default {
   ...Object.fromEntries(palettes),
 
-  async "shows a limit as a bar that turns red when it is exceeded, and keeps its worst value at any moment"(host) {
+  async "the bar of a limit turns red when it is exceeded, and shows its worst value at any moment"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=barge_crane_200t&limits.list.within=0.002" });
     const bar = page.getByTestId("limit-list");
     await page.getByTestId("show-instruments").click();
@@ -38,13 +38,13 @@ export default {
     assert.equal(await bar.getAttribute("data-state"), heel > 0.002 ? "exceeded" : heel > 0.0018 ? "near" : "ok");
     const meter = bar.getByRole("meter");
     assert.ok(Math.abs(Math.abs(Number(await meter.getAttribute("aria-valuenow"))) - heel) < 1e-5);
-    // The tab says it beside any other panel.
+    // The tab shows the state of the limits beside any other panel.
     await page.getByTestId("show-controls").click();
     assert.equal(await page.getByTestId("show-instruments").getAttribute("data-state"), await bar.getAttribute("data-state"));
     await close();
   },
 
-  async "shows the numbers of B as the engine has them, of the moment that is shown, and points a block out on the ship"(host) {
+  async "the matrix B has the engine's numbers at the shown moment, and a block is highlighted on the ship"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper&motor_1=true" });
     await page.getByTestId("show-equations").click();
     await page.locator(".matrix").waitFor();
@@ -55,12 +55,12 @@ export default {
     await page.waitForFunction((before) => document.querySelector('.matrix td[data-block="2,1"]').parentElement.textContent !== before, atStart);
     await page.locator('.matrix td[data-block="4,3"]').first().click();
     await page.waitForFunction(() => document.querySelector(".matrix-detail").textContent.startsWith("arm.x_dot by luff"));
-    // A unit quantity: the arm's centre moves by its distance from the hinge at a rate of one.
+    // At unit rate of luffing, the arm's centre moves by its distance from the hinge.
     const entries = (await page.locator(".matrix-detail").textContent()).split(": ")[1].split(" ").map((text) => Number(text.replaceAll("−", "-")));
     const model = await page.evaluate(() => window.kingpost.sample().poses);
     assert.equal(entries.length, 3);
     assert.ok(Math.hypot(...entries) > 0.1 && model.every(Number.isFinite));
-    // Back at the start, B is what it was.
+    // At the start of the run, B has its initial values again.
     await page.getByTestId("matrix").selectOption("M_star");
     await page.getByTestId("matrix").selectOption("B");
     await page.getByTestId("cursor").focus();

@@ -1,4 +1,4 @@
-// The lessons on the physics: losing the load, and finding the resonance.
+// Lessons: loss of the hook load, and resonance.
 import assert from "node:assert/strict";
 import { cases, thorough } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
@@ -6,7 +6,7 @@ import { close as near, DESKTOP, openApp, openFile, PHONE, rested, sample, stepT
 
 const DEGREE = Math.PI / 180;
 
-/** The first number of a text, with the page's minus sign read as one. */
+/** Returns the first number in a text; the page's minus sign counts as a minus. */
 const firstNumber = (text) => Number.parseFloat(text.replaceAll("−", "-").match(/-?\d+(\.\d+)?/)[0]);
 const cell = async (page, row) => firstNumber(await page.getByTestId(`loss-${row}`).textContent());
 
@@ -17,7 +17,7 @@ async function openLesson(host, query, lesson, viewport) {
   return { page, close };
 }
 
-/** A pendulum on a support that is held; its length is a parameter. */
+/** A pendulum on a fixed support; its length is a parameter. */
 const PENDULUM = `
 version: 1
 title: A pendulum of a length to choose
@@ -29,24 +29,24 @@ bodies:
 forces: {gravity: {gravity: {}}}
 `;
 
-/** The table of periods: a row for each value, in numbers. */
+/** Returns the table of periods as numbers: a row for each value. */
 const periods = (page) => page.locator("[data-testid=lesson-resonance] details tr").evaluateAll((rows) => rows.slice(1).map((row) => [...row.children].map((cell) => Number(cell.textContent))));
 
-/** Computes the periods and waits for the last of them. */
+/** Computes the periods and waits for the last one. */
 async function compute(page) {
   await page.getByTestId("compute-periods").click();
   await page.waitForFunction(() => /^(25 of 25|The periods)/.test(document.querySelector("[data-testid=periods-progress]").textContent));
   assert.equal(await page.getByTestId("periods-progress").textContent(), "25 of 25 values");
 }
 
-/** Nothing is wider than its place. */
+/** Checks that no element is wider than its container. */
 async function assertFits(page) {
   const tooWide = await page.evaluate(() => [document.documentElement, document.querySelector("#physics"), ...document.querySelectorAll("#physics button")].filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.outerHTML.slice(0, 80)));
   assert.deepEqual(tooWide, []);
 }
 
 const losing = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((viewport) => [
-  `cuts the load by the keyboard, and the ship rolls no further than her righting arms allow, ${viewport.width}x${viewport.height}`,
+  `after the load is cut by the keyboard, the ship rolls no further than her righting arms allow, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", viewport);
     await page.getByTestId("loss-reach").waitFor();
@@ -60,11 +60,12 @@ const losing = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((vi
     await page.waitForFunction(() => document.querySelector("[data-testid=cut]").disabled);
     const { row } = await sample(page);
     await page.waitForFunction((heel) => Math.abs(Number.parseFloat(document.querySelector("[data-testid=loss-now]").textContent.replace("−", "-").match(/-?[\d.]+/)[0]) - heel) < 0.01, row["hull.roll"] / DEGREE);
-    // What she gains on the way to her new rest carries her beyond it, less what the water takes.
+    // The energy gained on the way to the new equilibrium carries the ship beyond it, less the dissipation by the
+    // water.
     const [rest, reach, furthest] = [await cell(page, "heel_after"), await cell(page, "reach"), await cell(page, "furthest")];
     assert.ok(furthest > rest + 0.7 * (reach - rest) && furthest < reach, `${rest} < ${furthest} < ${reach}`);
-    assert.equal(await page.getByTestId("loss-exposed").textContent(), "held");
-    // Water that enters before she has stopped is the end of her.
+    assert.equal(await page.getByTestId("loss-exposed").textContent(), "met");
+    // Water that enters before the roll stops ends area 2.
     await page.getByTestId("flooding").fill(String(rest + 1));
     await page.waitForFunction(() => document.querySelector("[data-testid=loss-exposed]").dataset.state === "exceeded");
     await page.getByTestId("flooding").fill("60");
@@ -77,7 +78,7 @@ const losing = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((vi
 
 const all = [DESKTOP, PHONE].flatMap((viewport) => ["day", "dusk", "night", "bright"].map((palette) => ({ viewport, palette })));
 const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && palette === "dusk").map(({ viewport, palette }) => [
-  `passes axe with both lessons, ${palette}, ${viewport.width}x${viewport.height}`,
+  `both lessons pass axe, ${palette}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load&timeline=false", "loss", viewport);
     await page.getByTestId("loss-reach").waitFor();
@@ -94,16 +95,17 @@ const palettes = cases(all, ({ viewport, palette }) => viewport === PHONE && pal
 ]);
 
 const resonances = [DESKTOP, PHONE].map((viewport) => [
-  `finds the length at which the load swings with the sea, sets it and runs, ${viewport.width}x${viewport.height}`,
+  `the lesson finds the length at resonance with the sea, sets it and runs, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openLesson(host, "?scenario=offshore_vessel&waves=true", "resonance", viewport);
     await page.getByTestId("varied").selectOption("rope_length_m");
     await compute(page);
     await assertFits(page);
     await assertAccessible(page, "with periods");
-    const [peak_s] = await page.getByTestId("meetings").evaluate((list) => list.textContent.match(/peak is at (\d+\.\d+) s/).slice(1).map(Number));
+    const [peak_s] = await page.getByTestId("meetings").evaluate((list) => list.textContent.match(/peak period of the sea is (\d+\.\d+) s/).slice(1).map(Number));
     near(peak_s, 8, 0.4, "peak of the sea, s");
-    // The load on its rope is nearly a pendulum: the ship beneath it and the boom's angle change its period by some per cent.
+    // The load on its rope is nearly a pendulum: the motion of the ship and the angle of the boom change its period by
+    // some per cent.
     const set = page.getByTestId("set-and-run").first();
     const length_m = Number(await set.getAttribute("data-value"));
     near(2 * Math.PI * Math.sqrt(length_m / 9.80665), peak_s, 0.1 * peak_s, "period of the load, s");
@@ -111,20 +113,20 @@ const resonances = [DESKTOP, PHONE].map((viewport) => [
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => window.kingpost.sample().status === "running" && window.kingpost.sample().time_s > 0.5);
     assert.equal(Number(await page.getByTestId("parameter-rope_length_m").inputValue()), length_m);
-    // What was found stands, for it is of the same ship in the same sea.
+    // The results remain, because they belong to the same ship in the same sea.
     assert.equal(await page.getByTestId("periods-progress").textContent(), "25 of 25 values");
     await close();
   },
 ]);
 
 export default {
-  // Five and twenty times the modes of a vessel.
+  // This computes the modes of a vessel twenty-five times.
   ...thorough(Object.fromEntries(resonances)),
   ...Object.fromEntries(losing),
   ...Object.fromEntries(palettes),
 
   ...thorough({
-    async "follows the timeline of a scenario that lets the load go by itself"(host) {
+    async "the lesson follows a scenario whose timeline releases the load"(host) {
       const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", DESKTOP);
       await page.getByTestId("loss-reach").waitFor();
       await stepTo(page, 22);
@@ -134,14 +136,14 @@ export default {
     },
   }),
 
-  async "says where nothing can be let go, and leads to the scenario that is made for it"(host) {
+  async "the lesson reports a scenario without a releasable load, and links to its own scenario"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "loss", DESKTOP);
     await page.getByRole("link", { name: "Open the scenario for this lesson" }).click();
     await page.waitForFunction(() => document.title.includes("loses the load"));
     await close();
   },
 
-  async "gives a pendulum on a held support the period 2 pi sqrt(L / g) at every length, and says that the water is calm"(host) {
+  async "a pendulum on a fixed support has the period 2 pi sqrt(L / g) at every length, and calm water is reported"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
     await openFile(page, "pendulum.yaml", PENDULUM);
     await page.waitForFunction(() => document.title.includes("pendulum"));
@@ -153,9 +155,9 @@ export default {
     await close();
   },
 
-  async "leaves out values that cannot be, with the reason"(host) {
+  async "impossible values are left out, with the reason"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
-    // A bob of less than nothing, and one of nothing.
+    // A bob of negative mass, and one of zero mass.
     await openFile(page, "pendulum.yaml", PENDULUM.replace("[4, 52]", "[-1, 23]").replace("bodies.bob.joint.revolute.child_position_m.2", "bodies.bob.mass_kg"));
     await page.waitForFunction(() => document.title.includes("pendulum"));
     await compute(page);
@@ -163,12 +165,12 @@ export default {
     await close();
   },
 
-  async "stops when it is asked to"(host) {
+  async "Stop ends the sweep"(host) {
     const { page, close } = await openLesson(host, "?scenario=offshore_vessel", "resonance", DESKTOP);
     const button = page.getByTestId("compute-periods");
     await rested(page);
     const engines = page.workers().length;
-    // In one go, so that no machine is too fast for it.
+    // Both in one call, so that a fast machine does not finish before the stop.
     const said = await button.evaluate((element) => {
       element.click();
       const between = element.textContent;
@@ -176,7 +178,7 @@ export default {
       return [between, element.textContent];
     });
     assert.deepEqual(said, ["Stop", "Compute the periods"]);
-    // Its thread ends, and with it the work.
+    // The worker ends, and its computation with it.
     while (page.workers().length > engines) await page.evaluate(() => new Promise(requestAnimationFrame));
     assert.doesNotMatch(await page.getByTestId("periods-progress").textContent(), /^25 of 25/);
     await close();

@@ -1,9 +1,9 @@
-// The menus on the picture: from where it is seen, and what is drawn besides.
+// Menus on the picture: the viewpoints, and the overlays.
 import assert from "node:assert/strict";
 import { assertAccessible } from "./axe.mjs";
 import { look, openApp, PHONE, rested, stepTo } from "./app.mjs";
 
-/** Opens a scenario of the gallery and waits until its picture stands. */
+/** Opens a scenario of the gallery and waits until its picture is drawn. */
 async function openScenario(host, name) {
   const app = await openApp(host, { query: `?scenario=${name}`, draws: true });
   await rested(app.page);
@@ -13,7 +13,7 @@ async function openScenario(host, name) {
 const offered = (page) => page.$$eval('#cameras input[type="radio"]', (inputs) => inputs.map(({ value }) => value));
 
 export default {
-  async "offers the cameras that a scenario has, and looks from each"(host) {
+  async "the viewpoints of a scenario are offered, and each shows its view"(host) {
     const { page, close } = await openScenario(host, "lift_off_from_barge");
     assert.deepEqual(await offered(page), ["free", "load", "cab", "bridge", "top", "section"]);
     const seen = new Set([JSON.stringify(await look(page))]);
@@ -31,7 +31,7 @@ export default {
     await close();
   },
 
-  async "chooses a camera by the keyboard alone, and closes the menu"(host) {
+  async "a viewpoint is chosen by the keyboard, which also closes the menu"(host) {
     const { page, close } = await openScenario(host, "paper");
     await page.locator("#cameras > summary").focus();
     await page.keyboard.press("Enter");
@@ -45,11 +45,11 @@ export default {
     await close();
   },
 
-  async "opens menus that stay inside of the picture of a phone, with targets large enough"(host) {
+  async "menus stay inside the picture on a phone, with targets that are large enough"(host) {
     const { page, close } = await openApp(host, { viewport: PHONE });
     for (const menu of ["cameras", "show"]) {
       await page.locator(`#${menu} > summary`).click();
-      // The browser tells of an opened menu a little later; then it gets its height.
+      // The browser reports an opened menu a little later; then the menu gets its height.
       await page.waitForFunction((id) => document.querySelector(`#${id} .menu-panel`).style.maxHeight !== "", menu);
       const [panel, scene] = [await page.locator(`#${menu} .menu-panel`).boundingBox(), await page.locator("#scene").boundingBox()];
       assert.ok(panel.x >= scene.x && panel.x + panel.width <= scene.x + scene.width + 1, `${menu}: ${JSON.stringify(panel)}`);
@@ -60,9 +60,9 @@ export default {
     await close();
   },
 
-  async "keeps the eye above the sea until it may go under"(host) {
+  async "the camera stays above the sea until it may go under water"(host) {
     const { page, close } = await openScenario(host, "barge");
-    /** Turns the view down as far as it goes. */
+    /** Turns the view down to its limit. */
     const sink = async () => {
       await page.getByTestId("canvas").focus();
       for (let i = 0; i < 30; i++) await page.keyboard.press("ArrowDown");
@@ -83,7 +83,7 @@ export default {
     await close();
   },
 
-  async "draws what is asked for, and says how long an arrow is"(host) {
+  async "chosen overlays are drawn, with a scale of the arrows"(host) {
     const { page, close } = await openScenario(host, "slew_and_land");
     await stepTo(page, 1);
     assert.equal(await page.getByTestId("arrow-scale").isVisible(), false);
@@ -101,7 +101,7 @@ export default {
     await close();
   },
 
-  async "draws joint axes and heights over the keel as the engine gives them"(host) {
+  async "joint axes and heights above the keel agree with the engine"(host) {
     const { page, close } = await openScenario(host, "vessel_knuckle_boom");
     for (const overlay of ["axes", "buoyancy"]) {
       const before = await look(page);
@@ -112,7 +112,7 @@ export default {
     await close();
   },
 
-  async "has nothing that axe finds with a menu open"(host) {
+  async "an open menu passes axe"(host) {
     const { page, close } = await openApp(host);
     for (const menu of ["cameras", "show"]) {
       await page.locator(`#${menu} > summary`).click();

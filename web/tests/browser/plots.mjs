@@ -1,4 +1,4 @@
-// Plots of any channel, and what is kept of a run: in the page, and by Python where it is built.
+// Plots of any column, and exported files of a run: checked in the page, and by Python if the package is built.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -10,7 +10,7 @@ import { close as near, DESKTOP, numberIn, openApp, PHONE, sample, setPlot, show
 import { cases } from "../lane.mjs";
 import { assertAccessible } from "./axe.mjs";
 
-/** Of `make develop`, or another that has the package. */
+/** Python of `make develop`, or another one that has the package. */
 const PYTHON = process.env.KINGPOST_PYTHON ?? fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
 
 async function openPlots(host, scenario, viewport = DESKTOP) {
@@ -19,7 +19,7 @@ async function openPlots(host, scenario, viewport = DESKTOP) {
   return opened;
 }
 
-/** What Export hands over. */
+/** Returns the file that Export saves. */
 async function exported(page, what) {
   await page.getByTestId("export").click();
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(`export-${what}`).click()]);
@@ -28,7 +28,7 @@ async function exported(page, what) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
-/** What a line of Python prints, of files with these contents. */
+/** Returns the output of a line of Python, given files with these contents. */
 function python(code, files) {
   const folder = mkdtempSync(join(tmpdir(), "kingpost-"));
   try {
@@ -42,7 +42,7 @@ function python(code, files) {
 const hasPython = existsSync(PYTHON);
 if (!hasPython) console.log("plots: not compared with Python, which is not built: KINGPOST_PYTHON=path names one");
 
-/** Width, height and colours of a picture. */
+/** Returns the width, the height and the number of colours of a picture. */
 async function looked(page, bytes) {
   assert.equal(bytes.subarray(1, 4).toString(), "PNG");
   return page.evaluate(async (base64) => {
@@ -58,7 +58,7 @@ async function looked(page, bytes) {
 }
 
 const exporting = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map((viewport) => [
-  `exports the recording, pictures and the scenario, ${viewport.width}x${viewport.height}`,
+  `the recording, pictures and the scenario are exported, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openPlots(host, "paper", viewport);
     await stepTo(page, 0.3);
@@ -91,7 +91,10 @@ const exporting = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).ma
   },
 ]);
 
-/** The same run by Python: the same text of the table, the same bits in both files, and their statistics. */
+/**
+ * Checks the files against the same run by Python: the same text of the table, the same bits in both files, and the
+ * same statistics.
+ */
 function comparedWithPython(files) {
   const code = `
 import json, pandas, pyarrow.parquet, kingpost
@@ -109,7 +112,7 @@ print("same")
 }
 
 const finding = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map((viewport) => [
-  `finds any channel by a search with the keyboard, draws it on an axis of its own, and keeps it for the scenario, ${viewport.width}x${viewport.height}`,
+  `a search by the keyboard finds any column, which is drawn on a separate axis and stored for the scenario, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openPlots(host, "paper", viewport);
     await stepTo(page, 0.4);
@@ -125,13 +128,13 @@ const finding = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map(
     assert.equal(await page.getByTestId("choose-1").evaluate((button) => document.activeElement === button), true);
     const { row } = await sample(page);
     await showsNumber(page, "value-1-kinetic_energy", row.kinetic_energy / 1000, 0.0051);
-    // One axis of time, two upright.
+    // One axis of time and two vertical axes.
     assert.equal(await page.locator("[data-testid=plot-1] .u-axis").count(), 3);
     await page.reload();
     await page.waitForFunction(() => window.kingpost?.sample());
     if (viewport === PHONE) await page.getByTestId("show-plots").click();
     await page.getByTestId("value-1-kinetic_energy").waitFor();
-    // Another scenario has its own plots; the default ones come back.
+    // Another scenario has other plots; after the change the default plots are shown.
     await page.getByTestId("view-plots").click();
     await page.getByTestId("default-plots").click();
     assert.equal(await page.getByTestId("choose-1").textContent(), "Rates of ship");
@@ -140,23 +143,24 @@ const finding = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).map(
 ]);
 
 const spectra = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((viewport) => [
-  `shows a spectrum with its resolution, and one line against another, ${viewport.width}x${viewport.height}`,
+  `a plot shows a spectrum with its resolution, or one line over another, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openPlots(host, "barge&waves=true", viewport);
     await stepTo(page, 104);
-    // What the engine warns of would stand before the plots.
+    // A warning of the engine would cover the plots.
     const dismiss = page.getByTestId("run-warnings").getByLabel("Dismiss");
     if (await dismiss.isVisible()) await dismiss.click();
     await setPlot(page, 1, { lines: ["water.wave_elevation"], kind: "spectrum" });
     const notes = page.locator("[data-testid=plot-1] > .plot-notes");
     await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution"));
-    // Eight parts would have 128 records of 0.1 s, less than three periods of the waves: 256 that overlap by half, 2 pi / 25.6 s.
+    // Eight segments would have 128 records of 0.1 s, less than three periods of the waves: 256 records that overlap by
+    // half, 2 pi / 25.6 s.
     assert.match(await notes.textContent(), /Hann window: 7 segments of the records from 0 to 104 s, resolution 0\.245 rad\/s/);
     await page.getByTestId("choose-1").click();
     await page.getByTestId("plot-parts").selectOption("2");
     await page.getByTestId("picker-done").click();
     await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution 0.123"));
-    // The waves of the scenario have a peak period of 8 s; of one realisation the highest line is near to it.
+    // The waves of the scenario have a peak period of 8 s; the largest density of one realisation is near it.
     const peak = Number((await notes.textContent()).match(/peak at ([\d.]+) rad\/s/)[1]);
     near(peak, (2 * Math.PI) / 8, 0.25, "peak, rad/s");
     await setPlot(page, 2, { lines: ["ship.roll", "ship.angular_velocity.x"], kind: "phase" });
@@ -170,7 +174,7 @@ const spectra = cases([DESKTOP, PHONE], (viewport) => viewport === PHONE).map((v
 ]);
 
 const accessible = cases(["day", "night", "bright"], (palette) => palette === "bright").map((palette) => [
-  `passes axe with its dialogs open, ${palette}`,
+  `open dialogs of the plots pass axe, ${palette}`,
   async (host) => {
     const { page, close } = await openPlots(host, "barge", PHONE);
     await stepTo(page, 1);
@@ -192,7 +196,7 @@ export default {
   ...Object.fromEntries(spectra),
   ...Object.fromEntries(exporting),
 
-  async "adds plots and removes them, up to six"(host) {
+  async "plots are added and removed, up to six"(host) {
     const { page, close } = await openPlots(host, "paper", PHONE);
     for (let place = 3; place <= 6; place++) {
       await page.getByTestId("add-plot").click();
@@ -210,7 +214,7 @@ export default {
     await close();
   },
 
-  async "says the statistics of what is in sight as the exported table has them"(host) {
+  async "the statistics of the visible time agree with the exported table"(host) {
     const { page, close } = await openPlots(host, "barge");
     await stepTo(page, 20);
     await page.getByTestId("view-plots").click();
@@ -233,7 +237,7 @@ export default {
     await close();
   },
 
-  async "shows the stretch of time that a mouse is drawn across, in all plots"(host) {
+  async "a drag with the mouse selects the visible time in all plots"(host) {
     const { page, close } = await openPlots(host, "paper");
     await stepTo(page, 2);
     const area = await page.locator("[data-testid=plot-1] .u-over").boundingBox();
@@ -245,7 +249,7 @@ export default {
     await page.mouse.up();
     await page.getByTestId("view-plots").click();
     assert.equal(await page.getByTestId("plot-window").inputValue(), "between");
-    // Of the 3 s that the plots show at first.
+    // The selection is a part of the 3 s that the plots show at first.
     near(Number(await page.getByTestId("window-from").inputValue()), 0.6, 0.03, "from, s");
     near(Number(await page.getByTestId("window-to").inputValue()), 1.2, 0.03, "to, s");
     await page.getByTestId("plot-window").selectOption("last 10");
@@ -256,7 +260,7 @@ export default {
     await close();
   },
 
-  async "shows the righting arms with where the ship now is, and the limits of a column"(host) {
+  async "righting arms are shown with the ship's present heel, and a column with its limits"(host) {
     const { page, close } = await openPlots(host, "barge_crane_200t");
     await stepTo(page, 0.5);
     await page.waitForFunction(() => document.querySelector("[data-testid=plot-2] .visually-hidden").textContent.includes("Limit: list"));
@@ -264,11 +268,11 @@ export default {
     assert.deepEqual(limits.map((text) => text.replace("Limit: list", "")), ["−3.00", "3.00"]);
     await setPlot(page, 1, { kind: "arms" });
     const notes = page.locator("[data-testid=plot-1] > .plot-notes");
-    await page.waitForFunction(() => /now at [\d.−]+° to starboard, GZ/.test(document.querySelector("[data-testid=plot-1] > .plot-notes").textContent));
-    const heel = Number((await notes.textContent()).match(/now at ([\d.]+)°/)[1]);
+    await page.waitForFunction(() => /now heels [\d.−]+° to starboard, GZ/.test(document.querySelector("[data-testid=plot-1] > .plot-notes").textContent));
+    const heel = Number((await notes.textContent()).match(/now heels ([\d.]+)°/)[1]);
     const { row } = await sample(page);
     near(heel, (row["hull.roll"] * 180) / Math.PI, 0.0051, "heel");
-    assert.match(await notes.textContent(), /at rest at [\d.]+°; largest [\d.]+ m at [\d.]+°/);
+    assert.match(await notes.textContent(), /equilibrium at [\d.]+°; largest [\d.]+ m at [\d.]+°/);
     await close();
   },
 

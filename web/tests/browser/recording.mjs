@@ -13,10 +13,13 @@ async function scrub(page, time_s) {
   }, time_s);
 }
 
-/** How much two pictures of the ship differ, as a share: the camera comes back to its place but for a pixel or two. */
+/**
+ * Returns the share of pixels that differ between two pictures of the ship; the camera returns to its position within a
+ * pixel or two.
+ */
 const apart = (one, other) => Math.max(...["green", "grey"].map((key) => Math.abs(one[key] - other[key]) / other[key]));
 
-/** Runs on from what is shown until a time is recorded, and pauses. */
+/** Runs from the moment that is shown until a time is recorded, and pauses. */
 async function runPast(page, time_s) {
   await page.getByTestId("start").click();
   await page.waitForFunction((until) => window.kingpost.sample().status === "running" && window.kingpost.sample().newest_s > until, time_s);
@@ -25,13 +28,13 @@ async function runPast(page, time_s) {
 }
 
 export default {
-  async "shows any recorded moment again: numbers, plots and picture, by keys too"(host) {
+  async "any recorded moment is shown again in numbers, plots and picture, also by keys"(host) {
     const { page, close } = await openApp(host, { draws: true, scale: 1 });
     await stepTo(page, 0.4);
     const early = await sample(page);
     await rested(page);
     const pictured = await look(page);
-    // The plot shows at least two decimals; how many is decided once a second.
+    // The plot shows at least two decimals; their number is updated once a second.
     const plotted = () => showsNumber(page, "value-1-ship.angular_velocity.y", (early.row["ship.angular_velocity.y"] * 180) / Math.PI, 0.0051);
     await plotted();
     await stepTo(page, 1.2);
@@ -62,7 +65,7 @@ export default {
     await close();
   },
 
-  async "branches from an earlier moment: without a change the same numbers, and nothing of what came after"(host) {
+  async "a branch without a change gives the same numbers, and later records are dropped"(host) {
     const { page, close } = await openApp(host);
     await stepTo(page, 1);
     const { row } = await sample(page);
@@ -82,7 +85,7 @@ export default {
   },
 
   ...thorough({
-    async "has another future where a lever is moved at an earlier moment, and marks the move"(host) {
+    async "a lever move at an earlier moment changes the future and is marked"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
       await stepTo(page, 3);
       const { row } = await sample(page);
@@ -104,7 +107,7 @@ export default {
     },
   }),
 
-  async "marks what happened, and says it at the pointer and at the cursor"(host) {
+  async "events are marked on the track, with their text at the pointer and the cursor"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lift_off_from_barge" });
     await stepTo(page, 1);
     const words = /^(\d+\.\d\d) s, hull: comes as near as .* to barge_ship/;
@@ -121,7 +124,7 @@ export default {
     await close();
   },
 
-  async "follows a finger along the track, and pauses for it"(host) {
+  async "a finger on the track pauses the run and moves the shown time"(host) {
     const { page, close } = await openApp(host, { viewport: PHONE });
     await page.getByTestId("start").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0.5);
@@ -138,7 +141,7 @@ export default {
     await close();
   },
 
-  async "pauses in a hidden tab"(host) {
+  async "the run pauses in a hidden tab"(host) {
     const { page, close } = await openApp(host);
     await page.getByTestId("start").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1);
@@ -154,7 +157,7 @@ export default {
     await close();
   },
 
-  async "runs as fast as it goes, and says how fast that is, which is never slow"(host) {
+  async "a run as fast as possible shows its speed and never counts as slow"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=barge" });
     await page.getByTestId("speed").selectOption("Infinity");
     await page.getByTestId("start").click();

@@ -1,5 +1,5 @@
-// What a report of a study does in a browser without a network: node tests/browser/report.mjs FILE [width height].
-// Prints what is wrong, and ends with 1; python/tests/test_study_report.py calls it.
+// Checks the report of a study in a browser without a network: node tests/browser/report.mjs FILE [width height].
+// Prints the faults and ends with 1; python/tests/test_study_report.py calls it.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 import { findBrowser, launch } from "../../scripts/browser.mjs";
@@ -28,7 +28,7 @@ const across = await page.evaluate(() => document.documentElement.scrollWidth - 
 assert.ok(across <= 0, `the page is ${across} px wider than the window`);
 await assertAccessible(page, `report at ${width} x ${height}`);
 
-// On paper, A4 less its margins at 96 dpi, no table is wider than the page: nothing is cut.
+// On A4 paper less its margins, at 96 dpi, no table is wider than the page, so that nothing is cropped.
 await page.emulateMedia({ media: "print" });
 await page.setViewportSize({ width: Math.floor(((210 - 28) / 25.4) * 96), height: 1000 });
 const cut = await page.evaluate(() => {

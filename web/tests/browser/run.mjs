@@ -29,9 +29,9 @@ import { forgetPages } from "./app.mjs";
 import { isThorough, leftOut } from "../lane.mjs";
 
 const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
-// Against tests that hang: on a busy machine one takes minutes.
+// Limit for tests that hang; on a busy machine a test takes minutes.
 const LIMIT_MS = 600_000;
-// At once; BROWSERS=1 where their times matter.
+// Number of browsers at the same time; BROWSERS=1 if the duration of tests matters.
 const BROWSERS = Number(process.env.BROWSERS ?? Math.min(2, availableParallelism()));
 
 const executable = findBrowser();
@@ -47,12 +47,12 @@ if (!existsSync(DIST)) {
 const wanted = process.argv[2] ?? "";
 const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, offline, forecast];
 const tests = SUITES.flatMap((suite) => Object.entries(suite)).filter(([name]) => name.includes(wanted));
-// A sub-path, as on many a static host.
+// A path below the root, as on many static hosts.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];
 let failed = 0;
 
-/** Takes tests until none waits, in a browser of its own: one that fails closes its own pages alone. */
+/** Runs waiting tests in a separate browser until none is left; a failed test closes only the pages of its browser. */
 async function drive() {
   const browser = await launch(executable);
   for (let next = waiting.shift(); next; next = waiting.shift()) {

@@ -1,4 +1,5 @@
-// A run is saved as a scenario, and a run of that has the same bits: in the page, and by the Python engine where it is built.
+// A run is saved as a scenario, and a run of that has the same bits: in the page, and by the Python engine if it is
+// built.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -8,10 +9,10 @@ import { fileURLToPath } from "node:url";
 import { thorough } from "../lane.mjs";
 import { item, openApp, openFile, sample, setChecked, setNumber, stepTo } from "./app.mjs";
 
-/** Of `make develop`, or another that has the package. */
+/** Python of `make develop`, or another one that has the package. */
 const PYTHON = process.env.KINGPOST_PYTHON ?? fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
 
-/** Two levers, of which the operation moves one. */
+/** A scenario with two levers, one of which the operation moves. */
 const TWO_LEVERS = `version: 1
 title: Two levers
 bodies:
@@ -27,7 +28,7 @@ async function moveLever(page, name, value) {
   await item(page, `input-${name}`).blur();
 }
 
-/** Name and text of what Save scenario hands over. */
+/** Returns the name and the text of the file that Save scenario makes. */
 async function save(page) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("save").click()]);
   return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
@@ -37,7 +38,7 @@ function assertSameBits(again, first) {
   for (const [name, value] of Object.entries(first)) assert.ok(Object.is(again[name], value), `${name}: ${again[name]}, by hand ${value}`);
 }
 
-/** The last row of `kingpost run`, by column. */
+/** Returns the last row of `kingpost run`, by column. */
 function runInPython({ name, text }, duration_s) {
   const folder = mkdtempSync(join(tmpdir(), "kingpost-"));
   try {
@@ -53,7 +54,7 @@ function runInPython({ name, text }, duration_s) {
 }
 
 export default {
-  async "saves a run with its lever moves, which runs again to the same bits"(host) {
+  async "a saved run with lever moves repeats to the same bits"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
     await setNumber(page, "load_t", 13.7);
     await stepTo(page, 1);
@@ -77,7 +78,7 @@ export default {
   },
 
   ...thorough({
-    async "says that a saved run differs where a parameter was set under way"(host) {
+    async "a saved run is reported to differ if a parameter was set during the run"(host) {
       const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_on_dp" });
       await stepTo(page, 0.5);
       await item(page, "wind_speed_m_s").fill("15");
@@ -94,7 +95,7 @@ export default {
     },
   }),
 
-  async "saves no run with moves beside an operation that is on, and says what to do"(host) {
+  async "a run with lever moves and an enabled operation is not saved, and the message gives the remedy"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "two.yaml", TWO_LEVERS);
     await page.getByText("Set by the scenario: push by operation.").waitFor();
@@ -107,7 +108,7 @@ export default {
     await close();
   },
 
-  async "shows the energy error of ships at rest in joules, as nothing is in play"(host) {
+  async "the energy error of ships at rest is shown in joules"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=two_ships" });
     await setChecked(page, "waves", false);
     for (const time_s of [0.5, 1, 2]) {

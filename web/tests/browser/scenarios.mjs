@@ -1,4 +1,5 @@
-// The app on any scenario of the gallery: by default one for each kind of craft. tests/gallery.test.ts has all of them without a browser.
+// The app with any scenario of the gallery: by default with one for each kind of craft. tests/gallery.test.ts checks
+// all of them without a browser.
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { cases, KINDS } from "../lane.mjs";
@@ -6,7 +7,7 @@ import { look, openApp, rested, sample, setAngle, setPlot, settle, showsNumber, 
 
 const FILES = readdirSync(new URL("../../../scenarios", import.meta.url)).filter((file) => file.endsWith(".yaml"));
 
-/** Opens one scenario of the gallery and steps it: it is named, described, in the picture, and moves. */
+/** Opens one scenario of the gallery and steps it: it has a title and a description, is in the picture, and moves. */
 async function runs(host, file) {
   const gallery = await (await fetch(`${host.address}scenarios/index.json`)).json();
   const { name, title } = gallery.find((entry) => entry.file === file);
@@ -30,7 +31,7 @@ async function runs(host, file) {
 export default {
   ...Object.fromEntries(cases(FILES, (file) => KINDS.includes(file.replace(".yaml", ""))).map((file) => [`runs ${file} of the gallery and shows it`, (host) => runs(host, file)])),
 
-  async "plots any joint of the scenario, from its start"(host) {
+  async "any joint of a scenario is plotted from the start of the run"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
     await page.getByTestId("choose-2").click();
     await page.getByTestId("search-lines").fill("joint position");
@@ -42,7 +43,7 @@ export default {
     await setAngle(page, "rad");
     const { row } = await sample(page);
     await showsNumber(page, "value-2-link_1.joint_position", row["link_1.joint_position"], 1e-5);
-    // A reset keeps what is plotted; another scenario has its own, and this one has it again.
+    // A reset keeps the plots; another scenario has its own plots, and the first scenario gets its plots back.
     const title = page.getByTestId("choose-2");
     await page.getByTestId("reset").click();
     await settle(page);

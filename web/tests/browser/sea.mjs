@@ -1,10 +1,10 @@
-// Ships afloat: the sea is drawn as the engine has it, and the page says how the ship floats.
+// Ships afloat: the sea is drawn from the engine's elevations, and the page shows how the ship floats.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { cases } from "../lane.mjs";
 import { close as near, numberIn, openApp, openFile, PHONE, rested, sample, setPlot, showsNumber, stepTo } from "./app.mjs";
 
-/** A barge in a regular wave, with its database beside it. */
+/** A barge in a regular wave, with its database. */
 const BARGE = `version: 1
 title: A barge in a regular wave
 simulation: {step_s: 0.02, duration_s: 60, record_every_s: 0.1}
@@ -33,7 +33,10 @@ async function openBarge(host, options) {
   return app;
 }
 
-/** How much of the picture is bluer than red: water and hull, not deck, sky at the foot or bottom paint. */
+/**
+ * Returns the share of the picture that is bluer than red: water and hull, but not deck, sky near the horizon or bottom
+ * paint.
+ */
 async function blue(page) {
   const picture = (await page.getByTestId("canvas").screenshot()).toString("base64");
   return page.evaluate(async (base64) => {
@@ -48,7 +51,7 @@ async function blue(page) {
 }
 
 const looks = cases(["light", "dark"], (colorScheme) => colorScheme === "light").map((colorScheme) => [
-  `draws the sea around the ship, ${colorScheme}`,
+  `the sea is drawn around the ship, ${colorScheme}`,
   async (host) => {
     const { page, close } = await openBarge(host, { draws: true, colorScheme, viewport: colorScheme === "light" ? undefined : PHONE });
     await stepTo(page, 3);
@@ -63,7 +66,7 @@ const looks = cases(["light", "dark"], (colorScheme) => colorScheme === "light")
 export default {
   ...Object.fromEntries(looks),
 
-  async "moves the sea by the engine's wave, and says how the ship floats"(host) {
+  async "the sea moves with the engine's wave, and heel, trim and draught are shown"(host) {
     const { page, close } = await openBarge(host);
     near(await numberIn(page, "heel"), 4, 0.005, "heel");
     near(await numberIn(page, "trim"), -2, 0.005, "trim");
@@ -74,7 +77,7 @@ export default {
     near(await numberIn(page, "heel"), (row["hull.roll"] * 180) / Math.PI, 0.0051, "heel shown");
     near(await numberIn(page, "trim"), (row["hull.pitch"] * 180) / Math.PI, 0.0051, "trim shown");
     near(await numberIn(page, "wave"), row["water.wave_elevation"], 0.0051, "wave shown");
-    // a cos(k (x cos b + y sin b) - w t), k = w^2 / g: the documented wave, at every crossing.
+    // Compares every crossing with the documented wave a cos(k (x cos b + y sin b) - w t), k = w^2 / g.
     const [omega, direction] = [(2 * Math.PI) / 4.5, (140 * Math.PI) / 180];
     const [x_m, y_m, elevations] = [surface.x_m, surface.y_m, surface.elevation_m].map(Object.values);
     elevations.forEach((elevation, at) => {
@@ -88,15 +91,15 @@ export default {
     await close();
   },
 
-  async "says the fluid metacentric height, and warns of a hull that lies on the water"(host) {
+  async "the fluid metacentric height is shown, and a hull on the surface of the water gives a warning"(host) {
     const { page, close } = await openBarge(host);
     const height = page.getByTestId("metacentric-height");
     const shown = () => page.waitForFunction(() => document.querySelector("[data-testid=metacentric-height]").textContent !== "–");
     await shown();
-    // KB + BM - KG = T/2 + B^2/(12 T) - T, the centre of mass on the water plane.
+    // KB + BM - KG = T/2 + B^2/(12 T) - T, with the centre of mass on the water plane.
     near(Number.parseFloat(await height.textContent()), 1 + 100 / 24 - 2, 0.0051, "GM");
     assert.equal(await page.getByTestId("floating-warnings").isVisible(), false);
-    // A slack tank takes rho l b^3 / 12 off it, over the mass.
+    // A slack tank reduces it by rho l b^3 / 12 over the mass.
     const tank = "  bilge: {slack_tank: {body: hull, position_m: [0, 0, -1], length_m: 5, breadth_m: 8, height_m: 1, filling: 0.5}}\n";
     await openFile(page, "slack.yaml", BARGE.replace("in a regular wave", "with a slack tank") + tank, DATABASE);
     await opened(page, "A barge with a slack tank");
@@ -109,7 +112,7 @@ export default {
     await close();
   },
 
-  async "warns of a ship that heels beyond what the loads of the water are for"(host) {
+  async "a ship that heels beyond the range of her hydrodynamic loads gives a warning"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "steep.yaml", BARGE.replace("orientation_deg: [4, -2, 0]", "orientation_deg: [24, 0, 0]"), DATABASE);
     await opened(page, "A barge in a regular wave");
@@ -122,7 +125,7 @@ export default {
     await close();
   },
 
-  async "warns on a phone without covering a control"(host) {
+  async "a warning on a phone covers no control"(host) {
     const { page, close } = await openApp(host, { viewport: PHONE });
     await openFile(page, "steep.yaml", BARGE.replace("orientation_deg: [4, -2, 0]", "orientation_deg: [24, 0, 0]"), DATABASE);
     await opened(page, "A barge in a regular wave");
@@ -135,7 +138,7 @@ export default {
     await close();
   },
 
-  async "draws still water level, and none where the scenario has none"(host) {
+  async "still water is drawn level, and no water if the scenario has none"(host) {
     const { page, close } = await openApp(host);
     assert.equal(await page.getByTestId("floating").isVisible(), false);
     assert.equal((await sample(page)).surface, null);
@@ -149,16 +152,16 @@ export default {
     await close();
   },
 
-  async "says which file of a scenario is not there"(host) {
+  async "a missing file of a scenario is reported by name"(host) {
     const { page, close } = await openApp(host);
-    // The gallery has a file of this name, but of another hull than the person's.
+    // The gallery has a file of this name, but for another hull.
     await openFile(page, "lost.yaml", BARGE);
     await page.waitForFunction(() => document.querySelector("[data-testid=alert]").textContent.includes("no file"));
     assert.match(await page.getByTestId("alert").textContent(), /barge\.hydro\.json.*Open the scenario and its database together/);
     await close();
   },
 
-  async "opens a scenario with a database of the person's own"(host) {
+  async "a scenario opens with a user's own database"(host) {
     const { page, close } = await openApp(host);
     const scenario = BARGE.replace("hydro/barge.hydro.json", "data/mine.hydro.json");
     await openFile(page, "mine.yaml", scenario, { "mine.hydro.json": DATABASE["barge.hydro.json"] });

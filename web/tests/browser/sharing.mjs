@@ -1,4 +1,4 @@
-// A link holds a whole run: it is made in a dialog, and opened it runs to the same bits.
+// A link contains a whole run: it is made in a dialog, and the run that it opens has the same bits.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -13,7 +13,7 @@ async function setByHand(page, name, value) {
   await item(page, name).blur();
 }
 
-/** Presses Share; the link that it makes. */
+/** Presses Share and returns the link. */
 async function linkOf(page) {
   await page.getByTestId("share").click();
   const field = page.getByTestId("share-link");
@@ -32,7 +32,7 @@ function assertSameBits(again, first) {
 }
 
 const dialogs = cases([DESKTOP, PHONE, { width: 320, height: 640 }], ({ width }) => width === 320).map((viewport) => [
-  `shares in a dialog that fits and passes axe, ${viewport.width}x${viewport.height}`,
+  `the sharing dialog fits and passes axe, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch", viewport });
     await page.emulateMedia({ reducedMotion: "reduce" });
@@ -52,7 +52,7 @@ const dialogs = cases([DESKTOP, PHONE, { width: 320, height: 640 }], ({ width })
     assert.ok(boxes.dialog.left >= 0 && boxes.dialog.right <= viewport.width && boxes.dialog.top >= 0 && boxes.dialog.bottom <= viewport.height, JSON.stringify(boxes.dialog));
     assert.ok(boxes.overflow <= 0, `it is ${boxes.overflow} wider than it shows`);
     for (const target of boxes.targets) assert.ok(target.width >= 43.5 && target.height >= 43.5, JSON.stringify(target));
-    // Tab stays in it, Escape leads back to the button.
+    // Tab stays in the dialog, and Escape returns to the button.
     for (let i = 0; i < 8; i++) {
       await page.keyboard.press("Tab");
       assert.ok(await page.evaluate(() => document.activeElement === document.body || document.querySelector("[data-testid=share-dialog]").contains(document.activeElement)));
@@ -67,7 +67,7 @@ const dialogs = cases([DESKTOP, PHONE, { width: 320, height: 640 }], ({ width })
 export default {
   ...Object.fromEntries(dialogs),
 
-  async "opens a shared run, which does again what a hand did, to the moment that was shown and the same bits"(host) {
+  async "a shared run repeats changes by hand up to the link's moment, to the same bits"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
     await setNumber(page, "load_t", 13.7);
     await stepTo(page, 1);
@@ -82,7 +82,7 @@ export default {
 
     const other = await openLink(host, link);
     const notice = other.page.getByTestId("notice-link");
-    assert.match(await notice.textContent(), /The 2 changes that were made by hand are repeated.*The link was made at 4\.00 s/);
+    assert.match(await notice.textContent(), /The run repeats the 2 changes made by hand.*The link was made at 4\.00 s/);
     assert.equal(Number(await item(other.page, "load_t").inputValue()), 13.7);
     assert.match(await other.page.getByTestId("gallery").locator("option:checked").textContent(), /^From a link: /);
     await assertAccessible(other.page, "with the notice of a link");
@@ -93,7 +93,7 @@ export default {
     assertSameBits(again.row, first.row);
     assert.equal(Number(await item(other.page, "input-hoist").inputValue()), 4.321);
     assert.ok(other.page.url().endsWith(link.slice(link.indexOf("#"))), "the address is still the link");
-    // Back from another scenario leads to it again.
+    // Back from another scenario returns to the link.
     await other.page.getByTestId("gallery").selectOption("chain");
     await other.page.waitForURL(/\?scenario=chain$/);
     assert.equal(await notice.count(), 0);
@@ -103,7 +103,7 @@ export default {
     await other.close();
   },
 
-  async "sets live parameters again at their times, and shows them in their controls"(host) {
+  async "a shared run sets live parameters at their times and shows them in the controls"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_on_dp" });
     await stepTo(page, 0.6);
     await setByHand(page, "wind_speed_m_s", 15);
@@ -125,7 +125,7 @@ export default {
     await close();
   },
 
-  async "carries a person's own scenario as its text, and says so"(host) {
+  async "a link contains a user's own scenario as text, and the dialog states this"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "mine.yaml", winch.replace(/^title: .*/m, "title: My winch"));
     await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "My winch");
@@ -139,7 +139,7 @@ export default {
     await close();
   },
 
-  async "copies where the page may, and leaves a text to copy where it may not"(host) {
+  async "the link is copied if the page may use the clipboard, and otherwise shown as text"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
     await page.getByTestId("share").click();
@@ -147,7 +147,7 @@ export default {
     await page.getByText("Copied.").waitFor();
     assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await page.getByTestId("share-link").inputValue());
     await page.getByTestId("share-close").click();
-    // As on a phone over plain http.
+    // A page without a secure connection, as on a phone over plain http.
     await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: undefined, configurable: true }));
     await page.getByTestId("share").click();
     await page.getByText("Select the link and copy it").waitFor();
@@ -158,7 +158,7 @@ export default {
     await close();
   },
 
-  async "hands the link to other programs where there is a way to them"(host) {
+  async "the link is sent to other programs if the browser supports it"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper", viewport: PHONE });
     await page.evaluate(() => {
       navigator.canShare = ({ url }) => url.startsWith("http");
@@ -171,7 +171,7 @@ export default {
     await close();
   },
 
-  async "says what is wrong with a link that does not open, and opens the first scenario"(host) {
+  async "a link that does not open is reported, and the default scenario opens"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=paper" });
     const link = await linkOf(page);
     const broken = [
@@ -191,7 +191,7 @@ export default {
       assert.equal(new URL(page.url()).hash, "");
       await page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
     }
-    // With a run in hand that stays, and so does its address.
+    // An open run stays, and so does its address.
     await stepTo(page, 0.1);
     await page.evaluate(() => (location.hash = "#k1=broken"));
     await page.getByText("The link was cut").waitFor();
@@ -200,7 +200,7 @@ export default {
     await close();
   },
 
-  async "says that the gallery has changed since a link was made"(host) {
+  async "a change of the gallery after the link was made is reported"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
     await stepTo(page, 0.5);
     const link = await linkOf(page);
@@ -211,7 +211,7 @@ export default {
     await close();
   },
 
-  async "stays at the link where the controls are skipped to"(host) {
+  async "skipping to the controls keeps the link in the address"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
     const link = await linkOf(page);
     await page.goto("about:blank");
@@ -228,7 +228,7 @@ export default {
     await close();
   },
 
-  async "takes a link beside the quality of the picture"(host) {
+  async "a link opens beside the setting of the picture's quality"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
     const link = await linkOf(page);
     await page.goto("about:blank");

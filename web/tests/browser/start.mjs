@@ -1,4 +1,4 @@
-// The start page: what a stranger sees first, before the engine has loaded.
+// The start page, before the engine is loaded.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -7,9 +7,9 @@ import { DESKTOP, PAPER, PHONE, openFile, openPage } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
-/** What all that comes before a scenario is chosen may weigh, compressed, bytes. */
+/** Largest compressed size of all files that are loaded before a scenario is chosen, bytes. */
 const FIRST_LOAD = 1_000_000;
-/** A window of 1280 pixels at 400 %. */
+/** Viewport of a window of 1280 pixels at 400 %. */
 const SMALL = { width: 320, height: 256 };
 
 async function openStart(host, { viewport = DESKTOP, prepare } = {}) {
@@ -21,7 +21,7 @@ async function openStart(host, { viewport = DESKTOP, prepare } = {}) {
 const isIdle = (page) => page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
 
 async function isAccessible(page, viewport, palettes) {
-  // Colours change at once, not over a moment in which their contrast is another.
+  // Colours change at once: during a transition their contrast would be another.
   await page.emulateMedia({ reducedMotion: "reduce" });
   for (const palette of palettes) {
     await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
@@ -32,7 +32,7 @@ async function isAccessible(page, viewport, palettes) {
 }
 
 export default {
-  async "shows the gallery's cards with nothing of the engine loaded, in one megabyte"(host) {
+  async "the start page shows the gallery's cards without the engine, within one megabyte"(host) {
     const sizes = [];
     const measure = async (response) => sizes.push({ url: response.url(), bytes: (await response.body().catch(() => Buffer.alloc(0))).length });
     const { page, close } = await openStart(host, { prepare: (context) => context.on("response", measure) });
@@ -47,7 +47,7 @@ export default {
     await close();
   },
 
-  async "opens a card, goes Back to the start page and forward to the run as it was"(host) {
+  async "a card opens a run, Back shows the start page, and Forward the unchanged run"(host) {
     const { page, close } = await openStart(host, { viewport: PHONE });
     await page.getByTestId("card-chain").tap();
     await isIdle(page);
@@ -68,7 +68,7 @@ export default {
     await close();
   },
 
-  async "opens a person's own file from the start page, and keeps it through Back and forward"(host) {
+  async "a user's own file opens from the start page, and Back and Forward keep it"(host) {
     const { page, close } = await openStart(host);
     await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
     await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");
@@ -80,7 +80,7 @@ export default {
     await close();
   },
 
-  async "refuses a file that is too large without reading it, on either page"(host) {
+  async "a file that is too large is refused unread, on both pages"(host) {
     const { page, close } = await openStart(host);
     const drop = () =>
       page.evaluate(() => {
@@ -98,7 +98,7 @@ export default {
     await close();
   },
 
-  async "says so where the list or the simulator does not come, and has a way on"(host) {
+  async "a list or simulator that does not load is reported, with a way to continue"(host) {
     const { page } = await openPage(host, { prepare: (context) => context.route("**/index.json", (route) => route.abort()) });
     const context = page.context();
     await page.waitForFunction(() => /could not be loaded/.test(document.querySelector("[data-testid=start-alert]")?.textContent ?? ""));
@@ -112,7 +112,7 @@ export default {
   },
 
   ...thorough(Object.fromEntries([DESKTOP, PHONE, SMALL].map((viewport) => [
-    `is usable by everyone in each palette, ${viewport.width}x${viewport.height}`,
+    `the start page passes axe in each palette, ${viewport.width}x${viewport.height}`,
     async (host) => {
       const { page, close } = await openStart(host, { viewport });
       await isAccessible(page, viewport, ["day", "dusk", "night", "bright"]);
@@ -120,7 +120,7 @@ export default {
     },
   ]))),
 
-  async "is usable by everyone in a window at 400 %, by the keyboard alone"(host) {
+  async "the start page is usable in a window at 400 % and by the keyboard"(host) {
     const { page, close } = await openStart(host, { viewport: SMALL });
     await isAccessible(page, SMALL, ["day"]);
     await page.keyboard.press("Tab");

@@ -1,12 +1,15 @@
-/** Between two attitudes whose quaternions are closer than this to each other, the chord does for the arc. */
+/** Cosine between two quaternions above which they are interpolated along the chord instead of the arc. */
 const CLOSE = 1 - 1e-12;
 
-/** Numbers a share of the way from some to others. */
+/** Interpolates linearly between two arrays of numbers; a `share` of 0 gives `from`. */
 export function between(from: ArrayLike<number>, to: ArrayLike<number>, share: number): Float64Array {
   return Float64Array.from(from, (a, i) => a + share * (to[i] - a));
 }
 
-/** Poses x y z qw qx qy qz a body: places along straight lines, attitudes about one axis at one rate (slerp). */
+/**
+ * Interpolates poses x y z qw qx qy qz of each body: positions linearly, attitudes about one axis at a constant rate
+ * (slerp).
+ */
 export function posesBetween(from: ArrayLike<number>, to: ArrayLike<number>, share: number): Float64Array {
   const poses = between(from, to, share);
   for (let at = 3; at < poses.length; at += 7) turn(poses, from, to, share, at);
@@ -16,7 +19,7 @@ export function posesBetween(from: ArrayLike<number>, to: ArrayLike<number>, sha
 function turn(poses: Float64Array, from: ArrayLike<number>, to: ArrayLike<number>, share: number, at: number): void {
   let cosine = 0;
   for (let k = at; k < at + 4; k++) cosine += from[k] * to[k];
-  // A quaternion and its negative are the same attitude: the shorter way is meant.
+  // A quaternion and its negative are the same attitude: the sign gives the shorter rotation.
   const sign = cosine < 0 ? -1 : 1;
   const angle = Math.acos(Math.min(1, sign * cosine));
   const isClose = sign * cosine > CLOSE;

@@ -1,12 +1,12 @@
 import type { Warning } from "../../engine/engine";
 
-/** Warnings that an engine reports of a run, kept where it goes back in time and begins its list anew. */
+/** Warnings or events of a run. They are kept when the engine goes back in time and starts its list again. */
 export class Noted {
   private kept: readonly Warning[] = [];
   all: readonly Warning[] = [];
   private heard: readonly Warning[] = [];
 
-  /** The engine's list so far. */
+  /** Takes the engine's present list. */
   hear(list: readonly Warning[]): void {
     const isSame = list.length === this.heard.length && list.every((one, i) => isOne(one, this.heard[i]));
     if (isSame) return;

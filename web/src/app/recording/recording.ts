@@ -8,16 +8,19 @@ import { Series } from "./series";
 
 /** Memory limit of a recording, bytes; half an hour of a ship in waves exceeds it, and the older part is thinned. */
 export const DEPTH = { rows: 48e6, pictures: 40e6, keyframes: 8e6 };
-/** Number of pictures that are kept even if they are close: the drawn one lags behind the newest. */
+/**
+ * Number of the newest pictures that are kept even if they are close together: the drawn picture is slightly older than
+ * the newest.
+ */
 const NEWEST_PICTURES = 3;
-/** Times that are closer count as one, s. */
+/** Times that differ by less than this count as one, s. */
 const TIME_SLACK_S = 1e-6;
-/** Approximate overhead of an object, bytes. */
+/** Approximate memory of an object in addition to its arrays, bytes. */
 const OVERHEAD = 300;
 
 interface Picture {
   time_s: number;
-  /** Per body x y z qw qx qy qz, world frame. */
+  /** Poses x y z qw qx qy qz for each body, world frame. */
   poses: Float64Array;
   line_points: Float64Array;
 }
@@ -31,18 +34,21 @@ export interface Recorded extends Picture {
   row: Float64Array;
 }
 
-/** All data that the page shows for one time. */
+/** All data of one time that the page shows. */
 export interface Moment extends PictureAtSea {
-  /** The engine's row, of this time or of the recording time before it. */
+  /** The engine's row at this time, or at the recording time before it. */
   row: Float64Array;
 }
 
-/** A state to continue from, with the parameters of the run at that time. */
+/** State from which a run can continue, with the parameters of the run at that time. */
 export interface Keyframe extends Snapshot {
   values: Values;
 }
 
-/** A recorded run: rows and poses of every recording time, the sea about as often, states to continue from, and events. */
+/**
+ * Recording of a run: rows and poses at every recording time, the sea about as often, states from which the run can
+ * continue, and events.
+ */
 export class Recording {
   readonly rows: Series<Recorded>;
   private readonly pictures: Series<PictureAtSea>;
@@ -50,7 +56,7 @@ export class Recording {
   private readonly told = { warnings: new Noted(), events: new Noted() };
   private moves: LeverMove[] = [];
   private merged: { from: (readonly Warning[])[]; marks: readonly Warning[] } = { from: [], marks: [] };
-  /** The newest moment, on a recording time or not. */
+  /** The newest moment; its time need not be a recording time. */
   now: Moment;
 
   constructor(
@@ -86,7 +92,7 @@ export class Recording {
     this.keepPicture({ time_s: this.now.time_s, poses, line_points, surface: surface && inShort(surface) });
   }
 
-  /** Older pictures are at least a recording interval apart. */
+  /** Keeps a picture; older pictures are at least one recording interval apart. */
   private keepPicture(picture: PictureAtSea): void {
     const { items } = this.pictures;
     const [before, one] = items.slice(-NEWEST_PICTURES - 1);
@@ -112,14 +118,14 @@ export class Recording {
   /** Events and warnings, in order of time. */
   get marks(): readonly Warning[] {
     const from = [this.told.warnings.all, this.told.events.all];
-    // Asked for with every picture: rebuilt only if there is something new.
+    // Every picture reads this list: it is rebuilt only if there is something new.
     if (from.some((list, i) => list !== this.merged.from[i])) {
       this.merged = { from, marks: from.flat().sort((a, b) => a.time_s - b.time_s) };
     }
     return this.merged.marks;
   }
 
-  /** The moment at a time: the row is that of the recording time at or before it; bodies and sea are interpolated. */
+  /** Returns the moment at a time: the row of the recording time at or before it; bodies and sea are interpolated. */
   at(time_s: number): Moment {
     if (time_s >= this.now.time_s) return this.now;
     const { row } = this.rows.around(time_s)[0];
@@ -134,14 +140,14 @@ export class Recording {
     return { time_s, row, poses: posesBetween(from.poses, to.poses, share), line_points, surface };
   }
 
-  /** The nearest recorded time, or now. */
+  /** Returns the recorded time nearest to a time; it may be the newest moment. */
   nearest(time_s: number): number {
     const [before, after] = this.rows.around(time_s);
     const times = [before.time_s, after.time_s, this.now.time_s];
     return times.reduce((so, one) => (Math.abs(one - time_s) < Math.abs(so - time_s) ? one : so));
   }
 
-  /** The recorded time a number of records later or earlier, within the recording. */
+  /** Returns the recorded time that is a number of records later or earlier, within the recording. */
   beside(time_s: number, records: number): number {
     const { items } = this.rows;
     const before = this.rows.indexAt(time_s);
@@ -151,7 +157,7 @@ export class Recording {
     return items[Math.max(0, at)].time_s;
   }
 
-  /** The last state at or before a time; undefined if the recording has dropped it. */
+  /** Returns the last state at or before a time; undefined if the recording has dropped it. */
   keyframeAt(time_s: number): Keyframe | undefined {
     return this.keyframes.items[this.keyframes.indexAt(time_s)];
   }
@@ -166,7 +172,7 @@ export class Recording {
     return this.moves.filter(({ time_s }) => time_s >= from_s && time_s <= to_s);
   }
 
-  /** The record at a time; null if there is none. */
+  /** Returns the row recorded at a time; null if there is none. */
   rowAt(time_s: number): Float64Array | null {
     const near = this.rows.around(time_s + TIME_SLACK_S)[0];
     return Math.abs(near.time_s - time_s) <= TIME_SLACK_S ? near.row : null;
@@ -178,7 +184,7 @@ export class Recording {
     return this.moves.some(isBetween) || this.keyframes.items.some((one) => one.isChange && isBetween(one));
   }
 
-  /** The run continues from here: later records are dropped. */
+  /** Drops all records after a frame from which the run continues. */
   dropAfter(frame: Frame): void {
     this.now = this.momentOf(frame);
     const { time_s } = this.now;
@@ -196,7 +202,7 @@ export class Recording {
   }
 }
 
-/** Single precision is enough for a picture. */
+/** Converts the surface to single precision, which is enough for a picture. */
 function inShort({ x_m, y_m, elevation_m }: Surface): Surface {
   return { x_m, y_m, elevation_m: Float32Array.from(elevation_m) };
 }
@@ -206,7 +212,7 @@ function shareOf(from: { time_s: number }, to: { time_s: number }, time_s: numbe
   return length_s > 0 ? Math.min(1, Math.max(0, (time_s - from.time_s) / length_s)) : 0;
 }
 
-/** The grid follows the ship in steps: two different grids are not interpolated, and the first is taken. */
+/** Interpolates the sea's surface; if the grid has moved with the ship between the two pictures, returns the first. */
 function surfaceBetween(from: PictureAtSea, to: PictureAtSea, time_s: number): Surface | null {
   const share = shareOf(from, to, time_s);
   const [a, b] = [from.surface, to.surface];

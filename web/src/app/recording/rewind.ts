@@ -5,9 +5,9 @@ import type { Restored } from "../../engine/messages";
 import type { Recording } from "./recording";
 
 /**
- * Brings the engine back to a recorded time: a keyframe before it is restored, and the run from there is repeated with the same lever
- * moves, to the same bits; no parameter was set in between. `values` are the present parameters of the engine; `set` is called for each
- * parameter that goes back to an earlier value.
+ * Brings the engine back to a recorded time: restores a keyframe before it, and repeats the run from there with the
+ * same lever moves, to the same bits. No parameter was set between the keyframe and that time. `values` are the present
+ * parameters of the engine; `set` is called for each parameter that returns to an earlier value.
  */
 export async function rewind(
   client: EngineClient,
@@ -18,7 +18,7 @@ export async function rewind(
 ): Promise<Restored> {
   const keyframe = recording.keyframeAt(time_s);
   if (!keyframe) throw { kind: "setting", message: texts.faults.no_state };
-  // The engine accepts a state only with the parameters that it belongs to.
+  // The engine accepts a state only with the parameters that the run had at that time.
   for (const [name, value] of Object.entries(keyframe.values)) {
     if (values[name] === value) continue;
     await client.parameter(name, value);

@@ -1,11 +1,12 @@
-/** Share of the newest items that is never thinned. */
+/** Share of the items that is never thinned: the newest ones. */
 const UNTOUCHED = 1 / 4;
-/** Share of all items that is considered when room is made: those closest together. Half of them are dropped. */
+/** Share of the items that is considered for thinning: those with the closest neighbours. Half of them are dropped. */
 const CLOSEST = 1 / 4;
 
 /**
- * Items in order of time, at most `capacity`. When there is one too many, every second one of those closest together is dropped; the first
- * item and the newest quarter stay. So a long run is kept from start to end, with coarser old parts.
+ * Items in order of time, at most `capacity`. When that number is exceeded, every second one of the items that are
+ * closest together is dropped; the first item and the newest quarter stay. A long run is thus kept from start to end,
+ * and its older part is coarser.
  */
 export class Series<T extends { time_s: number }> {
   private all: T[] = [];
@@ -28,7 +29,7 @@ export class Series<T extends { time_s: number }> {
     if (this.all.length > this.capacity) this.thin();
   }
 
-  /** Removes one, counted from the end. */
+  /** Removes one item, counted from the end. */
   dropFromEnd(place: number): void {
     this.all.splice(this.all.length - place, 1);
   }
@@ -37,7 +38,7 @@ export class Series<T extends { time_s: number }> {
     this.all.length = this.indexAt(time_s) + 1;
   }
 
-  /** Index of the last one at or before a time; -1 if there is none. */
+  /** Index of the last item at or before a time; -1 if there is none. */
   indexAt(time_s: number): number {
     let [low, high] = [0, this.all.length];
     while (low < high) {
@@ -48,7 +49,7 @@ export class Series<T extends { time_s: number }> {
     return low - 1;
   }
 
-  /** The items on either side of a time; at the ends twice the same. */
+  /** Returns the items before and after a time; beyond the last item, that item twice. */
   around(time_s: number): [T, T] {
     const before = Math.max(0, this.indexAt(time_s));
     return [this.all[before], this.all[Math.min(before + 1, this.all.length - 1)]];
@@ -63,7 +64,7 @@ export class Series<T extends { time_s: number }> {
     const widest = (gaps[Math.min(gaps.length - 1, Math.floor(CLOSEST * this.all.length))] ?? -Infinity) * (1 + 1e-9);
     let isKept = true;
     const goes = (i: number) => i > 0 && i < older && isKept && this.mayGo(this.all[i]) && gap(i) <= widest;
-    // The neighbours of a dropped item stay.
+    // The neighbours of a dropped item are kept.
     const kept = this.all.filter((_, i) => (isKept = !goes(i)));
     // If the items that must stay are too many, the oldest are dropped.
     this.all = kept.slice(Math.max(0, kept.length - this.capacity));

@@ -1,6 +1,9 @@
 import { Recording, type Moment } from "./recording";
 
-/** The recording of the present run, and the cursor in it: it follows the newest moment until an earlier time is chosen. */
+/**
+ * The recording of the present run, and the time in it that is shown: the newest time, until the user chooses an
+ * earlier one.
+ */
 export class Shown {
   recording: Recording | null = null;
   private back_s: number | null = null;
@@ -14,7 +17,7 @@ export class Shown {
     this.back_s = null;
   }
 
-  /** Moves the cursor to the nearest recorded time. */
+  /** Shows the recorded time nearest to a time. */
   moveTo(time_s: number): void {
     const { recording } = this;
     if (!recording) return;
@@ -26,7 +29,7 @@ export class Shown {
     return this.back_s ?? this.recording?.now.time_s ?? 0;
   }
 
-  /** Whether a moment before the newest is shown. */
+  /** Whether an earlier moment than the newest is shown. */
   get isBack(): boolean {
     return this.back_s !== null;
   }

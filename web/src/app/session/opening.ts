@@ -12,18 +12,18 @@ import type { SessionState } from "./state";
 
 /** Part of the session that an opening uses. */
 export interface Player {
-  /** Whether it runs, or will run when the present reset is done. */
+  /** Whether the session runs, or will run when the present reset is done. */
   readonly isGoing: boolean;
   start(): void;
   pause(): void;
   step(): Promise<void>;
-  /** Messages already sent to the engine are not meant for another run. */
+  /** Drops values and inputs that wait to be sent: they belong to the present run. */
   dropSteering(): void;
 }
 
 /** Opens scenarios, resets the present run, and starts it again if its engine has died. */
 export class Opening {
-  /** Number of pending openings and resets. */
+  /** Queue of openings and resets. */
   readonly turns = new Turns(() => this.goOn());
   /** A request during an opening or reset, to be carried out after it. */
   due: "start" | "step" | null = null;
@@ -36,7 +36,7 @@ export class Opening {
     private readonly player: Player,
   ) {}
 
-  /** Whether something that was asked of the engine, or waits for its turn, is not done. */
+  /** Whether a request to the engine is not answered, or an opening or reset waits. */
   get isWaiting(): boolean {
     return this.turns.isBusy || this.client.isAsked;
   }
@@ -57,7 +57,7 @@ export class Opening {
     });
   }
 
-  /** If the engine of the present run has died, another engine is asked. */
+  /** Reads a scenario; if the engine of the present run has died, a new engine reads it. */
   private async read({ text, file, opened, changes }: Source, overrides: Values): Promise<Opened> {
     const answer = () => this.client.open(text, file, overrides, opened ?? null, changes);
     return answer().catch((fault: Fault) => {
@@ -81,14 +81,14 @@ export class Opening {
     return this.reopen();
   }
 
-  /** Like a reset, but a running run goes on. */
+  /** Resets the run; if it was running, it runs again. */
   restart(): void {
     const { isGoing } = this.player;
     void this.reset();
     if (isGoing) this.player.start();
   }
 
-  /** Several calls at once count as one. */
+  /** Opens the present scenario again with the values of the controls; several calls at the same time count as one. */
   async reopen(): Promise<void> {
     if (this.resetDue) return;
     this.resetDue = true;
@@ -120,7 +120,7 @@ export class Opening {
     this.state.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** The engine has refused a value: the controls go back to the values of the present run. */
+  /** Handles a value that the engine has refused: the controls return to the values of the present run. */
   private refuse(tried: Values, fault: Fault): void {
     if (this.due) this.intend(null);
     if (isOfEngine(fault)) {
@@ -132,7 +132,10 @@ export class Opening {
     this.state.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** The engine's answer to a request about the present run; if the engine has died, the run starts again in another one. */
+  /**
+   * Waits for the engine's answer to a request about the present run; if the engine has died, the run starts again in a
+   * new engine.
+   */
   async asked<T>(answer: Promise<T>): Promise<T> {
     return answer.catch((fault: unknown) => {
       if (isOfEngine(fault)) void this.recover(fault);
@@ -147,7 +150,7 @@ export class Opening {
     this.player.dropSteering();
     const { run } = this.state;
     await this.reopen();
-    // Values that waited for a reset may have been refused.
+    // The values that waited for a reset may have been refused; the controls now have the values of the present run.
     if (run === this.state.run && this.state.status !== "stopped") await this.reopen();
     this.isRecovering = false;
     if (run !== this.state.run) this.state.report(faultOfLostRun(fault));

@@ -31,13 +31,16 @@ export class Rewinding {
     return this.branching;
   }
 
-  /** Makes sure that inputs act from the moment that is shown; false if the run cannot be brought there. */
+  /** Brings the run to the moment that is shown, where inputs then act; false if this fails. */
   private async isAtCursor(): Promise<boolean> {
     if (this.state.shown.isBack) await this.branch();
     return !this.state.shown.isBack;
   }
 
-  /** Waits for pending work; false if another scenario is open then, or the run cannot be brought to the moment that is shown. */
+  /**
+   * Waits for openings and resets; false if another scenario is then open, or if the run cannot be brought to the
+   * moment that is shown.
+   */
   async isReady(): Promise<boolean> {
     const { source } = this.state;
     do {

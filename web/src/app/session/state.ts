@@ -5,7 +5,10 @@ import { Shown } from "../recording/shown";
 import type { Listener, Run, Source, Status } from "../run";
 import { SetValues } from "../values";
 
-/** The state of the page: the run, the moment that is shown, the values of the controls, the last fault; and its listeners. */
+/**
+ * The state of the page and its listeners: the run, the moment that is shown, the values of the controls and the last
+ * fault.
+ */
 export class SessionState {
   run: Run | null = null;
   /** The scenario that Reset opens. */
@@ -29,7 +32,7 @@ export class SessionState {
     this.tellFault(fault);
   }
 
-  /** A dead engine is reported after the run has started again. */
+  /** Reports a fault of the run; a dead engine is reported later, when the run has started again. */
   reportOfRun(fault: Fault): void {
     if (!isOfEngine(fault)) this.report(fault);
   }

@@ -11,7 +11,7 @@ import type { SessionState } from "./state";
 
 /** Sets parameters and levers of the present run, by hand or when the run repeats the changes of a link. */
 export class Steering {
-  /** Live values that were sent to the engine. */
+  /** Live values that wait to be sent to the engine. */
   private readonly live = new Latest<Value>((name, value) => this.setLive(name, value));
   private readonly levers = new Latest<number>((name, value) => this.moveLever(name, value));
 
@@ -22,8 +22,8 @@ export class Steering {
   ) {}
 
   /**
-   * Sets a value. At the start the scenario is opened again with it. During a run a live value is set in the engine, and the
-   * picture shows it with the next step; any other value waits for the reset.
+   * Sets a value. At the start the scenario is opened again with it. During a run a live value is set in the engine,
+   * and the picture shows its effect at the next step; any other value waits for the reset.
    */
   set(name: string, value: Value): void {
     this.state.values.want(name, value);
@@ -32,7 +32,7 @@ export class Steering {
     else if (this.state.run && isLive(this.state.run.model, name)) void this.live.set(name, value);
   }
 
-  /** A live value that is refused waits for the reset. */
+  /** Sends a live value to the engine; a refused value waits for the reset. */
   private async setLive(name: string, value: Value): Promise<void> {
     if (!(await this.rewinding.isReady()) || this.state.values.inForce[name] === value) return;
     const { run } = this.state;
@@ -46,17 +46,17 @@ export class Steering {
     this.state.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** Sets an input from the moment that is shown. */
+  /** Sets an input, which acts from the moment that is shown. */
   setInput(name: string, value: number): Promise<void> {
     return this.levers.set(name, value);
   }
 
-  /** The value of an input, or the value that was just sent. */
+  /** Returns the value of an input; the new value while it is being sent. */
   input(name: string): number {
     return this.levers.due(name) ?? this.state.run?.inputs.find((input) => input.name === name)?.value ?? 0;
   }
 
-  /** Values for a run that a reset replaces are sent to the new run. */
+  /** Sends a lever's value to the engine; during a reset it waits for the new run. */
   private async moveLever(name: string, value: number): Promise<void> {
     if (!(await this.rewinding.isReady())) return;
     const { run } = this.state;
@@ -76,7 +76,7 @@ export class Steering {
     run.inputs = run.inputs.map((input) => (input.name === move.input ? { ...input, value: move.value } : input));
   }
 
-  /** The run has repeated these changes. */
+  /** Records the changes of a link that the run has repeated. */
   follow(run: Run, changes: readonly Change[]): void {
     for (const change of changes) {
       if ("parameter" in change) this.state.values.follow(change.parameter, change.value);
@@ -87,7 +87,7 @@ export class Steering {
     this.state.emit((listener) => listener.valuesChanged?.());
   }
 
-  /** Drops messages that wait to be sent: they are not meant for another run. */
+  /** Drops values and inputs that wait to be sent: they belong to the present run. */
   drop(): void {
     this.live.clear();
     this.levers.clear();

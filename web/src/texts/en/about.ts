@@ -1,4 +1,4 @@
-/** Texts of the section "What is this?"; text between double asterisks is strong. */
+/** Texts of the section "What is this?"; text between double asterisks is bold. */
 export const about = {
   title: "What is this?",
   acts: "Forces and drives",

@@ -25,7 +25,7 @@ export const levers = {
   about_title: "The sticks",
   about:
     "Where a scenario has levers, two sticks stand over the picture, as in a crane's cab: towards you hoists and raises a boom, away " +
-    "lowers, left and right slew. The letters W A S D and I J K L move them too, with Shift a little, and so does a gamepad. A stick " +
+    "lowers, left and right slew. The letters W A S D and I J K L also move them (with Shift only a little), and so does a gamepad. A stick " +
     "that is released springs back. A lever that is set during a pause acts when the run continues. The marks on the rim show the " +
     "drives: amber at their largest speed, red where torque, force or power is at its limit.",
   sides: { left: "Left stick", right: "Right stick" },

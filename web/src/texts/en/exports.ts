@@ -4,7 +4,7 @@ export const exports = {
   recording: "The recording",
   rows: (kept: number, until_s: string) => `${kept} ${kept === 1 ? "row" : "rows"}, 0 to ${until_s} s`,
   thinned: (kept: number, of: number, until_s: string) =>
-    `The recording is long: ${kept} of about ${of} rows are kept. Rows before ${until_s} s were thinned and are missing from these files; the others are complete.`,
+    `The recording is long: ${kept} of about ${of} rows are kept. Some rows before ${until_s} s are missing from these files; all later rows are included.`,
   csv: "Table (CSV)",
   csv_help: "All columns in SI units, as kingpost run writes them",
   events: "Events (CSV)",
@@ -21,7 +21,7 @@ export const exports = {
   done: (file: string) => `${file} is saved.`,
 };
 
-/** Remarks in a saved scenario. */
+/** Comments at the top of a saved scenario. */
 export const saved = {
   by: (time: string) => `Saved by Kingpost's app at ${time} of a run, with the parameters as they were set.`,
   moves: (count: number) => `The operation has ${count === 1 ? "the lever move" : `the ${count} lever moves`} made by hand.`,

@@ -17,7 +17,7 @@ const headings: Record<string, string> = {
   operation: "The operation cannot go on",
   saved: "Saved, but a run of the file differs",
   link: "This link cannot be opened",
-  followed: "A change of the link cannot be repeated",
+  followed: "A change from the link cannot be repeated",
   two_operations: "The scenario cannot be saved",
   unsaved: "The scenario cannot be saved",
 };
@@ -33,14 +33,14 @@ export const alert = {
 /** Messages of the page about faults, in addition to those of the engine. */
 export const faults = {
   not_allowed: (label: string, found: string, allowed: string) => `${label}: ${found} is not ${allowed}.`,
-  own_values: "It opened with its own values.",
+  own_values: "The scenario opened with its own values.",
   lost_run: (why: string) => `${why} The run starts again, with the same values.`,
   run_goes_on: "The run goes on.",
   no_gallery: (why: string) => `${why} There are no scenarios to choose from; files can still be opened.`,
   too_large: (file: string, size: string, most: string) => `${file} holds ${size}; a scenario, and each file that it names, holds at most ${most}.`,
   is_table: (file: string) => `${file} is a table: open it together with the scenario that names it, both files at once.`,
   is_database: (file: string) => `${file} is a hydrodynamic database: open it together with the scenario that names it, both files at once.`,
-  no_state: "The recording has no state left so early: Reset starts the run again.",
+  no_state: "The recording has no stored state at or before this time. Reset starts the run again.",
 };
 
 /** Faults between the page and the engine. */

@@ -8,7 +8,7 @@ export const page = {
   save_help: "As a file, with the parameters as they are set and the lever moves as an operation",
   share: "Share",
   share_help: "A link that opens this run with all its settings",
-  drop: "Drop the scenario to open it, and the databases that it names",
+  drop: "Drop the scenario and the databases that it names here to open them",
   title: (scenario: string) => `Kingpost – ${scenario}`,
   panels: "Panels",
   language: "Language",

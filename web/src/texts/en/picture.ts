@@ -18,7 +18,7 @@ export const picture = {
     top: "From above",
     section: "Section",
   },
-  dive: "Allow under water",
+  dive: "Allow the camera under water",
   show: "Show",
   shown: {
     frames: "Body frames",

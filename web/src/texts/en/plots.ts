@@ -29,7 +29,7 @@ export const plots = {
   phase_first: "The first line is the horizontal axis, the second the vertical one; the others are not drawn.",
   spectrum_short: "The visible time has too few records for a spectrum.",
   peak_unresolved: (label: string, segment_s: string) =>
-    `${label}: no period: the visible time gives segments of ${segment_s} s, less than three periods of its peak`,
+    `${label}: no peak period: the visible time gives segments of ${segment_s} s, shorter than three periods of the peak`,
   peak: (label: string, omega: string, period_s: string) => `${label}: peak at ${omega} rad/s, period ${period_s} s`,
   resolution: (step: string, segments: number, from_s: string, to_s: string) =>
     `Welch's method, Hann window: ${segments} ${segments === 1 ? "segment" : "segments"} of the records from ${from_s} to ${to_s} s, resolution ${step} rad/s. One-sided: the area under a curve is the variance.`,
@@ -41,9 +41,9 @@ export const plots = {
   sides: { port: "port", starboard: "starboard" },
   heel_axis: "Heel, °",
   arm_axis: "GZ, m",
-  heel_now: (body: string, heel: string, side: string, arm: string) => `${body} is now at ${heel}° to ${side}, GZ ${arm} m`,
-  heel_beyond: (body: string, heel: string, side: string) => `${body} is now at ${heel}° to ${side}, off the curve of that side`,
-  at_rest: (heel: string) => `at rest at ${heel}°`,
+  heel_now: (body: string, heel: string, side: string, arm: string) => `${body} now heels ${heel}° to ${side}, GZ ${arm} m`,
+  heel_beyond: (body: string, heel: string, side: string) => `${body} now heels ${heel}° to ${side}, beyond the curve of that side`,
+  at_rest: (heel: string) => `equilibrium at ${heel}°`,
   largest_arm: (arm: string, heel: string) => `largest ${arm} m at ${heel}°`,
   vanishes: (heel: string) => `zero again at ${heel}°`,
   statistics: "Statistics",

@@ -2,7 +2,7 @@ export const share = {
   title: "Share this run",
   holds: (title: string) => `The link opens “${title}” with the initial values of the run.`,
   holds_changes: (count: number) =>
-    count === 1 ? "The change that was made by hand is repeated at its time." : `The ${count} changes that were made by hand are repeated at their times.`,
+    count === 1 ? "The run repeats the change made by hand, at its original time." : `The run repeats the ${count} changes made by hand, at their original times.`,
   holds_moment: (time_s: string) => `It offers to run to the moment that is shown, ${time_s}\u00a0s.`,
   holds_texts: "The link holds the text of the scenario: who has the link can read it.",
   waiting: (names: string) => `Values that wait for a reset are not in it: ${names}.`,
@@ -28,7 +28,7 @@ export const share = {
   from_link: (title: string) => `From a link: ${title}`,
   notice: "This run came from a link",
   again: (count: number) =>
-    count === 1 ? "The change that was made by hand is repeated at its time, until you set something." : `The ${count} changes that were made by hand are repeated at their times, until you set something.`,
+    count === 1 ? "The run repeats the change made by hand, at its original time, until you set a value." : `The run repeats the ${count} changes made by hand, at their original times, until you set a value.`,
   was_shown: (time_s: string) => `The link was made at ${time_s} s.`,
   run_to: "Run to that moment",
   other_files: "The gallery's files of this scenario have changed since the link was made: the run can differ.",

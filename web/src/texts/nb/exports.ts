@@ -6,7 +6,7 @@ export const exports: Texts["exports"] = {
   recording: "Opptaket",
   rows: (kept, until_s) => `${kept} ${kept === 1 ? "rad" : "rader"}, 0 til ${until_s} s`,
   thinned: (kept, of, until_s) =>
-    `Opptaket er langt: ${kept} av om lag ${of} rader er beholdt. Rader før ${until_s} s er tynnet ut og mangler i disse filene; de andre er fullstendige.`,
+    `Opptaket er langt: ${kept} av om lag ${of} rader er beholdt. Noen rader før ${until_s} s mangler i disse filene; alle senere rader er med.`,
   csv: "Tabell (CSV)",
   csv_help: "Alle kolonner i SI-enheter, slik kingpost run skriver dem",
   events: "Hendelser (CSV)",

@@ -39,7 +39,7 @@ export const faults: Texts["faults"] = {
   too_large: (file, size, most) => `${file} er på ${size}; et scenario, og hver fil som det viser til, kan være på høyst ${most}.`,
   is_table: (file) => `${file} er en tabell: åpne den sammen med scenarioet som viser til den, begge filene på én gang.`,
   is_database: (file) => `${file} er en hydrodynamisk database: åpne den sammen med scenarioet som viser til den, begge filene på én gang.`,
-  no_state: "Opptaket har ingen tilstand igjen fra så tidlig: Nullstill starter kjøringen på nytt.",
+  no_state: "Opptaket har ingen lagret tilstand ved eller før dette tidspunktet. Nullstill starter kjøringen på nytt.",
 };
 
 export const engine: Texts["engine"] = {

@@ -20,7 +20,7 @@ export const picture: Texts["picture"] = {
     top: "Ovenfra",
     section: "Snitt",
   },
-  dive: "Tillat under vann",
+  dive: "Tillat kameraet under vann",
   show: "Vis",
   shown: {
     frames: "Legemenes akser",

@@ -28,7 +28,7 @@ export const plots: Texts["plots"] = {
   phase_needs: "Velg to linjer: den første er den vannrette aksen, den andre den loddrette.",
   phase_first: "Den første linjen er den vannrette aksen, den andre den loddrette; de andre er ikke tegnet.",
   spectrum_short: "Tiden som vises, har for få målinger til et spekter.",
-  peak_unresolved: (label, segment_s) => `${label}: ingen periode: tiden som vises, gir deler på ${segment_s} s, under tre perioder av toppen`,
+  peak_unresolved: (label, segment_s) => `${label}: ingen topperiode: tiden som vises, gir segmenter på ${segment_s} s, kortere enn tre perioder av toppen`,
   peak: (label, omega, period_s) => `${label}: topp ved ${omega} rad/s, periode ${period_s} s`,
   resolution: (step, segments, from_s, to_s) =>
     `Welchs metode, Hann-vindu: ${segments} ${segments === 1 ? "segment" : "segmenter"} av målingene fra ${from_s} til ${to_s} s, oppløsning ${step} rad/s. Ensidig: arealet under en kurve er variansen.`,
@@ -42,7 +42,7 @@ export const plots: Texts["plots"] = {
   arm_axis: "GZ, m",
   heel_now: (body, heel, side, arm) => `${body} krenger nå ${heel}° mot ${side}, GZ ${arm} m`,
   heel_beyond: (body, heel, side) => `${body} krenger nå ${heel}° mot ${side}, utenfor kurven for den siden`,
-  at_rest: (heel) => `i ro ved ${heel}°`,
+  at_rest: (heel) => `likevekt ved ${heel}°`,
   largest_arm: (arm, heel) => `størst ${arm} m ved ${heel}°`,
   vanishes: (heel) => `null igjen ved ${heel}°`,
   statistics: "Statistikk",

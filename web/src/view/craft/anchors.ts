@@ -5,13 +5,13 @@ import { edgesOf } from "../solids";
 import { distance, nearestOf, Place } from "./place";
 import type { Role } from "./roles";
 
-/** An attachment of a line or link to a body, body axes. */
+/** Attachment of a line or link to a body, in body axes. */
 export interface Anchor {
   body: number;
   point: Vec3;
-  /** Name of the line or link. */
+  /** Kind of the attached object. */
   kind: "line" | "tube" | "link" | "loop";
-  /** Direction of the line or link from there, body axes, not normalised; zero if unknown. */
+  /** Direction of the line or link from the attachment, body axes, not normalised; zero if unknown. */
   towards: Vec3;
   /** Radius of the pin, m. */
   radius: number;
@@ -19,16 +19,16 @@ export interface Anchor {
   length: number;
 }
 
-/** A sheave that a line runs over. */
+/** Sheave over which a line runs. */
 export interface Sheave {
   body: number;
   middle: Vec3;
   radius: number;
-  /** Body axes. */
+  /** Axis of the sheave, body axes. */
   axis: Vec3;
 }
 
-/** The data for finding anchors. */
+/** Model, shapes and poses from which attachments are found. */
 export interface Scene {
   model: ModelInfo;
   lines: readonly DrawnLine[];
@@ -40,17 +40,20 @@ export interface Scene {
 
 /** Largest distance of a link's end from its body, relative to the length of the link. */
 const LINK_REACH = 0.5;
-/** A line's end farther from a body than this share of its diagonal is on the seabed, or on land. */
+/**
+ * Largest distance of a line's end from a body, relative to the diagonal of the body; an end farther away is on the
+ * seabed or on land.
+ */
 const REACH = 0.5;
-/** A line that turns by more than this at one point runs over a sheave, rad. */
+/** Smallest angle by which a line turns at a sheave, rad. */
 const WRAP = 0.15;
 
-/** The ends of lines, links and loops on the bodies that carry them. */
+/** Returns the attachments of lines, links and loops to bodies. */
 export function anchorsOf(scene: Scene): Anchor[] {
   return [...lineAnchors(scene), ...linkAnchors(scene), ...loopAnchors(scene)];
 }
 
-/** The bodies that a line's ends may be on: those that its element names, or its joint ties. */
+/** Returns the bodies to which a line can be attached: those that its element names, or the two bodies of its joint. */
 function bodiesNamed({ model }: Scene, name: string): number[] {
   const joint = model.joints.find((one) => one.name === name);
   const tied = model.bodies.find((one) => one.name === joint?.body);
@@ -63,7 +66,7 @@ function jointsIn(model: ModelInfo, words: readonly string[]): string[] {
   return model.joints.filter((joint) => words.includes(joint.name)).map((joint) => joint.body);
 }
 
-/** Distance of a place in the world from a body's solid, m. */
+/** Returns the distance of a position in the world from a body's solid, m. */
 export function distanceFrom({ model, boxes, poses }: Scene, body: number, world: Vec3): number {
   const point = new Place(poses, body).toBody(world);
   return distance(point, nearestOf(model.bodies[body], boxes[body], point));
@@ -74,7 +77,7 @@ function nearestBody(scene: Scene, among: readonly number[], world: Vec3): numbe
   return among[distances.indexOf(Math.min(...distances))] ?? -1;
 }
 
-/** The points of each line. */
+/** Returns the points of each line. */
 export function pointsOf({ lines, line_points }: Pick<Scene, "lines" | "line_points">): Vec3[][] {
   let from = 0;
   return lines.map(({ points }) => {
@@ -84,7 +87,10 @@ export function pointsOf({ lines, line_points }: Pick<Scene, "lines" | "line_poi
   });
 }
 
-/** A barrel ends at its rod, and a rod at its barrel: only their pins are attached. */
+/**
+ * Returns the attachments of lines and tubes. The barrel and the rod of a cylinder meet each other; only their pins are
+ * attached to bodies.
+ */
 function lineAnchors(scene: Scene): Anchor[] {
   const places = pointsOf(scene);
   return scene.lines.flatMap((line, at) => {
@@ -104,7 +110,7 @@ function lineAnchors(scene: Scene): Anchor[] {
   });
 }
 
-/** Both ends of a slim link, on the nearest bodies that are not links. */
+/** Returns the attachments of both ends of slim links, on the nearest bodies that are not links. */
 function linkAnchors(scene: Scene): Anchor[] {
   const { model, roles, poses } = scene;
   return roles.flatMap((role, i) => {
@@ -131,7 +137,7 @@ function loopAnchors({ model }: Scene): Anchor[] {
   );
 }
 
-/** The sheaves of lines: where a line turns at one point, the circle that is tangent to both parts. */
+/** Returns the sheaves of lines: where a line turns, the circle that is tangent to its two straight parts. */
 export function sheavesOf(scene: Scene): Sheave[] {
   return pointsOf(scene).flatMap((all, at) => {
     const line = scene.lines[at];
@@ -153,7 +159,7 @@ interface Wrap {
   axis: Vec3;
 }
 
-/** The straight parts of a polyline between sheaves. */
+/** Returns the turns of a polyline between its straight parts, each as a circle. */
 function wrapsOf(places: readonly Vec3[]): Wrap[] {
   const ways = places.slice(1).map((place, i) => over(minus(place, places[i]), distance(place, places[i])));
   const turns = ways.slice(1).map((way, i) => Math.acos(Math.min(1, Math.max(-1, inner(way, ways[i])))));
@@ -169,7 +175,7 @@ function wrapsOf(places: readonly Vec3[]): Wrap[] {
   return wraps;
 }
 
-/** The circle that touches the line before and after the turn. */
+/** Returns the circle that is tangent to a line before and after a turn; null if its radius is not that of a sheave. */
 function tangentTo(from: Vec3, come: Vec3, to: Vec3, go: Vec3): Wrap | null {
   const along = inner(come, go);
   const normal = (of: Vec3, less: Vec3, sign: number): Vec3 => {

@@ -8,7 +8,10 @@ import type { Work } from "./work";
 /** Number of frame lines on the deck. */
 const FRAMES = 8;
 
-/** Equipment of a barge: a coaming, bollards, fenders, hatches, plates, and an arrow to its bow; nothing at obstacles. */
+/**
+ * Adds the equipment of a barge: a coaming, bollards, fenders, hatches, plates, and an arrow to the bow; no equipment
+ * stands on obstacles.
+ */
 export function addBarge(work: Work, outline: Outline, obstacles: readonly Box[]): void {
   const { box } = outline;
   const [length, beam, height] = [0, 1, 2].map((k) => box.high[k] - box.low[k]);
@@ -42,7 +45,7 @@ export function addBarge(work: Work, outline: Outline, obstacles: readonly Box[]
   if (height > 4 * size) addStrakes(work, outline);
 }
 
-/** Two posts on a plate. */
+/** Adds a bollard: two posts on a plate. */
 function addBollard({ fittings, palette }: Work, x: number, y: number, deck: number, size: number): void {
   fittings.box([3 * size, 1.1 * size, 0.1 * size], [x, y, deck + 0.05 * size], palette.fitting);
   for (const end of [-1, 1]) {
@@ -51,7 +54,7 @@ function addBollard({ fittings, palette }: Work, x: number, y: number, deck: num
   }
 }
 
-/** Rubber along a side, upright. */
+/** Adds upright rubber fenders along a side. */
 function addFenders({ fittings, palette }: Work, box: Box, side: number, size: number): void {
   const [length, height] = [box.high[0] - box.low[0], box.high[2] - box.low[2]];
   const count = Math.max(3, Math.round(length / (14 * size)));
@@ -62,7 +65,7 @@ function addFenders({ fittings, palette }: Work, box: Box, side: number, size: n
   }
 }
 
-/** Manholes of the tanks. */
+/** Adds the manholes of the tanks. */
 function addHatches({ fittings, palette }: Work, { box }: Outline, free: (x: number, y: number, reach: number) => boolean, size: number): void {
   const [length, beam] = [box.high[0] - box.low[0], box.high[1] - box.low[1]];
   const [cx, cy] = [(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2];
@@ -73,14 +76,14 @@ function addHatches({ fittings, palette }: Work, { box }: Outline, free: (x: num
   }
 }
 
-/** It shows the bow from any side. */
+/** Adds an arrow that shows the bow from any side. */
 function addArrow({ fittings, palette }: Work, { box }: Outline): void {
   const [length, beam] = [box.high[0] - box.low[0], box.high[1] - box.low[1]];
   const [cx, cy] = [(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2];
   fittings.prism(bowArrowPlan(length, beam).map(([x, y]) => [cx + x, cy + y] as const), box.high[2] + 0.004, box.high[2] + 0.018, palette.marking);
 }
 
-/** An arrow along a deck of this length and width, about its centre. */
+/** Returns the outline of an arrow along a deck of this length and width, about its centre. */
 function bowArrowPlan(l: number, w: number): [number, number][] {
   const [tip, root, wing, stem] = [0.43 * l, 0.31 * l, 0.19 * w, 0.045 * w];
   return [[tip, 0], [root, wing], [root, stem], [0.12 * l, stem], [0.12 * l, -stem], [root, -stem], [root, -wing]];

@@ -3,23 +3,29 @@ import type { Vec3 } from "../fit";
 import { Pieces, straight } from "./pieces";
 import type { Work } from "./work";
 
-/** A box-shaped boom with a larger ratio of length to depth is drawn as a lattice. */
+/** Smallest ratio of length to depth of a box-shaped boom that is drawn as a lattice. */
 const LATTICE_RATIO = 15;
-/** Its foot and head taper over this multiple of the depth, to this share of the depth. */
+/**
+ * Taper of a boom at its foot and head: its length in depths of the boom, and the depths at the ends as shares of the
+ * full depth.
+ */
 const TAPER = { over: 3, foot: 0.3, head: 0.55 };
 
-/** A boom along x about its middle, its foot at the smaller x. */
+/** A boom along x about its middle, with its foot at the smaller x. */
 export interface BoomShape {
   length: number;
   width: number;
   height: number;
   isRound: boolean;
-  /** Whether its foot is hinged to the crane's support, and its head carries no further boom. */
+  /** Whether the foot is hinged to the crane's support, and whether the head carries no further boom. */
   isFirst: boolean;
   isLast: boolean;
 }
 
-/** A lattice if it is long and slim, plates if it is stout, a tube if the model has one; its dimensions are those of the model. */
+/**
+ * Adds a boom with the dimensions of the model: a lattice if it is slender, plates if it is stout, a tube if its shape
+ * is a cylinder.
+ */
 export function addBoom(work: Work, shape: BoomShape, colour: Color): void {
   if (shape.isRound) addTube(work.body, shape, colour, work.palette.fitting);
   else if (isLattice(shape.length, shape.width, shape.height)) addLattice(work, shape, colour);
@@ -30,19 +36,21 @@ export function isLattice(length: number, width: number, height: number): boolea
   return length / Math.max(width, height) >= LATTICE_RATIO;
 }
 
-/** A stout tube with flanges. */
+/** Adds a stout tube with flanges. */
 function addTube(pieces: Pieces, { length, width, isFirst, isLast }: BoomShape, colour: Color, dark: Color): void {
   const [radius, half] = [width / 2, length / 2];
   const flange = Math.min(0.24 * radius, 0.06 * length);
   pieces.turned(straight(0.975 * radius, -half + flange, half - flange), "x", [0, 0, 0], colour, 28);
   for (const from of [-half, half - flange]) pieces.turned(straight(radius, from, from + flange), "x", [0, 0, 0], colour, 28);
-  // Bolts' rings at the ends of the whole boom.
+  // Flanges with bolts at the ends of the whole boom.
   for (const [from, isEnd] of [[-half + flange, isFirst], [half - 1.4 * flange, isLast]] as const) if (isEnd) pieces.turned(straight(0.995 * radius, from, from + 0.2 * flange), "x", [0, 0, 0], dark, 28);
   const count = Math.floor(length / (5 * radius));
   for (let k = 1; k < count; k++) pieces.turned(straight(0.995 * radius, -0.2 * flange, 0.2 * flange), "x", [-half + (k / count) * length, 0, 0], colour, 28);
 }
 
-/** A welded box: plates that taper to the foot and the head, stiffeners, and edges of the full depth between. */
+/**
+ * Adds a welded box: plates that taper to the foot and the head, stiffeners, and edges of the full depth in between.
+ */
 function addPlates({ body, palette }: Work, { length, width, height, isFirst, isLast }: BoomShape, colour: Color): void {
   const [half, y, z] = [length / 2, width / 2, height / 2];
   const taper = Math.min(1.4 * height, 0.25 * length);
@@ -61,7 +69,7 @@ function addPlates({ body, palette }: Work, { length, width, height, isFirst, is
   }
 }
 
-/** Four chords, tapered to the foot and the head, posts and diagonals on all sides. */
+/** Adds a lattice: four chords that taper to the foot and the head, with posts and diagonals on all sides. */
 function addLattice({ body, fittings, palette }: Work, shape: BoomShape, colour: Color): void {
   const { length, width, height, isFirst, isLast } = shape;
   const half = length / 2;
@@ -91,7 +99,7 @@ function addLattice({ body, fittings, palette }: Work, shape: BoomShape, colour:
   addWalkway(fittings, shape, chord, palette.fitting);
 }
 
-/** Plates at the foot and at the head, up to the model's ends. */
+/** Adds plates at the foot and at the head, up to the ends of the model's shape. */
 function addEnds(body: Pieces, { length, width, height, isFirst, isLast }: BoomShape, colour: Color, dark: Color): void {
   const half = length / 2;
   const thick = 0.06 * width;
@@ -103,7 +111,7 @@ function addEnds(body: Pieces, { length, width, height, isFirst, isLast }: BoomS
   }
 }
 
-/** A grating on the upper side. */
+/** Adds a walkway of grating on the upper side. */
 function addWalkway(fittings: Pieces, { length, width, height }: BoomShape, chord: number, dark: Color): void {
   fittings.box([0.72 * length, 0.32 * width, 0.02], [-0.03 * length, 0, height / 2 - chord], dark);
 }

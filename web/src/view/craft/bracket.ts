@@ -3,10 +3,13 @@ import type { Vec3 } from "../fit";
 import { straight } from "./pieces";
 import type { Work } from "./work";
 
-/** Brackets shorter than this are one lug, m. */
+/** Length below which a bracket is a single lug, m. */
 const LUG_M = 0.5;
 
-/** A bracket from the nearest point of a body's solid to a place outside it; `across` is the direction in which it may spread. */
+/**
+ * Adds a bracket from the nearest point of a body's solid to a point outside the solid; `across` is the direction in
+ * which the bracket may spread.
+ */
 export function addBracket({ fittings, palette }: Work, from: Vec3, to: Vec3, across: Vec3, radius: number): void {
   const way = new Vector3(...to).sub(new Vector3(...from));
   const length = way.length();
@@ -24,14 +27,14 @@ export function addBracket({ fittings, palette }: Work, from: Vec3, to: Vec3, ac
   fittings.ball(to, 1.3 * radius, palette.pin);
 }
 
-/** A casing around a column's foot that is below the deck and outside the hull's side. */
+/** Adds a casing around the foot of a column that stands below the deck and outside the side of the hull. */
 export function addSponson({ fittings, palette }: Work, [x, y, foot]: Vec3, radius: number, low: number, deck: number): void {
   const from = Math.max(low, foot - 1.6 * radius);
   fittings.turned([[0, from], [0.7 * radius, from], [1.3 * radius, Math.min(deck, from + 1.2 * radius)], [1.3 * radius, deck], [0, deck]], "z", [x, y, 0], palette.hull, 32);
   addFoundation({ fittings, palette }, [x, y, deck], 1.1 * radius);
 }
 
-/** The ring of plates that a column stands in. */
+/** Adds the ring of plates in which a column stands. */
 export function addFoundation({ fittings, palette }: Pick<Work, "fittings" | "palette">, [x, y, deck]: Vec3, radius: number): void {
   fittings.turned(straight(1.32 * radius, deck - 0.04 * radius, deck + 0.1 * radius), "z", [x, y, 0], palette.fitting, 32);
   const knees = 8;

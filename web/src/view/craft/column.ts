@@ -3,20 +3,23 @@ import type { Vec3 } from "../fit";
 import { straight } from "./pieces";
 import type { Work } from "./work";
 
-/** A crane's column along z about its middle. */
+/** Column of a crane, along z about its middle. */
 export interface ColumnShape {
   radius: number;
   length: number;
   /** Direction of the boom in plan, rad. */
   boom_rad: number;
-  /** Whether a person works in it: a cab. */
+  /** Whether the column has an operator's cab. */
   hasCab: boolean;
 }
 
-/** A column lower than this has no ladder, m. */
+/** Smallest height of a column with a ladder, m. */
 const CLIMBED_M = 1.5;
 
-/** The slewing column: its ring on the foundation, a tapering shaft, a head for the boom's hinge; its dimensions are the model's. */
+/**
+ * Adds a slewing column with the dimensions of the model: a ring on the foundation, a tapering shaft, and a head for
+ * the hinge of the boom.
+ */
 export function addColumn(work: Work, { radius, length, boom_rad, hasCab }: ColumnShape, colour: Color): void {
   const { body, fittings, palette } = work;
   const half = length / 2;
@@ -35,7 +38,7 @@ export function addColumn(work: Work, { radius, length, boom_rad, hasCab }: Colu
   if (hasCab) addCab(work, cabOf({ radius, length, boom_rad, hasCab }));
 }
 
-/** Up the side away from the boom. */
+/** Adds a ladder on the side away from the boom. */
 function addLadder({ fittings, palette }: Work, radius: number, half: number, angle: number): void {
   const [u, v] = [Math.cos(angle), Math.sin(angle)];
   const [away, wide, bar] = [0.99 * radius, Math.min(0.3, 0.3 * radius), 0.025];
@@ -45,14 +48,17 @@ function addLadder({ fittings, palette }: Work, radius: number, half: number, an
   for (let k = 0; k <= count; k++) fittings.rod(at(-1, -half + (k / count) * 2 * half), at(1, -half + (k / count) * 2 * half), 0.7 * bar, palette.fitting, 4);
 }
 
-/** The operator's cab: its middle in the column's axes, its size, and where it looks. */
+/** Operator's cab: its middle in the axes of the column, its size, and the direction in which it faces. */
 export interface Cab {
   middle: Vec3;
   size: number;
   looks_rad: number;
 }
 
-/** Next to the boom, with its roof under the head, of a person's size if the column is large enough. */
+/**
+ * Returns the cab of a column: next to the boom, with its roof below the head, of a person's size if the column is
+ * large enough.
+ */
 export function cabOf({ radius, length, boom_rad }: ColumnShape): Cab {
   const size = Math.min(1.9, 1.6 * radius, 0.3 * length);
   const away = radius + 0.42 * size;

@@ -23,7 +23,7 @@ import { addStays } from "./stays";
 import type { Stay } from "./stays";
 import { boxAround, Work } from "./work";
 
-/** A place from which a person looks: on a body, in its axes. */
+/** Viewpoint of a person on a body, in the axes of the body. */
 export interface Post {
   body: number;
   point: Vec3;
@@ -31,22 +31,22 @@ export interface Post {
   looks_rad: number;
 }
 
-/** The bodies as ships and cranes, and the viewpoints of people on them. */
+/** The bodies drawn as ships and cranes, and the viewpoints of people on them. */
 export interface Craft {
   works: Work[];
   cab: Post | null;
   bridge: Post | null;
-  /** The body that hangs on the crane. */
+  /** Index of the body that hangs on the crane; null if there is none. */
   load: number | null;
   stays: Stay[];
 }
 
-/** The water line of a hull without data, as a share of its height from the keel. */
+/** Height of the water line of a hull without data above the keel, as a share of the height of the hull. */
 const WATER = 0.42;
-/** A place nearer to a solid than this needs no bracket, m. */
+/** Largest distance from a solid at which an attachment needs no bracket, m. */
 const NEAR_M = 0.02;
 
-/** The data of a run, and of its start, for drawing the bodies. */
+/** Collects the data of a run and of its start from which the bodies are drawn. */
 export function sceneOf({ model, lines }: { model: ModelInfo; lines: readonly DrawnLine[] }, { poses, line_points }: Pick<Scene, "poses" | "line_points">): Scene {
   const boxes = model.bodies.map((body) => boxOf(body, shapedHullOf(model, body.name)));
   return { model, lines, boxes, roles: rolesOf(model), poses, line_points };
@@ -76,7 +76,7 @@ class Builder {
       if (scene.roles[i] !== "hull") return null;
       if (hull?.mesh) return outlineOfMesh(hull.mesh, boxes[i], hull);
       const { low, high } = boxes[i];
-      // The sea is at height 0.
+      // The still water level is at height 0.
       const water_m = model.sea ? -scene.poses[7 * i + 2] : low[2] + WATER * (high[2] - low[2]);
       return outlineOfBox(boxes[i], hull?.origin_m[2] ?? Math.min(high[2], Math.max(low[2], water_m)));
     });
@@ -173,7 +173,7 @@ class Builder {
     this.works[i].fittings.take(work.fittings);
   }
 
-  /** Transform from a boom along x, with its foot at the smaller end, to the body's axes. */
+  /** Returns the transform to the body's axes from the axes of a boom along x, with its foot at the smaller end. */
   private turnOfBoom(i: number, parent: number, axis: number): Matrix4 {
     const turn = new Matrix4();
     if (axis === 1) turn.makeRotationZ(Math.PI / 2);
@@ -181,7 +181,7 @@ class Builder {
     return this.footSide(i, parent, axis) > 0 ? turn.multiply(new Matrix4().makeRotationZ(Math.PI)) : turn;
   }
 
-  /** A slim boom on a column gets stays if nothing else supports it. */
+  /** Adds stays to a slender boom on a column, if nothing else supports the boom. */
   private addStays(i: number): void {
     const { model, roles, boxes } = this.scene;
     const { parent, shape } = model.bodies[i];
@@ -197,14 +197,14 @@ class Builder {
     this.stays.push(...stays);
   }
 
-  /** Direction of a boom in plan, in the axes of its carrier, rad. */
+  /** Returns the direction of a boom in plan, in the axes of its carrier, rad. */
   private boomCourse(boom: number, column: number): number {
     const { poses } = this.scene;
     const [x, y] = new Place(poses, column).toBody(new Place(poses, boom).toWorld([0, 0, 0]));
     return Math.atan2(y, x);
   }
 
-  /** The side of a body along an axis that is nearer to its carrier. */
+  /** Returns the sign of the end of a body, along an axis, that is nearer to its carrier. */
   private footSide(i: number, parent: number, axis: number): number {
     const { boxes, poses, model } = this.scene;
     const away = [boxes[i].low[axis], boxes[i].high[axis]].map((end) => {
@@ -215,7 +215,7 @@ class Builder {
     return away[1] < away[0] ? 1 : -1;
   }
 
-  /** Plates between a boom or a column and a carrier that does not reach it. */
+  /** Adds a bracket from a column to the foot of its boom, if there is a gap. */
   private addHinge(i: number): void {
     const { model, roles, boxes, poses } = this.scene;
     const parent = model.bodies.findIndex(({ name }) => name === model.bodies[i].parent);
@@ -232,7 +232,7 @@ class Builder {
     this.hold(body, point, radius);
   }
 
-  /** A bracket to a place outside a body's solid. */
+  /** Adds a bracket to a point outside a body's solid. */
   private hold(body: number, point: Vec3, radius: number): void {
     const { model, boxes } = this.scene;
     const outline = this.outlines[body];
@@ -243,14 +243,14 @@ class Builder {
     addBracket(this.works[body], nearest, point, outline || x < y ? [1, 0, 0] : [0, 1, 0], size);
   }
 
-  /** The first body at the end of a boom that is not a boom; null if there is none. */
+  /** Returns the last body that a boom carries and that is neither a boom nor a drum; null if there is none. */
   private lastCarried(): number | null {
     const { model, roles } = this.scene;
     const isOnBoom = (i: number) => roles[model.bodies.findIndex(({ name }) => name === model.bodies[i].parent)] === "boom";
     return roles.flatMap((role, i) => (role !== "boom" && role !== "drum" && isOnBoom(i) ? [i] : [])).pop() ?? null;
   }
 
-  /** A hook on each load that hangs on a single line. */
+  /** Adds a hook to each load that hangs on a single line. */
   private addHooks(anchors: readonly Anchor[]): void {
     const { roles, boxes, model, poses } = this.scene;
     roles.forEach((role, i) => {
@@ -268,7 +268,7 @@ class Builder {
   }
 }
 
-/** The place itself if it is inside the hull. */
+/** Returns the point of a hull nearest to a position; the position itself if it is inside the hull. */
 function nearestOnHull({ box, halfAt }: Outline, [x, y, z]: Vec3): Vec3 {
   const along = Math.min(box.high[0], Math.max(box.low[0], x));
   const half = halfAt(along);

@@ -7,13 +7,13 @@ import type { Work } from "./work";
 
 type Axis = "x" | "y" | "z";
 
-/** A drum about its middle: the barrel has the model's extents, its flanges stand out. */
+/** Adds a drum about its middle: the barrel has the dimensions of the model, and the flanges are larger. */
 export function addDrum({ body, fittings, palette }: Work, radius: number, length: number, axis: Axis, colour: Color): void {
   const half = length / 2;
   body.turned(straight(radius, -half, half), axis, [0, 0, 0], palette.line, 32);
   const flange = 0.08 * length;
   for (const from of [-half, half - flange]) fittings.turned(straight(1.35 * radius, from, from + flange), axis, [0, 0, 0], colour, 32);
-  // Turns of ropes on drums.
+  // Number of turns of the rope on the drum.
   const turns = 9;
   for (let k = 1; k < turns; k++) {
     const at = -half + flange + (k / turns) * (length - 2 * flange);
@@ -23,7 +23,7 @@ export function addDrum({ body, fittings, palette }: Work, radius: number, lengt
   for (const from of [-end, half]) fittings.turned(straight(0.3 * radius, from, from + end - half), axis, [0, 0, 0], palette.pin, 14);
 }
 
-/** A sheave with its cheeks, about an axis and a centre. */
+/** Adds a sheave with its cheeks, about an axis through `middle`. */
 export function addSheave({ fittings, palette }: Work, middle: Vec3, axis: Axis, radius: number): void {
   const wide = 0.16 * radius;
   const rim = [[0, -wide], [radius, -wide], [0.9 * radius, 0], [radius, wide], [0, wide]] as const;
@@ -31,7 +31,7 @@ export function addSheave({ fittings, palette }: Work, middle: Vec3, axis: Axis,
   fittings.turned(straight(0.22 * radius, -3.2 * wide, 3.2 * wide), axis, middle, palette.fitting, 12);
 }
 
-/** A hanging block with sheaves and a hook: the eye of its hook at a place, the block `up` from it. */
+/** Adds a hook block with sheaves and a hook: the eye of the hook is at `eye`, with the block above it. */
 export function addHook({ fittings, palette }: Work, eye: Vec3, size: number): void {
   const [x, y, z] = eye;
   const at = (height: number): Vec3 => [x, y, z + size * height];
@@ -46,7 +46,9 @@ export function addHook({ fittings, palette }: Work, eye: Vec3, size: number): v
   fittings.turned(straight(0.09 * size, -0.34 * size, 0.34 * size), "y", [x, y, z + 1.05 * size], palette.fitting, 10);
 }
 
-/** A crate, a module or a container of the size of the model's box: posts and beams, with panels slightly inside. */
+/**
+ * Adds a crate, a module or a container of the size of the model's box: posts and beams, with slightly recessed panels.
+ */
 export function addCargo({ body }: Work, { low, high }: Box, colour: Color): void {
   const size = vec3((k) => high[k] - low[k]);
   const [x, y, z] = size;
@@ -59,7 +61,7 @@ export function addCargo({ body }: Work, { low, high }: Box, colour: Color): voi
   addRibs(body, size, bar, colour.clone().multiplyScalar(0.86));
 }
 
-/** Upright corrugations on the four sides. */
+/** Adds upright corrugations on the four sides. */
 function addRibs(body: Pieces, [x, y, z]: [number, number, number], bar: number, colour: Color): void {
   const high = z - 2 * bar;
   const along = Math.max(2, Math.round(x / (6 * bar)));
@@ -68,7 +70,7 @@ function addRibs(body: Pieces, [x, y, z]: [number, number, number], bar: number,
   for (let k = 1; k < across; k++) for (const side of [-1, 1]) body.box([0.4 * bar, 1.6 * bar, high], [side * (x / 2 - 0.35 * bar), -y / 2 + (k / across) * y, 0], colour);
 }
 
-/** A quay: its block, a coping of its colour, fenders on its long sides and bollards on its edge. */
+/** Adds a quay: a block, a coping of the same colour, fenders on the long sides and bollards on the edge. */
 export function addQuay({ body, fittings, palette }: Work, { low, high }: Box, colour: Color): void {
   const [x, y, z] = [0, 1, 2].map((k) => high[k] - low[k]);
   body.box([x, y, z], [0, 0, 0], colour);

@@ -6,22 +6,22 @@ import { lofted } from "./pieces";
 import type { Plan } from "./pieces";
 import type { Work } from "./work";
 
-/** Position of a deckhouse: from and to along the hull, the deck under it, and the height of one storey, m. */
+/** Site of a deckhouse: its ends along the hull, the deck below it, and the height of one storey, m. */
 export interface Site {
   from: number;
   to: number;
   deck: number;
   storey: number;
-  /** 1 if its front faces forward along x. */
+  /** 1 if the front faces forward along x, otherwise -1. */
   looks: 1 | -1;
 }
 
-/** Storeys under the wheelhouse. */
+/** Number of storeys below the wheelhouse. */
 const STOREYS = 3;
-/** Side lights. */
+/** Colours of the side lights. */
 export const LAMPS = { port: new Color(0xd93a35), starboard: new Color(0x1f9d55) };
 
-/** Accommodation, wheelhouse with wings, mast and funnels; returns the officer's viewpoint. */
+/** Adds accommodation, a wheelhouse with wings, a mast and funnels; returns the viewpoint of the officer. */
 export function addHouse(work: Work, outline: Outline, site: Site): Vec3 {
   const { storey, from, to } = site;
   const length = to - from;
@@ -31,7 +31,7 @@ export function addHouse(work: Work, outline: Outline, site: Site): Vec3 {
     const plan = planBetween(outline, aft, fore, (0.1 + 0.03 * k) * most, 0.84 * most);
     const low = site.deck + k * storey;
     work.fittings.prism(plan, low, low + storey, work.palette.house);
-    // A walkway around each storey except the lowest.
+    // Walkway around each storey except the lowest.
     if (k > 0) work.fittings.prism(grown(plan, 0.32 * storey), low - 0.03 * storey, low + 0.03 * storey, work.palette.fitting);
     addWindows(work, plan, low + 0.5 * storey, storey);
   }
@@ -42,7 +42,7 @@ export function addHouse(work: Work, outline: Outline, site: Site): Vec3 {
   return [site.looks > 0 ? to - 0.1 * length : from + 0.1 * length, 0, bridge + 0.62 * storey];
 }
 
-/** A plan, enlarged outward from its middle on each side. */
+/** Returns a plan that is enlarged outward from its middle on each side. */
 export function grown(plan: Plan, by: number): Plan {
   const ends = [0, 1].map((k) => plan.map((place) => place[k])).map((values) => [Math.min(...values), Math.max(...values)]);
   const share = ends.map(([low, high]) => ({ middle: (low + high) / 2, factor: 1 + (2 * by) / Math.max(1e-6, high - low) }));
@@ -50,7 +50,7 @@ export function grown(plan: Plan, by: number): Plan {
   return plan.map(([x, y]) => [moved(x, 0), moved(y, 1)]);
 }
 
-/** A row of windows along the walls of a plan, evenly all around. */
+/** Adds a row of evenly spaced windows along the walls of a plan. */
 function addWindows(work: Work, plan: Plan, z: number, storey: number): void {
   const [wide, high, apart, proud] = [0.26 * storey, 0.3 * storey, 0.72 * storey, 0.03 * storey];
   let passed = 0;
@@ -68,7 +68,7 @@ function addWindows(work: Work, plan: Plan, z: number, storey: number): void {
   });
 }
 
-/** The wheelhouse: glass all around that leans outward, wings to the sides, a roof with the mast. */
+/** Adds the wheelhouse: glass all around that leans outward, wings to the sides, and a roof with the mast. */
 function addBridge(work: Work, outline: Outline, site: Site, low: number): void {
   const { storey, from, to, looks } = site;
   const { fittings, lit, palette } = work;
@@ -92,7 +92,7 @@ function addBridge(work: Work, outline: Outline, site: Site, low: number): void 
   addMast(work, site, (aft + fore) / 2, roof);
 }
 
-/** Posts between the panes. */
+/** Adds the posts between the panes. */
 function addMullions(work: Work, plan: Plan, sill: number, head: number, lean: number): void {
   const outer = grown(plan, lean);
   const count = plan.length;
@@ -107,7 +107,7 @@ function addMullions(work: Work, plan: Plan, sill: number, head: number, lean: n
   }
 }
 
-/** A pole with its stays, radar scanners and lamps. */
+/** Adds a mast with stays, radar scanners and lamps. */
 function addMast(work: Work, { storey, looks }: Site, x: number, z: number): void {
   const { fittings, lit, palette } = work;
   const height = 2.5 * storey;
@@ -123,7 +123,7 @@ function addMast(work: Work, { storey, looks }: Site, x: number, z: number): voi
   lit.ball([x, 0, z + height], 0.08 * storey, palette.window);
 }
 
-/** Behind the wheelhouse, one to each side. */
+/** Adds a funnel on each side behind the wheelhouse. */
 function addFunnels(work: Work, { storey, from, to, looks }: Site, most: number, top: number): void {
   const length = to - from;
   const x = looks > 0 ? from + 0.16 * length : to - 0.16 * length;
@@ -139,7 +139,7 @@ function addFunnels(work: Work, { storey, from, to, looks }: Site, most: number,
   }
 }
 
-/** Lifeboats on the lowest storey's sides. */
+/** Adds lifeboats on the sides of the lowest storey. */
 function addBoats(work: Work, { storey, from, to, deck, looks }: Site, most: number): void {
   const x = looks > 0 ? from + 0.2 * (to - from) : to - 0.2 * (to - from);
   const [radius, half] = [0.32 * storey, 0.95 * storey];

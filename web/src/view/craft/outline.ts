@@ -2,31 +2,34 @@ import type { HullInfo, MeshInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
 import type { Plan } from "./pieces";
 
-/** Number of stations along a hull for its breadth. */
+/** Number of stations along a hull at which its breadth is given. */
 const STATIONS = 48;
-/** Length of the bow of a box-shaped hull, as a share of its length. */
+/** Length of the bow of a box-shaped hull, as a share of the hull's length. */
 const BOW_SHARE = 0.24;
-/** A box with a larger ratio of length to beam is drawn as a ship's hull. */
+/** Smallest ratio of length to beam of a box that is drawn as a ship's hull. */
 const SHIP_RATIO = 3.5;
-/** A hull is pointed if, at this share of its length from an end, it has less than this share of its beam. */
+/**
+ * A hull counts as pointed if its beam at the share `at` of its length from an end is less than the share `below` of
+ * its full beam.
+ */
 const POINTED = { at: 0.03, below: 0.5 };
 
-/** A hull's outline for deck equipment: body axes, bow at the larger x, m. */
+/** Outline of a hull for the equipment on its deck: body axes, bow at the larger x, m. */
 export interface Outline {
   box: Box;
-  /** Height of the painted water line. */
+  /** Height of the painted water line, m. */
   water_m: number;
-  /** Whether it has a bow. */
+  /** Whether the hull has a bow. */
   isShip: boolean;
-  /** Whether it has a deck: a sphere has none. */
+  /** Whether the hull has a deck; a sphere has none. */
   hasDeck: boolean;
-  /** Half breadth at the deck, by x. */
+  /** Returns the half breadth at the deck at a given x. */
   halfAt(x: number): number;
-  /** Both sides, at the x of its stations. */
+  /** Stations with the half breadth of both sides. */
   stations: readonly { x: number; half: number }[];
 }
 
-/** Outline of a hull with a mesh. */
+/** Returns the outline of a hull with a mesh. */
 export function outlineOfMesh(mesh: MeshInfo, box: Box, { origin_m }: HullInfo): Outline {
   const z = box.high[2] - 1e-3 * (box.high[2] - box.low[2]);
   const sides = crossings(mesh, z);
@@ -35,7 +38,7 @@ export function outlineOfMesh(mesh: MeshInfo, box: Box, { origin_m }: HullInfo):
   return { ...outline, hasDeck: mesh.triangles.some(areOnTop) };
 }
 
-/** Outline of a box: pointed if it is as slender as a ship. */
+/** Returns the outline of a box: pointed if it is as slender as a ship. */
 export function outlineOfBox(box: Box, water_m: number): Outline {
   const [length, beam] = [box.high[0] - box.low[0], box.high[1] - box.low[1]];
   const isShip = length >= SHIP_RATIO * beam;
@@ -44,7 +47,7 @@ export function outlineOfBox(box: Box, water_m: number): Outline {
   return outlineOf(box, water_m, half, isShip);
 }
 
-/** Full at its root, 0 at the stem. */
+/** Returns the share of the full breadth along the bow: 1 at its root, 0 at the stem. */
 function bowShare(t: number): number {
   return Math.sqrt(Math.max(0, 1 - t ** 2.2));
 }
@@ -52,7 +55,7 @@ function bowShare(t: number): number {
 function outlineOf(box: Box, water_m: number, half: (x: number) => number, known: boolean | null): Outline {
   const [from, length] = [box.low[0], box.high[0] - box.low[0]];
   const stations = Array.from({ length: STATIONS + 1 }, (_, i) => {
-    // Closer together towards the bow, where the side turns.
+    // Stations are closer together towards the bow, where the sides curve.
     const x = from + length * (1 - (1 - i / STATIONS) ** 1.5);
     return { x, half: half(x) };
   });
@@ -63,7 +66,7 @@ function outlineOf(box: Box, water_m: number, half: (x: number) => number, known
 
 type Segment = [[number, number], [number, number]];
 
-/** Where a mesh crosses a height, in plan. */
+/** Returns the line segments in which a mesh crosses a height, in plan. */
 function crossings({ vertices_m, triangles }: MeshInfo, z: number): Segment[] {
   return triangles.flatMap((triangle): Segment[] => {
     const corners = triangle.map((i): Vec3 => vertices_m[i]);
@@ -87,7 +90,7 @@ function halfBreadth(sides: readonly Segment[], x: number): number {
   return half;
 }
 
-/** The deck between two x, at a distance inside its edge, counter-clockwise. */
+/** Returns the deck between two x, at a distance inside its edge, counter-clockwise. */
 export function planBetween({ stations, halfAt }: Outline, from: number, to: number, inset = 0, most = Infinity): Plan {
   const ends = [from, to].map((x) => ({ x, half: halfAt(x) }));
   const between = [ends[0], ...stations.filter(({ x }) => x > from + 1e-6 && x < to - 1e-6), ends[1]];

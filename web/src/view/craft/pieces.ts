@@ -6,12 +6,12 @@ import type { Vec3 } from "../fit";
 /** A closed line in plan, counter-clockwise, m. */
 export type Plan = readonly (readonly [number, number])[];
 
-/** Axis along which three's cylinders stand. */
+/** Axis of cylinders in the library. */
 const ALONG = new Vector3(0, 1, 0);
-/** Faces that meet at less than this look round, rad. */
+/** Largest angle between two faces that are shaded as one round surface, rad. */
 const CREASE = 0.5;
 
-/** Painted solids that become one mesh: draw calls cost more than triangles. */
+/** Painted solids that are merged into one mesh, because draw calls cost more than triangles. */
 export class Pieces {
   private readonly parts: BufferGeometry[] = [];
 
@@ -19,7 +19,7 @@ export class Pieces {
     return this.parts.length === 0;
   }
 
-  /** A solid of one colour. */
+  /** Adds a solid of one colour. */
   add(geometry: BufferGeometry, colour: Color): this {
     const part = geometry.index ? geometry.toNonIndexed() : geometry;
     for (const name of Object.keys(part.attributes)) if (name !== "position" && name !== "normal") part.deleteAttribute(name);
@@ -31,7 +31,7 @@ export class Pieces {
     return this;
   }
 
-  /** A solid with its own colours. */
+  /** Adds a solid with its own colours. */
   addPainted(geometry: BufferGeometry): this {
     this.parts.push(geometry);
     return this;
@@ -41,7 +41,7 @@ export class Pieces {
     return this.add(new BoxGeometry(x, y, z).translate(...middle), colour);
   }
 
-  /** A round bar between two places, tapered if a second radius is given. */
+  /** Adds a round bar between two points, tapered if a second radius is given. */
   rod(from: Vec3, to: Vec3, radius: number, colour: Color, sides = 8, endRadius = radius): this {
     const [start, way] = [new Vector3(...from), new Vector3(...to).sub(new Vector3(...from))];
     const length = way.length();
@@ -55,20 +55,20 @@ export class Pieces {
     return this.add(new SphereGeometry(radius, sides, sides / 2 + 2).translate(...middle), colour);
   }
 
-  /** Upright walls over a plan. */
+  /** Adds a vertical prism over a plan. */
   prism(plan: Plan, low: number, high: number, colour: Color): this {
     if (plan.length === 4) return this.add(blockOf(plan, low, high), colour);
     const geometry = new ExtrudeGeometry(shapeOf(plan), { depth: high - low, bevelEnabled: false }).translate(0, 0, low);
     return this.add(toCreasedNormals(geometry, CREASE), colour);
   }
 
-  /** Walls along the y axis over a closed line of x and z, of a given width. */
+  /** Adds a prism along y over a closed line of x and z; `width` is its length along y. */
   profile(line: Plan, width: number, y: number, colour: Color): this {
     const geometry = new ExtrudeGeometry(shapeOf(line), { depth: width, bevelEnabled: false });
     return this.add(geometry.rotateX(Math.PI / 2).translate(0, y + width / 2, 0), colour);
   }
 
-  /** A body of revolution about an axis through its middle; the line gives radius and height, from below. */
+  /** Adds a body of revolution about an axis through `middle`; the line gives radius and height, from below. */
   turned(line: readonly (readonly [number, number])[], axis: "x" | "y" | "z", middle: Vec3, colour: Color, sides = 28): this {
     const geometry = new LatheGeometry(line.map(([radius, height]) => new Vector2(radius, height)), sides);
     if (axis === "x") geometry.rotateZ(-Math.PI / 2);
@@ -76,25 +76,25 @@ export class Pieces {
     return this.add(toCreasedNormals(geometry.toNonIndexed(), CREASE).translate(...middle), colour);
   }
 
-  /** Moves its content. */
+  /** Moves all solids. */
   move(by: Matrix4): this {
     for (const part of this.parts) part.applyMatrix4(by);
     return this;
   }
 
-  /** Takes over the content of another. */
+  /** Takes over all solids of another set. */
   take(other: Pieces): this {
     this.parts.push(...other.parts);
     return this;
   }
 
-  /** All of them as one; null if there are none. */
+  /** Returns all solids as one geometry; null if there are none. */
   geometry(): BufferGeometry | null {
     return this.isEmpty ? null : mergeGeometries(this.parts);
   }
 }
 
-/** A quadrangle from four corners, kept cheap because there are many windows. */
+/** Returns a prism over a quadrangle with few triangles, because there are many windows. */
 function blockOf(plan: Plan, low: number, high: number): BufferGeometry {
   const area = plan.reduce((sum, [x, y], i) => sum + x * plan[(i + 1) % 4][1] - plan[(i + 1) % 4][0] * y, 0);
   const [a, b, c, d] = area > 0 ? plan : [...plan].reverse();
@@ -112,12 +112,16 @@ function shapeOf(plan: Plan): Shape {
   return new Shape(plan.map(([x, y]) => new Vector2(x, y)));
 }
 
-/** Half of a closed profile of revolution: a straight round bar of this radius and length about its middle. */
+/**
+ * Returns the profile of a round bar of constant radius, for a body of revolution: half of its longitudinal section.
+ */
 export function straight(radius: number, from: number, to: number): [number, number][] {
   return [[0, from], [radius, from], [radius, to], [0, to]];
 }
 
-/** Walls through plans of the same number of places at rising heights, closed below and above. */
+/**
+ * Returns a solid through plans at ascending heights, closed below and above; all plans have the same number of points.
+ */
 export function lofted(levels: readonly { z: number; plan: Plan }[]): BufferGeometry {
   const positions: number[] = [];
   const [first, last] = [levels[0], levels[levels.length - 1]];

@@ -3,13 +3,13 @@ import type { BodyInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
 import { vec3 } from "../fit";
 
-/** The pose of a body: transforms places from its axes to the world and back. */
+/** Pose of a body: transforms points between the body's axes and the world. */
 export class Place {
   private readonly at: Vector3;
   private readonly turn: Quaternion;
   private readonly back: Quaternion;
 
-  /** Pose of the body with this index among poses x y z qw qx qy qz. */
+  /** Takes the pose of the body with this index from poses x y z qw qx qy qz. */
   constructor(poses: ArrayLike<number>, body: number) {
     const from = 7 * body;
     const [x, y, z, qw, qx, qy, qz] = [0, 1, 2, 3, 4, 5, 6].map((k) => poses[from + k]);
@@ -27,7 +27,7 @@ export class Place {
   }
 }
 
-/** The point of a body's solid nearest to a place, body axes; the place itself if it is inside. */
+/** Returns the point of a body's solid that is nearest to a point, body axes; the point itself if it is inside. */
 export function nearestOf({ shape }: BodyInfo, { low, high }: Box, point: Vec3): Vec3 {
   const clamped = vec3((k) => Math.min(high[k], Math.max(low[k], point[k])));
   if (shape?.kind === "sphere") {
@@ -48,7 +48,7 @@ export function distance(a: Vec3, b: Vec3): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/** The longest of a box's axes: 0, 1 or 2. */
+/** Returns the index of the longest axis of a box: 0, 1 or 2. */
 export function longestAxis({ low, high }: Box): number {
   const edges = [0, 1, 2].map((k) => high[k] - low[k]);
   return edges.indexOf(Math.max(...edges));

@@ -3,14 +3,14 @@ import type { BodyInfo, ModelInfo } from "../../engine/engine";
 /** The role of a body, from its shape and its carrier. */
 export type Role = "hull" | "column" | "boom" | "link" | "drum" | "cargo" | "quay" | "tank" | "other";
 
-/** Ratios of length to radius, or to depth, from which a body is a boom, or a slim link. */
+/** Smallest ratio of length to radius, or to depth, of a boom, and of a slim link. */
 const SLIM = { boom: 5, link: 40 };
 /** Largest ratio of length to radius of a drum. */
 const DRUM = 4;
-/** Booms turn or slide on their carrier, or are fixed to another boom. */
+/** Kinds of joints that a boom does not have: booms turn or slide on their carrier, or are fixed to another boom. */
 const SWINGS = new Set(["universal", "spherical", "floating"]);
 
-/** The role of each body. */
+/** Returns the role of each body. */
 export function rolesOf(model: ModelInfo): Role[] {
   const roles: Role[] = [];
   model.bodies.forEach((body) => roles.push(roleOf(model, body, roles)));
@@ -33,7 +33,10 @@ function roleOf(model: ModelInfo, body: BodyInfo, known: readonly Role[]): Role 
   return shape?.kind === "box" && known[parent] !== "other" ? "cargo" : "other";
 }
 
-/** A body that floats at the surface and carries a moving body, or has hydrodynamic data, or is moved by the waves. */
+/**
+ * Whether a body is a hull: it floats at the surface and carries a moving body, has hydrodynamic data, or is moved by
+ * the waves.
+ */
 function isHull(model: ModelInfo, { name, floats, is_submerged, shape }: BodyInfo): boolean {
   if (model.hulls.some((hull) => hull.body === name)) return true;
   if (!floats || is_submerged || shape?.kind !== "box") return false;
@@ -45,7 +48,9 @@ function jointOf(model: ModelInfo, body: string): string {
   return model.joints.find((joint) => joint.body === body)?.kind ?? "";
 }
 
-/** The longest extent over the next, of a cylinder over its radius. */
+/**
+ * Returns the slenderness of a shape: its longest extent over the next one; for a cylinder, its length over its radius.
+ */
 function slimness({ shape }: BodyInfo): number {
   if (shape?.kind === "cylinder") return shape.length_m / shape.radius_m;
   if (shape?.kind !== "box") return 0;

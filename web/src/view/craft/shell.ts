@@ -8,25 +8,25 @@ import type { Outline } from "./outline";
 import { lofted } from "./pieces";
 import type { Pieces, Plan } from "./pieces";
 
-/** Faces that meet at less than this look round, rad. */
+/** Largest angle between two faces that are shaded as one round surface, rad. */
 const CREASE = 0.5;
-/** Upward part of the normal of what is painted as deck. */
+/** Smallest upward component of the normal of faces that are painted as deck. */
 const LEVEL = 0.9;
-/** A mesh whose points lie on a sphere within this share of its radius is drawn as a sphere. */
+/** Largest relative distance of the vertices of a mesh from a sphere, for a mesh that is drawn as a sphere. */
 const ROUND = 0.02;
-/** The boot-top, from and to, as shares of the hull's height from the water line. */
+/** Lower and upper edge of the boot-top, relative to the water line, as shares of the hull's height. */
 const BOOT_TOP = [-0.015, 0.055] as const;
-/** Rake of the stem of a box-shaped ship: setback at the keel, as a share of its height. */
+/** Rake of the stem of a box-shaped ship: setback at the keel, as a share of the hull's height. */
 const RAKE = 0.55;
 
-/** A part of the hull's side with one colour. */
+/** Part of the hull's side with one colour. */
 interface Strake {
   low: number;
   high: number;
   colour: Color;
 }
 
-/** Bottom paint, boot-top, topsides. */
+/** Returns the strakes of a hull: bottom paint, boot-top and topsides. */
 function strakesOf({ box, water_m }: Outline, palette: Palette): Strake[] {
   const [low, high] = [box.low[2], box.high[2]];
   const at = (share: number) => Math.min(high, Math.max(low, water_m + share * (high - low)));
@@ -35,7 +35,7 @@ function strakesOf({ box, water_m }: Outline, palette: Palette): Strake[] {
   return colours.map((colour, k) => ({ low: heights[k], high: heights[k + 1], colour })).filter((one) => one.high - one.low > 1e-6);
 }
 
-/** The hull of a box: corners rounded, or a raked bow; its dimensions are those of the box. */
+/** Adds the hull of a box, with its dimensions: rounded corners, or a raked bow. */
 export function addBoxShell(pieces: Pieces, outline: Outline, palette: Palette): void {
   const { box } = outline;
   for (const { low, high, colour } of strakesOf(outline, palette)) {
@@ -47,12 +47,12 @@ export function addBoxShell(pieces: Pieces, outline: Outline, palette: Palette):
   addDeck(pieces, plan, box.high[2], palette);
 }
 
-/** Radius of the bilge, m. */
+/** Returns the radius of the bilge, m. */
 function bilgeOf({ low, high }: Box): number {
   return 0.09 * Math.min(high[1] - low[1], high[2] - low[2]);
 }
 
-/** Reduction of the half breadth by the bilge at a height, m. */
+/** Returns the reduction of the half breadth by the bilge at a height, m. */
 function bilgeInset(box: Box, z: number): number {
   const radius = bilgeOf(box);
   const down = Math.max(0, box.low[2] + radius - z);
@@ -73,7 +73,7 @@ function rounded(box: Box, z: number): Plan {
   );
 }
 
-/** The outline at a height, with the stem set back more the lower it is. */
+/** Returns the outline at a height; the lower it is, the farther the stem is set back. */
 function bowed({ box, stations }: Outline, z: number): Plan {
   const height = box.high[2] - box.low[2];
   const back = RAKE * (box.high[2] - z);
@@ -84,12 +84,14 @@ function bowed({ box, stations }: Outline, z: number): Plan {
   return [...sides.map(({ x, y }) => [x, -y] as const), ...sides.reverse().map(({ x, y }) => [x, y] as const)];
 }
 
-/** Thin enough to be invisible, thick enough to avoid flicker with the side under it. */
+/**
+ * Adds a deck plate: too thin to be seen from the side, thick enough that it does not flicker with the hull under it.
+ */
 function addDeck(pieces: Pieces, plan: Plan, z: number, palette: Palette): void {
   pieces.prism(plan, z - 0.02, z + 0.002, palette.deck);
 }
 
-/** The hull mesh of the hydrodynamic database, cut where its paint changes. */
+/** Adds the hull mesh of a hydrodynamic database, cut at the edges of its paint. */
 export function addMeshShell(pieces: Pieces, mesh: MeshInfo, outline: Outline, palette: Palette): void {
   const ball = ballOf(mesh);
   const faces = mesh.triangles.map((triangle) => triangle.map((i): Vec3 => mesh.vertices_m[i]));
@@ -112,7 +114,7 @@ export function addMeshShell(pieces: Pieces, mesh: MeshInfo, outline: Outline, p
   pieces.addPainted(painted(positions, colours, ball));
 }
 
-/** The part of a polygon below a height, or above it if the sign is -1. */
+/** Returns the part of a polygon below a height, or above it if `sign` is -1. */
 function below(corners: readonly Vec3[], z: number, sign: number): Vec3[] {
   if (!Number.isFinite(z)) return [...corners];
   const depth = (corner: Vec3) => sign * (z - corner[2]);
@@ -138,7 +140,7 @@ function painted(positions: number[], colours: number[], ball: Vec3 | null): Buf
   return geometry;
 }
 
-/** The centre of the sphere that a mesh approximates; null for any other mesh. */
+/** Returns the centre of the sphere that a mesh approximates; null for any other mesh. */
 function ballOf({ vertices_m }: MeshInfo): Vec3 | null {
   const middle = middleOf(vertices_m);
   const away = vertices_m.map(([x, y, z]) => Math.hypot(x - middle[0], y - middle[1], z - middle[2]));
@@ -146,7 +148,10 @@ function ballOf({ vertices_m }: MeshInfo): Vec3 | null {
   return most - least < ROUND * most ? middle : null;
 }
 
-/** Divides each face into sixteen, with all corners at the distance of the face's corners from the centre. */
+/**
+ * Divides each face into sixteen, and puts all new corners at the distance from the centre at which the corners of the
+ * face are.
+ */
 function finer(faces: Vec3[][], middle: Vec3): Vec3[][] {
   const between = (a: Vec3, b: Vec3): Vec3 => {
     const from = (p: Vec3) => new Vector3(...p).sub(new Vector3(...middle));

@@ -8,17 +8,19 @@ import type { Work } from "./work";
 
 /** Height of a storey, as a share of the hull's length, and its upper bound, m. */
 const STOREY = { share: 1 / 30, most_m: 2.8 };
-/** Positions of a deckhouse, as shares of the length from the stern: forward, otherwise aft. */
+/** Positions of a deckhouse, as shares of the length from the stern: forward if there is space, otherwise aft. */
 const SITES = [
   { from: 0.6, to: 0.82, looks: 1 },
   { from: 0.05, to: 0.25, looks: 1 },
 ] as const;
 /** Start of the forecastle, as a share of the length from the stern. */
 const FORECASTLE = 0.57;
-/** Space that a deckhouse needs above the deck, storeys. */
+/** Height that a deckhouse needs above the deck, storeys. */
 const ROOM = 8;
 
-/** Equipment on a ship's deck and side, and the viewpoint of her bridge; nothing at the obstacles, hull axes. */
+/**
+ * Adds the equipment on a ship's deck and sides, except at obstacles; returns the viewpoint of her bridge. Hull axes.
+ */
 export function addShip(work: Work, outline: Outline, obstacles: readonly Box[]): Vec3 | null {
   const { box } = outline;
   const length = box.high[0] - box.low[0];
@@ -43,7 +45,7 @@ export function addShip(work: Work, outline: Outline, obstacles: readonly Box[])
   return bridge;
 }
 
-/** The raised deck at the bow, its bulwark, windlass and mooring bitts. */
+/** Adds the raised deck at the bow, with its bulwark, windlass and mooring bitts. */
 function addForecastle(work: Work, outline: Outline, from: number, storey: number): void {
   const { fittings, palette } = work;
   const { box } = outline;
@@ -52,7 +54,7 @@ function addForecastle(work: Work, outline: Outline, from: number, storey: numbe
   const flared = grown(plan, 0.06 * storey);
   fittings.prism(plan, deck - 0.01, deck + storey, palette.hull);
   fittings.prism(planBetween(outline, from, bow - 0.02 * (bow - box.low[0]), 0.08 * storey), deck + storey - 0.05, deck + storey + 0.02, palette.deck);
-  // Open at its after end: two sides that meet at the stem.
+  // The bulwark is open at its after end: two sides that meet at the stem.
   const inner = planBetween(outline, from, bow - 0.012 * (bow - box.low[0]), 0.04 * storey);
   const wall = [...flared, ...[...inner].reverse()];
   fittings.prism(wall, deck + storey, deck + 1.42 * storey, palette.hull);
@@ -63,7 +65,7 @@ function addForecastle(work: Work, outline: Outline, from: number, storey: numbe
   fittings.box([0.5 * storey, 0.5 * reach, 0.3 * storey], [windlass, 0, deck + 1.12 * storey], palette.fitting);
 }
 
-/** Cargo rails along the sides, planks between them, a roller at the stern. */
+/** Adds cargo rails along the sides, planks between them, and a roller at the stern. */
 function addWorkingDeck(work: Work, outline: Outline, from: number, to: number, storey: number): void {
   const { fittings, palette } = work;
   const { box } = outline;
@@ -81,7 +83,7 @@ function addWorkingDeck(work: Work, outline: Outline, from: number, to: number, 
   if (from === box.low[0]) fittings.turned([[0, -0.5 * half], [roller, -0.5 * half], [roller, 0.5 * half], [0, 0.5 * half]], "y", [box.low[0], 0, deck - 0.3 * roller], palette.fitting, 16);
 }
 
-/** Posts with three bars. */
+/** Adds a railing: posts with three bars. */
 function addRail({ fittings, palette }: Work, from: number, to: number, y: number, deck: number, storey: number): void {
   const height = 0.42 * storey;
   const bar = 0.028 * storey;
@@ -93,7 +95,7 @@ function addRail({ fittings, palette }: Work, from: number, to: number, y: numbe
   for (const share of [0.35, 0.68, 1]) fittings.rod([from, y, deck + share * height], [to, y, deck + share * height], bar, palette.fitting, 5);
 }
 
-/** A rubbing strake along both sides under the deck's edge, and one of paint. */
+/** Adds a rubbing strake along both sides below the edge of the deck, and a strake of paint. */
 export function addStrakes({ fittings, palette }: Work, outline: Outline): void {
   const { box } = outline;
   const [length, height] = [box.high[0] - box.low[0], box.high[2] - box.low[2]];

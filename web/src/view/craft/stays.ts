@@ -1,18 +1,23 @@
 import type { Vec3 } from "../fit";
 import type { Work } from "./work";
 
-/** Height of a gantry over its column, as a share of the boom's length; attachment of its stays along the boom. */
+/**
+ * Height of a gantry above its column, as a share of the length of the boom, and position of the stays' attachment
+ * along the boom.
+ */
 const GANTRY = 0.13;
 const REACH = 0.93;
 
-/** A bar of a stay between two bodies, each end in its body's axes. */
+/** A bar of a stay between two bodies; each end is given in the axes of its body. */
 export interface Stay {
   from: { body: number; point: Vec3 };
   to: { body: number; point: Vec3 };
   radius: number;
 }
 
-/** The column that a boom luffs on: its radius, the height of its head and the boom's direction in plan, column axes. */
+/**
+ * Column on which a boom luffs: its radius, the height of its head and the direction of the boom in plan, column axes.
+ */
 interface Column {
   body: number;
   radius: number;
@@ -20,7 +25,10 @@ interface Column {
   boom_rad: number;
 }
 
-/** The boom: `toBody` transforms from its own axes (along, across, up) to its body's axes; its foot is at the smaller end. */
+/**
+ * A boom: `toBody` transforms from the boom's axes (along, across, up) to the axes of its body; the foot is at the
+ * smaller end.
+ */
 interface Boom {
   body: number;
   length: number;
@@ -29,7 +37,10 @@ interface Boom {
   toBody(along: number, across: number, up: number): Vec3;
 }
 
-/** The supports of a slim boom whose hinge the model holds: a gantry on the column and two stays to the boom's head. */
+/**
+ * Adds the supports of a slender boom that only its hinge holds in the model: a gantry on the column and two stays to
+ * the boom's head.
+ */
 export function addStays({ fittings, palette }: Work, column: Column, boom: Boom): Stay[] {
   const { radius, head, boom_rad } = column;
   const [c, s] = [Math.cos(boom_rad), Math.sin(boom_rad)];

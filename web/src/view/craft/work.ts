@@ -5,23 +5,23 @@ import { vec3 } from "../fit";
 import type { Palette } from "../palette";
 import { Pieces } from "./pieces";
 
-/** The drawing of one body: solids, and parts that shine in the dark. */
+/** Drawing of one body: solids, and parts that shine in the dark. */
 export class Work {
-  /** The part with the model's dimensions. */
+  /** Solids with the dimensions of the model. */
   readonly body = new Pieces();
-  /** Equipment beyond these. */
+  /** Equipment outside these dimensions. */
   readonly fittings = new Pieces();
   /** Windows and lamps. */
   readonly lit = new Pieces();
 
   constructor(readonly palette: Palette) {}
 
-  /** Moves its content. */
+  /** Moves all solids. */
   move(by: Matrix4): void {
     for (const part of [this.body, this.fittings, this.lit]) part.move(by);
   }
 
-  /** At most two meshes: opaque, and shining. */
+  /** Returns at most two meshes: an opaque one, and one that shines. */
   object(): Group {
     const group = new Group();
     const solid = new Pieces().take(this.body).take(this.fittings);
@@ -42,7 +42,7 @@ function shaded(mesh: Mesh): Mesh {
   return mesh;
 }
 
-/** Whether two boxes have something in common. */
+/** Whether two boxes overlap. */
 export function overlap(a: Box, b: Box): boolean {
   return [0, 1, 2].every((k) => a.low[k] < b.high[k] && b.low[k] < a.high[k]);
 }

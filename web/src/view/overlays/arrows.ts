@@ -2,24 +2,24 @@ import { ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasi
 import type { BufferGeometry, Color } from "three";
 import type { Vec3 } from "../fit";
 
-/** Most arrows at a time. */
+/** Largest number of arrows at a time. */
 const MOST = 96;
-/** Head and thickness, relative to the size of the model. */
+/** Length of the head and thickness of an arrow, relative to the size of the model. */
 const HEAD = 0.028;
 const SHAFT = 0.0035;
 const ALONG = new Vector3(0, 1, 0);
 
-/** An arrow in the world, m. */
+/** An arrow in the world frame, m. */
 export interface Arrow {
   from: Vec3;
-  /** From its foot to its tip. */
+  /** Vector from the foot to the tip. */
   way: Vec3;
   colour: Color;
-  /** Two heads: a moment. */
+  /** Whether the arrow is a moment, which has two heads. */
   isMoment?: boolean;
 }
 
-/** Arrows over everything, in two draw calls. */
+/** Arrows that are drawn over everything, in two draw calls. */
 export class Arrows extends Group {
   private readonly shafts = instances(new CylinderGeometry(1, 1, 1, 8).translate(0, 0.5, 0));
   private readonly heads = instances(new ConeGeometry(1, 1, 12).translate(0, -0.5, 0));

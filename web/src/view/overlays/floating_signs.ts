@@ -3,16 +3,19 @@ import { Place } from "../craft/place";
 import type { Vec3 } from "../fit";
 import { vec3 } from "../fit";
 
-/** Points over the keel that decide the stability of a hull, in the world. */
+/** Points that decide the stability of a hull, world frame. */
 export interface FloatingSigns {
   letters: { text: string; at: Vec3 }[];
-  /** From the keel to the metacentre. */
+  /** Line from the keel to the metacentre. */
   line: readonly [Vec3, Vec3];
   /** The centre of buoyancy, and the buoyancy, N. */
   buoyancy: { at: Vec3; force_N: number };
 }
 
-/** Keel, centres of buoyancy and mass, and transverse metacentre of each hull at rest with the crane as it stands. */
+/**
+ * Returns, for each hull at rest with the crane in its present pose, the keel, the centres of buoyancy and mass, and
+ * the transverse metacentre.
+ */
 export function floatingSignsOf(model: ModelInfo, { hulls }: Hydrostatics, poses: ArrayLike<number>): FloatingSigns[] {
   return hulls.flatMap((hull): FloatingSigns[] => {
     const described = model.hulls.find(({ name }) => name === hull.force);
@@ -29,7 +32,10 @@ export function floatingSignsOf(model: ModelInfo, { hulls }: Hydrostatics, poses
   });
 }
 
-/** The centre of mass of a body and all bodies that it carries, in the body's axes: at rest it is above the centre of buoyancy. */
+/**
+ * Returns the centre of mass of a body with all bodies that it carries, in the axes of the body; at rest it is
+ * vertically above the centre of buoyancy.
+ */
 function centreOf(model: ModelInfo, poses: ArrayLike<number>, body: number): Vec3 {
   const carried = new Set([model.bodies[body].name]);
   const place = new Place(poses, body);

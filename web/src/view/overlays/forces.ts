@@ -7,7 +7,7 @@ import { rolesOf } from "../craft/roles";
 import type { Vec3 } from "../fit";
 import { vec3 } from "../fit";
 
-/** A force or a moment at a place of the world, N or N m. */
+/** A force or a moment with its point of action, world frame, N or N m. */
 export interface Load {
   at: Vec3;
   vector: Vec3;
@@ -17,14 +17,14 @@ export interface Load {
 const AXES = ["x", "y", "z"] as const;
 
 /**
- * The forces that can be drawn at their points of action: weights of the bodies that ships carry, tensions along lines, thrust of tubes,
- * forces of the water on a hull, and force and moment in the joint under a crane's column.
+ * Returns the forces that can be drawn at their points of action: weights of the bodies that ships carry, tensions of
+ * lines, thrusts of tubes, forces of the water on a hull, and force and moment in the joint below a crane's column.
  */
 export function loadsAt(run: Run, moment: Moment): Load[] {
   return [...weights(run, moment), ...tensions(run, moment), ...onHulls(run, moment), ...underColumns(run, moment)].filter(({ vector }) => vector.every(Number.isFinite));
 }
 
-/** A ship's own weight is left out: it would dwarf the weights on the crane. */
+/** Returns the weights of all bodies except hulls and quays: a ship's weight would dwarf the weights on the crane. */
 function weights({ model }: Run, { poses }: Moment): Load[] {
   const roles = rolesOf(model);
   return model.bodies.flatMap(({ mass_kg }, i): Load[] => {
@@ -33,7 +33,10 @@ function weights({ model }: Run, { poses }: Moment): Load[] {
   });
 }
 
-/** A single number in newtons with the name of a line pulls at both ends; with the name of a tube it pushes. */
+/**
+ * Returns the forces along lines: a single force with the name of a line pulls at both ends; with the name of a tube it
+ * pushes.
+ */
 function tensions({ lines, channels }: Run, { row, line_points }: Moment): Load[] {
   const places = pointsOf({ lines, line_points });
   return lines.flatMap((line, i): Load[] => {
@@ -49,7 +52,7 @@ function tensions({ lines, channels }: Run, { row, line_points }: Moment): Load[
   });
 }
 
-/** The column with the scalar force of an element. */
+/** Returns the column with the scalar force of an element. */
 function forceOf(channels: readonly Channel[], name: string): number {
   const channel = channels.find(({ unit, labels }) => unit === "N" && labels.length === 1 && labels[0].includes(name));
   return channel ? channel.offset + channel.labels[0].indexOf(name) : -1;
@@ -61,7 +64,7 @@ function along(from: Vec3, to: Vec3, length: number): Vec3 {
   return vec3((k) => (way[k] * length) / distance);
 }
 
-/** Forces with components on hulls in the water, at the hull's origin. */
+/** Returns the forces of the water on hulls, at the origin of the hull. */
 function onHulls({ model, channels }: Run, { row, poses }: Moment): Load[] {
   return model.hulls.flatMap((hull) => {
     const body = model.bodies.findIndex(({ name }) => name === hull.body);
@@ -75,7 +78,10 @@ function onHulls({ model, channels }: Run, { row, poses }: Moment): Load[] {
   });
 }
 
-/** Force and moment of the joint that carries a column, on the column, at its foot; the moment in its axes. */
+/**
+ * Returns the force and the moment that the joint below a column exerts on the foot of the column; the moment is in the
+ * axes of the column.
+ */
 function underColumns({ model, channels }: Run, { row, poses }: Moment): Load[] {
   const channel = channels.find(({ variable }) => variable === "joint_reaction");
   const roles = rolesOf(model);
@@ -99,7 +105,10 @@ function vectorIn({ labels, offset }: Channel, thing: number, prefix: string, ro
   return vec3((k) => row[offset + thing * components.length + places[k]]);
 }
 
-/** Body axes have the full rotation; a slow frame or a heading only the ship's course. */
+/**
+ * Transforms a vector to the world frame: body axes by the full rotation, a slow frame or a heading frame only by the
+ * ship's course.
+ */
 function inWorld(vector: Vec3, frame: Channel["frame"], poses: ArrayLike<number>, body: number): Vec3 {
   if (frame === "world") return vector;
   const place = new Place(poses, body);

@@ -2,10 +2,10 @@ import { Group, Mesh, MeshBasicMaterial } from "three";
 import type { Object3D } from "three";
 import type { Palette } from "../palette";
 
-/** A body has moved if it is displaced by this share of the size of the model, or rotated by this angle. */
+/** Displacement, relative to the size of the model, and rotation above which a body counts as moved. */
 const MOVED = { part: 0.01, turn_rad: 0.04 };
 
-/** The bodies a second time, in their poses at the start. */
+/** Copies of the bodies in their poses at the start. */
 export class Ghost extends Group {
   private readonly material = new MeshBasicMaterial({ transparent: true, opacity: 0.2, depthWrite: false });
 
@@ -13,7 +13,7 @@ export class Ghost extends Group {
     this.material.color.copy(palette.axes.z);
   }
 
-  /** Shares the bodies' geometry; `poses` are those of the start. */
+  /** Shows the copies, which share the geometry of the bodies; `poses` are those at the start. */
   show(bodies: readonly Object3D[], poses: ArrayLike<number>): void {
     this.clear();
     bodies.forEach((body, i) => {
@@ -28,7 +28,7 @@ export class Ghost extends Group {
     });
   }
 
-  /** Bodies that have not moved get no ghost: it would only blur them. */
+  /** Hides the copies of bodies that have not moved, because they would only blur them. */
   compare(bodies: readonly Object3D[], size: number): void {
     this.children.forEach((ghost, i) => {
       const { position, quaternion } = bodies[i];

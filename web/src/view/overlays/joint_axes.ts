@@ -3,14 +3,17 @@ import type { Equations, ModelInfo } from "../../engine/engine";
 import { bodyFinder, motionsOf } from "../../equations/moved";
 import type { Vec3 } from "../fit";
 
-/** An axis that a joint turns about or slides along: a place on it and its direction, axes of the body that it carries. */
+/**
+ * Axis about which a joint turns or along which it slides: a point and a direction, in the axes of the body that the
+ * joint carries.
+ */
 export interface JointAxis {
   body: number;
   point: Vec3;
   direction: Vec3;
 }
 
-/** The axes of the free joints, from B at the moment of these poses. */
+/** Returns the axes of the free joints, from the matrix B at these poses. */
 export function jointAxesOf(model: ModelInfo, { matrices }: Equations, poses: ArrayLike<number>): JointAxis[] {
   const b = matrices.find(({ name }) => name === "B");
   if (!b) return [];
@@ -27,7 +30,7 @@ export function jointAxesOf(model: ModelInfo, { matrices }: Equations, poses: Ar
   });
 }
 
-/** The axis of rotation of a body is at w x v / w^2 from its centre. */
+/** Returns the axis of a motion; the axis of a rotation is at w x v / w^2 from the body's centre. */
 function axisOf(body: number, linear: Vec3, angular: Vec3, poses: ArrayLike<number>): JointAxis {
   const from = 7 * body;
   const back = new Quaternion(poses[from + 4], poses[from + 5], poses[from + 6], poses[from + 3]).invert();

@@ -26,16 +26,16 @@ export type Overlay = (typeof OVERLAYS)[number];
 const AXIS = 0.06;
 const UP = 0.16;
 
-/** Overlays over the bodies, on demand. */
+/** Overlays over the bodies, which the user switches on. */
 export class Overlays extends Group {
   readonly on = new Set<Overlay>();
-  /** Metres in the picture per newton and per newton metre; 0 if no arrow is drawn. */
+  /** Scales of the arrows, m in the picture per N and per N m; 0 if no arrow is drawn. */
   metresPer = { force: 0, moment: 0 };
   private readonly parts = { arrows: new Arrows(), axes: new Strokes(), masses: new CentreSigns(), heights: new Strokes(), letters: new Letters(), path: new Strokes(false), ghost: new Ghost() };
   private readonly scales = { force: new ArrowScale(), moment: new ArrowScale() };
   private isBlank = false;
   private jointAxes: JointAxis[] = [];
-  /** The bodies whose shapes the ghost shares. */
+  /** Bodies whose geometry the ghost shares. */
   private ghostOf: unknown = null;
   private floating: { at: Hydrostatics; signs: FloatingSigns[] } | null = null;
 
@@ -44,14 +44,14 @@ export class Overlays extends Group {
     this.add(...Object.values(this.parts));
   }
 
-  /** Another run, or a reset. */
+  /** Prepares for another run, or for a reset. */
   begin(): void {
     this.jointAxes = [];
     this.floating = null;
     for (const scale of Object.values(this.scales)) scale.reset();
   }
 
-  /** Results of the second engine for the run at these poses. */
+  /** Takes the matrices from the second engine, computed for the run at these poses. */
   hearEquations(run: Run, equations: Equations, poses: ArrayLike<number>): void {
     this.jointAxes = jointAxesOf(run.model, equations, poses);
   }
@@ -60,11 +60,11 @@ export class Overlays extends Group {
     this.floating = { at: found, signs: [] };
   }
 
-  /** Shows a moment; `path` holds the earlier places of the load. */
+  /** Shows the overlays of a moment; `path` returns the earlier positions of the load. */
   show(run: Run, moment: Moment, start: ArrayLike<number>, path: () => readonly Vec3[], palette: Palette): void {
     const { parts, on, fleet } = this;
     const { poses } = moment;
-    // This runs sixty times a second: allocate nothing needlessly.
+    // This runs sixty times a second: it should not allocate needlessly.
     if (on.size === 0 && this.isBlank) return;
     this.isBlank = on.size === 0;
     if (on.has("buoyancy") && this.floating) this.floating.signs = floatingSignsOf(run.model, this.floating.at, poses);

@@ -1,10 +1,13 @@
 import type { Load } from "./forces";
 
-/** The longest arrow, relative to the size of the model, and the factor by which it may grow before the scale changes. */
+/**
+ * Length of the longest arrow, relative to the size of the model, and factor by which it may grow before the scale
+ * changes.
+ */
 const LONGEST = 0.4;
 const GROWN = 1.5;
 
-/** Scale of the arrows: metres in the picture per newton; it changes only if an arrow would be too long. */
+/** Scale of the arrows, m in the picture per N; it changes only if an arrow would be too long. */
 export class ArrowScale {
   private m_per_unit = 0;
 
@@ -12,7 +15,7 @@ export class ArrowScale {
     this.m_per_unit = 0;
   }
 
-  /** For these loads in a model of this size, m. */
+  /** Returns the scale for these loads in a model of this size, m. */
   of(loads: readonly Load[], size: number): number {
     const most = Math.max(0, ...loads.map(({ vector }) => Math.hypot(...vector)));
     if (most === 0) return this.m_per_unit;
@@ -21,7 +24,7 @@ export class ArrowScale {
   }
 }
 
-/** A round number whose bar has at most a given length: 1, 2 or 5 times a power of ten. */
+/** Returns a round number whose bar has at most a given length: 1, 2 or 5 times a power of ten. */
 export function barOf(px_per_unit: number, most_px: number): { value: number; px: number } | null {
   if (!(px_per_unit > 0) || !Number.isFinite(px_per_unit)) return null;
   const most = most_px / px_per_unit;
@@ -32,7 +35,7 @@ export function barOf(px_per_unit: number, most_px: number): { value: number; px
 
 const PREFIXES = [["G", 1e9], ["M", 1e6], ["k", 1e3], ["", 1]] as const;
 
-/** A text such as `200 kN`. */
+/** Formats a number with its unit, for example `200 kN`. */
 export function written(value: number, unit: string): string {
   const [prefix, factor] = PREFIXES.find(([, one]) => value >= one) ?? ["", 1];
   return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;

@@ -2,12 +2,14 @@ import { BufferAttribute, BufferGeometry, CanvasTexture, Group, LineBasicMateria
 import type { Color } from "three";
 import type { Vec3 } from "../fit";
 
-/** Size of a sign of a centre of mass, pixels. */
+/** Size of the symbol of a centre of mass, pixels. */
 const SIGN_PX = 20;
-/** Height of a letter, as a share of the picture's. */
+/** Height of a letter, as a share of the height of the picture. */
 const LETTER = 0.05;
 
-/** Places that are marked with the sign of a centre of mass: a circle in black and white quarters. One draw call. */
+/**
+ * Points that are marked with the symbol of a centre of mass: a circle with black and white quarters. One draw call.
+ */
 export class CentreSigns extends Points<BufferGeometry, PointsMaterial> {
   constructor() {
     super(new BufferGeometry(), new PointsMaterial({ size: SIGN_PX * Math.min(2, globalThis.devicePixelRatio ?? 1), sizeAttenuation: false, transparent: true, depthTest: false, map: quartered() }));
@@ -22,7 +24,7 @@ export class CentreSigns extends Points<BufferGeometry, PointsMaterial> {
   }
 }
 
-/** Straight lines over everything, each from one place to another. One draw call. */
+/** Straight lines between pairs of points, drawn over everything. One draw call. */
 export class Strokes extends LineSegments<BufferGeometry, LineBasicMaterial> {
   constructor(isOver = true) {
     super(new BufferGeometry(), new LineBasicMaterial({ depthTest: !isOver, transparent: true }));
@@ -38,7 +40,7 @@ export class Strokes extends LineSegments<BufferGeometry, LineBasicMaterial> {
   }
 }
 
-/** Letters at places; a text is redrawn only if it changed. */
+/** Letters at points; a text is drawn again only if it has changed. */
 export class Letters extends Group {
   private said = "";
 
@@ -58,7 +60,7 @@ export class Letters extends Group {
     this.clear();
     for (const [i, text] of texts.entries()) {
       const sprite = new Sprite(new SpriteMaterial({ map: written(text, ink, halo), depthTest: false, sizeAttenuation: false }));
-      // Alternately to the right and to the left, because some are close together.
+      // Letters are alternately to the right and to the left, because some points are close together.
       sprite.center.set(i % 2 === 0 ? -0.1 : 1.1, 0.5);
       sprite.scale.setScalar(LETTER);
       sprite.renderOrder = 14;

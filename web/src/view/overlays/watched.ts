@@ -9,14 +9,14 @@ import type { View } from "../view";
 import type { Overlay } from "./overlays";
 import { barOf, written } from "./scale";
 
-/** Pause of the run after which the second engine computes, ms. */
+/** Duration of a pause of the run after which the second engine computes, ms. */
 const CALM_MS = 300;
-/** Most drawn places of the load's path. */
+/** Largest number of drawn positions of the load's path. */
 const PATH = 800;
 /** Largest length of the scale bar, pixels. */
 const BAR_PX = 90;
 
-/** Feeds the overlays with the run: its moments, its recording, and results of the second engine. */
+/** Updates the overlays from the run: its moments, its recording, and results of the second engine. */
 export class Watched {
   private readonly box = byId("arrow-scale");
   private readonly soon = new Calm(CALM_MS, () => this.ask());
@@ -56,7 +56,7 @@ export class Watched {
     if (this.moment) this.show(this.moment);
   }
 
-  /** The path of the load up to a time. */
+  /** Returns the path of the load up to a time. */
   private path(until_s: number): Vec3[] {
     const { load } = this.view;
     const rows = this.session.shown.recording?.rows.items ?? [];
@@ -89,7 +89,7 @@ export class Watched {
     this.refresh();
   }
 
-  /** Length of the arrow of a round force in the middle of the picture. */
+  /** Shows scale bars, each as long as the arrow of a round force or moment in the middle of the picture. */
   showScale(): void {
     const { metresPer, on } = this.view.overlays;
     this.box.hidden = !on.has("forces");
