@@ -64,12 +64,15 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
     })
 }
 
-/// Checks that a kind has no fields, or those of one type.
+/// Checks that a variant is a unit variant, or a tuple variant with one field.
 fn check_kind(variant: &Variant) -> Result<()> {
     match &variant.fields {
         Fields::Unit => Ok(()),
         Fields::Unnamed(fields) if fields.unnamed.len() == 1 => Ok(()),
-        _ => Err(Error::new_spanned(variant, "a kind without fields, or with the fields of one type: `Rope(Rope<S>)`")),
+        _ => Err(Error::new_spanned(
+            variant,
+            "expected a unit variant or a tuple variant with one field, as `Rope(Rope<S>)`",
+        )),
     }
 }
 

@@ -3938,7 +3938,7 @@ export type ForceErrors = {
   resolution_kN?: number;
 };
 /**
- * The point or solid to stay clear of.
+ * The point or solid from which the clearance is measured.
  */
 export type ClearanceFrom = {
   /**
@@ -3977,7 +3977,7 @@ export type ClearanceFrom = {
   shape?: ClearanceShape | null;
 };
 /**
- * The solid that a point stays clear of.
+ * The solid from which the clearance is measured.
  */
 export type ClearanceShape =
   | "own"
@@ -5685,10 +5685,11 @@ export interface DropOuts {
   mean_duration_s: number;
 }
 /**
- * Finds the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state Kalman filter. Its
- * outputs are those of a motion reference unit with horizontal motion, and `measured_specific_force.x`, `.y`, `.z` (m/s^2,
- * body axes): the acceleration less that of gravity. Without a receiver it finds the motion about the mean place. It begins
- * as after a long time at rest.
+ * Estimates the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state
+ * Kalman filter. Its outputs are those of a motion reference unit with horizontal motion, and
+ * `measured_specific_force.x`, `.y`, `.z` (m/s^2, body axes): the acceleration less that of gravity. Without a
+ * satellite receiver, it estimates the motion relative to the mean position. The run starts with the estimate to which
+ * the filter converges at rest.
  */
 export interface InertialUnit {
   /**
@@ -5727,7 +5728,8 @@ export interface InertialUnit {
    */
   heading_errors?: AngleErrors | null;
   /**
-   * A satellite receiver on the same body that helps: with it, the displacement is that from the start, however slow.
+   * Name of a satellite receiver on the same body. With it, the displacement is relative to the start and includes
+   * slow motion.
    */
   receiver?: string | null;
   filter?: InertialFilter;
@@ -5920,7 +5922,7 @@ export interface SatelliteReceiver {
 }
 /**
  * The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
- * solid. It is only measured: no force keeps the two apart.
+ * solid. It is only an output: no force keeps the two apart.
  */
 export interface Clearance {
   /**
@@ -5951,8 +5953,8 @@ export interface OwnPoint {
   position_m?: [number, number, number];
 }
 /**
- * The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results;
- * above the still water where there are no waves. Negative under water.
+ * The height of a point above the surface of the incident waves at that point, as `air_gap` (m) in the results; above
+ * the still water in a sea without waves. Negative under water.
  */
 export interface AirGap {
   /**
@@ -6217,9 +6219,10 @@ export interface SelectorTarget {
   to: string;
 }
 /**
- * Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
- * input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
- * `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
+ * Active heave compensation of a rope. Its inputs are a lever with its name, from 0 (off) to 1 (on), and
+ * `NAME.lowering_speed` (m/s at the load, positive: down), which is added to its command. Its outputs are
+ * `compensation_residual` (m), `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and
+ * `compensation_utilisation`.
  */
 export interface HeaveCompensation {
   /**
@@ -6236,12 +6239,12 @@ export interface HeaveCompensation {
   rope: string;
   /**
    * The controlled drive of the rope's drum, or of a joint that moves sheaves between drum and tip: the slide of a
-   * compensation cylinder. Its set-point is a speed, which counts as the operator's.
+   * compensation cylinder. Its set-point is a speed, which is added to the operator's speed.
    */
   drive: string;
   /**
-   * The motion reference unit or inertial unit that it measures the tip's motion by; without it, it knows that motion exactly and
-   * at once.
+   * The motion reference unit or inertial unit that measures the tip's motion; without it, the compensation uses the
+   * exact motion without delay.
    */
   sensor?: string | null;
   /**
@@ -6249,21 +6252,21 @@ export interface HeaveCompensation {
    */
   period_s: number;
   /**
-   * Share of the tip's velocity that it commands.
+   * Feed-forward gain: share of the tip's velocity that is commanded.
    */
   feed_forward?: number;
   /**
-   * Speed that it commands per error of the load's height, 1/s.
+   * Commanded speed per height error of the load, 1/s.
    */
   position_gain_per_s?: number;
   /**
-   * Prediction over all delays; without it, it commands the velocity that it has measured.
+   * Prediction over all delays; without it, the measured velocity is commanded.
    */
   prediction?: HeavePrediction | null;
 }
 /**
  * Prediction of the ship's motion over the delay of the sensor, the time for which a command is held, and the response
- * of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
+ * of the drive. It also inverts the sensor's high-pass filter, for waves of these periods.
  */
 export interface HeavePrediction {
   /**
@@ -6275,25 +6278,26 @@ export interface HeavePrediction {
    */
   longest_period_s?: number;
   /**
-   * Standard deviation of the noise in a measured velocity over that of the velocity. The larger, the smoother and
-   * the less exact is the prediction.
+   * Standard deviation of the noise in a measured velocity over that of the velocity. A larger value makes the
+   * prediction smoother and less exact.
    */
   noise_share?: number;
   /**
-   * Time by which it predicts further than over the delay of its sensor and half of period_s, s.
+   * Prediction time in addition to the delay of its sensor and half of period_s, s.
    */
   extra_delay_s?: number;
   /**
-   * Time constant of the drive's response, which it inverts, s; without it, the response_time_s of each drive.
+   * Time constant of the drive's response that the prediction inverts, s; without it, the response_time_s of each
+   * drive.
    */
   drive_response_s?: number | null;
 }
 /**
- * Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of the
- * world, and the winch the load's height. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
- * inputs `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s at the
- * load, positive: down) ask for. Its outputs are `compensation_offset` (m), `compensation_ship_velocity` (m/s) and
- * `compensation_utilisation`. The set-points of its drives do not count.
+ * Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of
+ * the world, and the winch holds the load's height. Its inputs are a lever with its name, from 0 (off) to 1 (on), and
+ * the speeds `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s
+ * at the load, positive: down), which are added to its commands. Its outputs are `compensation_offset` (m),
+ * `compensation_ship_velocity` (m/s) and `compensation_utilisation`. The set-points of its drives do not count.
  */
 export interface ThreeAxisCompensation {
   /**
@@ -6317,8 +6321,8 @@ export interface ThreeAxisCompensation {
    */
   joints: CompensationDrive[];
   /**
-   * The motion reference unit with horizontal motion, or the inertial unit, that it measures the tip's motion by; without it,
-   * it knows that motion exactly and at once.
+   * The motion reference unit with horizontal motion, or the inertial unit, that measures the tip's motion; without
+   * it, the compensation uses the exact motion without delay.
    */
   sensor?: string | null;
   /**
@@ -6326,20 +6330,20 @@ export interface ThreeAxisCompensation {
    */
   period_s: number;
   /**
-   * Share of the ship's velocity at the tip that it commands.
+   * Feed-forward gain: share of the ship's velocity at the tip that is commanded.
    */
   feed_forward?: number;
   /**
-   * Speed that it commands per error of the position, 1/s.
+   * Commanded speed per position error, 1/s.
    */
   position_gain_per_s?: number;
   /**
-   * Near a singularity, where the joints at full speed move the tip slower than this in some direction, the commands in
-   * that direction are reduced, m/s.
+   * Speed of the tip, m/s, below which a direction counts as near a singularity: if the joints at full speed move
+   * the tip slower than this in a direction, the commands in that direction are reduced.
    */
   damped_below_m_s?: number;
   /**
-   * Prediction over all delays; without it, it commands the velocity that it has measured.
+   * Prediction over all delays; without it, the measured velocity is commanded.
    */
   prediction?: HeavePrediction | null;
 }
@@ -6353,7 +6357,7 @@ export interface CompensationDrive {
   drive: string;
 }
 /**
- * A platform below a crane's pedestal that stays level and at its height by three or more driven joints. Its lever is an
+ * A platform below a crane's pedestal that three or more driven joints keep level and at its height. Its lever is an
  * input with its name, from 0 (off) to 1 (on). Its outputs are `platform_offset` (sines of the tilt, and m) and
  * `compensation_utilisation`. The set-points of its drives do not count.
  */
@@ -6371,7 +6375,7 @@ export interface PlatformCompensation {
    */
   body: string;
   /**
-   * The point of it that stays at its height, in its drawing frame, m.
+   * The point of the body that stays at its height, in the body's drawing frame, m.
    *
    * @minItems 3
    * @maxItems 3
@@ -6382,8 +6386,8 @@ export interface PlatformCompensation {
    */
   joints: CompensationDrive[];
   /**
-   * The motion reference unit or inertial unit, on the ship, that it measures the motion by; without it, it knows the motion
-   * exactly and at once.
+   * The motion reference unit or inertial unit, on the ship, that measures the motion; without it, the compensation
+   * uses the exact motion without delay.
    */
   sensor?: string | null;
   /**
@@ -6391,15 +6395,15 @@ export interface PlatformCompensation {
    */
   period_s: number;
   /**
-   * Share of the ship's motion that it commands.
+   * Feed-forward gain: share of the ship's motion that is commanded.
    */
   feed_forward?: number;
   /**
-   * Speed that it commands per error of tilt and height, 1/s.
+   * Commanded speed per error of tilt and height, 1/s.
    */
   position_gain_per_s?: number;
   /**
-   * Prediction over all delays; without it, it commands the velocities that it has measured.
+   * Prediction over all delays; without it, the measured velocities are commanded.
    */
   prediction?: HeavePrediction | null;
 }

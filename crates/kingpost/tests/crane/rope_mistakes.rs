@@ -125,7 +125,10 @@ fn a_winch_that_hauls_its_load_into_the_sheave_is_an_event() {
             break;
         }
         if let Some(event) = hauling.events().first() {
-            assert_eq!(event.what, "leaves its range at a sheave or drum, or two places of its path meet");
+            assert_eq!(
+                event.what,
+                "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap"
+            );
             // 2.7 m are left where it begins, less what the acceleration takes.
             assert!((4.0..6.0).contains(&event.time_s), "{event:?}");
             // The path was one until then: the energy closes but for the bends of the drive's limits.

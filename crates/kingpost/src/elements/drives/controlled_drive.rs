@@ -219,7 +219,7 @@ impl<S: Scalar> ControlledDrive<S> {
             number("drive_speed_utilisation", "speed of a drive's reference over its limit", &["1"]),
             number(
                 "drive_power_utilisation",
-                "power that a drive delivers over its limit; 0 without a limit, and while it brakes",
+                "power that a drive delivers over its power limit; 0 without a limit, and while the drive brakes",
                 &["1"],
             ),
         ]

@@ -53,8 +53,9 @@ pub struct Instruments<S = f64> {
 const COUNT: usize = KEPT.len() + 3;
 /// The random numbers of the instruments: after those of the signals.
 const OF_INSTRUMENTS: usize = 32;
-/// The numbers behind the sampler's: the estimate; the exact motion at the last sample; the angular velocity found then; the mean
-/// place; and what the receiver's positions have to be reduced by, so that the first one is the displacement then.
+/// The numbers behind the sampler's: the estimate; the exact motion at the last sample; the angular velocity estimated
+/// then; the mean position; and the offset that is subtracted from the receiver's positions, so that the first one
+/// equals the estimated displacement.
 const EXACT: usize = navigation::NUMBERS;
 const RATE: usize = EXACT + navigation::OF_MOVING;
 const MEAN: usize = RATE + 3;

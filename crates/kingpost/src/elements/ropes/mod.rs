@@ -92,7 +92,10 @@ const EVENTS: [Event; 8] = [
     Event { what: "goes slack", crossing: Crossing::Falling },
     Event { what: "comes taut", crossing: Crossing::Rising },
     Event { what: "is hauled in to its end", crossing: Crossing::Falling },
-    Event { what: "leaves its range at a sheave or drum, or two places of its path meet", crossing: Crossing::Falling },
+    Event {
+        what: "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap",
+        crossing: Crossing::Falling,
+    },
     Event { what: "is paid out to the innermost layer of its drum", crossing: Crossing::Falling },
     Event { what: "is released", crossing: Crossing::Rising },
     Event { what: "is hooked on", crossing: Crossing::Falling },

@@ -28,8 +28,10 @@ pub struct TuggerLine<S = f64> {
     pub largest: Option<S>,
 }
 
-const LEAVES_RANGE: Event =
-    Event { what: "leaves its range at a sheave, or two places of its path meet", crossing: Crossing::Falling };
+const LEAVES_RANGE: Event = Event {
+    what: "wraps a sheave beyond the valid angle, or two neighbouring places of its path overlap",
+    crossing: Crossing::Falling,
+};
 
 impl<S: Scalar> Element<S> for TuggerLine<S> {
     fn name(&self) -> &str {
