@@ -705,7 +705,8 @@ export interface Input {
    */
   value: number;
   /**
-   * The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` if the user sets it.
+   * The sampled output from which it takes its value, as a flat column (`mru.heave_rate`); `None` if the user sets
+   * it.
    */
   signal: string | null;
 }

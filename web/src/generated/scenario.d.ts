@@ -531,7 +531,7 @@ export type AngleTravel = {
   [k: string]: unknown;
 } & {
   /**
-   * How far it turns, positive about the axis, rad.
+   * Angle of the turn, positive about the axis, rad.
    */
   angle_rad?: number;
   /**
@@ -725,8 +725,9 @@ export type LengthSpring = {
   rest_m?: number;
 };
 /**
- * A cylinder with gas, and the vessels connected to it, which push an axis towards larger extensions: `p V^n` is constant.
- * The axis needs a lower limit at which gas is left. Its outputs are `gas_spring_pressure` (Pa) and `gas_spring_force` (N).
+ * A gas cylinder with its connected vessels, which pushes an axis towards larger extensions: `p V^n` is constant. The
+ * axis needs a lower limit at which the gas volume is above 0. Its outputs are `gas_spring_pressure` (Pa) and
+ * `gas_spring_force` (N).
  */
 export type GasSpring = {
   [k: string]: unknown;
@@ -736,7 +737,7 @@ export type GasSpring = {
    */
   piston_area_m2: number;
   /**
-   * Volume of all the gas, that of connected vessels included, at `at_extension_m`, m^3.
+   * Volume of all the gas, connected vessels included, at `at_extension_m`, m^3.
    */
   gas_volume_m3: number;
   /**
@@ -756,7 +757,7 @@ export type GasSpring = {
    */
   at_extension_m?: number;
   /**
-   * n: 1 for slow changes at constant temperature, 1.4 for fast ones of nitrogen or air without exchange of heat.
+   * n: 1 for slow changes at constant temperature, 1.4 for fast changes of nitrogen or air without exchange of heat.
    */
   polytropic_exponent?: number;
   /**
@@ -2318,7 +2319,7 @@ export type AirPump = {
   [k: string]: unknown;
 } & {
   /**
-   * Largest pressure above and below that of the atmosphere, Pa: below 101325.
+   * Largest gauge pressure, positive and negative, Pa: below 101325.
    */
   pressure_limit_Pa?: number;
   /**
@@ -2334,7 +2335,7 @@ export type AirPump = {
    */
   flow_limit_m3_s: number;
   /**
-   * Time of the lag of the pressure behind the command, s.
+   * Time constant of the pressure's lag behind the command, s.
    */
   response_time_s?: number;
 };
@@ -2782,8 +2783,8 @@ export type FlowCoefficients = {
   [k: string]: unknown;
 } & {
   /**
-   * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-   * from ahead, as in OCIMF.
+   * Directions towards which the fluid flows, from the body's x axis, counter-clockwise, rad, increasing: 0 is flow
+   * from astern, pi from ahead, as in OCIMF.
    */
   directions_rad?: number[];
   /**
@@ -2826,8 +2827,8 @@ export type FlowCoefficients1 = {
   [k: string]: unknown;
 } & {
   /**
-   * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-   * from ahead, as in OCIMF.
+   * Directions towards which the fluid flows, from the body's x axis, counter-clockwise, rad, increasing: 0 is flow
+   * from astern, pi from ahead, as in OCIMF.
    */
   directions_rad?: number[];
   /**
@@ -3477,7 +3478,7 @@ export type ControlledDrive = {
   response_time_s?: number;
 };
 /**
- * A torque to give.
+ * A torque set-point.
  */
 export type TorqueSetPoint = {
   /**
@@ -3490,7 +3491,7 @@ export type TorqueSetPoint = {
   torque_kN_m?: number;
 };
 /**
- * A rate to keep.
+ * A rate set-point.
  */
 export type RateSetPoint = {
   /**
@@ -3503,7 +3504,7 @@ export type RateSetPoint = {
   rate_deg_s?: number;
 };
 /**
- * An angle to go to.
+ * An angle set-point.
  */
 export type AngleSetPoint = {
   /**
@@ -3592,7 +3593,7 @@ export type LinearControlledDrive = {
   response_time_s?: number;
 };
 /**
- * A force to give.
+ * A force set-point.
  */
 export type ForceSetPoint = {
   /**
@@ -3685,11 +3686,11 @@ export type Cylinder = {
   first: Pin3;
   second: Pin4;
   /**
-   * Length between the pins when fully retracted, m: there is a stop.
+   * Length between the pins when fully retracted, m: there a stop limits it.
    */
   shortest_m: number;
   /**
-   * Length between the pins when fully extended, m: there is a stop.
+   * Length between the pins when fully extended, m: there a stop limits it.
    */
   longest_m: number;
   /**
@@ -4480,7 +4481,7 @@ export interface PrescribedSpeed {
  */
 export interface LengthTravel {
   /**
-   * How far it slides, positive along the axis, m.
+   * Length of the travel, positive along the axis, m.
    */
   length_m: number;
   /**
@@ -4870,9 +4871,9 @@ export interface UTank {
   pump?: UTankPump | null;
 }
 /**
- * A tank with vertical walls and an opening to the sea in its bottom. The water in it is a body of its own, with the tank's
- * name, whose level is a degree of freedom: the body that carries the tank must not contain its mass. The hull's data are
- * for the closed hull.
+ * A tank with vertical walls and an opening to the sea in its bottom. The water in the tank is a separate body with
+ * the tank's name, and its level is a degree of freedom: the mass of the carrying body must not contain the water. The
+ * hydrodynamic data of the hull are those of the closed hull.
  */
 export interface FreeFloodingTank {
   /**
@@ -4903,11 +4904,12 @@ export interface FreeFloodingTank {
    */
   height_m: number;
   /**
-   * Level of the water at rest above the opening, m: below `height_m`. Best as deep as the opening is under water.
+   * Level of the water at rest above the opening, m: below `height_m`. It should equal the depth of the opening
+   * below the sea surface.
    */
   level_m: number;
   /**
-   * Area of the opening, m^2: at most that of the bottom.
+   * Area of the opening, m^2: at most the area of the bottom.
    */
   opening_area_m2: number;
   /**
@@ -4920,7 +4922,8 @@ export interface FreeFloodingTank {
    */
   damping_ratio?: number;
   /**
-   * Pressure lost in the opening over the dynamic pressure there, rho u^2 / 2: about 2.6 for a sharp edge.
+   * Pressure loss in the opening over the dynamic pressure rho u^2 / 2 of the flow through it: about 2.6 for a sharp
+   * edge.
    */
   loss_coefficient: number;
   /**
@@ -5383,11 +5386,12 @@ export interface DynamicPositioning {
         stated: StatedGains;
       };
   /**
-   * The filter that keeps the thrusters from responding to every wave; without it they respond.
+   * The filter that prevents thruster response to wave-frequency motion; without it, the thrusters respond to every
+   * wave.
    */
   wave_filter?: WaveFilter | null;
   /**
-   * Rule for what is reduced when a thruster is at its limit.
+   * Priority of yaw moment or force when a thruster is at its limit.
    */
   priority?: "heading" | "none";
   /**
@@ -5497,7 +5501,7 @@ export interface Pulse {
   reverse_s?: number;
 }
 /**
- * A speed to keep.
+ * A speed set-point.
  */
 export interface SpeedSetPoint {
   /**
@@ -5506,7 +5510,7 @@ export interface SpeedSetPoint {
   speed_m_s?: number;
 }
 /**
- * An extension to go to.
+ * An extension set-point.
  */
 export interface ExtensionSetPoint {
   /**
@@ -5547,7 +5551,7 @@ export interface Pin4 {
   position_m?: [number, number, number];
 }
 /**
- * A length to go to.
+ * A target length.
  */
 export interface TargetLength {
   /**
@@ -6008,12 +6012,12 @@ export interface InputShaper {
   tolerance?: number;
 }
 /**
- * Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
- * these commands, so that a load stays where it should.
+ * Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions`
+ * computes commands that hold a load in place.
  */
 export interface DriveFunction {
   /**
-   * Whether the function is added; if not, the command passes.
+   * Whether the function is added; if not, the command passes unchanged.
    */
   enabled?: boolean;
   /**
@@ -6034,8 +6038,8 @@ export interface DriveFunction {
    */
   period_s?: number | null;
   /**
-   * Time in which the curve grows from 0 to its full size at the start of a run, in the same way as waves in the `ramp_s` of the sea, s;
-   * 0: it has its full size at once.
+   * Duration of the ramp at the start of a run, s, over which the curve grows from 0 to full size like waves over
+   * the `ramp_s` of the sea; 0: full size at once.
    */
   ramp_s?: number;
 }

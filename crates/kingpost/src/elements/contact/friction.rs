@@ -29,9 +29,9 @@ pub struct FrictionForce<S> {
 pub struct Rubbing<S> {
     /// mu N, N.
     pub limit: S,
-    /// The bristle z, m, along the surface.
+    /// The bristle z, in the axes of the solid, m.
     pub bristle: Vector3<S>,
-    /// Bristle plus displacement since it was stored, along the surface, m.
+    /// Component of z along the surface, m.
     pub along: Vector3<S>,
     /// v, along the surface, m/s.
     pub slip: Vector3<S>,

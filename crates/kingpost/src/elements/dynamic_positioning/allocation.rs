@@ -15,9 +15,9 @@ use crate::spatial::Symmetric3;
 /// ```
 ///
 /// (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2011, sec. 12.3.2). If that exceeds a
-/// thruster's limit, the demand is scaled down until no thruster exceeds its limit: either force and moment alike, or
-/// the moment first and then the force, in its direction, with the capacity that is left. The demand is not
-/// redistributed to thrusters with capacity left.
+/// thruster's limit, the demand is scaled down until no thruster exceeds its limit: either force and moment by the same
+/// factor, or the moment first and then the force, in its direction, with the remaining capacity. The demand is not
+/// redistributed to thrusters with remaining capacity.
 #[derive(Clone, Debug)]
 pub struct Allocation<S = f64> {
     thrusters: Vec<Thruster<S>>,
@@ -31,8 +31,8 @@ pub struct Allocation<S = f64> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CannotGive(pub &'static str);
 
-/// Smallest determinant of B W^-1 B^T, with its diagonal scaled to 1, with which thrusters still count as giving surge,
-/// sway and yaw independently.
+/// Smallest determinant of B W^-1 B^T, with its diagonal scaled to 1, at which thrusters count as independent in surge,
+/// sway and yaw.
 const LEAST_DETERMINANT: f64 = 1e-9;
 
 impl<S: Scalar> Allocation<S> {
@@ -61,12 +61,12 @@ impl<S: Scalar> Allocation<S> {
         Ok(Self { shares: shares.collect(), thrusters, heading_first })
     }
 
-    /// The thrusters.
+    /// Returns the thrusters.
     pub fn thrusters(&self) -> &[Thruster<S>] {
         &self.thrusters
     }
 
-    /// Number of components of thrust.
+    /// Returns the number of components of thrust.
     pub fn components(&self) -> usize {
         self.thrusters.iter().map(Thruster::components).sum()
     }

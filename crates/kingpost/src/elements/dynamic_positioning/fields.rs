@@ -1,4 +1,4 @@
-//! Dynamic positioning: thrusters that keep a ship in its place.
+//! Dynamic positioning: thrusters that keep a ship in position.
 
 use indexmap::IndexMap;
 use kingpost_derive::fields;
@@ -23,9 +23,10 @@ pub struct DynamicPositioning<S = f64> {
     pub target: StationTarget<S>,
     /// The controller's gains.
     pub gains: PositioningGains<S>,
-    /// The filter that keeps the thrusters from responding to every wave; without it they respond.
+    /// The filter that prevents thruster response to wave-frequency motion; without it, the thrusters respond to every
+    /// wave.
     pub wave_filter: Option<WaveFilter<S>>,
-    /// Rule for what is reduced when a thruster is at its limit.
+    /// Priority of yaw moment or force when a thruster is at its limit.
     #[serde(default)]
     pub priority: ThrustPriority,
     /// Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
@@ -148,14 +149,14 @@ fn butterworth<S: Leaf>() -> Positive<S> {
     Positive::literal(core::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// Rule for what is reduced when a thruster is at its limit.
+/// Priority of yaw moment or force when a thruster is at its limit.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum ThrustPriority {
     /// The force is reduced and keeps its direction; the yaw moment is given first.
     #[default]
     Heading,
-    /// Force and moment are reduced alike.
+    /// Force and moment are reduced by the same factor.
     None,
 }
 

@@ -69,8 +69,8 @@ pub struct CurrentLoad<S = f64> {
 /// relative velocity; a smooth curve through the points.
 #[fields]
 pub struct FlowCoefficients<S = f64> {
-    /// Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-    /// from ahead, as in OCIMF.
+    /// Directions towards which the fluid flows, from the body's x axis, counter-clockwise, rad, increasing: 0 is flow
+    /// from astern, pi from ahead, as in OCIMF.
     pub directions_rad: Vec<f64>,
     /// Whether port and starboard are alike: the directions then go from 0 to pi and are mirrored.
     pub symmetric: bool,

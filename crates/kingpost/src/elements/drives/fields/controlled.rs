@@ -46,7 +46,7 @@ pub enum AngleSetPoints<S = f64> {
     Position(AngleSetPoint<S>),
 }
 
-/// A torque to give.
+/// A torque set-point.
 #[fields]
 #[derive(Copy)]
 pub struct TorqueSetPoint<S = f64> {
@@ -55,7 +55,7 @@ pub struct TorqueSetPoint<S = f64> {
     pub torque_n_m: S,
 }
 
-/// A rate to keep.
+/// A rate set-point.
 #[fields]
 #[derive(Copy)]
 pub struct RateSetPoint<S = f64> {
@@ -64,7 +64,7 @@ pub struct RateSetPoint<S = f64> {
     pub rate_rad_s: S,
 }
 
-/// An angle to go to.
+/// An angle set-point.
 #[fields]
 #[derive(Copy)]
 pub struct AngleSetPoint<S = f64> {
@@ -114,7 +114,7 @@ pub enum LengthSetPoints<S = f64> {
     Position(ExtensionSetPoint<S>),
 }
 
-/// A force to give.
+/// A force set-point.
 #[fields]
 #[derive(Copy)]
 pub struct ForceSetPoint<S = f64> {
@@ -123,7 +123,7 @@ pub struct ForceSetPoint<S = f64> {
     pub force_n: S,
 }
 
-/// A speed to keep.
+/// A speed set-point.
 #[fields]
 #[derive(Copy)]
 pub struct SpeedSetPoint<S = f64> {
@@ -132,7 +132,7 @@ pub struct SpeedSetPoint<S = f64> {
     pub speed_m_s: S,
 }
 
-/// An extension to go to.
+/// An extension set-point.
 #[fields]
 #[derive(Copy)]
 pub struct ExtensionSetPoint<S = f64> {

@@ -16,9 +16,9 @@ pub struct Cylinder<S = f64> {
     pub first: Pin<S>,
     /// Pin on the other.
     pub second: Pin<S>,
-    /// Length between the pins when fully retracted, m: there is a stop.
+    /// Length between the pins when fully retracted, m: there a stop limits it.
     pub shortest_m: Positive<S>,
-    /// Length between the pins when fully extended, m: there is a stop.
+    /// Length between the pins when fully extended, m: there a stop limits it.
     pub longest_m: Positive<S>,
     /// The target length.
     #[serde(default)]
@@ -70,11 +70,11 @@ pub enum CylinderTarget<S = f64> {
     Hold,
     /// Goes to this length, from the start on.
     Length(TargetLength<S>),
-    /// An input in [-1, 1], with the drive's name, times the speed limit is the rate of the target length.
+    /// Moves at the rate of the speed limit times an input in [-1, 1] with the drive's name.
     Lever,
 }
 
-/// A length to go to.
+/// A target length.
 #[fields]
 #[derive(Copy)]
 pub struct TargetLength<S = f64> {
@@ -83,7 +83,7 @@ pub struct TargetLength<S = f64> {
 }
 
 impl<S: Leaf> Pin<S> {
-    /// The body; `None` for the world.
+    /// Returns the name of the body; `None` for the world.
     pub fn named_body(&self) -> Option<&Name> {
         (self.body != crate::scenario::schema::WORLD).then_some(&self.body)
     }

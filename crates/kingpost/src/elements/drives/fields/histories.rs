@@ -1,4 +1,4 @@
-//! Histories of strengths and rates over time, and motions given by their distance.
+//! Histories of strengths and rates over time, and motions given by angle, length or amplitude.
 
 use kingpost_derive::fields;
 
@@ -11,9 +11,9 @@ pub enum History {
     /// Full strength from the start on.
     #[default]
     Constant,
-    /// Up, hold and stop, or up, hold, reverse and stop, at the times of `pulse`.
+    /// Rise, hold and stop, or rise, hold, reverse and stop, at the times of `pulse`.
     Pulse,
-    /// Straight lines between the shares of `list` at given times.
+    /// Linear between the shares of `list` at given times.
     List,
     /// Full strength times an input in [-1, 1] that has the drive's name.
     Lever,
@@ -50,7 +50,7 @@ pub struct RatePulse {
 /// ramps it is `angle / (duration_s - ramp_s)`.
 #[fields]
 pub struct AngleTravel<S = f64> {
-    /// How far it turns, positive about the axis, rad.
+    /// Angle of the turn, positive about the axis, rad.
     pub angle_rad: S,
     /// When it begins, s.
     #[serde(default)]
@@ -65,7 +65,7 @@ pub struct AngleTravel<S = f64> {
 /// ramps it is `length / (duration_s - ramp_s)`.
 #[fields]
 pub struct LengthTravel<S = f64> {
-    /// How far it slides, positive along the axis, m.
+    /// Length of the travel, positive along the axis, m.
     pub length_m: S,
     /// When it begins, s.
     #[serde(default)]

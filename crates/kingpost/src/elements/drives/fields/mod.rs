@@ -1,4 +1,4 @@
-//! Drives: what acts between two bodies, mostly in the joint that connects them.
+//! Drives: forces between two bodies, mostly in the joint that connects them.
 
 pub(crate) mod controlled;
 pub(crate) mod cylinder;
@@ -125,7 +125,7 @@ pub struct LinearServo<S = f64> {
     pub force_limit_n: NonNegative<S>,
 }
 
-/// How far a brake is set.
+/// State of a brake.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum BrakeState {
