@@ -2232,12 +2232,12 @@ export type Hydrodynamics = {
    */
   body: string;
   /**
-   * File of the hydrodynamic database, beside the scenario's own.
+   * File of the hydrodynamic database, relative to the scenario's file.
    */
   database: string;
   /**
-   * The database's origin in the body's drawing frame, m; the axes are the body's. It lies on the water plane at the
-   * database's draught.
+   * The database's origin in the body's drawing frame, m; the axes are the body's. The origin lies on the waterplane
+   * at the database's draught.
    *
    * @minItems 3
    * @maxItems 3
@@ -2279,8 +2279,8 @@ export type Hydrodynamics = {
   wave_drift_damping?: boolean;
   /**
    * Cut-off of a sixth-order low-pass filter, rad/s. First-order wave loads are computed at the filtered position
-   * and heading. Choose it well below the wave frequencies and above those of the ship's drift, which the filter
-   * follows without lag.
+   * and heading. Choose it well below the wave frequencies and above the frequencies of the ship's slow drift, which
+   * the filter follows without lag.
    */
   slow_motion_cutoff_rad_s?: number;
   /**
@@ -2485,9 +2485,9 @@ export type CatenaryLine = {
   seabed?: boolean;
 };
 /**
- * A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls when its path is longer
- * than the rope, else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its
- * peak tension at that moment must not be used for design.
+ * A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls if its path is longer than
+ * the rope; otherwise it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its
+ * peak tension when it comes taut must not be used for design.
  */
 export type Rope = {
   /**
@@ -2495,7 +2495,7 @@ export type Rope = {
    */
   enabled?: boolean;
   /**
-   * The points, sheaves and drum of its path, from its first end to its last: it begins at a point or a drum and
+   * The points, sheaves and drum of its path, from the first end to the last. A path begins at a point or a drum and
    * ends at a point.
    */
   path: RopeStation[];
@@ -2521,13 +2521,13 @@ export type Rope = {
    */
   series_stiffness_kN_per_m?: number | null;
   /**
-   * Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' in addition to k e. For wire ropes it is 0.01
-   * to 0.02 s.
+   * tau: damping over stiffness, s. At the rate e' of its stretch the rope pulls with k tau e' in addition to k e.
+   * For wire ropes it is 0.01 to 0.02 s.
    */
   damping_time_s?: number;
   /**
-   * Its mass, kg/m. It acts as weight only, without inertia, and the legs stay straight; without it, the rope has no
-   * weight.
+   * Mass of the rope, kg/m. The mass acts as weight only, without inertia, and the legs stay straight; without it,
+   * the rope has no weight.
    */
   mass_kg_per_m?: number | null;
   /**
@@ -2545,7 +2545,7 @@ export type Rope = {
   breaking_load_kN?: number | null;
   /**
    * The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
-   * at rest in air.
+   * bodies at rest in air.
    */
   carries?: CarriedByRope[];
   /**
@@ -2553,8 +2553,8 @@ export type Rope = {
    */
   load_chart?: LoadChart | null;
   /**
-   * Whether it can be released: it then has an input in [0, 1] with the rope's name. At 0.5 the load is lost. Below 0.5
-   * the rope is hooked on again, as soon as its path is shorter than the rope.
+   * Whether it can be released, by an input in [0, 1] with the rope's name. At 0.5 the load is released. Below 0.5
+   * the rope is hooked on again as soon as its path is shorter than the rope.
    */
   can_be_released?: boolean;
   /**
@@ -2602,7 +2602,7 @@ export type LoadChart = {
   rated_loads_t?: number[];
 };
 /**
- * A line with a constant-tension winch: a tugger line or a tag line. The winch stands at its first end.
+ * A line with a constant-tension winch at its first end: a tugger line or a tag line.
  */
 export type TuggerLine = {
   [k: string]: unknown;
@@ -2616,7 +2616,7 @@ export type TuggerLine = {
    */
   path: RopeStation[];
   /**
-   * Its tension at the load while its length stays, N.
+   * Tension at the load while the length is constant, N.
    */
   tension_N?: number;
   /**
@@ -2624,8 +2624,8 @@ export type TuggerLine = {
    */
   tension_kN?: number;
   /**
-   * By how much its tension is higher while it pays out, and lower while it hauls in, per rate of its length, N s/m. It
-   * damps a swing.
+   * Damping that reduces swing, N s/m: increase of the tension per rate of paying out, and decrease per rate of
+   * hauling in.
    */
   damping_N_s_per_m?: number;
   /**
@@ -2633,7 +2633,7 @@ export type TuggerLine = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Its largest tension at the load, N: at least `tension_N`. Without it, there is none; it never pushes.
+   * Largest tension at the load, N: at least `tension_N`. Without it, the tension has no upper limit.
    */
   largest_tension_N?: number | null;
   /**
@@ -3874,12 +3874,12 @@ export type InertialFilter = {
    */
   position_noise_m?: number;
   /**
-   * Standard deviation of the motion of the unit in waves, m: the smaller, the more the mean place counts against the
-   * accelerometers.
+   * Standard deviation of the motion of the unit in waves, m: a smaller value gives the mean position more weight
+   * relative to the accelerometers.
    */
   wave_motion_m?: number;
   /**
-   * Middle period of the waves, s: half or twice that does little harm.
+   * Peak period of the waves, s: an error by a factor of two has little effect.
    */
   wave_period_s?: number;
 };
@@ -5161,7 +5161,7 @@ export interface RopePoint {
    */
   position_m?: [number, number, number];
   /**
-   * Number of parallel falls from the place before to this one. Together they pull with this number times the
+   * Number of parallel falls from the previous place to this one. Together they pull with this number times the
    * tension.
    */
   falls?: number;
@@ -5186,8 +5186,8 @@ export interface Sheave {
    */
   radius_m: number;
   /**
-   * The axis in the body's axes, of any length except 0. From the first end to the last, the rope turns about it by
-   * the right-hand rule, by -90 to 270 degrees.
+   * The sheave's axis in the body's axes, of any length except 0. From the first end to the last, the rope turns
+   * about this axis by the right-hand rule, by -90 to 270 degrees.
    *
    * @minItems 3
    * @maxItems 3
@@ -5220,20 +5220,20 @@ export interface RopeDrum {
    */
   layers?: DrumLayers | null;
   /**
-   * The sign of the joint's rate that pays out rope. It decides on which side the rope leaves the drum.
+   * Sign of the joint's rate that pays out rope. It determines the side on which the rope leaves the drum.
    */
   pays_out?: "with_positive_rate" | "with_negative_rate";
   /**
-   * Efficiency while it hauls in: tension times radius over the torque.
+   * Efficiency while the drum hauls in: tension times radius over the torque.
    */
   efficiency_hoisting?: number;
   /**
-   * Efficiency while it pays out: the torque that holds the rope over tension times radius.
+   * Efficiency while the drum pays out: the torque that holds the rope over tension times radius.
    */
   efficiency_lowering?: number;
 }
 /**
- * Layers of rope on a drum: its radius falls by the height of a layer for every layer of turns.
+ * Layers of rope on a drum: each layer that is paid out reduces the radius by its height.
  */
 export interface DrumLayers {
   /**
@@ -5246,8 +5246,8 @@ export interface DrumLayers {
    */
   height_m: number;
   /**
-   * Radius to the middle of the rope in the innermost layer, m. The radius falls no further; an event is recorded
-   * then.
+   * Radius to the middle of the rope in the innermost layer, m, at which the radius stops decreasing and an event is
+   * recorded.
    */
   innermost_radius_m: number;
 }
@@ -5261,7 +5261,7 @@ export interface CarriedByRope {
   body: string;
   /**
    * Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
-   * the rope. For each of n slings at an angle b to the horizontal it is 1 / (n sin b).
+   * the rope. For each of n slings at an angle b to the horizontal the share is 1 / (n sin b).
    */
   share?: number | null;
 }
@@ -5591,12 +5591,12 @@ export interface MotionReferenceUnit {
    */
   delay_samples?: number;
   /**
-   * Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with those of
-   * the angles, as a unit with a gyrocompass does.
+   * Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with the
+   * errors of the angles, like a unit with a gyrocompass.
    */
   horizontal_motion?: boolean;
   /**
-   * The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
+   * The filter that removes the drift of heave and heave rate, as in real units; without it, both are unfiltered.
    */
   heave_filter?: HeaveFilter | null;
   /**
@@ -5621,8 +5621,8 @@ export interface MotionReferenceUnit {
   drop_outs?: DropOuts | null;
 }
 /**
- * A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead. With a
- * satellite receiver it removes nothing.
+ * A second-order high-pass filter: it removes motions with periods much longer than its cut-off period, and gives
+ * shorter ones a phase lead. A satellite receiver restores the removed motion.
  */
 export interface HeaveFilter {
   /**
@@ -5634,7 +5634,7 @@ export interface HeaveFilter {
    */
   damping_ratio?: number;
   /**
-   * A satellite receiver on the same body, whose positions give back the motion that the filter removes.
+   * A satellite receiver on the same body, whose positions restore the motion that the filter removes.
    */
   receiver?: string | null;
 }
@@ -5982,12 +5982,12 @@ export interface AirGap {
   position_m?: [number, number, number];
 }
 /**
- * Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
- * is zero.
+ * Sets an input to its command convolved with two or three impulses, so that the command excites no residual swing of
+ * the stated period and damping.
  */
 export interface InputShaper {
   /**
-   * Whether the shaper acts; if not, its command passes.
+   * Whether the shaper acts; if not, its command passes unchanged.
    */
   enabled?: boolean;
   /**
@@ -5995,7 +5995,7 @@ export interface InputShaper {
    */
   to: string;
   /**
-   * The impulses, or none: then its command passes.
+   * The impulses; with `none`, the command passes unchanged.
    */
   shaper?: "none" | "zv" | "zvd" | "ei";
   /**
@@ -6007,7 +6007,7 @@ export interface InputShaper {
    */
   damping_ratio?: number;
   /**
-   * For ei: the swing that remains at the period, as a share of that without a shaper.
+   * For ei: the residual swing at the period, as a share of the swing without a shaper.
    */
   tolerance?: number;
 }
@@ -6127,7 +6127,7 @@ export interface Policy {
    */
   steers: PolicySteer[];
   /**
-   * The layers, the first one first.
+   * The layers, from the first to the last.
    */
   layers: PolicyLayer[];
   /**
@@ -6136,7 +6136,7 @@ export interface Policy {
   period_s?: number | null;
 }
 /**
- * A number that a policy sees.
+ * An observation of a policy.
  */
 export interface PolicyRead {
   /**
@@ -6148,11 +6148,11 @@ export interface PolicyRead {
    */
   also?: AlsoRead[];
   /**
-   * The value that counts as 0, in the column's SI unit.
+   * Value of the column at which the observation is 0, in the column's SI unit.
    */
   reference?: number;
   /**
-   * The difference from it that counts as 1.
+   * Difference from the reference at which the observation is 1, in the column's SI unit.
    */
   scale?: number;
 }
@@ -6174,11 +6174,11 @@ export interface PolicySteer {
    */
   to: string;
   /**
-   * Its value at -1, in its SI unit; without it, the smallest that it can have.
+   * Value of the input at the action -1, in its SI unit; without it, the smallest allowed value.
    */
   lower?: number | null;
   /**
-   * Its value at 1; without it, the largest.
+   * Value of the input at the action 1, in its SI unit; without it, the largest allowed value.
    */
   upper?: number | null;
 }
@@ -6450,7 +6450,7 @@ export interface Operation {
  */
 export interface OperationStep {
   /**
-   * Name of the step, which says what it does: "lift off".
+   * Name of the step, which describes it: "lift off".
    */
   name: string;
   /**
@@ -6462,7 +6462,7 @@ export interface OperationStep {
    */
   until?: Condition | null;
   /**
-   * The longest time that the step may take, s. Then the run ends and reports what the step waited for.
+   * Largest duration of the step, s. After it the run ends and reports the condition that does not hold.
    */
   time_out_s?: number | null;
 }
@@ -6471,7 +6471,7 @@ export interface OperationStep {
  */
 export interface InputMove {
   /**
-   * The input, mostly by the name of its drive.
+   * Name of the input, mostly the name of its drive.
    */
   input: string;
   /**
@@ -6497,7 +6497,7 @@ export interface InputMove {
  */
 export interface ColumnRange {
   /**
-   * The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
+   * The column by its name in the table of results: `hook.position.z`, `hoist_rope.rope_tension`.
    */
   column: string;
   /**

@@ -40,8 +40,8 @@ pub struct InertialUnit<S = f64> {
     pub drop_outs: Option<DropOuts>,
 }
 
-/// Assumptions of an inertial unit's filter about its instruments and the motion. The instruments' noise need not be
-/// the true one. Derivatives do not go through these numbers.
+/// Assumptions of an inertial unit's filter about its instruments and the motion. The assumed noise may differ from
+/// that of the instruments. Derivatives with respect to these numbers are not available.
 #[fields(default)]
 #[derive(Copy)]
 pub struct InertialFilter {
@@ -53,10 +53,10 @@ pub struct InertialFilter {
     pub heading_noise_rad: Positive,
     /// Standard deviation of the noise of the receiver's positions, m.
     pub position_noise_m: Positive,
-    /// Standard deviation of the motion of the unit in waves, m: the smaller, the more the mean place counts against the
-    /// accelerometers.
+    /// Standard deviation of the motion of the unit in waves, m: a smaller value gives the mean position more weight
+    /// relative to the accelerometers.
     pub wave_motion_m: Positive,
-    /// Middle period of the waves, s: half or twice that does little harm.
+    /// Peak period of the waves, s: an error by a factor of two has little effect.
     pub wave_period_s: Positive,
 }
 

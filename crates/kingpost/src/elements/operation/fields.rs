@@ -18,21 +18,21 @@ pub struct Operation<S = f64> {
 /// A step of an operation.
 #[fields]
 pub struct OperationStep<S = f64> {
-    /// Name of the step, which says what it does: "lift off".
+    /// Name of the step, which describes it: "lift off".
     pub name: String,
     /// The inputs that it moves. An input that is not named keeps its value.
     #[serde(default = "none::<S>", skip_serializing_if = "Vec::is_empty")]
     pub set: Vec<InputMove<S>>,
     /// The condition that ends the step; without it, the step ends with its last move.
     pub until: Option<Condition>,
-    /// The longest time that the step may take, s. Then the run ends and reports what the step waited for.
+    /// Largest duration of the step, s. After it the run ends and reports the condition that does not hold.
     pub time_out_s: Option<Positive>,
 }
 
 /// Moves an input: a lever, a brake, or the offset of a drive's set-point.
 #[fields]
 pub struct InputMove<S = f64> {
-    /// The input, mostly by the name of its drive.
+    /// Name of the input, mostly the name of its drive.
     pub input: SignalName,
     /// The new value, in `unit`.
     pub to: S,
@@ -63,7 +63,7 @@ pub enum Condition {
 /// A range of a column of the results: above a bound, below one, or both.
 #[fields]
 pub struct ColumnRange {
-    /// The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
+    /// The column by its name in the table of results: `hook.position.z`, `hoist_rope.rope_tension`.
     pub column: ColumnName,
     /// The value is above this.
     pub above: Option<f64>,

@@ -17,13 +17,13 @@ pub struct Policy<S = f64> {
     pub reads: Vec<PolicyRead<S>>,
     /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
     pub steers: Vec<PolicySteer<S>>,
-    /// The layers, the first one first.
+    /// The layers, from the first to the last.
     pub layers: Vec<PolicyLayer<S>>,
     /// Time between two samples, s: a whole number of steps; without it, one step.
     pub period_s: Option<Positive>,
 }
 
-/// A number that a policy sees.
+/// An observation of a policy.
 #[fields]
 pub struct PolicyRead<S = f64> {
     /// The column of the results, or a state of a drive as the linear analysis names it.
@@ -31,10 +31,10 @@ pub struct PolicyRead<S = f64> {
     /// Columns of the same unit that are added to it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<AlsoRead>,
-    /// The value that counts as 0, in the column's SI unit.
+    /// Value of the column at which the observation is 0, in the column's SI unit.
     #[serde(default)]
     pub reference: S,
-    /// The difference from it that counts as 1.
+    /// Difference from the reference at which the observation is 1, in the column's SI unit.
     #[serde(default = "one::<S>")]
     pub scale: Positive<S>,
 }
@@ -51,9 +51,9 @@ pub struct AlsoRead {
 pub struct PolicySteer<S = f64> {
     /// The input.
     pub to: SignalName,
-    /// Its value at -1, in its SI unit; without it, the smallest that it can have.
+    /// Value of the input at the action -1, in its SI unit; without it, the smallest allowed value.
     pub lower: Option<S>,
-    /// Its value at 1; without it, the largest.
+    /// Value of the input at the action 1, in its SI unit; without it, the largest allowed value.
     pub upper: Option<S>,
 }
 

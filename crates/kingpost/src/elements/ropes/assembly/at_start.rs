@@ -9,10 +9,10 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::world::World;
 
-/// Strain at the start beyond which a length is an error: steel parts long before.
+/// Strain at the start above which a length is an error: steel parts at a much smaller strain.
 const LARGEST_STRAIN: f64 = 0.05;
 
-/// By how much an inextensible rope may be shorter than its path, m: rounding of a length in a file.
+/// Largest shortage of an inextensible rope's length relative to its path, m: rounding of a length in a file.
 const SHORT_BY_ROUNDING_M: f64 = 1e-9;
 
 /// The largest wrap angle of a sheave at the start, degrees: beyond it the axis points the wrong way. During the run
@@ -82,7 +82,7 @@ fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Resul
     Err(FieldError::new(field, found, allowed))
 }
 
-/// Checks that no two stations of the path overlap, and that a drum's axis is across the rope.
+/// Checks that no two stations of the path overlap, and that a drum's axis is not along the rope.
 fn check_apart<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     if let Some((leg, [distance, radii])) = path.overlap(at) {
         let found = format!("a place {distance:.4} m from the one before it");
@@ -135,7 +135,7 @@ pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// The context of an element without entries of its own, for a model at rest.
+/// Calls a function with the context of a model at rest, for an element without states, inputs, numbers and modes.
 pub(crate) fn at_rest<S: Quantity, R>(
     world: &World<S>,
     model: &Model<S>,
