@@ -2633,7 +2633,8 @@ export type TuggerLine = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Largest tension at the load, N: at least `tension_N`. Without it, the tension has no upper limit.
+   * Largest tension at the load, N: at least `tension_N`. Without it, there is no upper limit. The tension is never
+   * negative.
    */
   largest_tension_N?: number | null;
   /**
@@ -5675,16 +5676,16 @@ export interface SpeedErrors {
   resolution_m_s?: number;
 }
 /**
- * Failures of a sensor, drawn from the run's seed. While it fails, its outputs keep their last values and its
- * `sensor_status` is 0; the table of events has the beginning and the end of each.
+ * Random drop-outs of a sensor, from the run's seed. During a drop-out its outputs keep their last values and its
+ * `sensor_status` is 0; the table of events has the beginning and the end of each drop-out.
  */
 export interface DropOuts {
   /**
-   * Mean time from the end of one to the next, s; at least the sensor's period.
+   * Mean time from the end of one drop-out to the next drop-out, s; at least the sensor's period.
    */
   mean_interval_s: number;
   /**
-   * Mean duration, s; at least the sensor's period.
+   * Mean duration of a drop-out, s; at least the sensor's period.
    */
   mean_duration_s: number;
 }
@@ -5885,7 +5886,7 @@ export interface LoadCell {
   drop_outs?: DropOuts | null;
 }
 /**
- * Measures where its antenna is: `measured_position.x`, `.y`, `.z`, m in the world.
+ * Measures the position of its antenna: `measured_position.x`, `.y`, `.z`, m in the world.
  */
 export interface SatelliteReceiver {
   /**
@@ -6044,12 +6045,12 @@ export interface DriveFunction {
   ramp_s?: number;
 }
 /**
- * Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
- * reads, K and K_I the gains.
+ * Sets inputs to `c - K e - K_I (integral of e)` within limits, with `e = x - reference`, the commands c of the
+ * inputs, the columns x that it reads, and the gains K and K_I.
  */
 export interface StateFeedback {
   /**
-   * Whether the controller acts; if not, its commands pass.
+   * Whether the controller acts; if not, its commands pass unchanged.
    */
   enabled?: boolean;
   /**
@@ -6057,7 +6058,8 @@ export interface StateFeedback {
    */
   reads: FeedbackRead[];
   /**
-   * The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+   * The inputs that it sets. The command of a single input has the controller's name; with several inputs, each
+   * command is named `name.input`.
    */
   steers: FeedbackSteer[];
   /**
@@ -6070,12 +6072,12 @@ export interface StateFeedback {
  */
 export interface FeedbackRead {
   /**
-   * The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
-   * `slewing.position`.
+   * The column of the results, such as `slew.joint_position`, or a state of a drive by its name in the linear
+   * analysis, such as `slewing.position`.
    */
   column: string;
   /**
-   * Its value where nothing is corrected, in its SI unit.
+   * Value of the column at which there is no correction, in its SI unit.
    */
   reference?: number;
   /**
@@ -6092,19 +6094,19 @@ export interface FeedbackSteer {
    */
   to: string;
   /**
-   * Its row of K: a gain for each column, the input's unit over the column's.
+   * Row of K: a gain for each column, in the input's unit over the column's.
    */
   gains: number[];
   /**
-   * Its row of K_I: a gain for the integral of each column over time, the input's unit over the column's and over s.
+   * Row of K_I: a gain for the time integral of each column, in the input's unit over the column's and over s.
    */
   integral_gains?: number[];
   /**
-   * The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
+   * Lower limit of the input's value, in its SI unit; without it, the smallest allowed value.
    */
   lower?: number | null;
   /**
-   * The largest.
+   * Upper limit of the input's value, in its SI unit; without it, the largest allowed value.
    */
   upper?: number | null;
 }
@@ -6115,7 +6117,7 @@ export interface FeedbackSteer {
  */
 export interface Policy {
   /**
-   * Whether the controller acts; if not, its commands pass.
+   * Whether the controller acts; if not, its commands pass unchanged.
    */
   enabled?: boolean;
   /**
@@ -6123,7 +6125,8 @@ export interface Policy {
    */
   reads: PolicyRead[];
   /**
-   * The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+   * The inputs that it sets. The command of a single input has the controller's name; with several inputs, each
+   * command is named `name.input`.
    */
   steers: PolicySteer[];
   /**
@@ -6196,12 +6199,12 @@ export interface PolicyLayer {
   biases: number[];
 }
 /**
- * Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
- * branch, `name.branch.input`; those of the branches that are not selected go nowhere.
+ * Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the commands of
+ * a branch, `name.branch.input`; the commands of the other branches have no effect.
  */
 export interface Selector {
   /**
-   * The branch that passes.
+   * The branch whose commands pass.
    */
   selected: string;
   /**
@@ -6521,11 +6524,11 @@ export interface ColumnRange {
  */
 export interface Limit {
   /**
-   * Whether the limit counts.
+   * Whether the limit is checked.
    */
   enabled?: boolean;
   /**
-   * The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
+   * The column by its name in the table of results: `hull.roll`, `hoist_rope.rope_tension`.
    */
   column: string;
   /**

@@ -73,13 +73,13 @@ pub struct ColumnRange {
     pub unit: Option<String>,
 }
 
-/// A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
+/// A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.
 #[fields]
 pub struct Limit {
-    /// Whether the limit counts.
+    /// Whether the limit is checked.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
+    /// The column by its name in the table of results: `hull.roll`, `hoist_rope.rope_tension`.
     pub column: ColumnName,
     /// The largest value that is allowed.
     pub at_most: Option<f64>,

@@ -10,12 +10,13 @@ use crate::scenario::schema::{ColumnName, Positive, SetsInputs, SignalName, yes}
 /// upper (a = 1).
 #[fields]
 pub struct Policy<S = f64> {
-    /// Whether the controller acts; if not, its commands pass.
+    /// Whether the controller acts; if not, its commands pass unchanged.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Columns that it reads, in the order of the columns of the first layer's weights.
     pub reads: Vec<PolicyRead<S>>,
-    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+    /// The inputs that it sets. The command of a single input has the controller's name; with several inputs, each
+    /// command is named `name.input`.
     pub steers: Vec<PolicySteer<S>>,
     /// The layers, from the first to the last.
     pub layers: Vec<PolicyLayer<S>>,

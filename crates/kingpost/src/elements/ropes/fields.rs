@@ -88,7 +88,8 @@ pub struct TuggerLine<S = f64> {
     /// hauling in.
     #[serde(default)]
     pub damping_n_s_per_m: NonNegative<S>,
-    /// Largest tension at the load, N: at least `tension_N`. Without it, the tension has no upper limit.
+    /// Largest tension at the load, N: at least `tension_N`. Without it, there is no upper limit. The tension is never
+    /// negative.
     pub largest_tension_n: Option<Positive<S>>,
 }
 

@@ -53,7 +53,7 @@ impl<S: Scalar> Element<S> for LoadCell<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        // It learns the tension at its samples alone.
+        // The sensor knows the tension only at its samples.
         self.sampler.outputs(at, out, || [at.numbers[0]]);
     }
 }

@@ -277,14 +277,14 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     };
     let force = |variable, description| vector(variable, description, VectorFrame::World, &["N"]);
     let mut all = vec![
-        number("submerged_share", "volume below the surface over the whole volume", &["1"]),
+        number("submerged_share", "volume below the surface over the total volume", &["1"]),
         force("submerged_buoyancy", "buoyancy with the Froude-Krylov force of the waves"),
         force("submerged_drag", "drag of the water on the wet part"),
         force(
             "submerged_inertia",
             "force of the water's acceleration on the added mass, and of its velocity as the body turns; the force of the body's own acceleration is in its inertia",
         ),
-        force("submerged_slamming", "force of the added mass that grows, or by a slamming coefficient"),
+        force("submerged_slamming", "slamming force: of the growing added mass, or by a slamming coefficient"),
         Output::wrench(
             "submerged_force",
             "sum of the loads of water and wind, with the moment about the solid's centre; without the force of the body's own acceleration",
@@ -295,7 +295,7 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
         vector("submerged_added_mass", "added mass along the body's axes", VectorFrame::Body, &["kg"]),
     ];
     if holds_water {
-        let what = "weight of the water inside a lifted object that stands above the sea outside; negative: the sea stands higher";
+        let what = "weight of the water inside a lifted object above the level of the sea outside; negative: the sea is higher";
         all.push(number("entrained_water", "water inside a lifted object", &["kg"]));
         all.push(number("entrained_weight", what, &["N"]));
     }

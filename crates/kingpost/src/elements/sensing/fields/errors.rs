@@ -4,14 +4,14 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{NonNegative, Positive};
 
-/// Failures of a sensor, drawn from the run's seed. While it fails, its outputs keep their last values and its
-/// `sensor_status` is 0; the table of events has the beginning and the end of each.
+/// Random drop-outs of a sensor, from the run's seed. During a drop-out its outputs keep their last values and its
+/// `sensor_status` is 0; the table of events has the beginning and the end of each drop-out.
 #[fields]
 #[derive(Copy)]
 pub struct DropOuts {
-    /// Mean time from the end of one to the next, s; at least the sensor's period.
+    /// Mean time from the end of one drop-out to the next drop-out, s; at least the sensor's period.
     pub mean_interval_s: Positive,
-    /// Mean duration, s; at least the sensor's period.
+    /// Mean duration of a drop-out, s; at least the sensor's period.
     pub mean_duration_s: Positive,
 }
 
