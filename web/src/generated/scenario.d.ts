@@ -2296,7 +2296,7 @@ export type UTankPump = {
   [k: string]: unknown;
 } & {
   /**
-   * Pressure at no flow, Pa.
+   * Pressure at zero flow, Pa.
    */
   pressure_limit_Pa?: number;
   /**
@@ -2308,7 +2308,7 @@ export type UTankPump = {
    */
   pressure_limit_bar?: number;
   /**
-   * Flow at no pressure, m^3/s.
+   * Flow at zero pressure, m^3/s.
    */
   flow_limit_m3_s: number;
 };
@@ -2351,7 +2351,7 @@ export type SubmergedAddedMass = {
    */
   coefficients?: [number, number, number];
   /**
-   * V_R that the coefficients refer to, m^3; without it, the volume of the solid.
+   * V_R: reference volume of the coefficients, m^3; without it, the volume of the solid.
    */
   reference_volume_m3?: number | null;
   /**
@@ -2373,7 +2373,7 @@ export type SubmergedAddedMass = {
    */
   perforation?: number;
   /**
-   * How the added mass grows with immersion; without it, in proportion to the share of the volume under water.
+   * Growth of the added mass with immersion; without it, in proportion to the share of the volume under water.
    */
   growth?: SubmergedGrowth | null;
 };
@@ -2389,7 +2389,7 @@ export type SubmergedDrag = {
    */
   coefficients?: [number, number, number];
   /**
-   * A_p across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+   * A_p: reference areas of the coefficients across x, y and z, m^2; without them, the solid's projected areas.
    *
    * @minItems 3
    * @maxItems 3
@@ -3897,7 +3897,7 @@ export type SwingFilter = {
    */
   rate_noise_deg_s?: number;
   /**
-   * Standard deviation of the swing, rad: the smaller, the more the vertical counts against the gyroscopes.
+   * Standard deviation of the swing, rad: a smaller value gives the vertical more weight relative to the gyroscopes.
    */
   swing_rad?: number;
   /**
@@ -3905,7 +3905,7 @@ export type SwingFilter = {
    */
   swing_deg?: number;
   /**
-   * Middle period of the swing, s: half or twice that does little harm.
+   * Peak period of the swing, s: an error by a factor of two has little effect.
    */
   swing_period_s?: number;
 };
@@ -4762,7 +4762,7 @@ export interface QuadraticDamping {
  * The free surface of a liquid in a box whose sides are along the body's axes. The body's `mass_kg`,
  * `centre_of_mass_m` and inertia must contain the liquid, as if it were frozen with the body upright. This force adds
  * the effect of the liquid's shift. The surface is taken as always level, so the liquid's natural period must be well
- * below those of the body in roll and pitch.
+ * below the natural periods of the body in roll and pitch.
  */
 export interface SlackTank {
   /**
@@ -4803,8 +4803,8 @@ export interface SlackTank {
 }
 /**
  * Two columns of liquid at the sides of a ship and a duct between them, all of rectangular sections. The liquid is a
- * body of its own, with the tank's name, whose flow is a degree of freedom: the body that carries the tank must not
- * contain its mass.
+ * separate body with the tank's name, and its flow is a degree of freedom: the mass of the carrying body must not
+ * contain the liquid.
  */
 export interface UTank {
   /**
@@ -4816,7 +4816,7 @@ export interface UTank {
    */
   body: string;
   /**
-   * Middle of the duct in the body's drawing frame, m. The columns stand to port and to starboard of it.
+   * Middle of the duct in the body's drawing frame, m. The columns are to port and to starboard of it.
    *
    * @minItems 3
    * @maxItems 3
@@ -4859,11 +4859,12 @@ export interface UTank {
    */
   damping_ratio?: number;
   /**
-   * Pressure lost in bends and valve over the dynamic pressure in the duct, rho u^2 / 2.
+   * Pressure loss in bends and valve over the dynamic pressure in the duct, rho u^2 / 2.
    */
   loss_coefficient?: number;
   /**
-   * Level in the port column above `level_m` at the start, m; to starboard it is as much below.
+   * Level in the port column above `level_m` at the start, m; the starboard level is below `level_m` by the same
+   * amount.
    */
   initial_rise_m?: number;
   /**
@@ -4971,12 +4972,13 @@ export interface Submerged {
         sphere: SphereShape;
       };
   /**
-   * V: volume of water that the whole object displaces, m^3, if it is less than the solid's volume, as for a frame.
+   * V: volume of water that the whole object displaces, m^3, if it is less than the solid's volume, for example for
+   * a frame.
    */
   displaced_volume_m3?: number | null;
   added_mass?: SubmergedAddedMass;
   /**
-   * Slamming by a coefficient; without it, by the added mass that grows.
+   * Slamming by a coefficient; without it, slamming by the growth of the added mass.
    */
   slamming?: SubmergedSlamming | null;
   drag?: SubmergedDrag;
@@ -4990,12 +4992,12 @@ export interface Submerged {
   entrained_water?: EntrainedWater | null;
 }
 /**
- * Added mass over immersion: a smooth curve through points over the share of the volume that is under water, which may be
- * given by depths of the upright object.
+ * Added mass over immersion: a smooth curve through points. Immersion is the share of the volume under water, given as
+ * shares or by depths of the upright object.
  */
 export interface SubmergedGrowth {
   /**
-   * Shares of the volume, from 0 to 1, increasing; shares or depths.
+   * Shares of the volume, increasing from 0 to 1; give either shares or depths.
    */
   shares?: number[];
   /**
@@ -5003,27 +5005,28 @@ export interface SubmergedGrowth {
    */
   depths_m?: number[];
   /**
-   * Share of the added mass at each, the first 0.
+   * Share of the added mass at each share or depth, the first 0.
    */
   factors: number[];
 }
 /**
- * Slamming 1/2 rho C_S A_S w^2 against the surface, at the solid's centre, while the surface cuts the solid and its
- * centre sinks through it with the speed w. It replaces the force of the added mass that grows, whose coefficient is 2 / (rho A_S) dA/dh.
+ * Slamming force 1/2 rho C_S A_S w^2 normal to the surface, at the solid's centre, while the surface cuts the solid
+ * and the centre sinks relative to the surface with the speed w. It replaces the force of the growing added mass,
+ * whose coefficient is 2 / (rho A_S) dA/dh.
  */
 export interface SubmergedSlamming {
   /**
-   * C_S; by DNV-RP-N103, sec. 4.3.5, at least 3 for smooth circular cylinders and 5 otherwise, unless tests or theory
-   * give another.
+   * C_S; by DNV-RP-N103, sec. 4.3.5, at least 3 for smooth circular cylinders and 5 otherwise, unless tests or
+   * theory give another value.
    */
   coefficient: number;
   /**
-   * A_S that the coefficient refers to, m^2; without it, the solid's shadow along z.
+   * A_S: reference area of the coefficient, m^2; without it, the solid's projected area along z.
    */
   area_m2?: number | null;
 }
 /**
- * Drag of the wind on the share of the volume that is dry.
+ * Drag of the wind on the dry share of the volume.
  */
 export interface SubmergedWind {
   /**
@@ -5034,7 +5037,7 @@ export interface SubmergedWind {
    */
   coefficients: [number, number, number];
   /**
-   * Areas across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+   * Reference areas of the coefficients across x, y and z, m^2; without them, the solid's projected areas.
    *
    * @minItems 3
    * @maxItems 3
@@ -5047,8 +5050,8 @@ export interface SubmergedWind {
 }
 /**
  * Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes
- * in its floor and open at the top. It enters and drains by Torricelli's law. The object carries the water that stands
- * higher than the sea.
+ * in its floor and open at the top. It enters and drains by Torricelli's law. The object carries the weight of the
+ * water above the level of the sea.
  */
 export interface EntrainedWater {
   /**
@@ -5073,9 +5076,9 @@ export interface EntrainedWater {
   initial_filling?: number | null;
 }
 /**
- * The trailing edge of a fin that swims: the water leaves it with the sideways momentum that the fin gave it, which
- * drives the fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge
- * is along z. The added mass of the fin is that of its `submerged`.
+ * The trailing edge of a swimming fin: the water leaves the edge with sideways momentum from the fin, which drives the
+ * fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge is along
+ * z. The fin's added mass is that of a `submerged` force on its body.
  */
 export interface TrailingEdge {
   /**
@@ -5443,11 +5446,11 @@ export interface WaveFilter {
 }
 /**
  * Springs and dampers in surge, sway and yaw that keep a ship near its position, like soft springs in a wave basin.
- * They have no force in heave and no moment in roll and pitch. They act at the centre of mass of the ship with all
- * that it carries in its initial position, so that they do not excite roll.
+ * They have no force in heave and no moment in roll and pitch. They act at the centre of mass, in the initial
+ * position, of the ship with all that it carries, so that they do not excite roll.
  *
- * Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` where m is that mass (for yaw the moment of inertia) plus
- * the added mass at zero frequency.
+ * Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` where m is the mass of the ship with all that it carries
+ * (for yaw the moment of inertia) plus the added mass at zero frequency.
  */
 export interface SoftHold {
   /**
@@ -5459,8 +5462,8 @@ export interface SoftHold {
    */
   body: string;
   /**
-   * T of surge, sway and yaw, s. At ten times the longest wave period of interest the springs do not change the wave
-   * motions.
+   * T of surge, sway and yaw, s. At ten times the longest wave period of interest, the springs do not affect the
+   * wave-frequency motions.
    *
    * @minItems 3
    * @maxItems 3
@@ -5762,9 +5765,10 @@ export interface AccelerationErrors {
   resolution_m_s2?: number;
 }
 /**
- * Finds how a load or a hook swings from gyroscopes on it, by an error-state Kalman filter which knows that it swings about
- * the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes). A
- * constant inclination fades from its results. It begins as after a long time at rest.
+ * Estimates the swing of a load or a hook from its gyroscopes, by an error-state Kalman filter with a model of the
+ * swing about the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z`
+ * (rad/s, body axes). A constant inclination decays in the estimate. The run starts with the estimate to which the
+ * filter converges at rest.
  */
 export interface SwingEstimator {
   /**
@@ -6517,7 +6521,7 @@ export interface ColumnRange {
   unit?: string | null;
 }
 /**
- * A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
+ * A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".

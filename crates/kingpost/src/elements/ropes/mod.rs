@@ -139,7 +139,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
         ];
         let leads = leads.into_iter().filter(|_| self.path.has_leads());
         let amplification = self.carried_mass.map(|_| {
-            let what = "dynamic amplification factor of a rope: its tension over its tension with the load at rest in air";
+            let what =
+                "dynamic amplification factor of a rope: its tension over its tension with the load at rest in air";
             number("rope_daf", what, &["1"])
         });
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;

@@ -52,7 +52,8 @@ impl<S: Scalar> Rope<S> {
         stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
     }
 
-    /// Sets the mode of a rope that begins to pull: taut, or parted if its damper force exceeds the breaking load.
+    /// Sets the mode of a rope that begins to pull: taut, or parted if its tension, from the damper alone as it comes
+    /// taut, exceeds the breaking load.
     pub(super) fn pull_or_part(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.modes[0] = TAUT;
         if self.inextensible.is_some() {

@@ -7,7 +7,7 @@ use crate::scenario::schema::{Fraction, Name, Positive, yes};
 /// The free surface of a liquid in a box whose sides are along the body's axes. The body's `mass_kg`,
 /// `centre_of_mass_m` and inertia must contain the liquid, as if it were frozen with the body upright. This force adds
 /// the effect of the liquid's shift. The surface is taken as always level, so the liquid's natural period must be well
-/// below those of the body in roll and pitch.
+/// below the natural periods of the body in roll and pitch.
 #[fields]
 pub struct SlackTank<S = f64> {
     /// Whether the surface is free; if not, the liquid stays as if it were frozen.

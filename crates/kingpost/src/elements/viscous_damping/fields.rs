@@ -4,15 +4,15 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{Name, NonNegative, yes};
 
-/// Reference against which the velocity is measured where the sea has a current.
+/// Reference against which the velocity is measured in a sea with a current.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum DampedAgainst {
     /// The water at its surface: for friction and eddies of the hull.
     #[default]
     Water,
-    /// The earth: for the damping of a moored ship by chains on the seabed and by slow drift in waves. A current exerts
-    /// no force through it.
+    /// The earth: for the damping of a moored ship by chains on the seabed and by slow drift in waves. This damping
+    /// transfers no force from a current.
     Earth,
 }
 
