@@ -524,8 +524,8 @@ export type PrescribedRate = {
   list?: HistoryList | null;
 };
 /**
- * Turning by an angle, from rest to rest: the rate goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
- * ramps it is `angle / (duration_s - ramp_s)`.
+ * A turn by an angle, from rest to rest: the rate rises in `ramp_s`, is constant at `angle / (duration_s - ramp_s)`,
+ * and falls to 0 in `ramp_s`.
  */
 export type AngleTravel = {
   [k: string]: unknown;
@@ -2411,8 +2411,8 @@ export type SubmergedDrag = {
   linear_kN_s_m?: [number, number, number];
 };
 /**
- * A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring when
- * it is longer than its unstretched length.
+ * A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring if
+ * it is longer than its unstretched length, and never pushes.
  */
 export type SpringLine = {
   [k: string]: unknown;
@@ -2436,7 +2436,7 @@ export type SpringLine = {
    */
   axial_stiffness_kN?: number;
   /**
-   * Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never less than 0.
+   * Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never negative.
    */
   dissipation_s_per_m?: number;
 };
@@ -2480,7 +2480,7 @@ export type CatenaryLine = {
    */
   axial_stiffness_kN?: number;
   /**
-   * Whether the line can lie on a flat seabed at the anchor's depth. Without it the line hangs freely.
+   * Whether the line can lie on a flat seabed at the anchor's depth; if not, the line hangs freely.
    */
   seabed?: boolean;
 };
@@ -2878,7 +2878,7 @@ export type StationTarget = {
    */
   y_m?: number;
   /**
-   * From the world's x axis, counter-clockwise, rad.
+   * Heading from the world's x axis, counter-clockwise, rad.
    */
   heading_rad?: number;
   /**
@@ -2887,13 +2887,13 @@ export type StationTarget = {
   heading_deg?: number;
 };
 /**
- * Along the ship.
+ * Tuning of surge, along the ship.
  */
 export type TranslationTuning = {
   [k: string]: unknown;
 } & {
   /**
-   * Mass with the low-frequency added mass, kg.
+   * Mass of the ship plus its low-frequency added mass, kg.
    */
   mass_kg?: number;
   /**
@@ -2914,13 +2914,13 @@ export type TranslationTuning = {
   integral_time_s?: number | null;
 };
 /**
- * Athwartships.
+ * Tuning of sway, athwartships.
  */
 export type TranslationTuning1 = {
   [k: string]: unknown;
 } & {
   /**
-   * Mass with the low-frequency added mass, kg.
+   * Mass of the ship plus its low-frequency added mass, kg.
    */
   mass_kg?: number;
   /**
@@ -2941,13 +2941,13 @@ export type TranslationTuning1 = {
   integral_time_s?: number | null;
 };
 /**
- * About the vertical.
+ * Tuning of yaw, about the vertical.
  */
 export type RotationTuning = {
   [k: string]: unknown;
 } & {
   /**
-   * Moment of inertia about the vertical with the added one, kg m^2.
+   * Moment of inertia about the vertical, added moment of inertia included, kg m^2.
    */
   inertia_kg_m2?: number;
   /**
@@ -3176,7 +3176,7 @@ export type AzimuthThruster = {
   weight?: number;
 };
 /**
- * A place and a heading.
+ * A position and a heading.
  */
 export type StationTarget1 = {
   /**
@@ -3188,7 +3188,7 @@ export type StationTarget1 = {
    */
   y_m?: number;
   /**
-   * From the world's x axis, counter-clockwise, rad.
+   * Heading from the world's x axis, counter-clockwise, rad.
    */
   heading_rad?: number;
   /**
@@ -3391,7 +3391,7 @@ export type LinearServo = {
   force_limit_kN?: number;
 };
 /**
- * A drive that turns an axis to follow a set-point within limits: a winch, a slewing gear.
+ * A drive that turns an axis to follow a set-point within limits, such as a winch or a slewing gear.
  */
 export type ControlledDrive = {
   [k: string]: unknown;
@@ -3675,7 +3675,7 @@ export type LinearBrake = {
 };
 /**
  * A hydraulic cylinder between two pins: a force `stiffness (target length - length) - damping rate` along the line
- * between them, limited to what it can push and pull. The target length changes no faster than the speed limit.
+ * between them, within the push and pull limits. The target length changes no faster than the speed limit.
  */
 export type Cylinder = {
   [k: string]: unknown;
@@ -3687,11 +3687,11 @@ export type Cylinder = {
   first: Pin3;
   second: Pin4;
   /**
-   * Length between the pins when fully retracted, m: there a stop limits it.
+   * Length between the pins when fully retracted, m, limited by a stop.
    */
   shortest_m: number;
   /**
-   * Length between the pins when fully extended, m: there a stop limits it.
+   * Length between the pins when fully extended, m, limited by a stop.
    */
   longest_m: number;
   /**
@@ -3791,8 +3791,8 @@ export type Sensor =
  */
 export type AngleErrors = {
   /**
-   * Standard deviation of its white noise in a sample, rad: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, rad: the noise density, rad/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_rad?: number;
   /**
@@ -3808,7 +3808,7 @@ export type AngleErrors = {
    */
   bias_deg?: number;
   /**
-   * Smallest step, rad; 0 is none. Derivatives do not go through it.
+   * Resolution, rad; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_rad?: number;
   /**
@@ -3821,8 +3821,8 @@ export type AngleErrors = {
  */
 export type RateErrors = {
   /**
-   * Standard deviation of its white noise in a sample, rad/s: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, rad/s: the noise density, rad/s/sqrt(Hz), over the square
+   * root of twice the period.
    */
   noise_rad_s?: number;
   /**
@@ -3838,7 +3838,7 @@ export type RateErrors = {
    */
   bias_deg_s?: number;
   /**
-   * Smallest step, rad/s; 0 is none. Derivatives do not go through it.
+   * Resolution, rad/s; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_rad_s?: number;
   /**
@@ -3914,8 +3914,8 @@ export type SwingFilter = {
  */
 export type ForceErrors = {
   /**
-   * Standard deviation of its white noise in a sample, N: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, N: the noise density, N/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_N?: number;
   /**
@@ -3931,7 +3931,7 @@ export type ForceErrors = {
    */
   bias_kN?: number;
   /**
-   * Smallest step, N; 0 is none. Derivatives do not go through it.
+   * Resolution, N; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_N?: number;
   /**
@@ -4447,7 +4447,8 @@ export interface RatePulse {
  */
 export interface HistoryList {
   /**
-   * Times in increasing order, s. The same time twice is a jump: a motor may have one, a prescribed rate may not.
+   * Times in increasing order, s. A time given twice is a jump, which is allowed for a motor but not for a
+   * prescribed rate.
    */
   time_s: number[];
   /**
@@ -4477,8 +4478,8 @@ export interface PrescribedSpeed {
   list?: HistoryList | null;
 }
 /**
- * Sliding by a length, from rest to rest: the speed goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
- * ramps it is `length / (duration_s - ramp_s)`.
+ * A travel by a length, from rest to rest: the speed rises in `ramp_s`, is constant at `length / (duration_s -
+ * ramp_s)`, and falls to 0 in `ramp_s`.
  */
 export interface LengthTravel {
   /**
@@ -4887,7 +4888,8 @@ export interface FreeFloodingTank {
    */
   body: string;
   /**
-   * Middle of the opening, in the tank's bottom, in the body's drawing frame, m. The tank stands on it.
+   * Middle of the opening in the tank's bottom, in the body's drawing frame, m. The tank extends upwards from this
+   * point.
    *
    * @minItems 3
    * @maxItems 3
@@ -5399,8 +5401,8 @@ export interface DynamicPositioning {
    */
   priority?: "heading" | "none";
   /**
-   * Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
-   * this time constant. Without it sqrt(K_d / K_i), for surge, sway and yaw each.
+   * Anti-windup time constant, s, with which the integrals follow the force and moment of the thrusters while a
+   * thruster is at its limit. Without it, sqrt(K_d / K_i) for surge, sway and yaw each.
    */
   anti_windup_time_s?: number | null;
   /**
@@ -5436,7 +5438,7 @@ export interface WaveFilter {
    */
   notch_damping_ratio?: number;
   /**
-   * Period of the low pass of second order, s; without it there is none.
+   * Cut-off period of the second-order low-pass filter, s; without it, there is no low-pass filter.
    */
   cutoff_period_s?: number | null;
   /**
@@ -5647,8 +5649,8 @@ export interface HeaveFilter {
  */
 export interface LengthErrors {
   /**
-   * Standard deviation of its white noise in a sample, m: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, m: the noise density, m/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_m?: number;
   /**
@@ -5656,7 +5658,7 @@ export interface LengthErrors {
    */
   bias_m?: number;
   /**
-   * Smallest step, m; 0 is none. Derivatives do not go through it.
+   * Resolution, m; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_m?: number;
 }
@@ -5665,8 +5667,8 @@ export interface LengthErrors {
  */
 export interface SpeedErrors {
   /**
-   * Standard deviation of its white noise in a sample, m/s: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, m/s: the noise density, m/s/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_m_s?: number;
   /**
@@ -5674,7 +5676,7 @@ export interface SpeedErrors {
    */
   bias_m_s?: number;
   /**
-   * Smallest step, m/s; 0 is none. Derivatives do not go through it.
+   * Resolution, m/s; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_m_s?: number;
 }
@@ -5751,8 +5753,8 @@ export interface InertialUnit {
  */
 export interface AccelerationErrors {
   /**
-   * Standard deviation of its white noise in a sample, m/s^2: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, m/s^2: the noise density, m/s^2/sqrt(Hz), over the square
+   * root of twice the period.
    */
   noise_m_s2?: number;
   /**
@@ -5760,7 +5762,7 @@ export interface AccelerationErrors {
    */
   bias_m_s2?: number;
   /**
-   * Smallest step, m/s^2; 0 is none. Derivatives do not go through it.
+   * Resolution, m/s^2; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_m_s2?: number;
 }

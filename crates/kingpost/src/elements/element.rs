@@ -18,8 +18,8 @@ use core::fmt::Debug;
 /// | --- | --- |
 /// | a run begins | [`begin`](Self::begin) |
 /// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
-/// | after every step | [`event_indicators`](Self::event_indicators); where one changes sign, [`handle_event`](Self::handle_event) at that time |
-/// | every step begins | [`update_controls`](Self::update_controls), where it steers inputs |
+/// | after every step | [`event_indicators`](Self::event_indicators); if an indicator changes sign, [`handle_event`](Self::handle_event) at that time |
+/// | every step begins | [`update_controls`](Self::update_controls), if it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | its numbers or one of its inputs are changed | [`renew`](Self::renew) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
@@ -226,7 +226,7 @@ pub trait Settling<S: Scalar = f64> {
     fn utilisation(&self, at: &Context<'_, S>) -> S;
 }
 
-/// An element that holds a one-sided constraint while its mode says so: an inextensible rope.
+/// An element that holds a one-sided constraint in some of its modes: an inextensible rope.
 pub trait Holding<S: Scalar = f64> {
     /// Whether it holds, by its modes.
     fn holds(&self, modes: &[i64]) -> bool;

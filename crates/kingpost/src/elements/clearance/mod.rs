@@ -10,7 +10,7 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 
 /// Outputs the distance of a point x from a solid, m: d = |x - c|, with c the nearest point of its surface; negative
-/// inside, where it is the distance to the nearest face. A sphere of radius 0 stands for a second point.
+/// inside, where it is the distance to the nearest face. A second point is a sphere of radius 0.
 #[derive(Clone, Debug)]
 pub struct Clearance<S = f64> {
     /// Name in the results.

@@ -15,7 +15,7 @@ use crate::scenario::schema::{self, LoadShape, Scenario, SurfaceShape};
 use crate::simulation::Setup;
 use crate::spatial::{Vector3, rotation_from_roll_pitch_yaw};
 
-/// Points of one load, at most.
+/// Largest number of points of one load.
 const MOST_POINTS: usize = 64;
 
 /// Smallest restitution: below it the rebound is not visible.

@@ -21,7 +21,7 @@ use crate::scalar::Scalar;
 ///
 /// L_wanted changes no faster than the speed limit and stays within the stroke. There is a stop at both ends of the
 /// stroke ([`hunt_crossley`]). The work of the force is the drive's; the stops store energy and make heat. Barrel and
-/// rod have no mass of their own: add it to the bodies if it matters.
+/// rod have no mass: add their mass to the bodies if it is not negligible.
 #[derive(Clone, Debug)]
 pub struct Cylinder<S = f64> {
     /// Name in the results.
@@ -61,7 +61,7 @@ pub struct Cylinder<S = f64> {
 /// The target of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aim<S = f64> {
-    /// Keeps the length that it has at the start.
+    /// Keeps the length at the start.
     Hold,
     /// Moves to this length, m, from the start on.
     Length(S),

@@ -7,8 +7,8 @@ use crate::spatial::Symmetric3;
 /// Thrusters, and the allocation of a demanded force and moment to them.
 ///
 /// With f all components of thrust (an azimuth has two: the extended thrust), the force along x and y and the moment
-/// about z at the held point are tau = B f. Of all f that give tau, the chosen one minimises the weighted sum of
-/// squared utilisations f^T W f, with w = weight / T_max^2:
+/// about z at the held point are tau = B f. Of all f with B f = tau, the allocation takes the one with the smallest
+/// weighted sum of squared utilisations f^T W f, with w = weight / T_max^2:
 ///
 /// ```text
 /// f = W^-1 B^T (B W^-1 B^T)^-1 tau

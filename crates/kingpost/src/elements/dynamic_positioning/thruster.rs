@@ -14,7 +14,7 @@ use crate::spatial::Vector3;
 pub struct Thruster<S = f64> {
     /// Name.
     pub name: String,
-    /// Position where it acts, from the held point, body axes, m.
+    /// Position of the thrust relative to the held point, body axes, m.
     pub position: Vector3<S>,
     /// Its kind and limits.
     pub kind: ThrusterKind<S>,

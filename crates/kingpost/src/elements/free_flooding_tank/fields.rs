@@ -15,7 +15,8 @@ pub struct FreeFloodingTank<S = f64> {
     pub enabled: bool,
     /// The body that carries the tank.
     pub body: Name,
-    /// Middle of the opening, in the tank's bottom, in the body's drawing frame, m. The tank stands on it.
+    /// Middle of the opening in the tank's bottom, in the body's drawing frame, m. The tank extends upwards from this
+    /// point.
     pub position_m: [S; 3],
     /// Inner length of the tank along the body's x axis, m.
     pub length_m: Positive<S>,

@@ -73,7 +73,8 @@ impl Watcher for HullGap {
         }
     }
 
-    /// Hulls farther apart than the length of the longer one hardly interact.
+    /// Returns a warning if the hulls come nearer than the length of the longer hull: at a larger distance they hardly
+    /// interact.
     fn warnings(&self) -> Vec<Warning> {
         let [(body, own), (other, of_other)] = &self.hulls;
         let near = |[gap, _]: &[f64; 2]| *gap < own.length().max(of_other.length());

@@ -88,7 +88,7 @@ impl<S: Scalar> LowFrequencyFrame<S> {
         Matrix3([[cos, -sin, o], [sin, cos, o], [o, o, i]])
     }
 
-    /// From the hull's average axes to the slow frame's.
+    /// Rotation from the hull's average axes to the slow frame's.
     fn leaning(&self) -> Matrix3<S> {
         let [roll, pitch] = self.lean.map(|angle| angle.sin_cos().into());
         RollAndPitch { roll, pitch }.rotation()
@@ -137,7 +137,7 @@ impl<S: Scalar> CoefficientFrame<S> {
 /// first-order forces would have a mean moment.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaAxes<S = f64> {
-    /// From the hull's average axes to the slow frame's.
+    /// Rotation from the hull's average axes to the slow frame's.
     leaning: Matrix3<S>,
     turns: RollAndPitch<S>,
     /// Matrix from angular velocity in body axes to rates of roll, pitch and yaw, and the inverse.

@@ -106,7 +106,7 @@ mod tests {
         LowFrequencyFrame { position: [motion, 0.0], heading: motion, lean: [motion, 0.0] }
     }
 
-    /// The states after one RK4 step of a given motion.
+    /// Returns the states after one RK4 step of a given motion.
     fn stepped(filter: &SlowFilter, start_s: f64, step_s: f64, motion: &dyn Fn(f64) -> f64) -> SlowFilter {
         let rates = |states: &SlowFilter, time_s: f64| states.rates(&place(motion(time_s)), CUTOFF_RAD_S);
         let moved = |by: f64, rates: &SlowFilter| {
@@ -125,7 +125,7 @@ mod tests {
         moved(step_s, &mean)
     }
 
-    /// The slow frame's x and heading after each step, both following the given motion.
+    /// Returns the slow frame's x and heading after each step, for a hull whose x and heading follow the given motion.
     fn filtered(steps: usize, motion: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
         let mut filter = SlowFilter::steady(&place(motion(0.0)), [0.0; 2], CUTOFF_RAD_S);
         let after = |k: usize| {

@@ -20,7 +20,7 @@ pub struct SignalErrors<S = f64> {
     pub noise: S,
     /// b.
     pub bias: S,
-    /// q; 0 is none.
+    /// q; 0 for no resolution.
     pub resolution: f64,
 }
 

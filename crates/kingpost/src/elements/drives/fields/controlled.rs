@@ -5,7 +5,7 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{CoordinateName, Positive, yes};
 
-/// A drive that turns an axis to follow a set-point within limits: a winch, a slewing gear.
+/// A drive that turns an axis to follow a set-point within limits, such as a winch or a slewing gear.
 #[fields]
 pub struct ControlledDrive<S = f64> {
     /// Whether the element acts.

@@ -6,7 +6,7 @@ use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Name, NonNegative, Positive, yes};
 
 /// A hydraulic cylinder between two pins: a force `stiffness (target length - length) - damping rate` along the line
-/// between them, limited to what it can push and pull. The target length changes no faster than the speed limit.
+/// between them, within the push and pull limits. The target length changes no faster than the speed limit.
 #[fields]
 pub struct Cylinder<S = f64> {
     /// Whether the element acts.
@@ -16,9 +16,9 @@ pub struct Cylinder<S = f64> {
     pub first: Pin<S>,
     /// Pin on the other.
     pub second: Pin<S>,
-    /// Length between the pins when fully retracted, m: there a stop limits it.
+    /// Length between the pins when fully retracted, m, limited by a stop.
     pub shortest_m: Positive<S>,
-    /// Length between the pins when fully extended, m: there a stop limits it.
+    /// Length between the pins when fully extended, m, limited by a stop.
     pub longest_m: Positive<S>,
     /// The target length.
     #[serde(default)]
@@ -65,10 +65,10 @@ pub struct Pin<S = f64> {
 #[fields]
 #[derive(Copy, Default)]
 pub enum CylinderTarget<S = f64> {
-    /// Keeps the length that it has at the start.
+    /// Keeps the length at the start.
     #[default]
     Hold,
-    /// Goes to this length, from the start on.
+    /// Moves to this length, from the start on.
     Length(TargetLength<S>),
     /// Moves at the rate of the speed limit times an input in [-1, 1] with the drive's name.
     Lever,

@@ -23,7 +23,8 @@ pub enum History {
 /// last.
 #[fields]
 pub struct HistoryList<S = f64> {
-    /// Times in increasing order, s. The same time twice is a jump: a motor may have one, a prescribed rate may not.
+    /// Times in increasing order, s. A time given twice is a jump, which is allowed for a motor but not for a
+    /// prescribed rate.
     pub time_s: Vec<NonNegative>,
     /// The share at each time: 1 is full strength, -1 full strength in the other direction.
     pub share: Vec<S>,
@@ -46,8 +47,8 @@ pub struct RatePulse {
     pub reverse_s: NonNegative,
 }
 
-/// Turning by an angle, from rest to rest: the rate goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
-/// ramps it is `angle / (duration_s - ramp_s)`.
+/// A turn by an angle, from rest to rest: the rate rises in `ramp_s`, is constant at `angle / (duration_s - ramp_s)`,
+/// and falls to 0 in `ramp_s`.
 #[fields]
 pub struct AngleTravel<S = f64> {
     /// Angle of the turn, positive about the axis, rad.
@@ -61,8 +62,8 @@ pub struct AngleTravel<S = f64> {
     pub ramp_s: Positive,
 }
 
-/// Sliding by a length, from rest to rest: the speed goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
-/// ramps it is `length / (duration_s - ramp_s)`.
+/// A travel by a length, from rest to rest: the speed rises in `ramp_s`, is constant at `length / (duration_s -
+/// ramp_s)`, and falls to 0 in `ramp_s`.
 #[fields]
 pub struct LengthTravel<S = f64> {
     /// Length of the travel, positive along the axis, m.
