@@ -26,7 +26,7 @@ impl<S: Scalar> Element<S> for Anemometer<S> {
             number("mean_wind_speed", "mean wind speed at its reference height", &["m/s"]),
             number(
                 "wind_direction",
-                "wind direction from where it blows, seen from a ship: 0 from ahead, positive from starboard",
+                "direction from which the wind blows, relative to a ship: 0 from ahead, positive from starboard",
                 &["rad"],
             ),
         ];

@@ -210,7 +210,7 @@ impl Layout {
             let found = input.signal.clone()?;
             let names = signals.iter().map(|signal| signal.name.as_str());
             let allowed = if signals.is_empty() {
-                "none: nothing samples".to_owned()
+                "none: no element samples".to_owned()
             } else {
                 names.collect::<Vec<_>>().join(", ")
             };

@@ -27,7 +27,7 @@ impl Pull {
     fn warning(&self, name: &str, what: &str) -> Option<Warning> {
         let Extreme { value, time_s } = self.least;
         let text = format!(
-            "{what} pushes with {} N, at {} s: a rope would go slack; from there on this run does not represent a load on a rope",
+            "{what} pushes with {} N, at {} s: a rope would go slack; from then on the run does not represent a load on a rope",
             significant(-value, 5),
             significant(time_s, 6)
         );
@@ -81,7 +81,7 @@ impl Watcher for Pendant {
             time_s,
             name: self.joint.clone(),
             text: format!(
-                "{} swings to {:.1} deg from where it hangs, beyond {LARGEST_SWING_DEG} deg first at {} s: a rope would go \
+                "{} swings to {:.1} deg from the hanging position, beyond {LARGEST_SWING_DEG} deg first at {} s: a rope would go \
                  slack; this rod does not",
                 self.body,
                 self.swing.value,

@@ -95,7 +95,7 @@ fn a_path_that_is_none_is_refused_at_its_place() {
         (
             "radius_m: 0.3, axis",
             "radius_m: 3.8, axis",
-            "forces.fall.rope.path.1: found a place 4.0000 m from the one before it, allowed: one farther from it than 4.3000 m",
+            "forces.fall.rope.path.1: found a place 4.0000 m from the place before it, allowed: a distance above 4.3000 m",
         ),
         (
             "radius_m: 0.3, axis",

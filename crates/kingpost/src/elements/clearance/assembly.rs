@@ -122,7 +122,7 @@ fn own<S: Quantity>(
         ("orientation_rad", is_placed(&given.orientation_rad)),
     ] {
         if placed {
-            let allowed = "none: the own shape of a body is centred on its centre of mass";
+            let allowed = "none: a body's own shape is centred on its centre of mass";
             return Err(FieldError::new(format!("{field}.{name}"), "a place", allowed));
         }
     }

@@ -148,8 +148,8 @@ impl<S: Copy> Estimate<S> {
 pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut ElementState<'_, S>) -> Vec<String> {
     let was_out = core::mem::replace(&mut own.modes[out], i64::from(!delivers)) == 1;
     match (was_out, delivers) {
-        (false, false) => vec!["goes on without its sensor, which has dropped out".to_owned()],
-        (true, true) => vec!["has its sensor again".to_owned()],
+        (false, false) => vec!["continues without its sensor, which has dropped out".to_owned()],
+        (true, true) => vec!["uses its sensor again".to_owned()],
         _ => Vec::new(),
     }
 }

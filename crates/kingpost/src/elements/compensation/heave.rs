@@ -144,7 +144,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the commands of heave compensation; a run has them")
+        Some("the response leaves out the commands of heave compensation; a run contains them")
     }
 }
 

@@ -109,7 +109,7 @@ impl<S: Scalar> Element<S> for PlatformCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the commands of the platform's compensation; a run has them")
+        Some("the response leaves out the commands of the platform's compensation; a run contains them")
     }
 }
 

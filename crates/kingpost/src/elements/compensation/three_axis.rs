@@ -129,7 +129,7 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the commands of the three-axis compensation; a run has them")
+        Some("the response leaves out the commands of the three-axis compensation; a run contains them")
     }
 }
 

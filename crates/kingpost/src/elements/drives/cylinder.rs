@@ -94,7 +94,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
                 number("cylinder_force", "force of a cylinder, positive when it pushes, stops included", &["N"]),
                 number(
                     "cylinder_effort_utilisation",
-                    "force of a cylinder without its stops, over its limit to push or to pull",
+                    "force of a cylinder without its stops, over its push or pull limit",
                     &["1"],
                 ),
             ],

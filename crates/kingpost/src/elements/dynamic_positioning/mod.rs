@@ -228,12 +228,12 @@ impl<S: Scalar> DynamicPositioning<S> {
             planar("station_demand", demand, VectorFrame::Heading, &PLANAR),
             planar(
                 "station_command",
-                "part of the demand that the thrusters are commanded to give",
+                "part of the demand that is commanded to the thrusters",
                 VectorFrame::Body,
                 &PLANAR,
             ),
             planar("station_force", force, VectorFrame::Body, &PLANAR),
-            of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster its length", &["N"]),
+            of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster the magnitude", &["N"]),
             Output {
                 components: Components::Axis,
                 frame: VectorFrame::Body,

@@ -220,7 +220,7 @@ fn excitation<S: Quantity>(
         return Err(FieldError::new(
             field("wave_drift"),
             found,
-            "false, or a database that kingpost hydro --loading made",
+            "false, or a database made by kingpost hydro --loading",
         ));
     }
     if given.wave_pressure && !database.has_froude_krylov() {
@@ -228,7 +228,7 @@ fn excitation<S: Quantity>(
         return Err(FieldError::new(field("wave_pressure"), found, "false"));
     }
     if given.wave_pressure && given.wave_drift {
-        let found = "true, with wave_pressure, whose mean over the mesh is a part of the same drift";
+        let found = "true, with wave_pressure, whose mean contains a part of the same drift";
         return Err(FieldError::new(field("wave_drift"), found, "one of the two"));
     }
     if given.wave_drift_damping && !given.wave_drift {
@@ -282,7 +282,7 @@ pub(crate) fn check_coverage<S: Quantity>(
     let share = S::constant(100.0) * outside / all;
     let found = format!("frequencies from {lowest} to {highest} rad/s, with {share:.1} % of the waves' energy outside");
     let allowed = format!(
-        "frequencies that leave at most {} % outside: a database of more of them, or a narrower band of the sea's spectrum by \
+        "frequencies that leave at most {} % outside: a database with more frequencies, or a narrower band of the sea's spectrum by \
          realisation.lowest_rad_s and realisation.highest_rad_s",
         100.0 * MOST_UNCOVERED
     );

@@ -83,11 +83,11 @@ impl Watcher for HullGap {
             format!("comes as near as {} m to {other}", significant(gap, 3))
         } else {
             format!(
-                "lies across {other}: the rectangles about their water lines overlap, and nothing keeps the hulls apart"
+                "lies across {other}: the rectangles around their waterlines overlap, and nothing keeps the hulls apart"
             )
         };
         let text = format!(
-            "{how}; each hull has the hydrodynamics of a single hull: neither shelters the other from waves, and the water in the gap between them does not resonate"
+            "{how}; each hull has the hydrodynamics of a single hull: sheltering from waves and resonance of the water in the gap are not modelled"
         );
         vec![Warning { time_s, name: body.clone(), text }]
     }

@@ -78,7 +78,7 @@ impl LinearLimits {
     fn of_deck(&self) -> Option<Warning> {
         self.under_since_s.map(|time_s| {
             let text = format!(
-                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics have no deck; hydrostatics: mesh has",
+                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics do not model the deck; hydrostatics: mesh does",
                 self.under_m,
                 significant(time_s, 6)
             );

@@ -107,7 +107,7 @@ pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
         let up = span.up;
         if line.line.on_seabed && !up.all(|up| up > 0.0) {
             let found = format!("a fairlead that starts {} m below the seabed", -up);
-            let allowed = "one above it (it is flat, at the anchor's depth), or seabed: false";
+            let allowed = "a fairlead above the seabed, which is flat at the anchor's depth, or seabed: false";
             return Err(FieldError::new(format!("forces.{}.catenary_line.fairlead", line.name), found, allowed));
         }
         check_strain(line, &span)?;

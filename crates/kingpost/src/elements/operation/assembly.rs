@@ -63,7 +63,7 @@ impl Reader<'_> {
         step: &schema::OperationStep<S>,
     ) -> Result<OperationStep<S>, FieldError> {
         if step.name.trim().is_empty() {
-            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text: what the step does"));
+            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text that describes the step"));
         }
         let mut moves: Vec<(usize, Vec<Move<S>>)> = Vec::new();
         let mut last_s: f64 = 0.0;
@@ -95,8 +95,7 @@ impl Reader<'_> {
         let names = || self.layout.inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>();
         let Some(place) = self.layout.inputs.iter().position(|input| *input.name == *given.input) else {
             let names = names();
-            let none =
-                || "an input; a drive or a rope has one where it is enabled, a motor with history: lever".to_owned();
+            let none = || "an input: enabled drives and ropes have one, and motors with history: lever".to_owned();
             let allowed = if names.is_empty() { none() } else { one_of_with_hint(&names, &given.input) };
             return Err(FieldError::new(format!("{field}.input"), &given.input, allowed));
         };
@@ -169,6 +168,6 @@ fn check_order<S>(field: &str, before: &[Move<S>], one: &Move<S>) -> Result<(), 
     if one.at_s >= ends_s {
         return Ok(());
     }
-    let allowed = format!("at least {ends_s}, when the move before it of the same input ends");
+    let allowed = format!("at least {ends_s}, the end of the previous move of the same input");
     Err(FieldError::new(format!("{field}.at_s"), one.at_s, allowed))
 }

@@ -195,8 +195,8 @@ pub fn long_enough<S: Quantity>(field: String, found: Positive, sampler: &Sample
 
 /// Checks that a filter exists for its assumptions.
 pub fn exists(field: String, is_finite: bool) -> Result<(), FieldError> {
-    let allowed = "noises and motions from which gains of finite size follow";
-    if is_finite { Ok(()) } else { Err(FieldError::new(field, "numbers too far apart", allowed)) }
+    let allowed = "noise and motion with finite filter gains";
+    if is_finite { Ok(()) } else { Err(FieldError::new(field, "numbers whose magnitudes differ too much", allowed)) }
 }
 
 fn of_force<S: Quantity>(given: &schema::ForceErrors<S>) -> SignalErrors<S> {

@@ -56,8 +56,7 @@ fn check<S: Quantity>(scenario: &Scenario<S>, given: &schema::SoftHold<S>, field
     let joint = &scenario.bodies[&given.body].joint;
     if !matches!(joint, Joint::Floating(_)) {
         let found = format!("{}, whose joint is {}", given.body, joint.kind());
-        let allowed =
-            "a body with a floating joint: no force moves a prescribed body, and other joints already hold theirs";
+        let allowed = "a body with a floating joint: no force moves a prescribed body, and other joints already hold their bodies";
         return Err(FieldError::new(format!("{field}.body"), found, allowed));
     }
     let Some(target) = given.target else { return Ok(()) };

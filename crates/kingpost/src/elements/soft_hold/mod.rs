@@ -57,8 +57,7 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let deviation =
-            "surge and sway of a ship on a soft hold from its held position, and its heading relative to the held one";
+        let deviation = "surge and sway deviation of a ship on a soft hold from its held position, and heading relative to the held heading";
         let planar = |variable, description, units| Output {
             components: Components::Planar,
             frame: VectorFrame::Heading,

@@ -196,7 +196,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out wave loads and drag on its submerged part; a run has them")
+        Some("the response leaves out wave loads and drag on its submerged part; a run contains them")
     }
 
     fn supports(&self) -> Vec<Support> {

@@ -85,7 +85,7 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the waves at the trailing edge of a fin; a run has them")
+        Some("the response leaves out the waves at the trailing edge of a fin; a run contains them")
     }
 
     fn supports(&self) -> Vec<Support> {

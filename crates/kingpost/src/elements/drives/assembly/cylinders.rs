@@ -95,7 +95,11 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
             return Err(FieldError::new(field(), found, allowed));
         }
         if matches!(cylinder.aim, Aim::Length(_)) && cylinder.arrival_s.is_none() {
-            return Err(FieldError::new(field(), "a target reached at different times", "one"));
+            return Err(FieldError::new(
+                field(),
+                "a target length that lanes reach at different times",
+                "the same time in all lanes",
+            ));
         }
     }
     Ok(())

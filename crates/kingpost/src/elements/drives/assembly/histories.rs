@@ -140,10 +140,10 @@ fn check_no_jump<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<(), 
 }
 
 fn no_pulse(field: &str) -> FieldError {
-    let allowed = "rise_s, hold_s and perhaps start_s and reverse_s, for a history that is a pulse";
+    let allowed = "rise_s and hold_s, and optionally start_s and reverse_s, for the history pulse";
     FieldError::new(format!("{field}.pulse"), "nothing", allowed)
 }
 
 fn no_list(field: &str) -> FieldError {
-    FieldError::new(format!("{field}.list"), "nothing", "time_s and share, for a history that is a list")
+    FieldError::new(format!("{field}.list"), "nothing", "time_s and share, for the history list")
 }

@@ -36,14 +36,14 @@ fn build<S: Quantity>(
     check_gains(given, &field)?;
     let position = Vector3(given.position_m);
     let thrusters = thrusters(given, position);
-    let found = if thrusters.is_empty() { "none that runs".to_owned() } else { String::new() };
+    let found = if thrusters.is_empty() { "no enabled thruster".to_owned() } else { String::new() };
     let heading_first = given.priority == ThrustPriority::Heading;
     let allocation = Allocation::new(thrusters, heading_first).map_err(|error| {
         let found = if found.is_empty() { format!("thrusters that give {}", error.0) } else { found };
         FieldError::new(
             format!("{field}.thrusters"),
             found,
-            "enabled thrusters that give surge, sway and yaw independently: two transverse ones at different places along the ship, and one along the ship",
+            "enabled thrusters that give surge, sway and yaw independently: two transverse thrusters at different positions along the ship, and one longitudinal thruster",
         )
     })?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
@@ -195,7 +195,7 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
             RootGrowth::None => continue,
             RootGrowth::Of(root) => (
                 format!(
-                    "{} s, with which {delays} make an oscillation of {:.1} s grow",
+                    "{} s, with which {delays} cause a growing oscillation of {:.1} s",
                     tuning.period_s,
                     TAU / root.im.abs()
                 ),

@@ -77,16 +77,17 @@ fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Resul
         return Ok(());
     }
     let (field, found) = (format!("{of}.unstretched_length_m"), format!("{} m", rope.unstretched_length));
-    let allowed =
-        format!("at least {length} m, its path, for a rope that does not stretch; without this field, its path");
+    let allowed = format!(
+        "at least {length} m, the length of its path, for a rope that does not stretch; without this field, that length"
+    );
     Err(FieldError::new(field, found, allowed))
 }
 
 /// Checks that no two stations of the path overlap, and that a drum's axis is not along the rope.
 fn check_apart<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     if let Some((leg, [distance, radii])) = path.overlap(at) {
-        let found = format!("a place {distance:.4} m from the one before it");
-        let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
+        let found = format!("a place {distance:.4} m from the place before it");
+        let allowed = format!("a distance above {radii:.4} m, the sum of both radii");
         return Err(FieldError::new(format!("{of}.path.{}", leg + 1), found, allowed));
     }
     if path.drum_is_along(at) {

@@ -230,7 +230,7 @@ fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     if let Some(RopeStation::Point(RopePoint { falls, .. })) = path.first()
         && *falls != 1
     {
-        let allowed = "1: falls run from one point to the next, and this is the first";
+        let allowed = "1: falls run to a point from the point before, and this is the first point";
         return Err(FieldError::new(field("path.0.point.falls".to_owned()), falls, allowed));
     }
     for (i, pair) in path.windows(2).enumerate() {
