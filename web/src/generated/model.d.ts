@@ -681,7 +681,7 @@ export interface DrawnLine {
   points: number;
 }
 /**
- * A value that a user or a controller sets from outside, constant over each step.
+ * A value that a user or a controller sets, constant over each step.
  */
 export interface Input {
   /**

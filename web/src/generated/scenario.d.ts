@@ -2149,7 +2149,7 @@ export type Force =
       soft_hold: SoftHold;
     };
 /**
- * A force and a moment against a body's velocity and angular velocity, each in body axes.
+ * Linear damping: a force against a body's velocity and a moment against its angular velocity, in body axes.
  */
 export type ViscousDamping = {
   /**
@@ -2202,7 +2202,7 @@ export type ViscousDamping = {
   angular_kN_m_s?: [number, number, number];
   /**
    * A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
-   * x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
+   * x, y, z (m/s) and roll, pitch, yaw rate (rad/s). The matrix must not add energy to any motion.
    *
    * @minItems 6
    * @maxItems 6
@@ -2220,7 +2220,7 @@ export type ViscousDamping = {
 };
 /**
  * The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
- * It does not contain weight: `gravity` acts on every body.
+ * Weight is not included: `gravity` acts on every body.
  */
 export type Hydrodynamics = {
   /**
@@ -2267,8 +2267,8 @@ export type Hydrodynamics = {
   wave_pressure?: boolean;
   /**
    * Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and
-   * sway force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not
-   * together with `wave_pressure`.
+   * sway force, yaw moment. The database's coefficients are valid for the loading condition for which they were
+   * computed. Not together with `wave_pressure`.
    */
   wave_drift?: boolean;
   /**
@@ -2512,7 +2512,7 @@ export type Rope = {
    */
   axial_stiffness_kN?: number | null;
   /**
-   * Stiffness in series with the rope, of the crane's boom and foundation for example, N/m; without it, they are
+   * Stiffness in series with the rope, N/m, such as that of the crane's boom and foundation; without it, they are
    * rigid.
    */
   series_stiffness_N_per_m?: number | null;
@@ -2531,8 +2531,8 @@ export type Rope = {
    */
   mass_kg_per_m?: number | null;
   /**
-   * Diameter of the circle that displaces as much water as the rope, below the still water line, m; without it, the
-   * rope has no buoyancy.
+   * Diameter of the circular section that displaces the same volume of water as the rope, below the still waterline,
+   * m; without it, the rope has no buoyancy.
    */
   diameter_m?: number | null;
   /**
@@ -2592,8 +2592,8 @@ export type LoadChart = {
    */
   radii_m: number[];
   /**
-   * The rated load at each radius, including the gear between rope and load, kg. Linear between radii; constant
-   * below the first and above the last.
+   * Rated load at each radius, kg, including the lifting gear between rope and load. Linear between radii; constant
+   * below the first radius and above the last.
    */
   rated_loads_kg?: number[];
   /**
@@ -2684,7 +2684,7 @@ export type Contact = {
    */
   friction_stiffness_kN_per_m?: number | null;
   /**
-   * Largest penetration, m: a deeper one is an error at the start and a warning during the run.
+   * Largest penetration, m: a deeper penetration is an error at the start and a warning during the run.
    */
   penetration_tolerance_m?: number;
 };
@@ -3142,7 +3142,7 @@ export type MainPropeller = {
   weight?: number;
 };
 /**
- * A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
+ * A propeller that turns about the vertical. Its thrust has two components; the magnitude of the thrust is limited.
  */
 export type AzimuthThruster = {
   [k: string]: unknown;
@@ -3474,7 +3474,7 @@ export type ControlledDrive = {
    */
   damping_kN_m_s_per_rad?: number;
   /**
-   * Time in which its reference reaches a new rate where no limit acts, s. A jerk limit makes it longer.
+   * Time in which its reference reaches a new rate if no limit acts, s. A jerk limit makes this time longer.
    */
   response_time_s?: number;
 };
@@ -3589,7 +3589,7 @@ export type LinearControlledDrive = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Time in which its reference reaches a new speed where no limit acts, s. A jerk limit makes it longer.
+   * Time in which its reference reaches a new speed if no limit acts, s. A jerk limit makes this time longer.
    */
   response_time_s?: number;
 };
@@ -3629,8 +3629,7 @@ export type Brake = {
    */
   torque_kN_m?: number;
   /**
-   * Rate scale over which its torque changes sign smoothly, rad/s. A joint that it holds creeps more slowly than
-   * this.
+   * Smoothing rate over which the torque changes sign, rad/s. A held joint creeps more slowly than this rate.
    */
   smoothing_rad_s?: number;
   /**
@@ -3665,7 +3664,7 @@ export type LinearBrake = {
    */
   force_kN?: number;
   /**
-   * Speed scale over which its force changes sign smoothly, m/s. A joint that it holds creeps more slowly than this.
+   * Smoothing speed over which the force changes sign, m/s. A held joint creeps more slowly than this speed.
    */
   smoothing_m_s?: number;
   /**
@@ -3748,7 +3747,8 @@ export type Cylinder = {
    */
   stop_stiffness_kN_per_m?: number;
   /**
-   * Dissipation of the stops, s/m: at a speed u into a stop its force is 1 + dissipation u times that of its spring.
+   * Dissipation of the stops, s/m: at a speed u into a stop, the stop's force is its spring force times (1 +
+   * dissipation u).
    */
   stop_dissipation_s_per_m?: number;
 };
@@ -4420,8 +4420,8 @@ export interface FloatingJoint {
 }
 /**
  * Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
- * `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back
- * to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
+ * `rise_s`, and 0 from then on. With a `reverse_s`, after the hold: from R to -R in twice `rise_s`, -R for
+ * `reverse_s`, and then back to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
  */
 export interface RatePulse {
   /**
@@ -4775,7 +4775,7 @@ export interface SlackTank {
    */
   body: string;
   /**
-   * Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on it.
+   * Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on this position.
    *
    * @minItems 3
    * @maxItems 3
@@ -4917,8 +4917,8 @@ export interface FreeFloodingTank {
    */
   opening_area_m2: number;
   /**
-   * Length of the opening, m: thickness of the bottom, or length of the pipe to the sea. The water about both ends is
-   * added to it.
+   * Length of the opening, m: thickness of the bottom, or length of the pipe to the sea. End corrections for the
+   * water about both ends are added to it.
    */
   passage_length_m?: number;
   /**
@@ -4942,7 +4942,7 @@ export interface FreeFloodingTank {
 }
 /**
  * The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,
- * slamming, and added mass that grows with immersion. A long or composed body may have several.
+ * slamming, and added mass that grows with immersion. A long or composed body may have several such forces.
  */
 export interface Submerged {
   /**
@@ -5069,7 +5069,8 @@ export interface EntrainedWater {
    */
   hole_area_m2: number;
   /**
-   * C_d: flow through the holes over their area times Torricelli's speed; about 0.6 for sharp edges.
+   * C_d: discharge coefficient, the flow through the holes over the product of their area and Torricelli's speed;
+   * about 0.6 for sharp edges.
    */
   discharge_coefficient?: number;
   /**
@@ -5318,8 +5319,8 @@ export interface WindLoad {
   coefficients: FlowCoefficients;
 }
 /**
- * The current on a body by coefficients of its relative velocity. It damps surge, sway and yaw too: add no other
- * damping for the current.
+ * The current on a body by coefficients of its relative velocity. The load also damps surge, sway and yaw: add no
+ * other damping for the current.
  */
 export interface CurrentLoad {
   /**
@@ -5362,7 +5363,7 @@ export interface CurrentAtDepth {
   depth_m: number;
 }
 /**
- * A controller that holds a point of a ship at a position, and the ship on a heading, with thrusters.
+ * A controller with thrusters that holds a point of a ship at a position, and the ship on a heading.
  */
 export interface DynamicPositioning {
   /**
@@ -5374,7 +5375,7 @@ export interface DynamicPositioning {
    */
   body: string;
   /**
-   * The point that is held, in the body's drawing frame, m. Forces and moments refer to it.
+   * The held point in the body's drawing frame, m. Forces and moments refer to this point.
    *
    * @minItems 3
    * @maxItems 3
@@ -5485,8 +5486,8 @@ export interface SoftHold {
   target?: StationTarget1 | null;
 }
 /**
- * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
- * with a `reverse_s` from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
+ * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on.
+ * With a `reverse_s`, after the hold: from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
  */
 export interface Pulse {
   /**
@@ -6040,8 +6041,8 @@ export interface DriveFunction {
    */
   command: number[];
   /**
-   * The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
-   * the first time and the last after the last.
+   * Period after which the curve repeats, s: all times are within one period. Without it, the first command holds
+   * before the first time, and the last command after the last time.
    */
   period_s?: number | null;
   /**
@@ -6118,8 +6119,8 @@ export interface FeedbackSteer {
 }
 /**
  * Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
- * `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
- * upper (a = 1).
+ * `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input is its command plus the value between lower (at a = -1)
+ * and upper (at a = 1).
  */
 export interface Policy {
   /**
@@ -6149,7 +6150,7 @@ export interface Policy {
  */
 export interface PolicyRead {
   /**
-   * The column of the results, or a state of a drive as the linear analysis names it.
+   * The column of the results, or a state of a drive by its name in the linear analysis.
    */
   column: string;
   /**
@@ -6441,8 +6442,8 @@ export interface Wire {
   to: string;
 }
 /**
- * Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
- * move the inputs that it sets.
+ * Named steps, one after another: each step moves levers and set-points, and lasts until its condition holds. A user
+ * cannot move the inputs that the operation sets.
  */
 export interface Operation {
   /**
@@ -6497,7 +6498,7 @@ export interface InputMove {
    */
   at_s?: number;
   /**
-   * Duration of the move, s, linear from the input's present value; 0 is at once.
+   * Duration of the linear move from the input's present value, s; 0 for a jump.
    */
   in_s?: number;
 }

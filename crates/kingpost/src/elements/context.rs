@@ -14,7 +14,7 @@ pub enum EvaluationMode {
     AtRest,
     /// Rest, with sensors that output exact values without sampling and delay.
     Unsampled,
-    /// Search for an equilibrium: rest, with elements that hold the model in place acting at once and without limits.
+    /// Search for an equilibrium: rest, where elements that hold the model in place act without lag and without limits.
     Settling,
 }
 

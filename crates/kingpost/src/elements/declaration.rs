@@ -63,7 +63,7 @@ impl StateDeclaration {
     }
 }
 
-/// A value that a user or a controller sets from outside, constant over each step.
+/// A value that a user or a controller sets, constant over each step.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Input {

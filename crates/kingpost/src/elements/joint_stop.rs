@@ -13,9 +13,9 @@ pub enum StopSide {
     Upper,
 }
 
-/// A one-sided spring whose damping grows with the depth, so that the force does not jump: at the depth d beyond the
+/// A one-sided spring whose damping grows with the depth, so that the force is continuous: at the depth d beyond the
 /// limit, `F = k d (1 + a d')` towards the travel, never less than 0 (Hunt & Crossley, *J. Appl. Mech.* 42, 1975,
-/// 440-445, with the exponent 1). After an impact at a small speed u the axis leaves at about `u (1 - 2/3 a u)`.
+/// 440-445, with the exponent 1). After an impact at a small speed u the axis rebounds at about `u (1 - 2/3 a u)`.
 #[derive(Clone, Copy, Debug)]
 pub struct JointStop<S = f64> {
     /// Index in q.

@@ -35,8 +35,8 @@ impl Pull {
     }
 }
 
-/// A load that swings freely about a joint above its centre, as on a rope: the joint should pull and the load should
-/// hang.
+/// A load that swings freely about a joint above its centre of mass, as on a rope: the joint must pull and the load
+/// must hang.
 #[derive(Clone, Debug)]
 pub struct Pendant {
     joint: String,

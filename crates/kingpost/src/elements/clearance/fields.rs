@@ -50,7 +50,7 @@ pub struct ClearanceFrom<S = f64> {
 /// The solid from which the clearance is measured.
 #[fields]
 pub enum ClearanceShape<S = f64> {
-    /// The body's own `shape`, centred on its centre of mass; give no position then.
+    /// The body's own `shape`, centred on its centre of mass; a position is then not allowed.
     ElementState,
     /// Everything below an infinite plane: a quay, the seabed.
     Plane(ContactPlane<S>),

@@ -53,9 +53,10 @@ impl<S: Scalar> DrivenChain<S> {
     ///
     /// Damped least squares (Nakamura & Hanafusa, "Inverse kinematic solutions with singularity robustness for robot
     /// manipulator control", *J. Dyn. Sys., Meas., Control* 108, 1986, pp. 163-171; a damping that sets in near the
-    /// singularity: Chiaverini, *IEEE Trans. Robotics Automation* 13, 1997, pp. 398-410). d is `damped_below`; s is near the
-    /// smallest singular value: the product of all over the mean square of all to the power of their number less one. A
-    /// direction then gets at most the share |w| / d of the limits, and none where the joints cannot move it.
+    /// singularity: Chiaverini, *IEEE Trans. Robotics Automation* 13, 1997, pp. 398-410). d is `damped_below`; s
+    /// approximates the smallest of the n singular values: the product of all over their root mean square to the power
+    /// n - 1. A direction then gets at most the share |w| / d of the limits, and 0 if the joints cannot move the point
+    /// in it.
     pub fn rates(&self, rows: &[Vec<S>], wanted: &[S]) -> Vec<S> {
         let (m, n) = (rows.len(), self.joints.len());
         let scaled = |i: usize, j: usize| rows[i][j] * self.joints[j].limit;

@@ -1,4 +1,4 @@
-//! Estimate of a point's motion along one axis by a compensation: measured, or predicted.
+//! Estimate of a point's motion along one axis for a compensation: measured or predicted.
 
 use super::measurement::{Measured, Measurement};
 use super::predictor::FilterBank;
@@ -21,9 +21,10 @@ pub struct Estimator<S = f64> {
 pub struct Prediction<S = f64> {
     /// The bank.
     pub bank: FilterBank,
-    /// Rate at which the measured position corrects the measured velocity, k, 1/s; 0 if both are exact. With the
-    /// measured position x and velocity v, the complementary filter `s (v + k x) / (s + k)` takes v above k and the rate of x
-    /// below, so that neither a bias nor the slow noise of v is integrated (Fossen, 2021, sec. 13.2).
+    /// k, 1/s: rate at which the measured position corrects the measured velocity; 0 if both are exact. With the
+    /// measured position x and velocity v, the complementary filter `s (v + k x) / (s + k)` uses v at frequencies above
+    /// k and the rate of x below k, so that neither a bias nor the slow noise of v is integrated (Fossen, 2021, sec.
+    /// 13.2).
     pub correction: f64,
     /// Weights of the velocity to command to each drive, for the linear and for the angular part of the measured
     /// velocity.

@@ -1,4 +1,5 @@
-//! Compensation in three axes: slewing and luffing hold the crane's tip over a point of the world, the winch the load's height.
+//! Compensation in three axes: slewing and luffing hold the crane's tip over a point of the world, and the winch holds
+//! the load's height.
 
 use super::chain::DrivenChain;
 use super::estimate::{Estimate, Estimator, sensor_changes};

@@ -43,7 +43,7 @@ pub struct Rubbing<S> {
 /// and long enough for steps of 50 ms.
 const TURNING_S: f64 = 0.02;
 
-/// Largest friction, as a share of its limit, with which a spot begins to hold.
+/// Largest friction, as a share of its limit, at which a spot begins to hold.
 pub(super) const RESTS: f64 = 1.0 - 2e-9;
 
 /// Factor on the cosine of the angle between bristle and slip: up to 84 degrees the terms with v act in full; beyond

@@ -33,8 +33,9 @@ use watch::Depth;
 /// A spot at the depth d is pushed out along the normal with `N = k d (1 + a d')`, never less than 0. The energy `k d^2
 /// / 2` is stored, the rest becomes heat ([`hunt_crossley`](crate::elements::hunt_crossley); [`dissipation`] gives a
 /// from a restitution). Along the surface a bristle z holds it with `sigma (z + a d v)` up to mu N; beyond that it
-/// slides with mu N against the motion until the motion reverses ([`Friction`]). Both forces act at one point on both
-/// bodies, so momentum is conserved. N is the gradient of its energy, so lifting and setting down creates no energy.
+/// slides with mu N against the motion until the motion reverses ([`Friction`]). Both forces act at the same point on
+/// both bodies, so momentum is conserved. The elastic part of N is the gradient of the stored energy, so lifting and
+/// setting down create no energy.
 #[derive(Clone, Debug)]
 pub struct Contact<S = f64> {
     /// Name in the results.

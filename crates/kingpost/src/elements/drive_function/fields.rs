@@ -17,8 +17,8 @@ pub struct DriveFunction<S = f64> {
     pub time_s: Vec<NonNegative>,
     /// The command at each time, in the SI unit of the input.
     pub command: Vec<S>,
-    /// The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
-    /// the first time and the last after the last.
+    /// Period after which the curve repeats, s: all times are within one period. Without it, the first command holds
+    /// before the first time, and the last command after the last time.
     pub period_s: Option<Positive>,
     /// Duration of the ramp at the start of a run, s, over which the curve grows from 0 to full size like waves over
     /// the `ramp_s` of the sea; 0: full size at once.

@@ -4,8 +4,8 @@ use crate::dynamics::Loads;
 use crate::elements::{Context, CoulombFriction, Declaration, Element, Input, Support};
 use crate::scalar::Scalar;
 
-/// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released) to 1 (set). Its
-/// power is all heat.
+/// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released) to 1 (set). All of
+/// its power becomes heat.
 #[derive(Clone, Debug)]
 pub struct Brake<S = f64> {
     /// Friction of the fully set brake.

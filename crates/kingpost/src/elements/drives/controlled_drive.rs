@@ -18,10 +18,10 @@ use crate::scalar::Scalar;
 ///
 /// For a speed set-point the target speed is the set-point within +-v_max. For a position set-point x it is `v_t = a T'
 /// (sqrt(1 + 2 |e| / (a T'^2)) - 1)` towards it, with e = x - x_r, T' = 4 T and a = a_max / 2: half of the acceleration
-/// then suffices to stop at x. With a jerk limit T is at least the time in which the acceleration builds up. h is the
-/// effort that holds the joint at rest at the start. While the effort is at its limit the reference moves with the
-/// load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID Control*,
-/// 2006, sec. 3.5).
+/// then suffices to stop at x. With a jerk limit, T is at least the time in which the acceleration reaches its limit. h
+/// is the effort that holds the joint at rest at the start. While the effort is at its limit the reference moves with
+/// the load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID
+/// Control*, 2006, sec. 3.5).
 #[derive(Clone, Debug)]
 pub struct ControlledDrive<S = f64> {
     /// Name in the results.

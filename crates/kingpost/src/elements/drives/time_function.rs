@@ -9,9 +9,10 @@ use crate::scalar::Scalar;
 pub struct Pulse {
     /// When it begins, s.
     pub start_s: f64,
-    /// Time of a ramp between zero and full, s; from full to full reverse takes twice this.
+    /// Duration of a ramp between zero and full strength, s; the ramp from full strength to full reverse takes twice
+    /// this time.
     pub rise_s: f64,
-    /// Time at full, s.
+    /// Time at full strength, s.
     pub hold_s: f64,
     /// Time at full reverse, s; 0 for a pulse that does not reverse.
     pub reverse_s: f64,

@@ -35,7 +35,7 @@ pub struct Gains<S = f64> {
 /// The deviation of a ship from its target.
 #[derive(Clone, Copy, Debug)]
 pub struct Deviation<S = f64> {
-    /// From the ship to the target, along the heading and to port of it, m; the heading error in (-pi, pi], rad.
+    /// Position error from the ship to the target, along the heading and to port, m; heading error in (-pi, pi], rad.
     pub error: Planar<S>,
     /// Velocity along the same axes, m/s, and the rate about the vertical, rad/s.
     pub rate: Planar<S>,

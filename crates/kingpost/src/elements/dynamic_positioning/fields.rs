@@ -6,7 +6,7 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Name, NonNegative, Positive, yes};
 
-/// A controller that holds a point of a ship at a position, and the ship on a heading, with thrusters.
+/// A controller with thrusters that holds a point of a ship at a position, and the ship on a heading.
 #[fields]
 pub struct DynamicPositioning<S = f64> {
     /// Whether the element acts.
@@ -14,7 +14,7 @@ pub struct DynamicPositioning<S = f64> {
     pub enabled: bool,
     /// The ship.
     pub body: Name,
-    /// The point that is held, in the body's drawing frame, m. Forces and moments refer to it.
+    /// The held point in the body's drawing frame, m. Forces and moments refer to this point.
     #[serde(default)]
     pub position_m: [S; 3],
     /// The position and heading to hold.
@@ -213,7 +213,7 @@ pub struct MainPropeller<S = f64> {
     pub weight: Positive<S>,
 }
 
-/// A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
+/// A propeller that turns about the vertical. Its thrust has two components; the magnitude of the thrust is limited.
 #[fields]
 pub struct AzimuthThruster<S = f64> {
     /// Whether the thruster runs.

@@ -173,8 +173,8 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
         self.bias.copy_from_slice(trim);
     }
 
-    /// Transfers the holding force to the integrals; returns how far the ship still is from its target in the motions
-    /// that have integrals, m or rad.
+    /// Transfers the holding force to the integrals; returns the remaining deviation from the target in the motions
+    /// with integrals, m or rad.
     fn take_over(&mut self, at: &Context<'_, S>) -> S {
         let (model, links) = (at.model, at.links);
         let at = self.target.deviation(&self.place, model, links);

@@ -44,8 +44,8 @@ pub struct WindLoad<S = f64> {
     pub coefficients: FlowCoefficients<S>,
 }
 
-/// The current on a body by coefficients of its relative velocity. It damps surge, sway and yaw too: add no other
-/// damping for the current.
+/// The current on a body by coefficients of its relative velocity. The load also damps surge, sway and yaw: add no
+/// other damping for the current.
 #[fields]
 pub struct CurrentLoad<S = f64> {
     /// Whether the element acts.

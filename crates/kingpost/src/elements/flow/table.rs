@@ -35,8 +35,8 @@ impl<S: Scalar> DirectionTable<S> {
     /// flow along the hull.
     ///
     /// # Errors
-    /// Directions that do not increase or exceed one turn, or fewer than three of them; for a symmetric hull, sway or
-    /// yaw other than 0 at 0 or pi.
+    /// Directions that do not increase or that exceed one turn, or fewer than three directions; for a symmetric hull,
+    /// sway or yaw coefficients other than 0 at the directions 0 and pi.
     pub fn new(directions_rad: &[f64], rows: &[[S; 3]], symmetric: bool) -> Result<Self, TableError> {
         check(directions_rad, symmetric)?;
         if symmetric {

@@ -29,8 +29,8 @@ pub struct FreeFloodingTank<S = f64> {
     pub level_m: Positive<S>,
     /// Area of the opening, m^2: at most the area of the bottom.
     pub opening_area_m2: Positive<S>,
-    /// Length of the opening, m: thickness of the bottom, or length of the pipe to the sea. The water about both ends is
-    /// added to it.
+    /// Length of the opening, m: thickness of the bottom, or length of the pipe to the sea. End corrections for the
+    /// water about both ends are added to it.
     #[serde(default)]
     pub passage_length_m: NonNegative<S>,
     /// Linear damping over the critical damping of the water in a ship at rest.

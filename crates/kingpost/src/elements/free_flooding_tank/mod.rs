@@ -19,10 +19,11 @@ use crate::sea::waves::Water;
 use crate::spatial::{Frame, Vector3, Wrench};
 use opening_in_waves::OpeningInWaves;
 
-/// A tank with vertical walls on a hull, with an opening to the sea in its bottom. Its water is a body on a prismatic joint
-/// (see [`FloodedColumn`]) with the mass at rest, on which gravity acts. x is the level above that at rest. (Halse, Aesoy &
-/// Sporsheim, "An active roll reduction system using free flooding tanks controlled by vacuum pumps", *World Maritime
-/// Technology Conference*, 2012; van Slooten, *Mathematical modeling of free-flooding anti-roll tanks*, TU Delft, 2014.)
+/// A tank with vertical walls on a hull, with an opening to the sea in its bottom. Its water is a body on a prismatic
+/// joint (see [`FloodedColumn`]) with the mass at rest, on which gravity acts. x is the rise of the level from rest.
+/// (Halse, Aesoy & Sporsheim, "An active roll reduction system using free flooding tanks controlled by vacuum pumps",
+/// *World Maritime Technology Conference*, 2012; van Slooten, *Mathematical modeling of free-flooding anti-roll tanks*,
+/// TU Delft, 2014.)
 ///
 /// The data of a hull are those of its closed surface, so they contain the pressure of the sea over the opening. By the
 /// momentum balance of the water in the tank, the hull then carries only the weight and the inertia of that water.

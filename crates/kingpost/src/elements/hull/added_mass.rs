@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use crate::sea::database::SixBySix;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
-/// The velocity in the quadratic terms of the added mass, and whether they contain Munk's yaw moment.
+/// Choice of the velocity in the quadratic terms of the added mass, and whether these terms contain Munk's yaw moment.
 ///
 /// With the wave-frequency velocity these terms would be only a part of the second-order force. Alone they would have a
 /// mean as large as the drift force, and would roll a slender ship at the difference frequencies as much as the waves
@@ -30,7 +30,7 @@ pub struct QuadraticTerms {
 pub struct AddedMass<S = f64> {
     /// At infinite frequency: the inertia for fast motions.
     infinite: SpatialInertia<S>,
-    /// At frequency zero: the inertia for slow motions, including the contribution of the memory.
+    /// At frequency zero: the inertia for slow motions, including the contribution of the radiation memory.
     slow: SpatialInertia<S>,
     /// At infinite frequency about the body's centre of mass, in its axes, as in the model.
     pub in_body: SpatialInertia<S>,

@@ -3,9 +3,8 @@
 use crate::scalar::Scalar;
 use core::f64::consts::TAU;
 
-/// Numbers given on a regular grid of directions, as trigonometric polynomials: the interpolation is exact for
-/// functions with at most half as many harmonics as grid points. A ship's transfer functions have about `k L / 2`
-/// harmonics.
+/// Interpolation of values on a regular grid of directions by trigonometric polynomials, exact for functions with at
+/// most half as many harmonics as grid points. A ship's transfer functions have about `k L / 2` harmonics.
 ///
 /// Each of several parts has a value f(beta - psi) for every wave, with the wave's direction beta. It is stored as the
 /// weights of 1, cos psi, sin psi, cos 2 psi, ..., so that all waves share the harmonics of one heading psi, and a loop

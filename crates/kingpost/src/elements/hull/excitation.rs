@@ -11,8 +11,8 @@ use crate::sea::waves::{WaveField, wave_number};
 /// slow frame, with its position x and heading psi; a contains the ramp of the waves.
 ///
 /// Second-order forces are the mean and slowly varying drift, by Newman's approximation: with D(w, beta) the mean force
-/// in a regular wave of unit amplitude, the force of a pair of waves is taken as the mean of their two D, which turns
-/// the double sum over all pairs into a product,
+/// in a regular wave of unit amplitude, the force of a pair of waves is approximated by the mean of their two values of
+/// D, which turns the double sum over all pairs into a product,
 ///
 /// ```text
 /// F = sum_i sum_j a_i a_j (D_i + D_j) / 2 cos(q_i - q_j) = Re{ (sum D_i a_i e^(i q_i)) (sum a_j e^(-i q_j)) }

@@ -5,7 +5,7 @@ use kingpost_derive::fields;
 use crate::scenario::schema::{DatabasePath, Name, Positive, yes};
 
 /// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
-/// It does not contain weight: `gravity` acts on every body.
+/// Weight is not included: `gravity` acts on every body.
 #[fields]
 pub struct Hydrodynamics<S = f64> {
     /// Whether the element acts.
@@ -37,8 +37,8 @@ pub struct Hydrodynamics<S = f64> {
     #[serde(default)]
     pub wave_pressure: bool,
     /// Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and
-    /// sway force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not
-    /// together with `wave_pressure`.
+    /// sway force, yaw moment. The database's coefficients are valid for the loading condition for which they were
+    /// computed. Not together with `wave_pressure`.
     #[serde(default)]
     pub wave_drift: bool,
     /// Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep

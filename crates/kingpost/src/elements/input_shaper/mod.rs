@@ -24,14 +24,15 @@ use core::f64::consts::{PI, TAU};
 /// leaves no residual swing at T; ZVD leaves none at T and little near T; EI leaves the share V at T and at most about
 /// V in a wider band.
 ///
-/// Inputs are constant over each step h, so an impulse at t = (n + f) h acts as two, after n and n + 1 steps, with
+/// Inputs are constant over each step h, so an impulse at t = (n + f) h is replaced by two, after n and n + 1 steps,
+/// with the shares
 ///
 /// ```text
 /// a = e^(sigma f h) sin(w (1 - f) h) / sin(w h),    b = e^(sigma (f - 1) h) sin(w f h) / sin(w h)
 /// ```
 ///
-/// of its size, w = 2 pi / T, sigma = zeta w / sqrt(1 - zeta^2). Both together excite the swing exactly as the impulse at
-/// t does, so that sampling leaves no swing either.
+/// of its size, where w = 2 pi / T and sigma = zeta w / sqrt(1 - zeta^2). Both together excite exactly the same swing
+/// as the impulse at t, so that sampling causes no residual swing.
 #[derive(Clone, Debug)]
 pub struct InputShaper<S = f64> {
     /// Name in the results, and of its command.

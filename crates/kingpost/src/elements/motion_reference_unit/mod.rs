@@ -12,8 +12,8 @@ use crate::spatial::{Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 /// Measures the motion of a point of a body at every sample, and outputs it with a delay of whole samples.
 ///
 /// Heave is the height of the point relative to the start of the run; with a [`HeaveFilter`], its deviation from a slow
-/// average. The outputs are constant between two samples; until the first delayed value arrives they are those measured
-/// at the start.
+/// average. The outputs are constant between two samples; until the first delayed sample arrives, they have the values
+/// measured at the start.
 #[derive(Clone, Debug)]
 pub struct MotionReferenceUnit<S = f64> {
     /// Name in the results.

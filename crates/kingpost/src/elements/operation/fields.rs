@@ -4,8 +4,8 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{ColumnName, NonNegative, Positive, SignalName, yes};
 
-/// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
-/// move the inputs that it sets.
+/// Named steps, one after another: each step moves levers and set-points, and lasts until its condition holds. A user
+/// cannot move the inputs that the operation sets.
 #[fields]
 pub struct Operation<S = f64> {
     /// Whether the operation runs; if not, the user sets the inputs.
@@ -42,7 +42,7 @@ pub struct InputMove<S = f64> {
     /// When the move begins, s after the start of the step.
     #[serde(default)]
     pub at_s: NonNegative,
-    /// Duration of the move, s, linear from the input's present value; 0 is at once.
+    /// Duration of the linear move from the input's present value, s; 0 for a jump.
     #[serde(default)]
     pub in_s: NonNegative,
 }

@@ -45,7 +45,7 @@ pub struct OperationStep<S = f64> {
 pub struct Move<S = f64> {
     /// When it begins, s after the start of the step.
     pub at_s: f64,
-    /// Its duration, s; 0 is at once.
+    /// Its duration, s; 0 for a jump.
     pub in_s: f64,
     /// The new value, in the input's unit.
     pub to: S,

@@ -6,8 +6,8 @@ use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{ColumnName, Positive, SetsInputs, SignalName, yes};
 
 /// Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
-/// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
-/// upper (a = 1).
+/// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input is its command plus the value between lower (at a = -1)
+/// and upper (at a = 1).
 #[fields]
 pub struct Policy<S = f64> {
     /// Whether the controller acts; if not, its commands pass unchanged.
@@ -27,7 +27,7 @@ pub struct Policy<S = f64> {
 /// An observation of a policy.
 #[fields]
 pub struct PolicyRead<S = f64> {
-    /// The column of the results, or a state of a drive as the linear analysis names it.
+    /// The column of the results, or a state of a drive by its name in the linear analysis.
     pub column: ColumnName,
     /// Columns of the same unit that are added to it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

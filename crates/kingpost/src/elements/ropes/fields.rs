@@ -20,7 +20,7 @@ pub struct Rope<S = f64> {
     pub unstretched_length_m: Option<Positive<S>>,
     /// EA: tension per strain, N; without it, the rope itself does not stretch.
     pub axial_stiffness_n: Option<Positive<S>>,
-    /// Stiffness in series with the rope, of the crane's boom and foundation for example, N/m; without it, they are
+    /// Stiffness in series with the rope, N/m, such as that of the crane's boom and foundation; without it, they are
     /// rigid.
     pub series_stiffness_n_per_m: Option<Positive<S>>,
     /// tau: damping over stiffness, s. At the rate e' of its stretch the rope pulls with k tau e' in addition to k e.
@@ -30,8 +30,8 @@ pub struct Rope<S = f64> {
     /// Mass of the rope, kg/m. The mass acts as weight only, without inertia, and the legs stay straight; without it,
     /// the rope has no weight.
     pub mass_kg_per_m: Option<Positive<S>>,
-    /// Diameter of the circle that displaces as much water as the rope, below the still water line, m; without it, the
-    /// rope has no buoyancy.
+    /// Diameter of the circular section that displaces the same volume of water as the rope, below the still waterline,
+    /// m; without it, the rope has no buoyancy.
     pub diameter_m: Option<Positive<S>>,
     /// Tension at which the rope parts, N; without it, the rope never parts.
     pub breaking_load_n: Option<Positive<S>>,
@@ -59,8 +59,8 @@ pub struct LoadChart<S = f64> {
     pub joint: CoordinateName,
     /// Radii that increase, m: two or more.
     pub radii_m: Vec<f64>,
-    /// The rated load at each radius, including the gear between rope and load, kg. Linear between radii; constant
-    /// below the first and above the last.
+    /// Rated load at each radius, kg, including the lifting gear between rope and load. Linear between radii; constant
+    /// below the first radius and above the last.
     pub rated_loads_kg: Vec<Positive<S>>,
 }
 

@@ -6,11 +6,11 @@
 //! phi = L - l = 0,   T = lambda >= 0
 //! ```
 //!
-//! with a row of J from the forces of a unit tension. It goes slack when T would become negative. When the path is as
-//! long as the rope again it comes taut with an impact, v+ = v - M^-1 J^T (J M^-1 J^T)^-1 J v, after which l' = L': the
-//! energy of the motion along the rope becomes heat, as in a stiff rope whose damper leaves no rebound (Pfeiffer &
-//! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, ch. 8, with a coefficient of restitution of 0). This
-//! is the limit of a rope without compliance.
+//! with a row of J from the forces of a unit tension. The rope goes slack when T would become negative. When the path
+//! is as long as the rope again, the rope comes taut with an impact, v+ = v - M^-1 J^T (J M^-1 J^T)^-1 J v, after which
+//! l' = L': the energy of the motion along the rope becomes heat, as in a stiff rope whose damper leaves no rebound
+//! (Pfeiffer & Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, ch. 8, with a coefficient of restitution
+//! of 0). This is the limit of a rope without compliance.
 
 use super::path::{PlacedStation, Wrap};
 use super::release::is_off;

@@ -29,7 +29,7 @@ use core::f64::consts::FRAC_PI_4;
 pub struct RopeWeight<S = f64> {
     /// kg/m.
     pub mass_per_length: S,
-    /// Diameter of the circle with the section that displaces the rope's water, m.
+    /// Diameter of the circular section that displaces the same volume of water as the rope, m.
     pub diameter: S,
 }
 

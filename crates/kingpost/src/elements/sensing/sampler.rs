@@ -1,4 +1,4 @@
-//! The sampling of a sensor's signals: errors, a delay, and a last value that is held while the sensor drops out.
+//! Sampling of a sensor's signals: errors, a delay, and hold of the last value during a drop-out.
 
 use super::errors::{DropOuts, SensorNoise, SignalErrors};
 use crate::elements::{Context, Crossing, Declaration, Delay, ElementState, EvaluationMode, Event, Output};

@@ -15,7 +15,7 @@ pub struct SlackTank<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on it.
+    /// Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on this position.
     pub position_m: [S; 3],
     /// Inner length along the body's x axis, m.
     pub length_m: Positive<S>,

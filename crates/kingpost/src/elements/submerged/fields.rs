@@ -8,7 +8,7 @@ use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{BoxShape, CylinderShape, Fraction, Name, NonNegative, Positive, SphereShape, yes};
 
 /// The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,
-/// slamming, and added mass that grows with immersion. A long or composed body may have several.
+/// slamming, and added mass that grows with immersion. A long or composed body may have several such forces.
 #[fields]
 pub struct Submerged<S = f64> {
     /// Whether the element acts.
@@ -48,7 +48,8 @@ pub struct EntrainedWater<S = f64> {
     pub height_m: Positive<S>,
     /// A_h: area of the holes, m^2.
     pub hole_area_m2: Positive<S>,
-    /// C_d: flow through the holes over their area times Torricelli's speed; about 0.6 for sharp edges.
+    /// C_d: discharge coefficient, the flow through the holes over the product of their area and Torricelli's speed;
+    /// about 0.6 for sharp edges.
     #[serde(default = "sharp_edges::<S>")]
     pub discharge_coefficient: Fraction<S>,
     /// Share of the volume that is water at the start; without it, the level of the sea.

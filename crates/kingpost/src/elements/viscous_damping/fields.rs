@@ -16,7 +16,7 @@ pub enum DampedAgainst {
     Earth,
 }
 
-/// A force and a moment against a body's velocity and angular velocity, each in body axes.
+/// Linear damping: a force against a body's velocity and a moment against its angular velocity, in body axes.
 #[fields]
 pub struct ViscousDamping<S = f64> {
     /// Whether the element acts.
@@ -37,6 +37,6 @@ pub struct ViscousDamping<S = f64> {
     #[serde(default)]
     pub angular_n_m_s: [NonNegative<S>; 3],
     /// A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
-    /// x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
+    /// x, y, z (m/s) and roll, pitch, yaw rate (rad/s). The matrix must not add energy to any motion.
     pub matrix: Option<Box<[[S; 6]; 6]>>,
 }

@@ -29,7 +29,7 @@ pub struct ControlledDrive<S = f64> {
     pub stiffness_n_m_per_rad: Positive<S>,
     /// Torque per rate error against its reference, N m s/rad.
     pub damping_n_m_s_per_rad: Positive<S>,
-    /// Time in which its reference reaches a new rate where no limit acts, s. A jerk limit makes it longer.
+    /// Time in which its reference reaches a new rate if no limit acts, s. A jerk limit makes this time longer.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }
@@ -97,7 +97,7 @@ pub struct LinearControlledDrive<S = f64> {
     pub stiffness_n_per_m: Positive<S>,
     /// Force per speed error against its reference, N s/m.
     pub damping_n_s_per_m: Positive<S>,
-    /// Time in which its reference reaches a new speed where no limit acts, s. A jerk limit makes it longer.
+    /// Time in which its reference reaches a new speed if no limit acts, s. A jerk limit makes this time longer.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }

@@ -36,7 +36,8 @@ pub struct Cylinder<S = f64> {
     /// Stiffness of the stops at both ends of the stroke, N/m.
     #[serde(default = "stop_stiffness::<S>")]
     pub stop_stiffness_n_per_m: NonNegative<S>,
-    /// Dissipation of the stops, s/m: at a speed u into a stop its force is 1 + dissipation u times that of its spring.
+    /// Dissipation of the stops, s/m: at a speed u into a stop, the stop's force is its spring force times (1 +
+    /// dissipation u).
     #[serde(default = "stop_dissipation::<S>")]
     pub stop_dissipation_s_per_m: NonNegative<S>,
 }

@@ -31,8 +31,8 @@ pub struct HistoryList<S = f64> {
 }
 
 /// Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
-/// `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back
-/// to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
+/// `rise_s`, and 0 from then on. With a `reverse_s`, after the hold: from R to -R in twice `rise_s`, -R for
+/// `reverse_s`, and then back to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
 #[fields]
 pub struct RatePulse {
     /// When it begins, s.

@@ -14,7 +14,7 @@ pub(crate) enum RootGrowth {
     Unknown,
 }
 
-/// Iterations of the search for roots; it needs a few per root if their magnitudes are comparable.
+/// Largest number of iterations of the search for roots, which needs a few per root if their magnitudes are comparable.
 const MOST_ITERATIONS: usize = 1000;
 
 /// One of surge, sway and yaw.

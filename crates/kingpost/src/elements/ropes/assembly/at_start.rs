@@ -15,11 +15,11 @@ const LARGEST_STRAIN: f64 = 0.05;
 /// Largest shortage of an inextensible rope's length relative to its path, m: rounding of a length in a file.
 const SHORT_BY_ROUNDING_M: f64 = 1e-9;
 
-/// The largest wrap angle of a sheave at the start, degrees: beyond it the axis points the wrong way. During the run
-/// the angle may be larger.
+/// Largest wrap angle of a sheave at the start, degrees: a larger angle means that the axis points in the wrong
+/// direction. During the run the angle may be larger.
 const LARGEST_WRAP_DEG: f64 = 200.0;
 
-/// The smallest length of a path, m: it is not exactly 0 when all stations coincide.
+/// Smallest length of a path, m: the computed length is not exactly 0 if all stations coincide.
 const LEAST_LENGTH_M: f64 = 1e-6;
 
 /// Wrap angle below which a rope runs straight past a sheave, degrees.
