@@ -1,12 +1,12 @@
-//! Build of the module: arguments of the linker, and the digest of the engine's sources. Builds of the same sources
-//! give the same numbers, whatever they are built for.
+//! Builds the module: sets the linker's arguments and computes the digest of the engine's sources. Builds of the same
+//! sources compute the same numbers for every target.
 
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
-    // On macOS a module finds Python's symbols in the program that loads it: the linker has to know.
+    // On macOS the linker must allow Python's symbols to be undefined: the program that loads the module provides them.
     pyo3_build_config::add_extension_module_link_args();
     println!("cargo::rustc-env=KINGPOST_SOURCE_DIGEST={}", digest_of_sources()?);
     Ok(())
@@ -22,7 +22,7 @@ fn digest_of_sources() -> io::Result<String> {
         let text = fs::read_to_string(file)?;
         digest.update(file.strip_prefix(&engine).unwrap_or(file).to_string_lossy().replace('\\', "/"));
         digest.update([0]);
-        // A checkout may have other line ends.
+        // A checkout may have CRLF line ends.
         digest.update(text.replace("\r\n", "\n"));
         digest.update([0]);
     }

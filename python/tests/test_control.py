@@ -88,7 +88,7 @@ def test_drop_outs_are_in_the_table_of_events():
     ds = kingpost.run("heave_compensation", SHORT | {field: {"mean_interval_s": 0.5, "mean_duration_s": 0.2}})
     happened = {event["what"] for event in json.loads(ds.attrs["events"])}
     assert "drops out" in happened
-    assert "goes on without its sensor, which has dropped out" in happened
+    assert "continues without its sensor, which has dropped out" in happened
 
 
 def test_in_three_axes_less_than_eight_percent_of_the_motion_is_left_with_ideal_sensors():

@@ -1,4 +1,4 @@
-//! The roles of the kinds of an enum, each answered by the kind's own fields.
+//! Roles of an enum of kinds, implemented by the fields of each kind.
 
 use proc_macro2::TokenStream as Tokens;
 use quote::quote;
@@ -6,7 +6,7 @@ use syn::{Data, DeriveInput};
 
 use crate::naming::snake_case;
 
-/// The assembly of the elements of each kind.
+/// Returns the implementation of `Assemble`: each kind assembles its elements.
 pub fn assembly(item: &DeriveInput) -> Tokens {
     let name = &item.ident;
     let Data::Enum(data) = &item.data else { return Tokens::new() };
@@ -26,7 +26,8 @@ pub fn assembly(item: &DeriveInput) -> Tokens {
     }
 }
 
-/// The inputs that each kind sets, with their fields below the name of the kind.
+/// Returns the implementation of `SetsInputs`: the inputs that each kind sets, with their fields prefixed by the kind's
+/// name.
 pub fn inputs(item: &DeriveInput) -> Tokens {
     let name = &item.ident;
     let Data::Enum(data) = &item.data else { return Tokens::new() };

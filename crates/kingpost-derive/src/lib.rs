@@ -1,7 +1,8 @@
-//! `#[fields]`: the declaration of a type of the scenario file, from which its reader, its writer, its JSON Schema and
-//! its conversion to other scalars come.
+//! `#[fields]`: declares a type of the scenario file and generates its reader, its writer, its JSON Schema and its
+//! conversion to other scalars.
 //!
-//! A type of the file is generic over its continuous numbers, `struct Rope<S = f64>`, or has none, `struct Pulse`.
+//! A type of the file is generic over the scalar of its continuous numbers, `struct Rope<S = f64>`, or has no
+//! continuous numbers, `struct Pulse`.
 
 mod kinds;
 mod naming;
@@ -23,15 +24,16 @@ use naming::{SerdeNames, name_in_files};
 ///
 /// - The type is read from the tree of a file (`FromNode`), which refuses unknown fields, is written to one (`ToValue`), and has a
 ///   JSON Schema (feature `schema`). The variants of an enum are written in snake case.
-/// - A field that is an `Option` may be left out, and is not written where it is `None`; with `#[not_null]` it has a value where
-///   it is written.
-/// - A field with `#[placed(Point)]` or `#[placed(Station)]` is a place in the world, which a part's mounting moves (`PlaceKind`).
-/// - The defaults of other fields are those of serde's attributes.
-/// - A unit at the end of a field's name is written as it is in SI: `force_n` is `force_N` in a file.
+/// - An `Option` field may be omitted, and is not written if it is `None`; with `#[not_null]`, null is refused.
+/// - A field with `#[placed(Point)]` or `#[placed(Station)]` is a place in the world, which the mounting of a part
+///   moves (`PlaceKind`).
+/// - Other fields have the defaults of serde's attributes.
+/// - A unit at the end of a field's name has its SI capitals in a file: `force_n` is `force_N`.
 /// - A type over scalars `S` is converted from plain numbers to other scalars, number by number (`OverScalar`).
 ///
-/// `#[fields(default)]` takes fields that are left out from the type's `Default`; `#[fields(assembled)]`, for an enum of kinds, lets each
-/// kind assemble its elements (`Assemble`), and `sets_inputs` state the inputs that it sets (`SetsInputs`).
+/// `#[fields(default)]` takes omitted fields from the type's `Default`. For an enum of kinds, `#[fields(assembled)]`
+/// lets each kind assemble its elements (`Assemble`), and `#[fields(sets_inputs)]` lets each kind state the inputs that
+/// it sets (`SetsInputs`).
 #[proc_macro_attribute]
 pub fn fields(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let item = parse_macro_input!(item as DeriveInput);
@@ -64,16 +66,19 @@ fn declared(arguments: Tokens, mut item: DeriveInput) -> Result<Tokens> {
     })
 }
 
-/// Checks that a kind has no fields, or those of one type.
+/// Checks that a variant is a unit variant, or a tuple variant with one field.
 fn check_kind(variant: &Variant) -> Result<()> {
     match &variant.fields {
         Fields::Unit => Ok(()),
         Fields::Unnamed(fields) if fields.unnamed.len() == 1 => Ok(()),
-        _ => Err(Error::new_spanned(variant, "a kind without fields, or with the fields of one type: `Rope(Rope<S>)`")),
+        _ => Err(Error::new_spanned(
+            variant,
+            "expected a unit variant or a tuple variant with one field, as `Rope(Rope<S>)`",
+        )),
     }
 }
 
-/// Removes the attributes that only this crate knows, and leaves those of serde to the JSON Schema, which reads them too.
+/// Removes the attributes of this crate, and keeps serde's attributes only for the JSON Schema, which reads them too.
 fn leave_to_schema(item: &mut DeriveInput) {
     let Data::Struct(data) = &mut item.data else { return };
     for field in &mut data.fields {
@@ -85,14 +90,14 @@ fn leave_to_schema(item: &mut DeriveInput) {
     }
 }
 
-/// Arguments of the attribute.
+/// Arguments of `#[fields]`.
 #[derive(Default)]
 struct Arguments {
-    /// The type has a default for each of its fields.
+    /// Whether omitted fields take the values of the type's `Default`.
     default: bool,
-    /// Elements are assembled from each kind.
+    /// Whether each kind assembles its elements.
     assembled: bool,
-    /// Each kind sets inputs.
+    /// Whether each kind states the inputs that it sets.
     sets_inputs: bool,
 }
 
@@ -130,7 +135,7 @@ fn attributes_of(item: &DeriveInput, all_default: bool, over_scalars: bool) -> T
     }
 }
 
-/// Adds to a field what its name and its type say.
+/// Adds the serde attributes that follow from a field's name and type.
 fn declare_field(field: &mut Field, all_default: bool) -> Result<()> {
     let Some(name) = &field.ident else { return Ok(()) };
     let stated = SerdeNames::of(&field.attrs)?;
@@ -156,7 +161,7 @@ fn is_option(kind: &Type) -> bool {
     matches!(kind, Type::Path(kind) if kind.path.segments.last().is_some_and(|last| last.ident == "Option"))
 }
 
-/// Whether the tokens of a type name the scalar.
+/// Whether the tokens of a type contain the scalar's name.
 fn names_scalar(tokens: Tokens, scalar: &Ident) -> bool {
     tokens.into_iter().any(|token| match token {
         proc_macro2::TokenTree::Ident(ident) => ident == *scalar,

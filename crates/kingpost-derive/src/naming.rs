@@ -2,19 +2,19 @@
 
 use syn::{Attribute, ExprPath, Ident, LitStr, Result, Token};
 
-/// Units that are written with capitals, in lower case and as they are written.
+/// Units with capitals: in lower case, and with their capitals.
 const CAPITAL_UNITS: [(&str, &str); 4] = [("n", "N"), ("pa", "Pa"), ("w", "W"), ("hz", "Hz")];
 
-/// Names and conditions that a field's serde attributes give.
+/// Names and conditions from a field's serde attributes.
 #[derive(Default)]
 pub struct SerdeNames {
     /// Its name in a file.
     pub rename: Option<String>,
-    /// The condition under which it is left out of what is written.
+    /// Function that returns whether the field is omitted on writing.
     pub skip_if: Option<ExprPath>,
-    /// Whether it is in no file.
+    /// Whether the field is not part of a file.
     pub absent: bool,
-    /// Whether it has a default, and by which function.
+    /// `Some` if the field has a default, with the function that returns it.
     pub default: Option<Option<ExprPath>>,
 }
 
@@ -40,19 +40,19 @@ impl SerdeNames {
         Ok(found)
     }
 
-    /// Name of the field in a file.
+    /// Returns the name of the field in a file.
     pub fn in_files(&self, ident: &Ident) -> String {
         self.rename.clone().unwrap_or_else(|| ident.to_string())
     }
 }
 
-/// The name of a field in a file: its units with their capitals.
+/// Returns the name of a field in a file, with the capitals of its units.
 pub fn name_in_files(name: &str) -> String {
     let capital = |part| CAPITAL_UNITS.iter().find(|(lower, _)| *lower == part).map_or(part, |(_, unit)| *unit);
     name.split('_').map(capital).collect::<Vec<_>>().join("_")
 }
 
-/// The name of a variant in a file: snake case, by serde's rule.
+/// Returns the name of a variant in a file: snake case, by serde's rule.
 pub fn snake_case(variant: &str) -> String {
     let mut name = String::new();
     for (at, letter) in variant.char_indices() {

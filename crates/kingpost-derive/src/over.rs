@@ -7,7 +7,7 @@ use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Result};
 use crate::names_scalar;
 use crate::naming::{SerdeNames, snake_case};
 
-/// The implementation of `OverScalar` for a type over a scalar `S`.
+/// Returns the implementation of `OverScalar` for a type over a scalar `S`.
 pub fn conversion(item: &DeriveInput) -> Result<Tokens> {
     let name = &item.ident;
     let scalar = item.generics.type_params().next().map(|parameter| &parameter.ident);
@@ -33,7 +33,7 @@ pub fn conversion(item: &DeriveInput) -> Result<Tokens> {
     })
 }
 
-/// The arm of one variant, or of a struct.
+/// Returns the match arm of one variant, or of a struct.
 fn arm(path: &Tokens, fields: &Fields, scalar: &Ident, variant: Option<&str>) -> Result<Tokens> {
     let bound: Vec<Ident> = (0..fields.len()).map(|k| format_ident!("field_{k}")).collect();
     let converted = fields.iter().zip(&bound).map(|(field, bound)| converted(field, bound, scalar, variant));
@@ -49,7 +49,7 @@ fn arm(path: &Tokens, fields: &Fields, scalar: &Ident, variant: Option<&str>) ->
     Ok(quote!(#pattern => #made,))
 }
 
-/// A field, or the fields of a variant, over the other scalar.
+/// Returns a field, or the fields of a variant, converted to the other scalar.
 fn converted(field: &Field, bound: &Ident, scalar: &Ident, variant: Option<&str>) -> Result<Tokens> {
     if !names_scalar(field.ty.to_token_stream(), scalar) {
         return Ok(quote!(#bound.clone()));

@@ -1,4 +1,4 @@
-//! The reading of a type from a node of a file's tree.
+//! Reads a type from a node of a file's tree.
 
 use proc_macro2::TokenStream as Tokens;
 use quote::{format_ident, quote};
@@ -6,7 +6,7 @@ use syn::{Data, DeriveInput, Error, Field, Fields, Ident, Path, Result, Type};
 
 use crate::naming::{SerdeNames, snake_case};
 
-/// The implementation of `FromNode`; fields that are left out are those of the type's `Default` if `all_default`.
+/// Returns the implementation of `FromNode`; if `all_default`, omitted fields have the values of the type's `Default`.
 pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
     let name = &item.ident;
     let scalar = item.generics.type_params().next().map(|parameter| {
@@ -75,7 +75,7 @@ fn texts<'a>(fields: impl Iterator<Item = (String, &'a Type)>, scalar: &Option<T
     }
 }
 
-/// The fields that are places in the world.
+/// Returns the fields that are places in the world.
 fn places(fields: &[Read<'_>]) -> Tokens {
     let placed = fields.iter().filter_map(|field| Some((field.name(), field.placed.as_ref()?)));
     let (names, kinds): (Vec<String>, Vec<&Path>) = placed.unzip();
@@ -108,7 +108,7 @@ fn arm(variant: &Ident, kind: &str, has_fields: bool) -> Tokens {
     }
 }
 
-/// A field as it is read.
+/// A field to read.
 struct Read<'a> {
     ident: &'a Ident,
     of: &'a Type,
@@ -156,7 +156,7 @@ impl Read<'_> {
         self.stated.in_files(self.ident)
     }
 
-    /// The field of the type: its value in the file, or its default.
+    /// Returns the field's value: from the file, or its default.
     fn made(&self, all_default: bool) -> Tokens {
         let Self { ident, slot, stated, .. } = self;
         let name = self.name();

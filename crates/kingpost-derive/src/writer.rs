@@ -1,4 +1,4 @@
-//! The writing of a type to a value of a file.
+//! Writes a type to a value of a file.
 
 use proc_macro2::TokenStream as Tokens;
 use quote::quote;
@@ -6,7 +6,7 @@ use syn::{Data, DataEnum, DataStruct, DeriveInput, Error, Fields, Result};
 
 use crate::naming::{SerdeNames, snake_case};
 
-/// The implementations of `ToValue` and of serde's `Serialize`.
+/// Returns the implementations of `ToValue` and of serde's `Serialize`.
 pub fn writer(item: &DeriveInput) -> Result<Tokens> {
     let name = &item.ident;
     let body = match &item.data {

@@ -7,10 +7,11 @@ use kingpost::batch::{BatchError, Variant, check_count, run_within};
 use kingpost::scenario;
 use pyo3::prelude::*;
 
-/// The rows of each run, the error that ended it or None, and as JSON the channels and each run's warnings and limits.
+/// Rows of each run, the error that ended the run or None, and, as JSON, the channels and each run's warnings and
+/// limits.
 type Runs<'py> = (Vec<Matrix<'py>>, Vec<Option<PyErr>>, String);
 
-/// Whether the processor has AVX2, which a build of this module may be made for.
+/// Whether the processor has AVX2, which a build of this module may require.
 #[pyfunction]
 pub fn has_avx2() -> bool {
     #[cfg(target_arch = "x86_64")]
@@ -19,13 +20,14 @@ pub fn has_avx2() -> bool {
     return false;
 }
 
-/// Raises an error if the models of so many runs take more than these bytes.
+/// Raises an error if the models of this number of runs take more than `most_bytes` of memory.
 #[pyfunction]
 pub fn check_batch(runs: usize, most_bytes: u64) -> PyResult<()> {
     check_count(runs, most_bytes).map_err(errors::input)
 }
 
-/// Runs every variant, a JSON list of lists of `[name, value]`; `most` has the threads that it takes and the bytes that it may record.
+/// Runs all variants, a JSON list of lists of `[name, value]`; `most` holds the number of threads and the largest
+/// number of recorded bytes.
 #[pyfunction]
 #[pyo3(signature = (text, file, files, variants_json, most, progress=None))]
 pub fn batch<'py>(

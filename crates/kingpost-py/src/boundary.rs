@@ -1,4 +1,4 @@
-//! The boundary between Python and the engine: a defect becomes an error, and Ctrl-C is noticed.
+//! The boundary between Python and the engine: a panic becomes an exception, and Ctrl-C interrupts a call.
 
 use crate::errors;
 use pyo3::prelude::*;
@@ -8,7 +8,7 @@ use std::sync::{Mutex, mpsc};
 use std::thread;
 use std::time::Duration;
 
-/// The last defect and its place; threads of a batch pass on neither.
+/// Message and source position of the last panic, stored here because the threads of a batch do not pass them on.
 static DEFECT: Mutex<String> = Mutex::new(String::new());
 
 /// Time between two checks for Ctrl-C while other threads compute.
@@ -23,7 +23,7 @@ pub fn keep_defects() {
     }));
 }
 
-/// The result of a call into the engine; a panic is an error like the others.
+/// Calls the engine and returns the result; a panic becomes an exception.
 pub fn guarded<T>(call: impl FnOnce() -> PyResult<T>) -> PyResult<T> {
     panic::catch_unwind(AssertUnwindSafe(call)).unwrap_or_else(|_| {
         let what = DEFECT.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
@@ -31,11 +31,11 @@ pub fn guarded<T>(call: impl FnOnce() -> PyResult<T>) -> PyResult<T> {
     })
 }
 
-/// Lets Python notice Ctrl-C and reports progress to the callback.
+/// Check for Ctrl-C, with a callback for the progress.
 pub struct Look(pub Option<Py<PyAny>>);
 
 impl Look {
-    /// Only Python's main thread notices Ctrl-C: it must call this.
+    /// Checks for Ctrl-C and reports the progress. Call it from Python's main thread, which alone receives Ctrl-C.
     pub fn now(&self, done: f64) -> PyResult<()> {
         Python::attach(|py| {
             py.check_signals()?;
@@ -45,7 +45,7 @@ impl Look {
 }
 
 /// Runs work on other threads, while the calling thread checks for Ctrl-C and reports progress. The work gets a
-/// function that takes its progress and returns whether to continue.
+/// function to report its progress, which returns whether to continue.
 pub fn watched<T: Send>(
     py: Python<'_>,
     look: &Look,

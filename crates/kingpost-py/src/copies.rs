@@ -34,7 +34,8 @@ impl VectorEnsemble {
 
 #[pymethods]
 impl VectorEnsemble {
-    /// `asked`: names of inputs and of columns, whether limits are watched, and the number of threads.
+    /// Builds a copy for each variant; `asked` holds the names of inputs and of columns, whether limits are checked,
+    /// and the number of threads.
     #[new]
     fn new(
         text: &str,
@@ -54,7 +55,7 @@ impl VectorEnsemble {
         })
     }
 
-    /// Takes steps; writes the columns, and the status: -1 failed, 0 running, 1 + i beyond limit i.
+    /// Takes steps and writes the columns and the status of each copy: -1 failed, 0 running, 1 + i beyond limit i.
     fn advance(
         &self,
         py: Python<'_>,
@@ -77,28 +78,28 @@ impl VectorEnsemble {
         })
     }
 
-    /// Back to the start: a JSON list of `[copy, variant or null]`.
+    /// Restarts the copies of a JSON list of `[copy, variant or null]`.
     fn restart(&self, py: Python<'_>, which_json: &str) -> PyResult<()> {
         let which: Vec<(usize, Option<Variant>)> = serde_json::from_str(which_json).map_err(errors::input)?;
         self.with(|copies, _| py.detach(|| copies.restart(which)).map_err(refused))
     }
 
-    /// Remembers the state of a copy.
+    /// Stores the state of a copy for [`resume`](Self::resume).
     fn mark(&self, copy: usize) -> PyResult<()> {
         self.with(|copies, _| copies.mark(copy).map_err(refused))
     }
 
-    /// Puts all copies in the state that was marked last.
+    /// Sets all copies to the state stored last by [`mark`](Self::mark).
     fn resume(&self) -> PyResult<()> {
         self.with(|copies, _| copies.resume().map_err(refused))
     }
 
-    /// Why a copy failed, or None.
+    /// Returns the error with which a copy failed, or None.
     fn failure(&self, copy: usize) -> PyResult<Option<PyErr>> {
         self.with(|copies, _| Ok(copies.failure(copy).cloned().map(errors::run)))
     }
 
-    /// The time of a copy, s.
+    /// Returns the time of a copy, s.
     fn time_s(&self, copy: usize) -> PyResult<f64> {
         self.with(|copies, _| Ok(copies.time_s(copy)))
     }

@@ -1,4 +1,4 @@
-//! The engine's typed errors as the exceptions of `kingpost.errors`.
+//! Conversion of the engine's typed errors to the exceptions of `kingpost.errors`.
 
 use kingpost::scenario::ScenarioError as EngineScenarioError;
 use kingpost::simulation::RunError as EngineRunError;
@@ -8,12 +8,12 @@ pyo3::import_exception!(kingpost.errors, KingpostError);
 pyo3::import_exception!(kingpost.errors, ScenarioError);
 pyo3::import_exception!(kingpost.errors, RunError);
 
-/// An argument that the engine refuses.
+/// Returns the exception for an argument that the engine refuses.
 pub fn input(error: impl ToString) -> PyErr {
     KingpostError::new_err(error.to_string())
 }
 
-/// A defect of the engine, not of its input.
+/// Returns the exception for a defect of the engine.
 pub fn defect(what: &str) -> PyErr {
     KingpostError::new_err(format!(
         "the engine failed: {what}; this is a defect of Kingpost, please report it with the scenario"
@@ -24,7 +24,7 @@ pub fn scenario(error: EngineScenarioError) -> PyErr {
     variant(&error.clone(), error)
 }
 
-/// An error of a scenario with another message: in a batch it also names the run.
+/// Returns a scenario's error with another message, which in a batch also names the run.
 pub fn variant(message: &dyn ToString, error: EngineScenarioError) -> PyErr {
     let EngineScenarioError { file, line, column, field, found, allowed } = error;
     ScenarioError::new_err((message.to_string(), file, line, column, field, found, allowed))

@@ -1,7 +1,7 @@
-//! The Python module `kingpost._engine`: conversions and exceptions, nothing else.
+//! The Python module `kingpost._engine`: conversions and exceptions only.
 //!
-//! Arrays cross as NumPy arrays, structured text as JSON. The documented interface with labels is the Python package in
-//! `python/kingpost`.
+//! Arrays are passed as NumPy arrays, structured data as JSON. The documented interface with labels is the Python
+//! package in `python/kingpost`.
 
 mod batch;
 mod boundary;
@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use serde_json::Value;
 use std::collections::HashMap;
 
-/// Overrides from Python: a JSON list of `[name, value]`, in order.
+/// Reads overrides from Python: a JSON list of `[name, value]`, in order.
 fn overrides(json: &str) -> PyResult<Vec<(String, Value)>> {
     serde_json::from_str(json).map_err(|error| errors::input(format!("overrides: {error}")))
 }
@@ -23,7 +23,7 @@ fn overrides(json: &str) -> PyResult<Vec<(String, Value)>> {
 /// Texts of the files that a scenario names, by name.
 type Files = HashMap<String, String>;
 
-/// The resolved scenario as JSON.
+/// Returns the resolved scenario as JSON.
 #[pyfunction]
 fn read(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<String> {
     boundary::guarded(|| {
@@ -32,7 +32,7 @@ fn read(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<
     })
 }
 
-/// Names of the files that a scenario needs, as far as the given files show.
+/// Returns the names of the files that a scenario needs, as far as the given files contain them.
 #[pyfunction]
 fn file_names(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Vec<String>> {
     boundary::guarded(|| {
@@ -41,7 +41,7 @@ fn file_names(text: &str, file: &str, overrides_json: &str, files: Files) -> PyR
     })
 }
 
-/// `name=value` as a name and the value in JSON.
+/// Parses `name=value` into the name and the value as JSON.
 #[pyfunction]
 fn parse_assignment(text: &str) -> PyResult<(String, String)> {
     boundary::guarded(|| {
@@ -49,7 +49,7 @@ fn parse_assignment(text: &str) -> PyResult<(String, String)> {
     })
 }
 
-/// A study as JSON with every default written, and as JSON the places of its values.
+/// Returns a study as JSON with all defaults, and the source positions of its values as JSON.
 #[pyfunction]
 fn read_study(text: &str, file: &str) -> PyResult<(String, String)> {
     boundary::guarded(|| {

@@ -8,15 +8,15 @@ use kingpost::scenario::{self, BuiltScenario};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
-/// Rows, the derivatives of the rows along each name, the channels as JSON, and the error that
-/// ended the run or None.
+/// Rows, the derivatives of the rows with respect to each parameter, the channels as JSON, and the error that ended the
+/// run or None.
 type Gradient<'py> = (Matrix<'py>, Vec<Matrix<'py>>, String, Option<PyErr>);
 
-/// A scenario, read and built once. It does not change.
+/// A scenario, read and built once, and immutable.
 #[pyclass(module = "kingpost._engine", frozen)]
 pub struct Scenario(pub Arc<BuiltScenario>);
 
-/// A report as JSON.
+/// Returns a hydrostatic report as JSON.
 pub fn hydrostatics(report: Result<HydrostaticReport, HydrostaticsError>) -> PyResult<String> {
     let report = report.map_err(|error| match error {
         HydrostaticsError::Scenario(error) => errors::scenario(error),
@@ -36,17 +36,17 @@ impl Scenario {
         })
     }
 
-    /// The resolved scenario as JSON.
+    /// Returns the resolved scenario as JSON.
     fn json(&self) -> PyResult<String> {
         boundary::guarded(|| Ok(self.0.scenario().to_json()))
     }
 
-    /// The description of the model as JSON.
+    /// Returns the description of the model as JSON.
     fn model_json(&self, py: Python<'_>) -> PyResult<String> {
         boundary::guarded(|| serde_json::to_string(py.detach(|| self.0.describe())).map_err(errors::input))
     }
 
-    /// How the hulls float at rest with the crane as at the start of a run, as JSON.
+    /// Returns the hydrostatics of the hulls at rest, with the crane in its position at the start of a run, as JSON.
     fn hydrostatics_json(&self, py: Python<'_>) -> PyResult<String> {
         boundary::guarded(|| hydrostatics(py.detach(|| self.0.hydrostatic_report())))
     }

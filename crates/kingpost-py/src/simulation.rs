@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex, TryLockError};
 
 pub type Vector<'py> = Bound<'py, PyArray1<f64>>;
 pub type Matrix<'py> = Bound<'py, PyArray2<f64>>;
-/// A matrix's name, entries, and for rows and columns their labels and their units.
+/// Name and entries of a matrix, with the labels and the units of its rows and columns.
 type Block<'py> = (String, Matrix<'py>, [Vec<String>; 2], [Vec<&'static str>; 2]);
 /// Steps between two checks for Ctrl-C.
 const STEPS_BETWEEN_SIGNALS: usize = 1_000;
@@ -22,12 +22,12 @@ const STEPS_BETWEEN_SIGNALS: usize = 1_000;
 type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, String);
 type Input = (String, String, f64, f64, f64, Option<String>);
 
-/// A row-major matrix as an array of two dimensions.
+/// Returns a row-major matrix as an array of two dimensions.
 pub fn matrix(py: Python<'_>, data: Vec<f64>, rows: usize, columns: usize) -> PyResult<Matrix<'_>> {
     data.into_pyarray(py).reshape([rows, columns])
 }
 
-/// One call at a time: a callback of a run, or another thread, gets an error.
+/// A simulation that allows one call at a time: a call from a run's callback or from another thread raises an error.
 #[pyclass(module = "kingpost._engine", frozen)]
 pub struct Simulation {
     held: Mutex<Held>,
@@ -35,12 +35,12 @@ pub struct Simulation {
 
 struct Held {
     inner: kingpost::Simulation,
-    /// Shared by all simulations of it, until a parameter is set in one.
+    /// The built scenario, shared by all its simulations until a parameter is set in one of them.
     built: Arc<BuiltScenario>,
 }
 
 impl Simulation {
-    /// Runs a call on the simulation. A defect leaves the lock poisoned: the simulation may be inconsistent.
+    /// Runs a call on the simulation. A panic poisons the lock, because the simulation may be inconsistent.
     fn with<T>(&self, call: impl FnOnce(&mut Held) -> PyResult<T>) -> PyResult<T> {
         boundary::guarded(|| {
             let mut held = self.held.try_lock().map_err(|refused| match refused {
@@ -80,8 +80,8 @@ impl Simulation {
         })
     }
 
-    /// Rows recorded from now to the end, and the error that ended the run or None: divergence, Ctrl-C
-    /// or what the progress callback raised.
+    /// Runs to the end and returns the recorded rows, and the error that ended the run or None: divergence, Ctrl-C or
+    /// an exception of the progress callback.
     #[pyo3(signature = (progress=None))]
     fn run<'py>(&self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
         self.with(|held| {
@@ -108,12 +108,12 @@ impl Simulation {
         })
     }
 
-    /// Time, step and the number of evaluations so far.
+    /// Returns the time, the step and the number of evaluations so far.
     fn clock(&self) -> PyResult<(f64, f64, u64)> {
         self.with(|held| Ok((held.inner.time_s(), held.inner.settings().step_s, held.inner.evaluations())))
     }
 
-    /// q, v and s.
+    /// Returns q, v and s.
     fn motion<'py>(&self, py: Python<'py>) -> PyResult<[Vector<'py>; 3]> {
         self.with(|held| {
             let state = held.inner.state();
@@ -162,7 +162,7 @@ impl Simulation {
         })
     }
 
-    /// Names and units.
+    /// Returns the names and units of the coordinates.
     fn coordinates(&self) -> PyResult<Vec<(String, &'static str)>> {
         self.with(|held| Ok(held.inner.coordinates().into_iter().zip(held.inner.coordinate_units()).collect()))
     }
@@ -183,7 +183,7 @@ impl Simulation {
         self.with(|held| matrix(py, held.inner.poses(), held.inner.model().bodies.len(), 7))
     }
 
-    /// The events so far: time, element, what.
+    /// Returns the events so far: time, element and text of each.
     fn events(&self) -> PyResult<Vec<(f64, String, String)>> {
         self.with(|held| {
             let events = held.inner.events().iter();
@@ -191,24 +191,24 @@ impl Simulation {
         })
     }
 
-    /// The warnings of the rows so far: time, name and text of each, as JSON.
+    /// Returns the warnings of the rows so far as JSON: time, name and text of each.
     fn warnings_json(&self) -> PyResult<String> {
         self.with(|held| serde_json::to_string(&held.inner.warnings()).map_err(errors::input))
     }
 
-    /// The state of the limits over the rows so far, as JSON.
+    /// Returns the state of the limits over the rows so far, as JSON.
     fn limits_json(&self) -> PyResult<String> {
         self.with(|held| serde_json::to_string(&held.inner.limits()).map_err(errors::input))
     }
 
-    /// The user's moves so far: time, input, value.
+    /// Returns the user's moves so far: time, input and value of each.
     fn lever_moves(&self) -> PyResult<Vec<(f64, String, f64)>> {
         self.with(|held| {
             Ok(held.inner.lever_moves().into_iter().map(|one| (one.time_s, one.input, one.value)).collect())
         })
     }
 
-    /// The user's moves so far as an operation, as JSON.
+    /// Returns the user's moves so far as an operation, as JSON.
     fn operation_json(&self) -> PyResult<String> {
         self.with(|held| {
             let operation = held.built.scenario().operation_by_hand(&held.inner).map_err(errors::input)?;
@@ -251,7 +251,7 @@ impl Simulation {
         self.with(|held| Ok(held.inner.bias_force().into_pyarray(py)))
     }
 
-    /// The matrices now, with the labels and the units of rows and columns.
+    /// Returns the present matrices of the moving frame method, with the labels and the units of rows and columns.
     fn moving_frame<'py>(&self, py: Python<'py>) -> PyResult<Vec<Block<'py>>> {
         self.with(|held| {
             let blocks = held.inner.moving_frame().named(held.inner.model()).into_iter();
@@ -264,7 +264,7 @@ impl Simulation {
         })
     }
 
-    /// A and B by rows, the rates, and as JSON the names and units of states and inputs.
+    /// Returns A and B by rows, the rates, and, as JSON, the names and units of states and inputs.
     fn linearize<'py>(&self, py: Python<'py>) -> PyResult<Linear<'py>> {
         self.with(|held| {
             let linear = Linearizer::of_built(&held.built).map_err(errors::scenario)?.at(&held.inner);
@@ -276,7 +276,7 @@ impl Simulation {
         })
     }
 
-    /// The oscillations of bodies about the nearest equilibrium, as JSON, as in the browser.
+    /// Returns the natural modes of the bodies about the nearest equilibrium as JSON, in the format of the browser.
     fn natural_modes_json(&self, py: Python<'_>) -> PyResult<String> {
         self.with(|held| {
             let found = py.detach(|| analysis::natural_modes(&held.inner)).map_err(errors::input)?;
@@ -284,7 +284,7 @@ impl Simulation {
         })
     }
 
-    /// Moves to an equilibrium; returns Newton's iterations and the largest remaining acceleration.
+    /// Moves to an equilibrium; returns the number of Newton iterations and the largest remaining acceleration.
     fn settle(&self, py: Python<'_>) -> PyResult<(usize, f64)> {
         self.with(|held| {
             let found = py.detach(|| held.inner.settle()).map_err(errors::input)?;
@@ -292,7 +292,7 @@ impl Simulation {
         })
     }
 
-    /// The matrices as formulas, as JSON; bodies by number or by name.
+    /// Returns the matrices as formulas, as JSON, with bodies by number or by name.
     fn symbols_json(&self, names: bool) -> PyResult<String> {
         self.with(|held| {
             let naming = if names { Naming::Names } else { Naming::Numbers };
@@ -300,7 +300,7 @@ impl Simulation {
         })
     }
 
-    /// The response to regular waves about rest, as JSON; directions and frequencies are given as JSON.
+    /// Returns the response to regular waves about rest, as JSON; `waves_json` holds directions and frequencies.
     fn wave_response_json(&self, py: Python<'_>, waves_json: &str) -> PyResult<String> {
         self.with(|held| {
             let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
@@ -309,7 +309,8 @@ impl Simulation {
         })
     }
 
-    /// The response of columns to waves, and the rest as JSON; asked: waves, columns, whether resonances are refined.
+    /// Returns the response of columns to waves, and its other data as JSON; `asked_json` holds waves, columns, and
+    /// whether resonances are refined.
     fn column_response<'py>(&self, py: Python<'py>, asked_json: &str) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
             let (waves, names, near): (_, Vec<_>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
@@ -320,7 +321,8 @@ impl Simulation {
         })
     }
 
-    /// The energy of wave systems, as JSON; asked: a list of `sea.waves`, frequencies in rad/s, a number of directions.
+    /// Returns the energy of wave systems, as JSON; `asked_json` holds a list of `sea.waves`, frequencies in rad/s, and
+    /// a number of directions.
     fn sea_spectra_json(&self, asked_json: &str) -> PyResult<String> {
         self.with(|held| {
             let (seas, frequencies, directions): (Vec<serde_json::Value>, Vec<f64>, usize) =
@@ -331,7 +333,7 @@ impl Simulation {
         })
     }
 
-    /// How the hulls float at rest with the crane as it stands, as JSON.
+    /// Returns the hydrostatics of the hulls at rest with the crane in its present position, as JSON.
     fn hydrostatics_json(&self, py: Python<'_>) -> PyResult<String> {
         self.with(|held| hydrostatics(py.detach(|| held.built.hydrostatic_report_at(&held.inner))))
     }

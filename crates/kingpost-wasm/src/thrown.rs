@@ -1,4 +1,4 @@
-//! The engine's typed errors as plain objects: `kind` and `message`, and further fields.
+//! Conversion of the engine's typed errors to plain objects: `kind`, `message` and further fields.
 
 use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::ScenarioError;
@@ -6,7 +6,7 @@ use kingpost::simulation::RunError;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
-/// A scenario that cannot be read, with the place of the error.
+/// Returns the error of a scenario that cannot be read, with the place of the error.
 pub fn scenario(error: ScenarioError) -> JsValue {
     object(&json!({
         "kind": "scenario",
@@ -20,7 +20,7 @@ pub fn scenario(error: ScenarioError) -> JsValue {
     }))
 }
 
-/// Hulls that do not float.
+/// Returns the error of hulls that do not float.
 pub fn hydrostatics(error: HydrostaticsError) -> JsValue {
     match error {
         HydrostaticsError::Scenario(error) => scenario(error),
@@ -28,7 +28,7 @@ pub fn hydrostatics(error: HydrostaticsError) -> JsValue {
     }
 }
 
-/// A run that cannot continue.
+/// Returns the error of a run that cannot continue.
 pub fn run(error: RunError) -> JsValue {
     let (message, time_s) = (error.to_string(), error.time_s());
     let kind = match error {
@@ -53,7 +53,7 @@ pub fn run(error: RunError) -> JsValue {
     }))
 }
 
-/// An argument that the engine refuses.
+/// Returns the error for an argument that the engine refuses.
 pub fn input(error: impl ToString) -> JsValue {
     object(&json!({ "kind": "input", "message": error.to_string() }))
 }

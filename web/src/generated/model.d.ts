@@ -681,7 +681,7 @@ export interface DrawnLine {
   points: number;
 }
 /**
- * A value that a user or a controller sets from outside, constant over each step.
+ * A value that a user or a controller sets, constant over each step.
  */
 export interface Input {
   /**
@@ -705,7 +705,8 @@ export interface Input {
    */
   value: number;
   /**
-   * The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` if the user sets it.
+   * The sampled output from which it takes its value, as a flat column (`mru.heave_rate`); `None` if the user sets
+   * it.
    */
   signal: string | null;
 }
@@ -714,7 +715,7 @@ export interface Input {
  */
 export interface Warning {
   /**
-   * The time that it concerns, s.
+   * Time of the warning's cause, s.
    */
   time_s: number;
   /**

@@ -524,14 +524,14 @@ export type PrescribedRate = {
   list?: HistoryList | null;
 };
 /**
- * Turning by an angle, from rest to rest: the rate goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
- * ramps it is `angle / (duration_s - ramp_s)`.
+ * A turn by an angle, from rest to rest: the rate rises in `ramp_s`, is constant at `angle / (duration_s - ramp_s)`,
+ * and falls to 0 in `ramp_s`.
  */
 export type AngleTravel = {
   [k: string]: unknown;
 } & {
   /**
-   * How far it turns, positive about the axis, rad.
+   * Angle of the turn, positive about the axis, rad.
    */
   angle_rad?: number;
   /**
@@ -725,8 +725,9 @@ export type LengthSpring = {
   rest_m?: number;
 };
 /**
- * A cylinder with gas, and the vessels connected to it, which push an axis towards larger extensions: `p V^n` is constant.
- * The axis needs a lower limit at which gas is left. Its outputs are `gas_spring_pressure` (Pa) and `gas_spring_force` (N).
+ * A gas cylinder with its connected vessels, which pushes an axis towards larger extensions: `p V^n` is constant. The
+ * axis needs a lower limit at which the gas volume is above 0. Its outputs are `gas_spring_pressure` (Pa) and
+ * `gas_spring_force` (N).
  */
 export type GasSpring = {
   [k: string]: unknown;
@@ -736,7 +737,7 @@ export type GasSpring = {
    */
   piston_area_m2: number;
   /**
-   * Volume of all the gas, that of connected vessels included, at `at_extension_m`, m^3.
+   * Volume of all the gas, connected vessels included, at `at_extension_m`, m^3.
    */
   gas_volume_m3: number;
   /**
@@ -756,7 +757,7 @@ export type GasSpring = {
    */
   at_extension_m?: number;
   /**
-   * n: 1 for slow changes at constant temperature, 1.4 for fast ones of nitrogen or air without exchange of heat.
+   * n: 1 for slow changes at constant temperature, 1.4 for fast changes of nitrogen or air without exchange of heat.
    */
   polytropic_exponent?: number;
   /**
@@ -2148,7 +2149,7 @@ export type Force =
       soft_hold: SoftHold;
     };
 /**
- * A force and a moment against a body's velocity and angular velocity, each in body axes.
+ * Linear damping: a force against a body's velocity and a moment against its angular velocity, in body axes.
  */
 export type ViscousDamping = {
   /**
@@ -2201,7 +2202,7 @@ export type ViscousDamping = {
   angular_kN_m_s?: [number, number, number];
   /**
    * A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
-   * x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
+   * x, y, z (m/s) and roll, pitch, yaw rate (rad/s). The matrix must not add energy to any motion.
    *
    * @minItems 6
    * @maxItems 6
@@ -2219,7 +2220,7 @@ export type ViscousDamping = {
 };
 /**
  * The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
- * It does not contain weight: `gravity` acts on every body.
+ * Weight is not included: `gravity` acts on every body.
  */
 export type Hydrodynamics = {
   /**
@@ -2231,12 +2232,12 @@ export type Hydrodynamics = {
    */
   body: string;
   /**
-   * File of the hydrodynamic database, beside the scenario's own.
+   * File of the hydrodynamic database, relative to the scenario's file.
    */
   database: string;
   /**
-   * The database's origin in the body's drawing frame, m; the axes are the body's. It lies on the water plane at the
-   * database's draught.
+   * The database's origin in the body's drawing frame, m; the axes are the body's. The origin lies on the waterplane
+   * at the database's draught.
    *
    * @minItems 3
    * @maxItems 3
@@ -2266,8 +2267,8 @@ export type Hydrodynamics = {
   wave_pressure?: boolean;
   /**
    * Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and
-   * sway force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not
-   * together with `wave_pressure`.
+   * sway force, yaw moment. The database's coefficients are valid for the loading condition for which they were
+   * computed. Not together with `wave_pressure`.
    */
   wave_drift?: boolean;
   /**
@@ -2278,8 +2279,8 @@ export type Hydrodynamics = {
   wave_drift_damping?: boolean;
   /**
    * Cut-off of a sixth-order low-pass filter, rad/s. First-order wave loads are computed at the filtered position
-   * and heading. Choose it well below the wave frequencies and above those of the ship's drift, which the filter
-   * follows without lag.
+   * and heading. Choose it well below the wave frequencies and above the frequencies of the ship's slow drift, which
+   * the filter follows without lag.
    */
   slow_motion_cutoff_rad_s?: number;
   /**
@@ -2295,7 +2296,7 @@ export type UTankPump = {
   [k: string]: unknown;
 } & {
   /**
-   * Pressure at no flow, Pa.
+   * Pressure at zero flow, Pa.
    */
   pressure_limit_Pa?: number;
   /**
@@ -2307,7 +2308,7 @@ export type UTankPump = {
    */
   pressure_limit_bar?: number;
   /**
-   * Flow at no pressure, m^3/s.
+   * Flow at zero pressure, m^3/s.
    */
   flow_limit_m3_s: number;
 };
@@ -2318,7 +2319,7 @@ export type AirPump = {
   [k: string]: unknown;
 } & {
   /**
-   * Largest pressure above and below that of the atmosphere, Pa: below 101325.
+   * Largest gauge pressure, positive and negative, Pa: below 101325.
    */
   pressure_limit_Pa?: number;
   /**
@@ -2334,7 +2335,7 @@ export type AirPump = {
    */
   flow_limit_m3_s: number;
   /**
-   * Time of the lag of the pressure behind the command, s.
+   * Time constant of the pressure's lag behind the command, s.
    */
   response_time_s?: number;
 };
@@ -2350,7 +2351,7 @@ export type SubmergedAddedMass = {
    */
   coefficients?: [number, number, number];
   /**
-   * V_R that the coefficients refer to, m^3; without it, the volume of the solid.
+   * V_R: reference volume of the coefficients, m^3; without it, the volume of the solid.
    */
   reference_volume_m3?: number | null;
   /**
@@ -2372,7 +2373,7 @@ export type SubmergedAddedMass = {
    */
   perforation?: number;
   /**
-   * How the added mass grows with immersion; without it, in proportion to the share of the volume under water.
+   * Growth of the added mass with immersion; without it, in proportion to the share of the volume under water.
    */
   growth?: SubmergedGrowth | null;
 };
@@ -2388,7 +2389,7 @@ export type SubmergedDrag = {
    */
   coefficients?: [number, number, number];
   /**
-   * A_p across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+   * A_p: reference areas of the coefficients across x, y and z, m^2; without them, the solid's projected areas.
    *
    * @minItems 3
    * @maxItems 3
@@ -2410,8 +2411,8 @@ export type SubmergedDrag = {
   linear_kN_s_m?: [number, number, number];
 };
 /**
- * A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring when
- * it is longer than its unstretched length.
+ * A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring if
+ * it is longer than its unstretched length, and never pushes.
  */
 export type SpringLine = {
   [k: string]: unknown;
@@ -2435,7 +2436,7 @@ export type SpringLine = {
    */
   axial_stiffness_kN?: number;
   /**
-   * Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never less than 0.
+   * Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never negative.
    */
   dissipation_s_per_m?: number;
 };
@@ -2479,7 +2480,7 @@ export type CatenaryLine = {
    */
   axial_stiffness_kN?: number;
   /**
-   * Whether the line can lie on a flat seabed at the anchor's depth. Without it the line hangs freely.
+   * Whether the line can lie on a flat seabed at the anchor's depth; if not, the line hangs freely.
    */
   seabed?: boolean;
 };
@@ -2494,7 +2495,7 @@ export type Rope = {
    */
   enabled?: boolean;
   /**
-   * The points, sheaves and drum of its path, from its first end to its last: it begins at a point or a drum and
+   * The points, sheaves and drum of its path, from the first end to the last. A path begins at a point or a drum and
    * ends at a point.
    */
   path: RopeStation[];
@@ -2511,7 +2512,7 @@ export type Rope = {
    */
   axial_stiffness_kN?: number | null;
   /**
-   * Stiffness in series with the rope, of the crane's boom and foundation for example, N/m; without it, they are
+   * Stiffness in series with the rope, N/m, such as that of the crane's boom and foundation; without it, they are
    * rigid.
    */
   series_stiffness_N_per_m?: number | null;
@@ -2520,18 +2521,18 @@ export type Rope = {
    */
   series_stiffness_kN_per_m?: number | null;
   /**
-   * Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' in addition to k e. For wire ropes it is 0.01
-   * to 0.02 s.
+   * tau: damping over stiffness, s. At the rate e' of its stretch the rope pulls with k tau e' in addition to k e.
+   * For wire ropes it is 0.01 to 0.02 s.
    */
   damping_time_s?: number;
   /**
-   * Its mass, kg/m. It acts as weight only, without inertia, and the legs stay straight; without it, the rope has no
-   * weight.
+   * Mass of the rope, kg/m. The mass acts as weight only, without inertia, and the legs stay straight; without it,
+   * the rope has no weight.
    */
   mass_kg_per_m?: number | null;
   /**
-   * Diameter of the circle that displaces as much water as the rope, below the still water line, m; without it, the
-   * rope has no buoyancy.
+   * Diameter of the circular section that displaces the same volume of water as the rope, below the still waterline,
+   * m; without it, the rope has no buoyancy.
    */
   diameter_m?: number | null;
   /**
@@ -2544,7 +2545,7 @@ export type Rope = {
   breaking_load_kN?: number | null;
   /**
    * The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
-   * at rest in air.
+   * bodies at rest in air.
    */
   carries?: CarriedByRope[];
   /**
@@ -2552,8 +2553,8 @@ export type Rope = {
    */
   load_chart?: LoadChart | null;
   /**
-   * Whether it can be released: it then has an input in [0, 1] with the rope's name. At 0.5 the load is lost. Below 0.5
-   * the rope is hooked on again, as soon as its path is shorter than the rope.
+   * Whether it can be released, by an input in [0, 1] with the rope's name. At 0.5 the load is released. Below 0.5
+   * the rope is hooked on again as soon as its path is shorter than the rope.
    */
   can_be_released?: boolean;
   /**
@@ -2591,8 +2592,8 @@ export type LoadChart = {
    */
   radii_m: number[];
   /**
-   * The rated load at each radius, including the gear between rope and load, kg. Linear between radii; constant
-   * below the first and above the last.
+   * Rated load at each radius, kg, including the lifting gear between rope and load. Linear between radii; constant
+   * below the first radius and above the last.
    */
   rated_loads_kg?: number[];
   /**
@@ -2601,7 +2602,7 @@ export type LoadChart = {
   rated_loads_t?: number[];
 };
 /**
- * A line with a constant-tension winch: a tugger line or a tag line. The winch stands at its first end.
+ * A line with a constant-tension winch at its first end: a tugger line or a tag line.
  */
 export type TuggerLine = {
   [k: string]: unknown;
@@ -2615,7 +2616,7 @@ export type TuggerLine = {
    */
   path: RopeStation[];
   /**
-   * Its tension at the load while its length stays, N.
+   * Tension at the load while the length is constant, N.
    */
   tension_N?: number;
   /**
@@ -2623,8 +2624,8 @@ export type TuggerLine = {
    */
   tension_kN?: number;
   /**
-   * By how much its tension is higher while it pays out, and lower while it hauls in, per rate of its length, N s/m. It
-   * damps a swing.
+   * Damping that reduces swing, N s/m: increase of the tension per rate of paying out, and decrease per rate of
+   * hauling in.
    */
   damping_N_s_per_m?: number;
   /**
@@ -2632,7 +2633,8 @@ export type TuggerLine = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Its largest tension at the load, N: at least `tension_N`. Without it, there is none; it never pushes.
+   * Largest tension at the load, N: at least `tension_N`. Without it, there is no upper limit. The tension is never
+   * negative.
    */
   largest_tension_N?: number | null;
   /**
@@ -2682,7 +2684,7 @@ export type Contact = {
    */
   friction_stiffness_kN_per_m?: number | null;
   /**
-   * Largest penetration, m: a deeper one is an error at the start and a warning during the run.
+   * Largest penetration, m: a deeper penetration is an error at the start and a warning during the run.
    */
   penetration_tolerance_m?: number;
 };
@@ -2782,8 +2784,8 @@ export type FlowCoefficients = {
   [k: string]: unknown;
 } & {
   /**
-   * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-   * from ahead, as in OCIMF.
+   * Directions towards which the fluid flows, from the body's x axis, counter-clockwise, rad, increasing: 0 is flow
+   * from astern, pi from ahead, as in OCIMF.
    */
   directions_rad?: number[];
   /**
@@ -2826,8 +2828,8 @@ export type FlowCoefficients1 = {
   [k: string]: unknown;
 } & {
   /**
-   * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-   * from ahead, as in OCIMF.
+   * Directions towards which the fluid flows, from the body's x axis, counter-clockwise, rad, increasing: 0 is flow
+   * from astern, pi from ahead, as in OCIMF.
    */
   directions_rad?: number[];
   /**
@@ -2876,7 +2878,7 @@ export type StationTarget = {
    */
   y_m?: number;
   /**
-   * From the world's x axis, counter-clockwise, rad.
+   * Heading from the world's x axis, counter-clockwise, rad.
    */
   heading_rad?: number;
   /**
@@ -2885,13 +2887,13 @@ export type StationTarget = {
   heading_deg?: number;
 };
 /**
- * Along the ship.
+ * Tuning of surge, along the ship.
  */
 export type TranslationTuning = {
   [k: string]: unknown;
 } & {
   /**
-   * Mass with the low-frequency added mass, kg.
+   * Mass of the ship plus its low-frequency added mass, kg.
    */
   mass_kg?: number;
   /**
@@ -2912,13 +2914,13 @@ export type TranslationTuning = {
   integral_time_s?: number | null;
 };
 /**
- * Athwartships.
+ * Tuning of sway, athwartships.
  */
 export type TranslationTuning1 = {
   [k: string]: unknown;
 } & {
   /**
-   * Mass with the low-frequency added mass, kg.
+   * Mass of the ship plus its low-frequency added mass, kg.
    */
   mass_kg?: number;
   /**
@@ -2939,13 +2941,13 @@ export type TranslationTuning1 = {
   integral_time_s?: number | null;
 };
 /**
- * About the vertical.
+ * Tuning of yaw, about the vertical.
  */
 export type RotationTuning = {
   [k: string]: unknown;
 } & {
   /**
-   * Moment of inertia about the vertical with the added one, kg m^2.
+   * Moment of inertia about the vertical, added moment of inertia included, kg m^2.
    */
   inertia_kg_m2?: number;
   /**
@@ -3140,7 +3142,7 @@ export type MainPropeller = {
   weight?: number;
 };
 /**
- * A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
+ * A propeller that turns about the vertical. Its thrust has two components; the magnitude of the thrust is limited.
  */
 export type AzimuthThruster = {
   [k: string]: unknown;
@@ -3174,7 +3176,7 @@ export type AzimuthThruster = {
   weight?: number;
 };
 /**
- * A place and a heading.
+ * A position and a heading.
  */
 export type StationTarget1 = {
   /**
@@ -3186,7 +3188,7 @@ export type StationTarget1 = {
    */
   y_m?: number;
   /**
-   * From the world's x axis, counter-clockwise, rad.
+   * Heading from the world's x axis, counter-clockwise, rad.
    */
   heading_rad?: number;
   /**
@@ -3389,7 +3391,7 @@ export type LinearServo = {
   force_limit_kN?: number;
 };
 /**
- * A drive that turns an axis to follow a set-point within limits: a winch, a slewing gear.
+ * A drive that turns an axis to follow a set-point within limits, such as a winch or a slewing gear.
  */
 export type ControlledDrive = {
   [k: string]: unknown;
@@ -3472,12 +3474,12 @@ export type ControlledDrive = {
    */
   damping_kN_m_s_per_rad?: number;
   /**
-   * Time in which its reference reaches a new rate where no limit acts, s. A jerk limit makes it longer.
+   * Time in which its reference reaches a new rate if no limit acts, s. A jerk limit makes this time longer.
    */
   response_time_s?: number;
 };
 /**
- * A torque to give.
+ * A torque set-point.
  */
 export type TorqueSetPoint = {
   /**
@@ -3490,7 +3492,7 @@ export type TorqueSetPoint = {
   torque_kN_m?: number;
 };
 /**
- * A rate to keep.
+ * A rate set-point.
  */
 export type RateSetPoint = {
   /**
@@ -3503,7 +3505,7 @@ export type RateSetPoint = {
   rate_deg_s?: number;
 };
 /**
- * An angle to go to.
+ * An angle set-point.
  */
 export type AngleSetPoint = {
   /**
@@ -3587,12 +3589,12 @@ export type LinearControlledDrive = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Time in which its reference reaches a new speed where no limit acts, s. A jerk limit makes it longer.
+   * Time in which its reference reaches a new speed if no limit acts, s. A jerk limit makes this time longer.
    */
   response_time_s?: number;
 };
 /**
- * A force to give.
+ * A force set-point.
  */
 export type ForceSetPoint = {
   /**
@@ -3627,8 +3629,7 @@ export type Brake = {
    */
   torque_kN_m?: number;
   /**
-   * Rate scale over which its torque changes sign smoothly, rad/s. A joint that it holds creeps more slowly than
-   * this.
+   * Smoothing rate over which the torque changes sign, rad/s. A held joint creeps more slowly than this rate.
    */
   smoothing_rad_s?: number;
   /**
@@ -3663,7 +3664,7 @@ export type LinearBrake = {
    */
   force_kN?: number;
   /**
-   * Speed scale over which its force changes sign smoothly, m/s. A joint that it holds creeps more slowly than this.
+   * Smoothing speed over which the force changes sign, m/s. A held joint creeps more slowly than this speed.
    */
   smoothing_m_s?: number;
   /**
@@ -3673,7 +3674,7 @@ export type LinearBrake = {
 };
 /**
  * A hydraulic cylinder between two pins: a force `stiffness (target length - length) - damping rate` along the line
- * between them, limited to what it can push and pull. The target length changes no faster than the speed limit.
+ * between them, within the push and pull limits. The target length changes no faster than the speed limit.
  */
 export type Cylinder = {
   [k: string]: unknown;
@@ -3685,11 +3686,11 @@ export type Cylinder = {
   first: Pin3;
   second: Pin4;
   /**
-   * Length between the pins when fully retracted, m: there is a stop.
+   * Length between the pins when fully retracted, m, limited by a stop.
    */
   shortest_m: number;
   /**
-   * Length between the pins when fully extended, m: there is a stop.
+   * Length between the pins when fully extended, m, limited by a stop.
    */
   longest_m: number;
   /**
@@ -3746,7 +3747,8 @@ export type Cylinder = {
    */
   stop_stiffness_kN_per_m?: number;
   /**
-   * Dissipation of the stops, s/m: at a speed u into a stop its force is 1 + dissipation u times that of its spring.
+   * Dissipation of the stops, s/m: at a speed u into a stop, the stop's force is its spring force times (1 +
+   * dissipation u).
    */
   stop_dissipation_s_per_m?: number;
 };
@@ -3789,8 +3791,8 @@ export type Sensor =
  */
 export type AngleErrors = {
   /**
-   * Standard deviation of its white noise in a sample, rad: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, rad: the noise density, rad/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_rad?: number;
   /**
@@ -3806,7 +3808,7 @@ export type AngleErrors = {
    */
   bias_deg?: number;
   /**
-   * Smallest step, rad; 0 is none. Derivatives do not go through it.
+   * Resolution, rad; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_rad?: number;
   /**
@@ -3819,8 +3821,8 @@ export type AngleErrors = {
  */
 export type RateErrors = {
   /**
-   * Standard deviation of its white noise in a sample, rad/s: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, rad/s: the noise density, rad/s/sqrt(Hz), over the square
+   * root of twice the period.
    */
   noise_rad_s?: number;
   /**
@@ -3836,7 +3838,7 @@ export type RateErrors = {
    */
   bias_deg_s?: number;
   /**
-   * Smallest step, rad/s; 0 is none. Derivatives do not go through it.
+   * Resolution, rad/s; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_rad_s?: number;
   /**
@@ -3873,12 +3875,12 @@ export type InertialFilter = {
    */
   position_noise_m?: number;
   /**
-   * Standard deviation of the motion of the unit in waves, m: the smaller, the more the mean place counts against the
-   * accelerometers.
+   * Standard deviation of the motion of the unit in waves, m: a smaller value gives the mean position more weight
+   * relative to the accelerometers.
    */
   wave_motion_m?: number;
   /**
-   * Middle period of the waves, s: half or twice that does little harm.
+   * Peak period of the waves, s: an error by a factor of two has little effect.
    */
   wave_period_s?: number;
 };
@@ -3895,7 +3897,7 @@ export type SwingFilter = {
    */
   rate_noise_deg_s?: number;
   /**
-   * Standard deviation of the swing, rad: the smaller, the more the vertical counts against the gyroscopes.
+   * Standard deviation of the swing, rad: a smaller value gives the vertical more weight relative to the gyroscopes.
    */
   swing_rad?: number;
   /**
@@ -3903,7 +3905,7 @@ export type SwingFilter = {
    */
   swing_deg?: number;
   /**
-   * Middle period of the swing, s: half or twice that does little harm.
+   * Peak period of the swing, s: an error by a factor of two has little effect.
    */
   swing_period_s?: number;
 };
@@ -3912,8 +3914,8 @@ export type SwingFilter = {
  */
 export type ForceErrors = {
   /**
-   * Standard deviation of its white noise in a sample, N: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, N: the noise density, N/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_N?: number;
   /**
@@ -3929,7 +3931,7 @@ export type ForceErrors = {
    */
   bias_kN?: number;
   /**
-   * Smallest step, N; 0 is none. Derivatives do not go through it.
+   * Resolution, N; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_N?: number;
   /**
@@ -3938,7 +3940,7 @@ export type ForceErrors = {
   resolution_kN?: number;
 };
 /**
- * The point or solid to stay clear of.
+ * The point or solid from which the clearance is measured.
  */
 export type ClearanceFrom = {
   /**
@@ -3977,7 +3979,7 @@ export type ClearanceFrom = {
   shape?: ClearanceShape | null;
 };
 /**
- * The solid that a point stays clear of.
+ * The solid from which the clearance is measured.
  */
 export type ClearanceShape =
   | "own"
@@ -4418,8 +4420,8 @@ export interface FloatingJoint {
 }
 /**
  * Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
- * `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back
- * to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
+ * `rise_s`, and 0 from then on. With a `reverse_s`, after the hold: from R to -R in twice `rise_s`, -R for
+ * `reverse_s`, and then back to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
  */
 export interface RatePulse {
   /**
@@ -4445,7 +4447,8 @@ export interface RatePulse {
  */
 export interface HistoryList {
   /**
-   * Times in increasing order, s. The same time twice is a jump: a motor may have one, a prescribed rate may not.
+   * Times in increasing order, s. A time given twice is a jump, which is allowed for a motor but not for a
+   * prescribed rate.
    */
   time_s: number[];
   /**
@@ -4475,12 +4478,12 @@ export interface PrescribedSpeed {
   list?: HistoryList | null;
 }
 /**
- * Sliding by a length, from rest to rest: the speed goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
- * ramps it is `length / (duration_s - ramp_s)`.
+ * A travel by a length, from rest to rest: the speed rises in `ramp_s`, is constant at `length / (duration_s -
+ * ramp_s)`, and falls to 0 in `ramp_s`.
  */
 export interface LengthTravel {
   /**
-   * How far it slides, positive along the axis, m.
+   * Length of the travel, positive along the axis, m.
    */
   length_m: number;
   /**
@@ -4760,7 +4763,7 @@ export interface QuadraticDamping {
  * The free surface of a liquid in a box whose sides are along the body's axes. The body's `mass_kg`,
  * `centre_of_mass_m` and inertia must contain the liquid, as if it were frozen with the body upright. This force adds
  * the effect of the liquid's shift. The surface is taken as always level, so the liquid's natural period must be well
- * below those of the body in roll and pitch.
+ * below the natural periods of the body in roll and pitch.
  */
 export interface SlackTank {
   /**
@@ -4772,7 +4775,7 @@ export interface SlackTank {
    */
   body: string;
   /**
-   * Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on it.
+   * Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on this position.
    *
    * @minItems 3
    * @maxItems 3
@@ -4801,8 +4804,8 @@ export interface SlackTank {
 }
 /**
  * Two columns of liquid at the sides of a ship and a duct between them, all of rectangular sections. The liquid is a
- * body of its own, with the tank's name, whose flow is a degree of freedom: the body that carries the tank must not
- * contain its mass.
+ * separate body with the tank's name, and its flow is a degree of freedom: the mass of the carrying body must not
+ * contain the liquid.
  */
 export interface UTank {
   /**
@@ -4814,7 +4817,7 @@ export interface UTank {
    */
   body: string;
   /**
-   * Middle of the duct in the body's drawing frame, m. The columns stand to port and to starboard of it.
+   * Middle of the duct in the body's drawing frame, m. The columns are to port and to starboard of it.
    *
    * @minItems 3
    * @maxItems 3
@@ -4857,11 +4860,12 @@ export interface UTank {
    */
   damping_ratio?: number;
   /**
-   * Pressure lost in bends and valve over the dynamic pressure in the duct, rho u^2 / 2.
+   * Pressure loss in bends and valve over the dynamic pressure in the duct, rho u^2 / 2.
    */
   loss_coefficient?: number;
   /**
-   * Level in the port column above `level_m` at the start, m; to starboard it is as much below.
+   * Level in the port column above `level_m` at the start, m; the starboard level is below `level_m` by the same
+   * amount.
    */
   initial_rise_m?: number;
   /**
@@ -4870,9 +4874,9 @@ export interface UTank {
   pump?: UTankPump | null;
 }
 /**
- * A tank with vertical walls and an opening to the sea in its bottom. The water in it is a body of its own, with the tank's
- * name, whose level is a degree of freedom: the body that carries the tank must not contain its mass. The hull's data are
- * for the closed hull.
+ * A tank with vertical walls and an opening to the sea in its bottom. The water in the tank is a separate body with
+ * the tank's name, and its level is a degree of freedom: the mass of the carrying body must not contain the water. The
+ * hydrodynamic data of the hull are those of the closed hull.
  */
 export interface FreeFloodingTank {
   /**
@@ -4884,7 +4888,8 @@ export interface FreeFloodingTank {
    */
   body: string;
   /**
-   * Middle of the opening, in the tank's bottom, in the body's drawing frame, m. The tank stands on it.
+   * Middle of the opening in the tank's bottom, in the body's drawing frame, m. The tank extends upwards from this
+   * point.
    *
    * @minItems 3
    * @maxItems 3
@@ -4903,16 +4908,17 @@ export interface FreeFloodingTank {
    */
   height_m: number;
   /**
-   * Level of the water at rest above the opening, m: below `height_m`. Best as deep as the opening is under water.
+   * Level of the water at rest above the opening, m: below `height_m`. It should equal the depth of the opening
+   * below the sea surface.
    */
   level_m: number;
   /**
-   * Area of the opening, m^2: at most that of the bottom.
+   * Area of the opening, m^2: at most the area of the bottom.
    */
   opening_area_m2: number;
   /**
-   * Length of the opening, m: thickness of the bottom, or length of the pipe to the sea. The water about both ends is
-   * added to it.
+   * Length of the opening, m: thickness of the bottom, or length of the pipe to the sea. End corrections for the
+   * water about both ends are added to it.
    */
   passage_length_m?: number;
   /**
@@ -4920,7 +4926,8 @@ export interface FreeFloodingTank {
    */
   damping_ratio?: number;
   /**
-   * Pressure lost in the opening over the dynamic pressure there, rho u^2 / 2: about 2.6 for a sharp edge.
+   * Pressure loss in the opening over the dynamic pressure rho u^2 / 2 of the flow through it: about 2.6 for a sharp
+   * edge.
    */
   loss_coefficient: number;
   /**
@@ -4935,7 +4942,7 @@ export interface FreeFloodingTank {
 }
 /**
  * The water on an object that is lowered through the surface and is small compared with the waves: buoyancy, drag,
- * slamming, and added mass that grows with immersion. A long or composed body may have several.
+ * slamming, and added mass that grows with immersion. A long or composed body may have several such forces.
  */
 export interface Submerged {
   /**
@@ -4967,12 +4974,13 @@ export interface Submerged {
         sphere: SphereShape;
       };
   /**
-   * V: volume of water that the whole object displaces, m^3, if it is less than the solid's volume, as for a frame.
+   * V: volume of water that the whole object displaces, m^3, if it is less than the solid's volume, for example for
+   * a frame.
    */
   displaced_volume_m3?: number | null;
   added_mass?: SubmergedAddedMass;
   /**
-   * Slamming by a coefficient; without it, by the added mass that grows.
+   * Slamming by a coefficient; without it, slamming by the growth of the added mass.
    */
   slamming?: SubmergedSlamming | null;
   drag?: SubmergedDrag;
@@ -4986,12 +4994,12 @@ export interface Submerged {
   entrained_water?: EntrainedWater | null;
 }
 /**
- * Added mass over immersion: a smooth curve through points over the share of the volume that is under water, which may be
- * given by depths of the upright object.
+ * Added mass over immersion: a smooth curve through points. Immersion is the share of the volume under water, given as
+ * shares or by depths of the upright object.
  */
 export interface SubmergedGrowth {
   /**
-   * Shares of the volume, from 0 to 1, increasing; shares or depths.
+   * Shares of the volume, increasing from 0 to 1; give either shares or depths.
    */
   shares?: number[];
   /**
@@ -4999,27 +5007,28 @@ export interface SubmergedGrowth {
    */
   depths_m?: number[];
   /**
-   * Share of the added mass at each, the first 0.
+   * Share of the added mass at each share or depth, the first 0.
    */
   factors: number[];
 }
 /**
- * Slamming 1/2 rho C_S A_S w^2 against the surface, at the solid's centre, while the surface cuts the solid and its
- * centre sinks through it with the speed w. It replaces the force of the added mass that grows, whose coefficient is 2 / (rho A_S) dA/dh.
+ * Slamming force 1/2 rho C_S A_S w^2 normal to the surface, at the solid's centre, while the surface cuts the solid
+ * and the centre sinks relative to the surface with the speed w. It replaces the force of the growing added mass,
+ * whose coefficient is 2 / (rho A_S) dA/dh.
  */
 export interface SubmergedSlamming {
   /**
-   * C_S; by DNV-RP-N103, sec. 4.3.5, at least 3 for smooth circular cylinders and 5 otherwise, unless tests or theory
-   * give another.
+   * C_S; by DNV-RP-N103, sec. 4.3.5, at least 3 for smooth circular cylinders and 5 otherwise, unless tests or
+   * theory give another value.
    */
   coefficient: number;
   /**
-   * A_S that the coefficient refers to, m^2; without it, the solid's shadow along z.
+   * A_S: reference area of the coefficient, m^2; without it, the solid's projected area along z.
    */
   area_m2?: number | null;
 }
 /**
- * Drag of the wind on the share of the volume that is dry.
+ * Drag of the wind on the dry share of the volume.
  */
 export interface SubmergedWind {
   /**
@@ -5030,7 +5039,7 @@ export interface SubmergedWind {
    */
   coefficients: [number, number, number];
   /**
-   * Areas across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+   * Reference areas of the coefficients across x, y and z, m^2; without them, the solid's projected areas.
    *
    * @minItems 3
    * @maxItems 3
@@ -5043,8 +5052,8 @@ export interface SubmergedWind {
 }
 /**
  * Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes
- * in its floor and open at the top. It enters and drains by Torricelli's law. The object carries the water that stands
- * higher than the sea.
+ * in its floor and open at the top. It enters and drains by Torricelli's law. The object carries the weight of the
+ * water above the level of the sea.
  */
 export interface EntrainedWater {
   /**
@@ -5060,7 +5069,8 @@ export interface EntrainedWater {
    */
   hole_area_m2: number;
   /**
-   * C_d: flow through the holes over their area times Torricelli's speed; about 0.6 for sharp edges.
+   * C_d: discharge coefficient, the flow through the holes over the product of their area and Torricelli's speed;
+   * about 0.6 for sharp edges.
    */
   discharge_coefficient?: number;
   /**
@@ -5069,9 +5079,9 @@ export interface EntrainedWater {
   initial_filling?: number | null;
 }
 /**
- * The trailing edge of a fin that swims: the water leaves it with the sideways momentum that the fin gave it, which
- * drives the fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge
- * is along z. The added mass of the fin is that of its `submerged`.
+ * The trailing edge of a swimming fin: the water leaves the edge with sideways momentum from the fin, which drives the
+ * fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge is along
+ * z. The fin's added mass is that of a `submerged` force on its body.
  */
 export interface TrailingEdge {
   /**
@@ -5158,7 +5168,7 @@ export interface RopePoint {
    */
   position_m?: [number, number, number];
   /**
-   * Number of parallel falls from the place before to this one. Together they pull with this number times the
+   * Number of parallel falls from the previous place to this one. Together they pull with this number times the
    * tension.
    */
   falls?: number;
@@ -5183,8 +5193,8 @@ export interface Sheave {
    */
   radius_m: number;
   /**
-   * The axis in the body's axes, of any length except 0. From the first end to the last, the rope turns about it by
-   * the right-hand rule, by -90 to 270 degrees.
+   * The sheave's axis in the body's axes, of any length except 0. From the first end to the last, the rope turns
+   * about this axis by the right-hand rule, by -90 to 270 degrees.
    *
    * @minItems 3
    * @maxItems 3
@@ -5217,20 +5227,20 @@ export interface RopeDrum {
    */
   layers?: DrumLayers | null;
   /**
-   * The sign of the joint's rate that pays out rope. It decides on which side the rope leaves the drum.
+   * Sign of the joint's rate that pays out rope. It determines the side on which the rope leaves the drum.
    */
   pays_out?: "with_positive_rate" | "with_negative_rate";
   /**
-   * Efficiency while it hauls in: tension times radius over the torque.
+   * Efficiency while the drum hauls in: tension times radius over the torque.
    */
   efficiency_hoisting?: number;
   /**
-   * Efficiency while it pays out: the torque that holds the rope over tension times radius.
+   * Efficiency while the drum pays out: the torque that holds the rope over tension times radius.
    */
   efficiency_lowering?: number;
 }
 /**
- * Layers of rope on a drum: its radius falls by the height of a layer for every layer of turns.
+ * Layers of rope on a drum: each layer that is paid out reduces the radius by its height.
  */
 export interface DrumLayers {
   /**
@@ -5243,8 +5253,8 @@ export interface DrumLayers {
    */
   height_m: number;
   /**
-   * Radius to the middle of the rope in the innermost layer, m. The radius falls no further; an event is recorded
-   * then.
+   * Radius to the middle of the rope in the innermost layer, m, at which the radius stops decreasing and an event is
+   * recorded.
    */
   innermost_radius_m: number;
 }
@@ -5258,7 +5268,7 @@ export interface CarriedByRope {
   body: string;
   /**
    * Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
-   * the rope. For each of n slings at an angle b to the horizontal it is 1 / (n sin b).
+   * the rope. For each of n slings at an angle b to the horizontal the share is 1 / (n sin b).
    */
   share?: number | null;
 }
@@ -5309,8 +5319,8 @@ export interface WindLoad {
   coefficients: FlowCoefficients;
 }
 /**
- * The current on a body by coefficients of its relative velocity. It damps surge, sway and yaw too: add no other
- * damping for the current.
+ * The current on a body by coefficients of its relative velocity. The load also damps surge, sway and yaw: add no
+ * other damping for the current.
  */
 export interface CurrentLoad {
   /**
@@ -5353,7 +5363,7 @@ export interface CurrentAtDepth {
   depth_m: number;
 }
 /**
- * A controller that holds a point of a ship at a position, and the ship on a heading, with thrusters.
+ * A controller with thrusters that holds a point of a ship at a position, and the ship on a heading.
  */
 export interface DynamicPositioning {
   /**
@@ -5365,7 +5375,7 @@ export interface DynamicPositioning {
    */
   body: string;
   /**
-   * The point that is held, in the body's drawing frame, m. Forces and moments refer to it.
+   * The held point in the body's drawing frame, m. Forces and moments refer to this point.
    *
    * @minItems 3
    * @maxItems 3
@@ -5383,16 +5393,17 @@ export interface DynamicPositioning {
         stated: StatedGains;
       };
   /**
-   * The filter that keeps the thrusters from responding to every wave; without it they respond.
+   * The filter that prevents thruster response to wave-frequency motion; without it, the thrusters respond to every
+   * wave.
    */
   wave_filter?: WaveFilter | null;
   /**
-   * Rule for what is reduced when a thruster is at its limit.
+   * Priority of yaw moment or force when a thruster is at its limit.
    */
   priority?: "heading" | "none";
   /**
-   * Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
-   * this time constant. Without it sqrt(K_d / K_i), for surge, sway and yaw each.
+   * Anti-windup time constant, s, with which the integrals follow the force and moment of the thrusters while a
+   * thruster is at its limit. Without it, sqrt(K_d / K_i) for surge, sway and yaw each.
    */
   anti_windup_time_s?: number | null;
   /**
@@ -5428,7 +5439,7 @@ export interface WaveFilter {
    */
   notch_damping_ratio?: number;
   /**
-   * Period of the low pass of second order, s; without it there is none.
+   * Cut-off period of the second-order low-pass filter, s; without it, there is no low-pass filter.
    */
   cutoff_period_s?: number | null;
   /**
@@ -5438,11 +5449,11 @@ export interface WaveFilter {
 }
 /**
  * Springs and dampers in surge, sway and yaw that keep a ship near its position, like soft springs in a wave basin.
- * They have no force in heave and no moment in roll and pitch. They act at the centre of mass of the ship with all
- * that it carries in its initial position, so that they do not excite roll.
+ * They have no force in heave and no moment in roll and pitch. They act at the centre of mass, in the initial
+ * position, of the ship with all that it carries, so that they do not excite roll.
  *
- * Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` where m is that mass (for yaw the moment of inertia) plus
- * the added mass at zero frequency.
+ * Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` where m is the mass of the ship with all that it carries
+ * (for yaw the moment of inertia) plus the added mass at zero frequency.
  */
 export interface SoftHold {
   /**
@@ -5454,8 +5465,8 @@ export interface SoftHold {
    */
   body: string;
   /**
-   * T of surge, sway and yaw, s. At ten times the longest wave period of interest the springs do not change the wave
-   * motions.
+   * T of surge, sway and yaw, s. At ten times the longest wave period of interest, the springs do not affect the
+   * wave-frequency motions.
    *
    * @minItems 3
    * @maxItems 3
@@ -5475,8 +5486,8 @@ export interface SoftHold {
   target?: StationTarget1 | null;
 }
 /**
- * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
- * with a `reverse_s` from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
+ * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on.
+ * With a `reverse_s`, after the hold: from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
  */
 export interface Pulse {
   /**
@@ -5497,7 +5508,7 @@ export interface Pulse {
   reverse_s?: number;
 }
 /**
- * A speed to keep.
+ * A speed set-point.
  */
 export interface SpeedSetPoint {
   /**
@@ -5506,7 +5517,7 @@ export interface SpeedSetPoint {
   speed_m_s?: number;
 }
 /**
- * An extension to go to.
+ * An extension set-point.
  */
 export interface ExtensionSetPoint {
   /**
@@ -5547,7 +5558,7 @@ export interface Pin4 {
   position_m?: [number, number, number];
 }
 /**
- * A length to go to.
+ * A target length.
  */
 export interface TargetLength {
   /**
@@ -5587,12 +5598,12 @@ export interface MotionReferenceUnit {
    */
   delay_samples?: number;
   /**
-   * Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with those of
-   * the angles, as a unit with a gyrocompass does.
+   * Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with the
+   * errors of the angles, like a unit with a gyrocompass.
    */
   horizontal_motion?: boolean;
   /**
-   * The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
+   * The filter that removes the drift of heave and heave rate, as in real units; without it, both are unfiltered.
    */
   heave_filter?: HeaveFilter | null;
   /**
@@ -5617,8 +5628,8 @@ export interface MotionReferenceUnit {
   drop_outs?: DropOuts | null;
 }
 /**
- * A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead. With a
- * satellite receiver it removes nothing.
+ * A second-order high-pass filter: it removes motions with periods much longer than its cut-off period, and gives
+ * shorter ones a phase lead. A satellite receiver restores the removed motion.
  */
 export interface HeaveFilter {
   /**
@@ -5630,7 +5641,7 @@ export interface HeaveFilter {
    */
   damping_ratio?: number;
   /**
-   * A satellite receiver on the same body, whose positions give back the motion that the filter removes.
+   * A satellite receiver on the same body, whose positions restore the motion that the filter removes.
    */
   receiver?: string | null;
 }
@@ -5639,8 +5650,8 @@ export interface HeaveFilter {
  */
 export interface LengthErrors {
   /**
-   * Standard deviation of its white noise in a sample, m: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, m: the noise density, m/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_m?: number;
   /**
@@ -5648,7 +5659,7 @@ export interface LengthErrors {
    */
   bias_m?: number;
   /**
-   * Smallest step, m; 0 is none. Derivatives do not go through it.
+   * Resolution, m; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_m?: number;
 }
@@ -5657,8 +5668,8 @@ export interface LengthErrors {
  */
 export interface SpeedErrors {
   /**
-   * Standard deviation of its white noise in a sample, m/s: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, m/s: the noise density, m/s/sqrt(Hz), over the square root of
+   * twice the period.
    */
   noise_m_s?: number;
   /**
@@ -5666,29 +5677,30 @@ export interface SpeedErrors {
    */
   bias_m_s?: number;
   /**
-   * Smallest step, m/s; 0 is none. Derivatives do not go through it.
+   * Resolution, m/s; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_m_s?: number;
 }
 /**
- * Failures of a sensor, drawn from the run's seed. While it fails, its outputs keep their last values and its
- * `sensor_status` is 0; the table of events has the beginning and the end of each.
+ * Random drop-outs of a sensor, from the run's seed. During a drop-out its outputs keep their last values and its
+ * `sensor_status` is 0; the table of events has the beginning and the end of each drop-out.
  */
 export interface DropOuts {
   /**
-   * Mean time from the end of one to the next, s; at least the sensor's period.
+   * Mean time from the end of one drop-out to the next drop-out, s; at least the sensor's period.
    */
   mean_interval_s: number;
   /**
-   * Mean duration, s; at least the sensor's period.
+   * Mean duration of a drop-out, s; at least the sensor's period.
    */
   mean_duration_s: number;
 }
 /**
- * Finds the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state Kalman filter. Its
- * outputs are those of a motion reference unit with horizontal motion, and `measured_specific_force.x`, `.y`, `.z` (m/s^2,
- * body axes): the acceleration less that of gravity. Without a receiver it finds the motion about the mean place. It begins
- * as after a long time at rest.
+ * Estimates the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state
+ * Kalman filter. Its outputs are those of a motion reference unit with horizontal motion, and
+ * `measured_specific_force.x`, `.y`, `.z` (m/s^2, body axes): the acceleration less that of gravity. Without a
+ * satellite receiver, it estimates the motion relative to the mean position. The run starts with the estimate to which
+ * the filter converges at rest.
  */
 export interface InertialUnit {
   /**
@@ -5727,7 +5739,8 @@ export interface InertialUnit {
    */
   heading_errors?: AngleErrors | null;
   /**
-   * A satellite receiver on the same body that helps: with it, the displacement is that from the start, however slow.
+   * Name of a satellite receiver on the same body. With it, the displacement is relative to the start and includes
+   * slow motion.
    */
   receiver?: string | null;
   filter?: InertialFilter;
@@ -5741,8 +5754,8 @@ export interface InertialUnit {
  */
 export interface AccelerationErrors {
   /**
-   * Standard deviation of its white noise in a sample, m/s^2: the density per root hertz over the root of twice the
-   * period.
+   * Standard deviation of its white noise in a sample, m/s^2: the noise density, m/s^2/sqrt(Hz), over the square
+   * root of twice the period.
    */
   noise_m_s2?: number;
   /**
@@ -5750,14 +5763,15 @@ export interface AccelerationErrors {
    */
   bias_m_s2?: number;
   /**
-   * Smallest step, m/s^2; 0 is none. Derivatives do not go through it.
+   * Resolution, m/s^2; 0 for none. With a resolution the derivative of the measured value is 0.
    */
   resolution_m_s2?: number;
 }
 /**
- * Finds how a load or a hook swings from gyroscopes on it, by an error-state Kalman filter which knows that it swings about
- * the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes). A
- * constant inclination fades from its results. It begins as after a long time at rest.
+ * Estimates the swing of a load or a hook from its gyroscopes, by an error-state Kalman filter with a model of the
+ * swing about the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z`
+ * (rad/s, body axes). A constant inclination decays in the estimate. The run starts with the estimate to which the
+ * filter converges at rest.
  */
 export interface SwingEstimator {
   /**
@@ -5879,7 +5893,7 @@ export interface LoadCell {
   drop_outs?: DropOuts | null;
 }
 /**
- * Measures where its antenna is: `measured_position.x`, `.y`, `.z`, m in the world.
+ * Measures the position of its antenna: `measured_position.x`, `.y`, `.z`, m in the world.
  */
 export interface SatelliteReceiver {
   /**
@@ -5920,7 +5934,7 @@ export interface SatelliteReceiver {
 }
 /**
  * The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
- * solid. It is only measured: no force keeps the two apart.
+ * solid. It is only an output: no force keeps the two apart.
  */
 export interface Clearance {
   /**
@@ -5951,8 +5965,8 @@ export interface OwnPoint {
   position_m?: [number, number, number];
 }
 /**
- * The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results;
- * above the still water where there are no waves. Negative under water.
+ * The height of a point above the surface of the incident waves at that point, as `air_gap` (m) in the results; above
+ * the still water in a sea without waves. Negative under water.
  */
 export interface AirGap {
   /**
@@ -5976,12 +5990,12 @@ export interface AirGap {
   position_m?: [number, number, number];
 }
 /**
- * Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
- * is zero.
+ * Sets an input to its command convolved with two or three impulses, so that the command excites no residual swing of
+ * the stated period and damping.
  */
 export interface InputShaper {
   /**
-   * Whether the shaper acts; if not, its command passes.
+   * Whether the shaper acts; if not, its command passes unchanged.
    */
   enabled?: boolean;
   /**
@@ -5989,7 +6003,7 @@ export interface InputShaper {
    */
   to: string;
   /**
-   * The impulses, or none: then its command passes.
+   * The impulses; with `none`, the command passes unchanged.
    */
   shaper?: "none" | "zv" | "zvd" | "ei";
   /**
@@ -6001,17 +6015,17 @@ export interface InputShaper {
    */
   damping_ratio?: number;
   /**
-   * For ei: the swing that remains at the period, as a share of that without a shaper.
+   * For ei: the residual swing at the period, as a share of the swing without a shaper.
    */
   tolerance?: number;
 }
 /**
- * Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
- * these commands, so that a load stays where it should.
+ * Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions`
+ * computes commands that hold a load in place.
  */
 export interface DriveFunction {
   /**
-   * Whether the function is added; if not, the command passes.
+   * Whether the function is added; if not, the command passes unchanged.
    */
   enabled?: boolean;
   /**
@@ -6027,23 +6041,23 @@ export interface DriveFunction {
    */
   command: number[];
   /**
-   * The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
-   * the first time and the last after the last.
+   * Period after which the curve repeats, s: all times are within one period. Without it, the first command holds
+   * before the first time, and the last command after the last time.
    */
   period_s?: number | null;
   /**
-   * Time in which the curve grows from 0 to its full size at the start of a run, in the same way as waves in the `ramp_s` of the sea, s;
-   * 0: it has its full size at once.
+   * Duration of the ramp at the start of a run, s, over which the curve grows from 0 to full size like waves over
+   * the `ramp_s` of the sea; 0: full size at once.
    */
   ramp_s?: number;
 }
 /**
- * Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
- * reads, K and K_I the gains.
+ * Sets inputs to `c - K e - K_I (integral of e)` within limits, with `e = x - reference`, the commands c of the
+ * inputs, the columns x that it reads, and the gains K and K_I.
  */
 export interface StateFeedback {
   /**
-   * Whether the controller acts; if not, its commands pass.
+   * Whether the controller acts; if not, its commands pass unchanged.
    */
   enabled?: boolean;
   /**
@@ -6051,7 +6065,8 @@ export interface StateFeedback {
    */
   reads: FeedbackRead[];
   /**
-   * The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+   * The inputs that it sets. The command of a single input has the controller's name; with several inputs, each
+   * command is named `name.input`.
    */
   steers: FeedbackSteer[];
   /**
@@ -6064,12 +6079,12 @@ export interface StateFeedback {
  */
 export interface FeedbackRead {
   /**
-   * The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
-   * `slewing.position`.
+   * The column of the results, such as `slew.joint_position`, or a state of a drive by its name in the linear
+   * analysis, such as `slewing.position`.
    */
   column: string;
   /**
-   * Its value where nothing is corrected, in its SI unit.
+   * Value of the column at which there is no correction, in its SI unit.
    */
   reference?: number;
   /**
@@ -6086,30 +6101,30 @@ export interface FeedbackSteer {
    */
   to: string;
   /**
-   * Its row of K: a gain for each column, the input's unit over the column's.
+   * Row of K: a gain for each column, in the input's unit over the column's.
    */
   gains: number[];
   /**
-   * Its row of K_I: a gain for the integral of each column over time, the input's unit over the column's and over s.
+   * Row of K_I: a gain for the time integral of each column, in the input's unit over the column's and over s.
    */
   integral_gains?: number[];
   /**
-   * The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
+   * Lower limit of the input's value, in its SI unit; without it, the smallest allowed value.
    */
   lower?: number | null;
   /**
-   * The largest.
+   * Upper limit of the input's value, in its SI unit; without it, the largest allowed value.
    */
   upper?: number | null;
 }
 /**
  * Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
- * `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
- * upper (a = 1).
+ * `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input is its command plus the value between lower (at a = -1)
+ * and upper (at a = 1).
  */
 export interface Policy {
   /**
-   * Whether the controller acts; if not, its commands pass.
+   * Whether the controller acts; if not, its commands pass unchanged.
    */
   enabled?: boolean;
   /**
@@ -6117,11 +6132,12 @@ export interface Policy {
    */
   reads: PolicyRead[];
   /**
-   * The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+   * The inputs that it sets. The command of a single input has the controller's name; with several inputs, each
+   * command is named `name.input`.
    */
   steers: PolicySteer[];
   /**
-   * The layers, the first one first.
+   * The layers, from the first to the last.
    */
   layers: PolicyLayer[];
   /**
@@ -6130,11 +6146,11 @@ export interface Policy {
   period_s?: number | null;
 }
 /**
- * A number that a policy sees.
+ * An observation of a policy.
  */
 export interface PolicyRead {
   /**
-   * The column of the results, or a state of a drive as the linear analysis names it.
+   * The column of the results, or a state of a drive by its name in the linear analysis.
    */
   column: string;
   /**
@@ -6142,11 +6158,11 @@ export interface PolicyRead {
    */
   also?: AlsoRead[];
   /**
-   * The value that counts as 0, in the column's SI unit.
+   * Value of the column at which the observation is 0, in the column's SI unit.
    */
   reference?: number;
   /**
-   * The difference from it that counts as 1.
+   * Difference from the reference at which the observation is 1, in the column's SI unit.
    */
   scale?: number;
 }
@@ -6168,11 +6184,11 @@ export interface PolicySteer {
    */
   to: string;
   /**
-   * Its value at -1, in its SI unit; without it, the smallest that it can have.
+   * Value of the input at the action -1, in its SI unit; without it, the smallest allowed value.
    */
   lower?: number | null;
   /**
-   * Its value at 1; without it, the largest.
+   * Value of the input at the action 1, in its SI unit; without it, the largest allowed value.
    */
   upper?: number | null;
 }
@@ -6190,12 +6206,12 @@ export interface PolicyLayer {
   biases: number[];
 }
 /**
- * Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
- * branch, `name.branch.input`; those of the branches that are not selected go nowhere.
+ * Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the commands of
+ * a branch, `name.branch.input`; the commands of the other branches have no effect.
  */
 export interface Selector {
   /**
-   * The branch that passes.
+   * The branch whose commands pass.
    */
   selected: string;
   /**
@@ -6217,9 +6233,10 @@ export interface SelectorTarget {
   to: string;
 }
 /**
- * Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
- * input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
- * `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
+ * Active heave compensation of a rope. Its inputs are a lever with its name, from 0 (off) to 1 (on), and
+ * `NAME.lowering_speed` (m/s at the load, positive: down), which is added to its command. Its outputs are
+ * `compensation_residual` (m), `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and
+ * `compensation_utilisation`.
  */
 export interface HeaveCompensation {
   /**
@@ -6236,12 +6253,12 @@ export interface HeaveCompensation {
   rope: string;
   /**
    * The controlled drive of the rope's drum, or of a joint that moves sheaves between drum and tip: the slide of a
-   * compensation cylinder. Its set-point is a speed, which counts as the operator's.
+   * compensation cylinder. Its set-point is a speed, which is added to the operator's speed.
    */
   drive: string;
   /**
-   * The motion reference unit or inertial unit that it measures the tip's motion by; without it, it knows that motion exactly and
-   * at once.
+   * The motion reference unit or inertial unit that measures the tip's motion; without it, the compensation uses the
+   * exact motion without delay.
    */
   sensor?: string | null;
   /**
@@ -6249,21 +6266,21 @@ export interface HeaveCompensation {
    */
   period_s: number;
   /**
-   * Share of the tip's velocity that it commands.
+   * Feed-forward gain: share of the tip's velocity that is commanded.
    */
   feed_forward?: number;
   /**
-   * Speed that it commands per error of the load's height, 1/s.
+   * Commanded speed per height error of the load, 1/s.
    */
   position_gain_per_s?: number;
   /**
-   * Prediction over all delays; without it, it commands the velocity that it has measured.
+   * Prediction over all delays; without it, the measured velocity is commanded.
    */
   prediction?: HeavePrediction | null;
 }
 /**
  * Prediction of the ship's motion over the delay of the sensor, the time for which a command is held, and the response
- * of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
+ * of the drive. It also inverts the sensor's high-pass filter, for waves of these periods.
  */
 export interface HeavePrediction {
   /**
@@ -6275,25 +6292,26 @@ export interface HeavePrediction {
    */
   longest_period_s?: number;
   /**
-   * Standard deviation of the noise in a measured velocity over that of the velocity. The larger, the smoother and
-   * the less exact is the prediction.
+   * Standard deviation of the noise in a measured velocity over that of the velocity. A larger value makes the
+   * prediction smoother and less exact.
    */
   noise_share?: number;
   /**
-   * Time by which it predicts further than over the delay of its sensor and half of period_s, s.
+   * Prediction time in addition to the delay of its sensor and half of period_s, s.
    */
   extra_delay_s?: number;
   /**
-   * Time constant of the drive's response, which it inverts, s; without it, the response_time_s of each drive.
+   * Time constant of the drive's response that the prediction inverts, s; without it, the response_time_s of each
+   * drive.
    */
   drive_response_s?: number | null;
 }
 /**
- * Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of the
- * world, and the winch the load's height. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
- * inputs `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s at the
- * load, positive: down) ask for. Its outputs are `compensation_offset` (m), `compensation_ship_velocity` (m/s) and
- * `compensation_utilisation`. The set-points of its drives do not count.
+ * Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of
+ * the world, and the winch holds the load's height. Its inputs are a lever with its name, from 0 (off) to 1 (on), and
+ * the speeds `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s
+ * at the load, positive: down), which are added to its commands. Its outputs are `compensation_offset` (m),
+ * `compensation_ship_velocity` (m/s) and `compensation_utilisation`. The set-points of its drives do not count.
  */
 export interface ThreeAxisCompensation {
   /**
@@ -6317,8 +6335,8 @@ export interface ThreeAxisCompensation {
    */
   joints: CompensationDrive[];
   /**
-   * The motion reference unit with horizontal motion, or the inertial unit, that it measures the tip's motion by; without it,
-   * it knows that motion exactly and at once.
+   * The motion reference unit with horizontal motion, or the inertial unit, that measures the tip's motion; without
+   * it, the compensation uses the exact motion without delay.
    */
   sensor?: string | null;
   /**
@@ -6326,20 +6344,20 @@ export interface ThreeAxisCompensation {
    */
   period_s: number;
   /**
-   * Share of the ship's velocity at the tip that it commands.
+   * Feed-forward gain: share of the ship's velocity at the tip that is commanded.
    */
   feed_forward?: number;
   /**
-   * Speed that it commands per error of the position, 1/s.
+   * Commanded speed per position error, 1/s.
    */
   position_gain_per_s?: number;
   /**
-   * Near a singularity, where the joints at full speed move the tip slower than this in some direction, the commands in
-   * that direction are reduced, m/s.
+   * Speed of the tip, m/s, below which a direction counts as near a singularity: if the joints at full speed move
+   * the tip slower than this in a direction, the commands in that direction are reduced.
    */
   damped_below_m_s?: number;
   /**
-   * Prediction over all delays; without it, it commands the velocity that it has measured.
+   * Prediction over all delays; without it, the measured velocity is commanded.
    */
   prediction?: HeavePrediction | null;
 }
@@ -6353,7 +6371,7 @@ export interface CompensationDrive {
   drive: string;
 }
 /**
- * A platform below a crane's pedestal that stays level and at its height by three or more driven joints. Its lever is an
+ * A platform below a crane's pedestal that three or more driven joints keep level and at its height. Its lever is an
  * input with its name, from 0 (off) to 1 (on). Its outputs are `platform_offset` (sines of the tilt, and m) and
  * `compensation_utilisation`. The set-points of its drives do not count.
  */
@@ -6371,7 +6389,7 @@ export interface PlatformCompensation {
    */
   body: string;
   /**
-   * The point of it that stays at its height, in its drawing frame, m.
+   * The point of the body that stays at its height, in the body's drawing frame, m.
    *
    * @minItems 3
    * @maxItems 3
@@ -6382,8 +6400,8 @@ export interface PlatformCompensation {
    */
   joints: CompensationDrive[];
   /**
-   * The motion reference unit or inertial unit, on the ship, that it measures the motion by; without it, it knows the motion
-   * exactly and at once.
+   * The motion reference unit or inertial unit, on the ship, that measures the motion; without it, the compensation
+   * uses the exact motion without delay.
    */
   sensor?: string | null;
   /**
@@ -6391,15 +6409,15 @@ export interface PlatformCompensation {
    */
   period_s: number;
   /**
-   * Share of the ship's motion that it commands.
+   * Feed-forward gain: share of the ship's motion that is commanded.
    */
   feed_forward?: number;
   /**
-   * Speed that it commands per error of tilt and height, 1/s.
+   * Commanded speed per error of tilt and height, 1/s.
    */
   position_gain_per_s?: number;
   /**
-   * Prediction over all delays; without it, it commands the velocities that it has measured.
+   * Prediction over all delays; without it, the measured velocities are commanded.
    */
   prediction?: HeavePrediction | null;
 }
@@ -6424,8 +6442,8 @@ export interface Wire {
   to: string;
 }
 /**
- * Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
- * move the inputs that it sets.
+ * Named steps, one after another: each step moves levers and set-points, and lasts until its condition holds. A user
+ * cannot move the inputs that the operation sets.
  */
 export interface Operation {
   /**
@@ -6442,7 +6460,7 @@ export interface Operation {
  */
 export interface OperationStep {
   /**
-   * Name of the step, which says what it does: "lift off".
+   * Name of the step, which describes it: "lift off".
    */
   name: string;
   /**
@@ -6454,7 +6472,7 @@ export interface OperationStep {
    */
   until?: Condition | null;
   /**
-   * The longest time that the step may take, s. Then the run ends and reports what the step waited for.
+   * Largest duration of the step, s. After it the run ends and reports the condition that does not hold.
    */
   time_out_s?: number | null;
 }
@@ -6463,7 +6481,7 @@ export interface OperationStep {
  */
 export interface InputMove {
   /**
-   * The input, mostly by the name of its drive.
+   * Name of the input, mostly the name of its drive.
    */
   input: string;
   /**
@@ -6480,7 +6498,7 @@ export interface InputMove {
    */
   at_s?: number;
   /**
-   * Duration of the move, s, linear from the input's present value; 0 is at once.
+   * Duration of the linear move from the input's present value, s; 0 for a jump.
    */
   in_s?: number;
 }
@@ -6489,7 +6507,7 @@ export interface InputMove {
  */
 export interface ColumnRange {
   /**
-   * The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
+   * The column by its name in the table of results: `hook.position.z`, `hoist_rope.rope_tension`.
    */
   column: string;
   /**
@@ -6506,18 +6524,18 @@ export interface ColumnRange {
   unit?: string | null;
 }
 /**
- * A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
+ * A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
  */
 export interface Limit {
   /**
-   * Whether the limit counts.
+   * Whether the limit is checked.
    */
   enabled?: boolean;
   /**
-   * The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
+   * The column by its name in the table of results: `hull.roll`, `hoist_rope.rope_tension`.
    */
   column: string;
   /**

@@ -7,8 +7,8 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 
 /// Outputs z - zeta(x, y, t), m: the height z of a point above the elevation zeta of the incident waves at that point,
-/// or above the still water where there are no waves; negative under water. (The air gap of DNV-OTG-13, without
-/// radiated and diffracted waves, and with linear crests.)
+/// or above the still water in a sea without waves; negative under water. (The air gap of DNV-OTG-13, without radiated
+/// and diffracted waves, and with linear crests.)
 #[derive(Clone, Debug)]
 pub struct AirGap<S = f64> {
     /// Name in the results.

@@ -1,11 +1,11 @@
-//! The wind as a ship measures it.
+//! An anemometer: wind speed, and wind direction relative to a body.
 
 use super::{Context, Declaration, Element, Output};
 use crate::scalar::Scalar;
 use crate::world::GustsAtHeight;
 
-/// Outputs the wind over ground at its reference height: speed with gusts and mean speed, m/s, and the direction that
-/// it comes from relative to a body: 0 from ahead, positive from starboard, from -pi to pi. Relative to the world,
+/// Outputs the wind over ground at its reference height: speed with gusts and mean speed, m/s, and the direction from
+/// which it blows, relative to a body, from -pi to pi: 0 from ahead, positive from starboard. Relative to the world,
 /// "ahead" is along x.
 #[derive(Clone, Debug)]
 pub struct Anemometer<S = f64> {
@@ -13,7 +13,7 @@ pub struct Anemometer<S = f64> {
     pub label: String,
     /// The body; `None` is the world.
     pub body: Option<usize>,
-    /// The gusts at the reference height, where the wind has any.
+    /// Gusts at the reference height; `None` for a steady wind.
     pub gusts: Option<GustsAtHeight<S>>,
 }
 
@@ -26,7 +26,7 @@ impl<S: Scalar> Element<S> for Anemometer<S> {
             number("mean_wind_speed", "mean wind speed at its reference height", &["m/s"]),
             number(
                 "wind_direction",
-                "wind direction from where it blows, seen from a ship: 0 from ahead, positive from starboard",
+                "direction from which the wind blows, relative to a ship: 0 from ahead, positive from starboard",
                 &["rad"],
             ),
         ];

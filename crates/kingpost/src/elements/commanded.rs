@@ -1,8 +1,8 @@
-//! The output that shows what a controller commands, and the declaration of controllers that pass commands.
+//! The output with a controller's command, and the declaration of controllers that pass on commands.
 
 use super::{Declaration, Input, Output};
 
-/// Returns the column of `label` that shows the command to an input of this unit.
+/// Returns the output with the command to an input of this unit, under the label `label`.
 fn commanded(label: &str, unit: &str) -> Output {
     let (variable, description, unit): (_, _, &'static [&'static str; 1]) = match unit {
         "rad" => ("commanded_angle", "angle that a controller commands", &["rad"]),
@@ -16,7 +16,7 @@ fn commanded(label: &str, unit: &str) -> Output {
     Output::number(variable, description, "controller", label, unit)
 }
 
-/// A controller that sets one input and takes its command by its own name.
+/// Declares a controller that sets one input and takes its command as an input with the controller's name.
 pub fn one_command(name: &str, to: &Input) -> Declaration {
     Declaration {
         inputs: vec![command_of(to, name)],
@@ -26,13 +26,13 @@ pub fn one_command(name: &str, to: &Input) -> Declaration {
     }
 }
 
-/// The command of an input, by the command's name.
+/// Returns the command of an input, under the command's name.
 fn command_of(to: &Input, name: &str) -> Input {
     Input { name: name.to_owned(), signal: None, ..to.clone() }
 }
 
-/// A controller that passes the command of each input that it sets, by the command's name, changed by a number that it
-/// `holds` between its samples.
+/// Declares a controller that passes on a command to each input that it sets, after a change by a number that it
+/// `holds` between its samples. The command is an input of the controller.
 pub fn changed_commands<'a>(
     holds: &str,
     steers: impl Iterator<Item = (&'a Input, &'a str)> + Clone,

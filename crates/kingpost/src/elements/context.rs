@@ -10,11 +10,11 @@ pub enum EvaluationMode {
     /// Run: everything acts.
     #[default]
     Running,
-    /// Rest: without waves, and with prescribed motions held.
+    /// Rest: waves are off, and prescribed motions are held.
     AtRest,
-    /// Rest, with sensors that deliver what they measure at once: without samples, delays and errors.
+    /// Rest, with sensors that output exact values without sampling and delay.
     Unsampled,
-    /// Search for an equilibrium: rest, with elements that hold the model in place acting at once and without limits.
+    /// Search for an equilibrium: rest, where elements that hold the model in place act without lag and without limits.
     Settling,
 }
 
@@ -25,11 +25,11 @@ impl EvaluationMode {
     }
 }
 
-/// The model and the world at one time, as an element sees them. States, inputs, numbers and modes are the element's
-/// own.
+/// The model and the world at one time, for one element: states, inputs, numbers and modes are those of the element
+/// only.
 #[derive(Clone, Copy, Debug)]
 pub struct Context<'a, S = f64> {
-    /// When.
+    /// The time.
     pub clock: Clock,
     /// The purpose.
     pub evaluation: EvaluationMode,
@@ -47,16 +47,16 @@ pub struct Context<'a, S = f64> {
     pub states: &'a [S],
     /// Its inputs, constant over a step.
     pub inputs: &'a [S],
-    /// The values that they reach at the end of the step.
+    /// The values of its inputs at the end of the step.
     pub inputs_at_end: &'a [S],
-    /// Its discrete numbers, which its samples and events set.
+    /// Its discrete numbers, which change at its samples and events.
     pub numbers: &'a [S],
-    /// Its modes, which its samples and events set.
+    /// Its modes, which change at its samples and events.
     pub modes: &'a [i64],
 }
 
 impl<'a, S> Context<'a, S> {
-    /// A model at rest, for an element without entries of its own; `q` and `v` are the model's.
+    /// Returns the context of a model at rest, for an element without states, inputs, numbers and modes.
     pub fn at_rest(
         world: &'a World<S>,
         model: &'a Model<S>,

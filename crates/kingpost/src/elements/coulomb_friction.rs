@@ -4,9 +4,9 @@ use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
-/// Coulomb's law, made smooth about rest: `tau = -T v / sqrt(v^2 + v_s^2)`. Far above the smoothing speed v_s it is T;
-/// far below, it is viscous with the coefficient T / v_s, so a joint that should stick creeps. An explicit scheme needs
-/// steps well below the moved inertia times v_s / T.
+/// Coulomb's law, smoothed about rest: `tau = -T v / sqrt(v^2 + v_s^2)`. Far above the smoothing speed v_s, the
+/// magnitude of tau is T; far below, tau is viscous with the coefficient T / v_s, so a joint that should stick creeps.
+/// An explicit scheme needs steps well below the moved inertia times v_s / T.
 #[derive(Clone, Copy, Debug)]
 pub struct CoulombFriction<S = f64> {
     /// Index in v.
@@ -24,7 +24,7 @@ impl<S: Scalar> Element<S> for CoulombFriction<S> {
 }
 
 impl<S: Scalar> CoulombFriction<S> {
-    /// Adds the friction and the heat that it makes.
+    /// Adds the friction and its heat.
     pub fn apply(&self, v: &[S], loads: &mut Loads<S>) {
         let rate = v[self.coordinate];
         let friction = regularised(self.friction, rate, self.smoothing);

@@ -7,15 +7,15 @@ use crate::world::World;
 /// The medium relative to which a damped velocity is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DampedAgainst {
-    /// The water at its surface, which a current moves: a hull's own friction and eddies.
+    /// The water at its surface, which moves with the current: friction and eddies of a hull.
     #[default]
     Water,
-    /// The earth: what chains on the seabed and the slow drift in waves take from a moored ship.
+    /// The earth: damping of a moored ship by chains on the seabed and by slow drift in waves.
     Earth,
 }
 
 impl DampedAgainst {
-    /// Its velocity, world, m/s.
+    /// Returns the velocity of the medium, world, m/s.
     pub fn velocity<S: Scalar>(self, world: &World<S>) -> Vector3<S> {
         match self {
             Self::Water => world.surface_current(),

@@ -1,4 +1,4 @@
-//! Declaration that an element makes once.
+//! Declaration of an element's states, inputs, outputs and events.
 
 use super::DrawnLine;
 use serde::Serialize;
@@ -12,57 +12,58 @@ pub struct Declaration {
     pub numbers: Vec<String>,
     /// Names of its modes.
     pub modes: Vec<String>,
-    /// The inputs, which are set from outside.
+    /// Its inputs, which a user or a controller sets.
     pub inputs: Vec<Input>,
     /// Its outputs, in the order in which it writes them.
     pub outputs: Vec<Output>,
-    /// The lines that views draw of it, in the order in which it writes them.
+    /// Its drawn lines, in the order in which it writes them.
     pub lines: Vec<DrawnLine>,
     /// Its events.
     pub events: Vec<Event>,
-    /// Its sampling period, s, if it samples: at whole multiples of it, first at the start of the run.
+    /// Sampling period, s, if it samples: at each multiple of the period, first at the start of the run.
     pub period_s: Option<f64>,
     /// Delay of its sampled outputs, in samples.
     pub delay_samples: usize,
-    /// Whether its states stay as they are while an equilibrium is sought, because a user has moved them there.
+    /// Whether its states stay unchanged while an equilibrium is sought, because a user has set them.
     pub keeps_states: bool,
     /// Whether it prescribes the motion of coordinates.
     pub prescribes: bool,
     /// Whether it may hold a constraint.
     pub holds: bool,
-    /// Whether runs with it are stepped one by one, not in lanes: its law changes in each run at a different time.
+    /// Whether runs with it are stepped singly, not in lanes, because its law changes at different times in different
+    /// runs.
     pub goes_alone: bool,
     /// The columns, of the model or of any element, that it [reads](super::Element::update_controls) at the start of every step.
     pub reads: Vec<String>,
-    /// The inputs of other elements that it sets then.
+    /// The inputs of other elements that it sets at the start of every step.
     pub steers: Vec<String>,
 }
 
 /// A continuous state that an element keeps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StateDeclaration {
-    /// Its name, which follows the name of its element.
+    /// Name, appended to the element's name.
     pub name: String,
     /// SI unit.
     pub unit: &'static str,
-    /// Whether it is only a memory of another motion, as radiated waves or a filter are. A mode of the model is then
-    /// named after the other motion.
+    /// Whether it only stores another motion, like the state of radiated waves or of a filter. A natural mode is then
+    /// named after that motion.
     pub remembers: bool,
 }
 
 impl StateDeclaration {
-    /// A state that is no memory.
+    /// Returns the declaration of a state of a motion.
     pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
         Self { name: name.into(), unit, remembers: false }
     }
 
-    /// A state that only remembers.
+    /// Returns the declaration of a state that only stores another motion.
     pub fn memory(name: impl Into<String>, unit: &'static str) -> Self {
         Self { remembers: true, ..Self::new(name, unit) }
     }
 }
 
-/// A value that a user or a controller sets from outside, constant over each step.
+/// A value that a user or a controller sets, constant over each step.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Input {
@@ -76,12 +77,13 @@ pub struct Input {
     pub upper: f64,
     /// The value at the start.
     pub value: f64,
-    /// The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` if the user sets it.
+    /// The sampled output from which it takes its value, as a flat column (`mru.heave_rate`); `None` if the user sets
+    /// it.
     pub signal: Option<String>,
 }
 
 impl Input {
-    /// A lever from `lower` to 1.
+    /// Returns a lever from `lower` to 1.
     pub fn lever(name: &str, lower: f64, value: f64) -> Self {
         Self { name: name.to_owned(), unit: "1", lower, upper: 1.0, value, signal: None }
     }
@@ -94,9 +96,9 @@ pub struct Output {
     pub variable: &'static str,
     /// Its description.
     pub description: &'static str,
-    /// The dimension along which the elements stand: `line`, for example.
+    /// Dimension of the data set that lists the elements: `line`, for example.
     pub dimension: &'static str,
-    /// The element's labels along it: its name, or one for each of its parts.
+    /// Labels of the element along that dimension: its name, or one for each of its parts.
     pub labels: Vec<String>,
     /// The components of each label's value.
     pub components: Components,
@@ -107,7 +109,7 @@ pub struct Output {
 }
 
 impl Output {
-    /// One number of the element `name`.
+    /// Returns an output of one number of the element `name`.
     pub fn number(
         variable: &'static str,
         description: &'static str,
@@ -126,7 +128,7 @@ impl Output {
         }
     }
 
-    /// A force and a moment of the element `name`.
+    /// Returns an output of a force and a moment of the element `name`.
     pub fn wrench(
         variable: &'static str,
         description: &'static str,
@@ -138,12 +140,12 @@ impl Output {
         Self { components, units: &WRENCH, frame, ..Self::number(variable, description, dimension, name, &["N"]) }
     }
 
-    /// Numbers in a row of the element: all labels' components.
+    /// Returns the number of values in a row: the components of all labels.
     pub fn len(&self) -> usize {
         self.labels.len() * self.components.labels().map_or(1, <[&str]>::len)
     }
 
-    /// Names of its numbers as flat columns, in the order of writing: `water.excitation_force.force_x`.
+    /// Returns its flat columns, in the order of writing: `water.excitation_force.force_x`.
     pub fn columns(&self) -> impl Iterator<Item = String> + '_ {
         let of = |label: &String| {
             let lead = format!("{label}.{}", self.variable);
@@ -155,7 +157,7 @@ impl Output {
         self.labels.iter().flat_map(of)
     }
 
-    /// Whether no numbers are declared.
+    /// Whether the output has no values.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -164,7 +166,7 @@ impl Output {
 /// Units of a force and a moment.
 pub const WRENCH: [&str; 6] = ["N", "N", "N", "N m", "N m", "N m"];
 
-/// The kind of a label's numbers.
+/// Components of the value of a label.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Components {
     /// One number.
@@ -178,7 +180,7 @@ pub enum Components {
 }
 
 impl Components {
-    /// The dimension that they stand along.
+    /// Returns the dimension of the data set that lists the components.
     pub fn dimension(self) -> Option<&'static str> {
         match self {
             Self::One => None,
@@ -188,7 +190,7 @@ impl Components {
         }
     }
 
-    /// Their labels.
+    /// Returns the labels of the components.
     pub fn labels(self) -> Option<&'static [&'static str]> {
         match self {
             Self::One => None,
@@ -225,7 +227,7 @@ pub enum VectorFrame {
 pub struct Event {
     /// Description of the event, for the table of events.
     pub what: &'static str,
-    /// Changes of sign that count.
+    /// Changes of sign that are the event.
     pub crossing: Crossing,
 }
 
@@ -241,7 +243,7 @@ pub enum Crossing {
 }
 
 impl Crossing {
-    /// Whether an indicator that was `before` and is `after` has crossed.
+    /// Whether a change of the indicator from `before` to `after` is a crossing.
     pub fn happened(self, before: f64, after: f64) -> bool {
         let (rising, falling) = (before < 0.0 && after >= 0.0, before > 0.0 && after <= 0.0);
         match self {

@@ -1,4 +1,4 @@
-//! Values that arrive some samples later.
+//! A delay by a whole number of samples.
 
 use super::ElementState;
 use crate::scalar::Scalar;
@@ -15,16 +15,16 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Delay {
-    /// First of its `ticks` numbers among the element's.
+    /// Index of the first of its `ticks` numbers among the element's.
     pub first_number: usize,
-    /// The mode that says where the oldest value stands.
+    /// Index of the mode that holds the position of the oldest value in the buffer.
     pub mode: usize,
     /// The delay, in samples.
     pub ticks: usize,
 }
 
 impl Delay {
-    /// Called once per sample: stores a value and returns the one from `ticks` samples ago.
+    /// Stores a value and returns the value of `ticks` samples ago; call once per sample.
     pub fn pass<S: Scalar>(&self, own: &mut ElementState<'_, S>, value: S) -> S {
         if self.ticks == 0 {
             return value;

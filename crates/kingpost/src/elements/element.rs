@@ -1,4 +1,4 @@
-//! The contract of everything that acts on the model or reads it.
+//! The trait of all elements: parts that act on the model or read it.
 
 use super::{AnyWatcher, Context, Declaration, PresentSupport, RegularWaves, ShownWaves, Support};
 use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
@@ -7,10 +7,10 @@ use crate::world::World;
 use core::any::Any;
 use core::fmt::Debug;
 
-/// A force, a drive, a sensor, a controller: whatever acts on the model or reads it.
+/// An element that acts on the model or reads it: a force, a drive, a sensor, a controller.
 ///
 /// An element [declares](Self::declare) once its states, inputs, outputs and events; the [`Layout`](super::Layout) of
-/// all elements gives them their places. In every call it sees only its own entries, from 0, in the order of its
+/// all elements gives them their places. In every call it gets only its own entries, from 0, in the order of its
 /// declaration. (Drake's and Simpack's *force element*; an event as the *zero-crossing function* of the FMI standard
 /// 3.0, sec. 3.2.)
 ///
@@ -18,27 +18,27 @@ use core::fmt::Debug;
 /// | --- | --- |
 /// | a run begins | [`begin`](Self::begin) |
 /// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
-/// | after every step | [`event_indicators`](Self::event_indicators); where one changes sign, [`handle_event`](Self::handle_event) at that time |
-/// | every step begins | [`update_controls`](Self::update_controls), where it steers inputs |
+/// | after every step | [`event_indicators`](Self::event_indicators); if an indicator changes sign, [`handle_event`](Self::handle_event) at that time |
+/// | every step begins | [`update_controls`](Self::update_controls), if it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
-/// | its numbers or an input of its own are changed | [`renew`](Self::renew) |
+/// | its numbers or one of its inputs are changed | [`renew`](Self::renew) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
-/// | what a row shows is to be warned of | [`watchers`](Self::watchers), once |
+/// | a run begins to watch its rows for warnings | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
 /// | it holds a constraint | [`holding`](Self::holding), in every evaluation and after every step |
 /// | an equilibrium is sought | [`loads`](Self::loads) in another [`EvaluationMode`](super::EvaluationMode), [`settling`](Self::settling) |
 pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
-    /// Its name in the scenario; empty if it declares nothing that needs a name.
+    /// Returns its name in the scenario; empty if no declared entry needs a name.
     fn name(&self) -> &str {
         ""
     }
 
-    /// Its states, inputs, outputs and events.
+    /// Declares its states, inputs, outputs and events.
     fn declare(&self) -> Declaration {
         Declaration::default()
     }
 
-    /// Writes its states, numbers and modes at the start of a run; they are zero before.
+    /// Writes its states, numbers and modes at the start of a run; without this call they are zero.
     fn begin(&mut self, _at: &Context<'_, S>, _own: &mut ElementState<'_, S>) {}
 
     /// Adds its loads, and the power of those that are not conservative.
@@ -51,7 +51,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// [`Declaration::prescribes`].
     fn prescribe(&self, _world: &World<S>, _clock: Clock, _rates: &mut [S], _accelerations: &mut [S]) {}
 
-    /// Energy that it stores, J.
+    /// Returns the energy that it stores, J.
     fn potential_energy(&mut self, _at: &Context<'_, S>) -> S {
         S::ZERO
     }
@@ -62,17 +62,18 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Appends the points of its lines in the world, x, y and z (m) of each, in the order of its declaration.
     fn draw(&mut self, _at: &Context<'_, S>, _points: &mut Vec<S>) {}
 
-    /// The next time after `after_s` at which its law changes form, s: a step ends there. Infinite if there is none.
+    /// Returns the next time after `after_s` at which its law changes form, s: a step ends at that time. Infinity if
+    /// there is none.
     fn next_edge_s(&self, _after_s: f64, _modes: &[i64]) -> f64 {
         f64::INFINITY
     }
 
-    /// At its sampling time: sets its discrete numbers and modes.
+    /// Sets its discrete numbers and modes at a sampling time.
     fn sample(&mut self, _at: &Context<'_, S>, _own: &mut ElementState<'_, S>) {}
 
-    /// At the start of a step: gets the columns that it [reads](Declaration::reads) and sets the inputs that it
+    /// Reads its [columns](Declaration::reads) at the start of a step and sets the inputs that it
     /// [steers](Declaration::steers), both in the order of its declaration; it may change its numbers and modes.
-    /// Returns what happened, for the table of events.
+    /// Returns texts for the table of events.
     ///
     /// # Errors
     /// The reason why the run ends.
@@ -86,12 +87,13 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         Ok(Vec::new())
     }
 
-    /// Writes the values at the end of the step of the inputs that it [steers](Declaration::steers), in the order of its
-    /// declaration, where they vary within the step; called after [`update_controls`](Element::update_controls), which has set the values that
-    /// the step holds. `inputs` begins with those.
+    /// Writes the values at the end of the step of [steered](Declaration::steers) inputs that vary within the step, in
+    /// the order of its declaration. Called after [`update_controls`](Element::update_controls), whose values are in
+    /// `inputs` at the call.
     fn at_end(&self, _at: &Context<'_, S>, _inputs: &mut [S]) {}
 
-    /// Writes the indicator of each event, in the order of the declaration: a change of sign is the event.
+    /// Writes the indicator of each event, in the order of the declaration. A change of sign of an indicator is an
+    /// event.
     fn event_indicators(&mut self, _at: &Context<'_, S>, values: &mut [S]) {
         values.fill(S::ONE);
     }
@@ -109,67 +111,70 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
-    /// Returns the role of [`settling`](Self::settling) for changes: it takes over a load.
+    /// Returns the role of [`settling`](Self::settling), mutable: it takes over a load.
     fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
         None
     }
 
-    /// The constraint that it holds at times; called if [`Declaration::holds`].
+    /// Returns the constraint that it holds in some modes; called if [`Declaration::holds`].
     fn holding(&self) -> Option<&dyn Holding<S>> {
         None
     }
 
-    /// Returns the constraint of [`holding`](Self::holding) for changes: for evaluation.
+    /// Returns the constraint of [`holding`](Self::holding), mutable, for evaluation.
     fn holding_mut(&mut self) -> Option<&mut dyn Holding<S>> {
         None
     }
 
-    /// The watchers that look at every row of a run and warn.
+    /// Returns the watchers that check every row of a run and warn.
     fn watchers(&self) -> Vec<AnyWatcher> {
         Vec::new()
     }
 
-    /// Returns the supports of the element in any positions: what it carries, ties, keeps in place or afloat.
+    /// Returns the supports that do not depend on the positions: bodies that it carries, ties, keeps in place or
+    /// afloat.
     fn supports(&self) -> Vec<Support> {
         Vec::new()
     }
 
-    /// Returns what the element carries at these positions, at rest.
+    /// Returns the supports at these positions, at rest.
     fn present_supports(&mut self, _at: &Context<'_, S>) -> Vec<PresentSupport<S>> {
         Vec::new()
     }
 
-    /// How it responds to regular waves about rest; `None` if waves do not act on it.
+    /// Returns its response to regular waves about rest; `None` if waves do not act on it.
     fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {
         None
     }
 
-    /// The outputs that depend directly on the incident waves about rest, with the bodies at these places: the number of
-    /// each in the order of writing, and how it depends on them. The others depend on the waves only by the motions.
+    /// Returns the outputs that depend directly on the incident waves about rest, with the bodies at these positions:
+    /// the index of each in the order of writing, and its dependence on the waves. Other outputs depend on the waves
+    /// only through the motions.
     fn shown_waves(&self, _bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
         Vec::new()
     }
 
-    /// In words, what a linearization about rest leaves out of this element, such as drag quadratic in the speed; `None`
-    /// if it leaves out nothing.
+    /// Returns a text on the effects of this element that a linearization about rest neglects, such as drag quadratic
+    /// in the speed; `None` if it neglects none.
     fn left_out_at_rest(&self) -> Option<&'static str> {
         None
     }
 
-    /// How the inputs that it [steers](Declaration::steers) depend on the columns that it reads, for small motions; `None` if
-    /// it feeds nothing back, or not linearly.
+    /// Returns its linear feedback, from the columns that it reads to the inputs that it [steers](Declaration::steers),
+    /// for small motions; `None` if it has no feedback, or no linear one.
     fn linear_law(&self) -> Option<LinearLaw> {
         None
     }
 
-    /// The place among the inputs that it [steers](Declaration::steers) to which it passes its command of this number at once,
-    /// alone or with more added; `None` if it does not.
+    /// Returns the index, among the inputs that it [steers](Declaration::steers), of the input to which it passes on
+    /// the command `command` without delay, possibly with additions; `None` if there is none.
     fn passes_to(&self, _command: usize) -> Option<usize> {
         None
     }
 
-    /// The coordinates that it puts to given positions at a time, by their first index in q; `None` if it moves none. It depends on
-    /// the waves that it was built with: in another sea, the body that it moves would jump.
+    /// Returns the coordinates that it moves to given positions at a time, with their first index in q; `None` if it
+    /// moves none. The positions are those of the waves with which it was built: in another sea, the moved body would
+    /// jump.
     fn given_positions(&self, _world: &World<S>, _time_s: f64) -> Option<(usize, [S; 6])> {
         None
     }
@@ -180,13 +185,13 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
 pub struct LinearLaw {
     /// G: a row for each input that is steered, a column for each column that is read, in SI units.
     pub gains: Vec<Vec<f64>>,
-    /// H, per second; without rows if nothing is summed.
+    /// H, per second; without rows if there is no integral.
     pub integral_gains: Vec<Vec<f64>>,
     /// The sampling period T, s.
     pub period_s: f64,
 }
 
-/// The advice for a ship that nothing holds in position.
+/// Advice in the warning about a ship that nothing holds in position.
 pub const HOLD_IT: &str = "hold it, by soft_hold, spring_line, catenary_line or dynamic_positioning";
 
 /// An element of any kind.
@@ -201,14 +206,14 @@ pub struct ElementState<'a, S = f64> {
     pub numbers: &'a mut [S],
     /// Modes.
     pub modes: &'a mut [i64],
-    /// A further event of the element that its response or a change from outside causes. The element sets it; it is
-    /// recorded with the time.
+    /// Index of a further event of the element, caused by its response to an event or by a change from outside. The
+    /// element sets it; the event is recorded with the time.
     pub also: Option<usize>,
 }
 
-/// An element that finds a holding force while an equilibrium is sought, as an integral does.
+/// An element that determines a holding force while an equilibrium is sought, like integral action.
 pub trait Settling<S: Scalar = f64> {
-    /// The trim that it has found: a run begins with it.
+    /// Returns the trim, the holding force with which a run begins.
     fn trim(&self) -> &[S];
 
     /// Sets the trim, of the same length as [`trim`](Self::trim).
@@ -217,34 +222,34 @@ pub trait Settling<S: Scalar = f64> {
     /// Transfers the holding force to the trim; returns the remaining deviation, m or rad.
     fn take_over(&mut self, at: &Context<'_, S>) -> S;
 
-    /// The holding force as a share of what the element can give.
+    /// Returns the holding force over the limit of the element.
     fn utilisation(&self, at: &Context<'_, S>) -> S;
 }
 
-/// An element that holds a one-sided constraint while its mode says so: an inextensible rope.
+/// An element that holds a one-sided constraint in some of its modes: an inextensible rope.
 pub trait Holding<S: Scalar = f64> {
     /// Whether it holds, by its modes.
     fn holds(&self, modes: &[i64]) -> bool;
 
-    /// Writes the constraint at the present positions. It sees no entries of its own.
+    /// Writes the constraint at the present positions. The context has no entries of the element.
     fn restrain(&mut self, at: &Context<'_, S>, held: &mut UnilateralConstraint<S>);
 
-    /// Receives the force that it carries, from the solution for the accelerations, N; zero if it does not hold.
+    /// Receives the constraint force from the solution for the accelerations, N; zero if it does not hold.
     fn carry(&mut self, multiplier: S);
 
-    /// Lets go, because the force would be negative.
+    /// Releases the constraint, because its force would be negative.
     fn let_go(&mut self, modes: &mut [i64]);
 }
 
-/// Abilities that every element has because it is `Clone` and `'static`; nothing to write.
+/// Methods that every element gets from being `Clone` and `'static`, by a blanket implementation.
 pub trait Boxed<S: Scalar> {
-    /// A copy in a box.
+    /// Returns a boxed copy.
     fn boxed_clone(&self) -> Box<dyn Element<S>>;
 
-    /// The element as `Any`, for its own type.
+    /// Returns the element as `Any`, for a downcast to its type.
     fn as_any(&self) -> &dyn Any;
 
-    /// Returns the element as `Any` for changes.
+    /// Returns the element as mutable `Any`, for a downcast to its type.
     fn as_any_mut(&mut self) -> &mut dyn Any;
 }
 
@@ -268,12 +273,12 @@ impl<S: Scalar> Clone for Box<dyn Element<S>> {
     }
 }
 
-/// The elements of one kind among all.
+/// Returns the elements of one kind among all.
 pub fn of_kind<S: Scalar, T: 'static>(elements: &[Box<dyn Element<S>>]) -> impl Iterator<Item = &T> {
     elements.iter().filter_map(|element| (**element).as_any().downcast_ref())
 }
 
-/// Returns the elements of one kind among all, for changes.
+/// Returns the elements of one kind among all, mutable.
 pub fn of_kind_mut<S: Scalar, T: 'static>(elements: &mut [Box<dyn Element<S>>]) -> impl Iterator<Item = &mut T> {
     elements.iter_mut().filter_map(|element| (**element).as_any_mut().downcast_mut())
 }

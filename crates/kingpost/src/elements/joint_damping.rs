@@ -14,7 +14,7 @@ pub struct JointDamping<S = f64> {
 }
 
 impl<S: Scalar> Element<S> for JointDamping<S> {
-    /// Adds the friction and the heat that it makes.
+    /// Adds the friction and its heat.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = at.v[self.coordinate];
         let friction = self.damping * rate;

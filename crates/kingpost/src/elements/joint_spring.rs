@@ -23,7 +23,7 @@ impl<S: Scalar> Element<S> for JointSpring<S> {
         loads.force[self.coordinate] -= self.stiffness * (at.q[self.position] - self.rest);
     }
 
-    /// Energy stored, J.
+    /// Returns the stored energy, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let stretch = at.q[self.position] - self.rest;
         self.stiffness * stretch * stretch * S::constant(0.5)

@@ -1,4 +1,4 @@
-//! The places of everything that the elements declare: offsets, names, columns.
+//! Layout of the declarations of all elements: offsets, names, columns.
 
 use super::{AnyElement, Crossing, Declaration, DrawnLine, ElementState, Input, Output, StateDeclaration};
 use crate::scalar::Scalar;
@@ -8,15 +8,15 @@ use thiserror::Error;
 /// The places of one element's entries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateSlices {
-    /// In the states of all elements, which follow the ledger's in s.
+    /// Its states among those of all elements, which follow the ledger's entries in s.
     pub states: Range<usize>,
-    /// Its entries in d.
+    /// Its inputs or numbers in d.
     pub inputs: Range<usize>,
-    /// Its entries in d.
+    /// Its inputs or numbers in d.
     pub numbers: Range<usize>,
-    /// Its entries in m.
+    /// Its modes in m.
     pub modes: Range<usize>,
-    /// Whether any of these has entries.
+    /// Whether any of the above has entries.
     pub has_own: bool,
     /// Its sampling period, s.
     pub period_s: Option<f64>,
@@ -42,7 +42,7 @@ pub struct Watched {
 /// An input that takes the sampled output of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wire {
-    /// The element that the output is of.
+    /// The element that writes the output.
     pub element: usize,
     /// Among the numbers that it writes.
     pub output: usize,
@@ -74,7 +74,7 @@ pub struct Signal {
     pub output: usize,
 }
 
-/// An input names a signal that does not exist, or whose element does not sample.
+/// An input with a signal that does not exist, or whose element does not sample.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("input {input}: found the signal {found:?}, allowed: {allowed}")]
 pub struct UnknownSignal {
@@ -92,7 +92,7 @@ pub struct UnknownSignal {
 /// discrete numbers; m each element's modes: always in the order of the elements.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
-    /// Number of entries of s before those of the elements.
+    /// Number of entries of s before the elements' states.
     pub ledger: usize,
     /// The places of each element's entries.
     pub slices: Vec<StateSlices>,
@@ -118,12 +118,12 @@ pub struct Layout {
     pub holding: Vec<usize>,
     /// Inputs that take a sampled output.
     pub wires: Vec<Wire>,
-    /// The elements that steer.
+    /// The elements that set inputs.
     pub steers: Vec<Steer>,
 }
 
 impl Layout {
-    /// The element that writes an output, and which of its numbers that is.
+    /// Returns the element that writes an output, and the index of the output among its numbers.
     pub fn writer(&self, output: usize) -> Option<(usize, usize)> {
         let mut first = 0;
         for (element, _) in self.names.iter().enumerate() {
@@ -136,12 +136,12 @@ impl Layout {
         None
     }
 
-    /// How many numbers an element writes.
+    /// Returns the number of values that an element writes.
     pub fn written_by(&self, element: usize) -> usize {
         self.outputs.iter().filter(|(writer, _)| *writer == element).map(|(_, output)| output.len()).sum()
     }
 
-    /// The layout of these elements after `ledger` entries of the ledger.
+    /// Returns the layout of these elements after `ledger` entries of the ledger.
     pub fn new<S: Scalar>(elements: &[AnyElement<S>], ledger: usize) -> Self {
         let declared: Vec<Declaration> = elements.iter().map(|element| element.declare()).collect();
         let mut layout = Self { ledger, ..Self::default() };
@@ -203,14 +203,14 @@ impl Layout {
     /// Checks that every signal named by an input exists.
     ///
     /// # Errors
-    /// The first that does not.
+    /// The first signal that does not exist.
     pub fn check_signals(&self) -> Result<(), UnknownSignal> {
         let signals = self.signals();
         let unknown = |input: &Input| {
             let found = input.signal.clone()?;
             let names = signals.iter().map(|signal| signal.name.as_str());
             let allowed = if signals.is_empty() {
-                "none: nothing samples".to_owned()
+                "none: no element samples".to_owned()
             } else {
                 names.collect::<Vec<_>>().join(", ")
             };
@@ -220,7 +220,7 @@ impl Layout {
         self.inputs.iter().find_map(unknown).map_or(Ok(()), Err)
     }
 
-    /// The outputs of the elements that sample.
+    /// Returns the outputs of the elements that sample.
     pub fn signals(&self) -> Vec<Signal> {
         let mut signals = Vec::new();
         for (element, _) in self.slices.iter().enumerate().filter(|(_, share)| share.period_s.is_some()) {
@@ -231,40 +231,40 @@ impl Layout {
         signals
     }
 
-    /// Returns the name of what sets an input, if not the user: its signal, or the element that steers it.
+    /// Returns the name of the signal or of the element that sets an input; `None` if the user sets it.
     pub fn set_by(&self, input: usize) -> Option<&str> {
         let steered = || self.steers.iter().find(|steer| steer.inputs.contains(&input));
         self.inputs[input].signal.as_deref().or_else(|| Some(self.names[steered()?.element].as_str()))
     }
 
-    /// Length of s.
+    /// Returns the length of s.
     pub fn extras(&self) -> usize {
         self.ledger + self.states.len()
     }
 
-    /// Length of d: the inputs, the numbers, the inputs at the end of the step.
+    /// Returns the length of d: the inputs, the numbers, the inputs at the end of the step.
     pub fn discrete(&self) -> usize {
         2 * self.inputs.len() + self.numbers.len()
     }
 
-    /// The places in d of the values that some inputs reach at the end of the step.
+    /// Returns the indices in d of the values of some inputs at the end of the step.
     pub fn ends_of(&self, inputs: Range<usize>) -> Range<usize> {
         let first = self.inputs.len() + self.numbers.len();
         first + inputs.start..first + inputs.end
     }
 
-    /// The place in d of the value that an input reaches at the end of the step.
+    /// Returns the index in d of the value of an input at the end of the step.
     pub fn end_of(&self, input: usize) -> usize {
         self.inputs.len() + self.numbers.len() + input
     }
 
-    /// The place of an element's states in s.
+    /// Returns the indices of an element's states in s.
     pub fn states_of(&self, element: usize) -> Range<usize> {
         let Range { start, end } = self.slices[element].states;
         self.ledger + start..self.ledger + end
     }
 
-    /// An element's own entries in the whole state.
+    /// Returns an element's entries in the whole state.
     pub fn own<'a, S>(&self, element: usize, s: &'a mut [S], d: &'a mut [S], m: &'a mut [i64]) -> ElementState<'a, S> {
         let StateSlices { numbers, modes, .. } = &self.slices[element];
         let (numbers, modes) = (&mut d[numbers.clone()], &mut m[modes.clone()]);
@@ -272,7 +272,7 @@ impl Layout {
     }
 }
 
-/// The elements that steer or read, with the inputs that exist.
+/// Returns the elements that read columns or set inputs, with the existing inputs.
 fn steers(declared: &[Declaration], inputs: &[Input]) -> Vec<Steer> {
     let of = |(element, declared): (usize, &Declaration)| {
         let place = |name: &String| inputs.iter().position(|input| input.name == *name);

@@ -1,4 +1,4 @@
-//! Warns of a ship in waves that turns away from its initial heading.
+//! Warns of a ship in waves whose mean heading changes from the initial one.
 
 use super::HOLD_IT;
 use super::watcher::{Extreme, Warning, Watcher, significant};
@@ -10,8 +10,9 @@ const LARGEST_TURN_DEG: f64 = 5.0;
 /// minutes.
 const TIME_CONSTANT_S: f64 = 100.0;
 
-/// Watches the mean heading of a body in waves, `m' = (psi - m) / T` of its yaw without jumps at full turns: in linear
-/// theory nothing turns a free ship back, and a ship that has turned meets waves from another direction than intended.
+/// Watches the mean heading m of a body in waves, `m' = (psi - m) / T` with the yaw psi without jumps at full turns. In
+/// linear theory no moment restores the heading of a free ship, and a ship that has turned meets waves from an
+/// unintended direction.
 ///
 /// ```
 /// use kingpost::elements::{MeanHeading, Watcher};
@@ -22,7 +23,7 @@ const TIME_CONSTANT_S: f64 = 100.0;
 #[derive(Clone, Debug)]
 pub struct MeanHeading {
     body: String,
-    /// Yaw, its mean and when, without jumps, rad and s.
+    /// Yaw without jumps and its mean, rad, and their time, s.
     last: Option<[f64; 3]>,
     start_rad: f64,
     turn_deg: Extreme,
@@ -30,7 +31,7 @@ pub struct MeanHeading {
 }
 
 impl MeanHeading {
-    /// For this body.
+    /// Returns the watcher of this body.
     pub fn new(body: &str) -> Self {
         let (last, start_rad, turn_deg, beyond_s) = (None, 0.0, Extreme::default(), None);
         Self { body: body.to_owned(), last, start_rad, turn_deg, beyond_s }
@@ -42,7 +43,7 @@ impl Watcher for MeanHeading {
         vec![format!("{}.yaw", self.body)]
     }
 
-    /// For the average, yaw is constant between two rows.
+    /// Updates the mean heading; yaw is taken as constant between two rows.
     fn see(&mut self, time_s: f64, values: &[f64]) {
         let Some([before, mean, then_s]) = self.last else {
             (self.start_rad, self.last) = (values[0], Some([values[0], values[0], time_s]));

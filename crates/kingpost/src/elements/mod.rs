@@ -1,8 +1,8 @@
-//! Everything that acts on the model or reads it: one contract, [`Element`], and one room for each kind.
+//! Elements, which act on the model or read it: one trait, [`Element`], and one module for each kind.
 //!
-//! A new kind is one room here: its physics, its `fields` in a file and its `assembly` from them. It
-//! [declares](Declaration) its states, inputs and outputs; the [`Layout`] of all elements gives each its place in the
-//! state, in the results, in snapshots, in A and B. No other code names a kind.
+//! A new kind is one module here: its physics, its `fields` in a file and its `assembly` from these fields. It
+//! [declares](Declaration) its states, inputs and outputs; the [`Layout`] of all elements assigns their positions in
+//! the state, in the results, in snapshots, and in A and B. No other code names a kind.
 
 mod air_gap;
 mod anemometer;

@@ -1,12 +1,12 @@
-//! Warns of massless rods that stand for ropes and push, which a rope cannot do.
+//! Warns of massless rods that represent ropes and push, which a rope cannot do.
 
 use super::watcher::{Extreme, Warning, Watcher, significant};
 use crate::model::Attachment;
 use crate::spatial::{Frame, Matrix3, Quaternion, Vector3};
 
-/// Share of a rod's largest force in the run below which a push is rounding.
+/// Share of a rod's largest force in the run below which a push counts as rounding.
 const SMALLEST_PUSH: f64 = 1e-6;
-/// Swing at which a rope would go slack, degrees from hanging.
+/// Swing angle at which a rope would go slack, degrees from the hanging position.
 const LARGEST_SWING_DEG: f64 = 90.0;
 
 /// The force of a rod.
@@ -27,7 +27,7 @@ impl Pull {
     fn warning(&self, name: &str, what: &str) -> Option<Warning> {
         let Extreme { value, time_s } = self.least;
         let text = format!(
-            "{what} pushes with {} N, at {} s: a rope would go slack; from there on this run does not represent a load on a rope",
+            "{what} pushes with {} N, at {} s: a rope would go slack; from then on the run does not represent a load on a rope",
             significant(-value, 5),
             significant(time_s, 6)
         );
@@ -35,8 +35,8 @@ impl Pull {
     }
 }
 
-/// A load that swings freely about a joint above its centre, as on a rope: the joint should pull and the load should
-/// hang.
+/// A load that swings freely about a joint above its centre of mass, as on a rope: the joint must pull and the load
+/// must hang.
 #[derive(Clone, Debug)]
 pub struct Pendant {
     joint: String,
@@ -44,13 +44,14 @@ pub struct Pendant {
     /// Unit vector from the centre of mass to the joint, body axes.
     up: Vector3,
     pull: Pull,
-    /// The largest angle from hanging, degrees.
+    /// Largest angle from the hanging position, degrees.
     swing: Extreme,
     beyond_s: Option<f64>,
 }
 
 impl Pendant {
-    /// For a body with this joint; `up` points from the centre of mass to the joint, in body axes, of any length but 0.
+    /// Returns the watcher of a body with this joint; `up` points from the centre of mass to the joint, in body axes,
+    /// and has any length except 0.
     pub fn new(joint: &str, body: &str, up: Vector3) -> Self {
         let up = up * (1.0 / up.norm());
         let (pull, swing) = (Pull::default(), Extreme::default());
@@ -80,7 +81,7 @@ impl Watcher for Pendant {
             time_s,
             name: self.joint.clone(),
             text: format!(
-                "{} swings to {:.1} deg from where it hangs, beyond {LARGEST_SWING_DEG} deg first at {} s: a rope would go \
+                "{} swings to {:.1} deg from the hanging position, beyond {LARGEST_SWING_DEG} deg first at {} s: a rope would go \
                  slack; this rod does not",
                 self.body,
                 self.swing.value,
@@ -108,7 +109,7 @@ struct End {
 }
 
 impl Rod {
-    /// For a loop with this name, its attachments and their bodies.
+    /// Returns the watcher of a loop with this name, its attachments and their bodies.
     pub fn new(name: &str, ends: [(&Attachment, Option<&str>); 2]) -> Self {
         let ends = ends.map(|(tie, body)| End { body: body.map(str::to_owned), in_body: tie.in_body });
         Self { name: name.to_owned(), ends, pull: Pull::default() }
@@ -124,7 +125,7 @@ impl End {
         self.body.as_ref().map_or_else(Vec::new, of)
     }
 
-    /// Its frame in the world, from the values of its columns.
+    /// Returns its frame in the world, from the values of its columns.
     fn frame(&self, values: &[f64]) -> Frame {
         if self.body.is_none() {
             return self.in_body;
@@ -140,7 +141,7 @@ impl Watcher for Rod {
         force.into_iter().chain(self.ends.iter().flat_map(End::columns)).collect()
     }
 
-    /// The loop's force on its second body is along the axes of the first attachment.
+    /// Sees a row. The components of the loop's force on its second body are in the axes of the first attachment.
     fn see(&mut self, time_s: f64, values: &[f64]) {
         let (force, rest) = values.split_at(3);
         let (of_first, of_second) = rest.split_at(self.ends[0].columns().len());

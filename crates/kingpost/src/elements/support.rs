@@ -1,4 +1,4 @@
-//! Support that an element gives to bodies at rest: what it carries, ties, keeps in place or afloat.
+//! Supports of bodies at rest by an element: it may carry a body, tie it, or keep it in place or afloat.
 
 use crate::model::Attachment;
 use crate::spatial::Vector3;
@@ -24,22 +24,22 @@ pub enum Support {
 }
 
 impl Support {
-    /// The pair of bodies of which one may carry the other.
+    /// Returns the pair of bodies of which one may carry the other.
     pub fn carries(&self) -> Option<BodyPair> {
         if let Self::Carries(pair) = self { Some(*pair) } else { None }
     }
 
-    /// The pair of bodies of which one may hold the other in place.
+    /// Returns the pair of bodies of which one may hold the other in place.
     pub fn station(&self) -> Option<BodyPair> {
         if let Self::Station(pair) = self { Some(*pair) } else { None }
     }
 
-    /// The coordinate that a spring pulls back.
+    /// Returns the coordinate that a spring pulls back.
     pub fn spring(&self) -> Option<usize> {
         if let Self::Spring(coordinate) = self { Some(*coordinate) } else { None }
     }
 
-    /// The body that the water keeps afloat.
+    /// Returns the body that the water keeps afloat.
     pub fn afloat(&self) -> Option<usize> {
         if let Self::Afloat(body) = self { Some(*body) } else { None }
     }
@@ -48,7 +48,7 @@ impl Support {
 /// A support in the present positions.
 #[derive(Clone, Debug)]
 pub enum PresentSupport<S = f64> {
-    /// A line that pulls between its ends: a load may hang on it.
+    /// A line that pulls between its ends; a load may hang on it.
     Line([Attachment<S>; 2]),
     /// The two bodies touch.
     Contact(BodyPair),

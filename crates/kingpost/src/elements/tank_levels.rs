@@ -1,4 +1,4 @@
-//! Warns of a tank whose liquid reaches the top, or sinks to where air gets in.
+//! Warns of a tank whose liquid reaches the top, or falls to a level at which air enters.
 
 use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
 
@@ -9,7 +9,7 @@ pub struct TankLevels {
     columns: Vec<String>,
     ends: [LevelEnd; 2],
     highest: Extreme,
-    /// Below the lower end, m.
+    /// Largest depth below the lower end, m.
     lowest: Extreme,
 }
 
@@ -18,12 +18,12 @@ pub struct TankLevels {
 pub struct LevelEnd {
     /// The level there, m.
     pub level: f64,
-    /// The warning up to the level, without its unit and time.
+    /// Beginning of the warning's text, before level and time.
     pub warning: &'static str,
 }
 
 impl TankLevels {
-    /// For the outputs `variables` of the tank of this name; the upper end comes first.
+    /// Returns the watcher of the outputs `variables` of the tank with this name; the upper end is the first of `ends`.
     pub fn new(name: &str, variables: &[&str], ends: [LevelEnd; 2]) -> Self {
         let columns = variables.iter().map(|variable| format!("{name}.{variable}")).collect();
         Self { name: name.to_owned(), columns, ends, highest: Extreme::default(), lowest: Extreme::default() }

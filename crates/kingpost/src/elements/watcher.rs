@@ -1,4 +1,4 @@
-//! Watchers: they look at a run and warn.
+//! Watchers, which check the rows of a run and warn.
 
 use core::fmt::Debug;
 use serde::Serialize;
@@ -7,7 +7,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Warning {
-    /// The time that it concerns, s.
+    /// Time of the warning's cause, s.
     pub time_s: f64,
     /// Name of the joint, closed loop, body or element that it concerns.
     pub name: String,
@@ -17,22 +17,22 @@ pub struct Warning {
 
 /// Sees every row of a run, and warns of a joint, a closed loop or an element.
 pub trait Watcher: Debug + Send + Sync + BoxedWatcher {
-    /// The columns that it sees, as `slew.joint_position`.
+    /// Returns the columns that it checks, such as `slew.joint_position`.
     fn columns(&self) -> Vec<String>;
 
-    /// Sees the numbers of those columns in a row, and its time.
+    /// Sees the values of its columns in a row, and the row's time.
     fn see(&mut self, time_s: f64, values: &[f64]);
 
-    /// The warnings so far.
+    /// Returns the warnings so far.
     fn warnings(&self) -> Vec<Warning>;
 }
 
 /// A watcher of any kind.
 pub type AnyWatcher = Box<dyn Watcher>;
 
-/// Abilities that every watcher has because it is `Clone` and `'static`; nothing to write.
+/// Methods that every watcher gets from being `Clone` and `'static`, by a blanket implementation.
 pub trait BoxedWatcher {
-    /// A copy in a box.
+    /// Returns a boxed copy.
     fn boxed_clone(&self) -> AnyWatcher;
 }
 
@@ -51,9 +51,9 @@ impl Clone for AnyWatcher {
 /// The value with the largest magnitude, with its sign, and its time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extreme {
-    /// 0 before any row was seen.
+    /// The value; 0 before the first row.
     pub value: f64,
-    /// s.
+    /// Time of the value, s.
     pub time_s: f64,
 }
 
@@ -66,8 +66,8 @@ impl Extreme {
     }
 }
 
-/// A number for a reader: this many significant digits, without trailing zeros; with a power of ten if very large or
-/// very small.
+/// Formats a number for a reader: with `digits` significant digits, without trailing zeros, and with a power of ten if
+/// very large or very small.
 ///
 /// ```
 /// use kingpost::elements::significant;

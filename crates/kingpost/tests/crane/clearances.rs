@@ -246,7 +246,7 @@ fn a_mistake_in_a_sensor_is_told_at_its_place() {
         (
             "point: roof}",
             "point: roof, shape: own}",
-            "gap.clearance.second.point: found a place, allowed: none: the own shape",
+            "gap.clearance.second.point: found a place, allowed: none: a body's own shape",
         ),
         (
             "point: roof}",

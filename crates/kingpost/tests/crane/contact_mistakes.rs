@@ -77,7 +77,7 @@ fn a_contact_that_cannot_be_is_refused_at_its_place() {
         (
             "position_m: [0, 0, 1.01]",
             "position_m: [0, 0, 0.9]",
-            "forces.deck.contact.load: found a load 0.1000 m inside of its surface, allowed: at most its penetration_tolerance_m, \
+            "forces.deck.contact.load: found a load 0.1000 m inside its surface, allowed: at most its penetration_tolerance_m, \
              0.02 m, where the run begins",
         ),
     ];
@@ -95,7 +95,7 @@ fn a_deck_that_is_too_soft_for_its_load_is_refused() {
     let text = text.replace("duration_s: 60", "duration_s: 60, begin_at_equilibrium: true");
     let error = read(&text, "deck.yaml", &[]).and_then(|scenario| scenario.setup()).expect_err("too soft").to_string();
     assert!(error.contains("forces.deck.contact.load: found a load 0.0613 m inside"), "{error}");
-    assert!(error.contains("where it rests: make it stiffer"), "{error}");
+    assert!(error.contains("at rest: make the contact stiffer"), "{error}");
 }
 
 /// Falling 0.51 m on it, 500 kg go some 10 mm into 4 MN/m: v sqrt(m / 4 k) = 35 mm without its damping.

@@ -277,7 +277,7 @@ fn the_function_of_inverse_dynamics_moves_the_cage_on_its_way() {
 fn mistakes_of_drive_functions_are_reported_with_their_place() {
     let text = oscillator(0.0, 0.01, 1.0, FUNCTION);
     for (field, set, expected) in [
-        ("time_s", json!([0.0, 0.2]), "time_s: found 2 of them, allowed: at least 3 times"),
+        ("time_s", json!([0.0, 0.2]), "time_s: found 2 times, allowed: at least 3 times"),
         ("command", json!([0.0]), "command: found 1 commands, allowed: 4, one for each time"),
         ("time_s.2", json!(0.2), "time_s.2: found 0.2, allowed: more than 0.2, the time before"),
         ("period_s", json!(0.6), "period_s: found 0.6, allowed: more than 0.6, from the first time to the last"),

@@ -154,7 +154,7 @@ fn a_mistake_in_the_water_inside_is_told_at_its_place() {
         (
             "volume_m3: 12",
             "volume_m3: 19",
-            "volume_m3: found 19, allowed: at most what displaced_volume_m3 leaves of the solid, 18.000000 m3",
+            "volume_m3: found 19, allowed: at most the volume of the solid less displaced_volume_m3, 18.000000 m3",
         ),
         ("volume_m3: 12", "volume_m3: 0", "volume_m3: found 0"),
         (

@@ -338,8 +338,8 @@ fn a_sensor_that_drops_out_is_survived_and_reported() {
         for words in [
             "mru drops out",
             "mru delivers again",
-            "keep goes on without its sensor, which has dropped out",
-            "keep has its sensor again",
+            "keep continues without its sensor, which has dropped out",
+            "keep uses its sensor again",
         ] {
             assert!(said.iter().any(|said| said == words), "{words}: {said:?}");
         }

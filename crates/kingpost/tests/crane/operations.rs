@@ -219,7 +219,7 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
         ("{name: a, set: [{input: push, to: 1, unit: kN}]}", "operation.steps.0.set.0.unit: found kN, allowed: 1"),
         (
             "{name: a, set: [{input: push, to: 1, in_s: 2}, {input: push, to: 0, at_s: 1}]}",
-            "operation.steps.0.set.1.at_s: found 1, allowed: at least 2, when the move before it of the same input ends",
+            "operation.steps.0.set.1.at_s: found 1, allowed: at least 2, the end of the previous move of the same input",
         ),
         ("{name: a, until: {all: []}}", "operation.steps.0.until.all: found none, allowed: at least one condition"),
         (
@@ -244,7 +244,7 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
         ),
         (
             "{name: \" \", until: {after_s: 1}}",
-            "operation.steps.0.name: found \" \", allowed: a text: what the step does",
+            "operation.steps.0.name: found \" \", allowed: a text that describes the step",
         ),
     ];
     for (step, expected) in cases {

@@ -95,7 +95,7 @@ fn a_path_that_is_none_is_refused_at_its_place() {
         (
             "radius_m: 0.3, axis",
             "radius_m: 3.8, axis",
-            "forces.fall.rope.path.1: found a place 4.0000 m from the one before it, allowed: one farther from it than 4.3000 m",
+            "forces.fall.rope.path.1: found a place 4.0000 m from the place before it, allowed: a distance above 4.3000 m",
         ),
         (
             "radius_m: 0.3, axis",
@@ -125,7 +125,10 @@ fn a_winch_that_hauls_its_load_into_the_sheave_is_an_event() {
             break;
         }
         if let Some(event) = hauling.events().first() {
-            assert_eq!(event.what, "leaves its range at a sheave or drum, or two places of its path meet");
+            assert_eq!(
+                event.what,
+                "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap"
+            );
             // 2.7 m are left where it begins, less what the acceleration takes.
             assert!((4.0..6.0).contains(&event.time_s), "{event:?}");
             // The path was one until then: the energy closes but for the bends of the drive's limits.

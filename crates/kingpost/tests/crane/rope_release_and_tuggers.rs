@@ -392,7 +392,7 @@ fn a_mistake_in_a_tugger_line_is_refused_at_its_place() {
         (
             "position_m: [0.3, 0, -5]",
             "position_m: [0, 0, -0.3]",
-            "path.1: found a place 0.0000 m from the one before it",
+            "path.1: found a place 0.0000 m from the place before it",
         ),
         ("tension_kN: 3", "tension_kN: -3", "tension_kN: found -3"),
     ];

@@ -391,9 +391,9 @@ fn what_cannot_hold_a_ship_is_refused() {
         assert!(error.contains(message), "{error}");
     };
     let field = "forces.dp.dynamic_positioning";
-    refused(GAINS, "", "", &format!("{field}.thrusters: found none that runs"));
+    refused(GAINS, "", "", &format!("{field}.thrusters: found no enabled thruster"));
     let off = WEAK.replace("{position_m", "{enabled: false, position_m");
-    refused(GAINS, &off, "", &format!("{field}.thrusters: found none that runs"));
+    refused(GAINS, &off, "", &format!("{field}.thrusters: found no enabled thruster"));
     let one = "stern: {azimuth: {position_m: [-30, 0, 0], max_thrust_kN: 120, time_constant_s: 2}}";
     refused(GAINS, one, "", "thrusters that give surge, sway and yaw, but not independently");
     let tunnels = &STRONG[..STRONG.find("port").unwrap()];

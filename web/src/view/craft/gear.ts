@@ -13,7 +13,7 @@ export function addDrum({ body, fittings, palette }: Work, radius: number, lengt
   body.turned(straight(radius, -half, half), axis, [0, 0, 0], palette.line, 32);
   const flange = 0.08 * length;
   for (const from of [-half, half - flange]) fittings.turned(straight(1.35 * radius, from, from + flange), axis, [0, 0, 0], colour, 32);
-  // Number of turns of the rope on the drum.
+  // Number of turns on the drum.
   const turns = 9;
   for (let k = 1; k < turns; k++) {
     const at = -half + flange + (k / turns) * (length - 2 * flange);

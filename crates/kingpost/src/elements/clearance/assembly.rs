@@ -1,4 +1,4 @@
-//! Clearances and air gaps: the points, and the solids that they stay clear of.
+//! Clearances and air gaps: their points, and the solids from which the distance is measured.
 
 use crate::elements::contact::ContactSolid;
 use crate::elements::{AirGap, AnyElement, Clearance};
@@ -50,7 +50,7 @@ impl<S: Quantity> Assemble<S> for schema::AirGap<S> {
     }
 }
 
-/// A point as a place on a body that exists.
+/// Returns a point as its attachment to a body, if the body exists.
 fn pin<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
@@ -73,7 +73,7 @@ fn pin<S: Quantity>(
     Ok(Pin { body: body.clone(), position_m })
 }
 
-/// Its place in the model; `None` if the body does not exist.
+/// Returns its attachment in the model; `None` if the body does not exist.
 fn place<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -90,7 +90,7 @@ fn is_own<S>(given: &schema::ClearanceFrom<S>) -> bool {
     matches!(given.shape, Some(ClearanceShape::Own))
 }
 
-/// The solid that the point stays clear of; a point is a sphere of radius 0.
+/// Returns the solid from which the clearance is measured; a point is a sphere of radius 0.
 fn solid<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
@@ -122,7 +122,7 @@ fn own<S: Quantity>(
         ("orientation_rad", is_placed(&given.orientation_rad)),
     ] {
         if placed {
-            let allowed = "none: the own shape of a body is centred on its centre of mass";
+            let allowed = "none: a body's own shape is centred on its centre of mass";
             return Err(FieldError::new(format!("{field}.{name}"), "a place", allowed));
         }
     }

@@ -5,7 +5,7 @@ use kingpost_derive::fields;
 use crate::scenario::schema::{BoxShape, ContactPlane, CylinderShape, LocalName, Name, SphereShape, yes};
 
 /// The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
-/// solid. It is only measured: no force keeps the two apart.
+/// solid. It is only an output: no force keeps the two apart.
 #[fields]
 pub struct Clearance<S = f64> {
     /// Whether the clearance is measured.
@@ -13,7 +13,7 @@ pub struct Clearance<S = f64> {
     pub enabled: bool,
     /// The point.
     pub first: OwnPoint<S>,
-    /// The point or solid to stay clear of.
+    /// The point or solid from which the clearance is measured.
     pub second: ClearanceFrom<S>,
 }
 
@@ -47,10 +47,10 @@ pub struct ClearanceFrom<S = f64> {
     pub shape: Option<ClearanceShape<S>>,
 }
 
-/// The solid that a point stays clear of.
+/// The solid from which the clearance is measured.
 #[fields]
 pub enum ClearanceShape<S = f64> {
-    /// The body's own `shape`, centred on its centre of mass; give no position then.
+    /// The body's own `shape`, centred on its centre of mass; a position is then not allowed.
     Own,
     /// Everything below an infinite plane: a quay, the seabed.
     Plane(ContactPlane<S>),
@@ -62,8 +62,8 @@ pub enum ClearanceShape<S = f64> {
     Sphere(SphereShape<S>),
 }
 
-/// The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results;
-/// above the still water where there are no waves. Negative under water.
+/// The height of a point above the surface of the incident waves at that point, as `air_gap` (m) in the results; above
+/// the still water in a sea without waves. Negative under water.
 #[fields]
 pub struct AirGap<S = f64> {
     /// Whether the clearance is measured.

@@ -10,7 +10,7 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 
 /// Outputs the distance of a point x from a solid, m: d = |x - c|, with c the nearest point of its surface; negative
-/// inside, where it is the distance to the nearest face. A sphere of radius 0 stands for a second point.
+/// inside, where it is the distance to the nearest face. A second point is a sphere of radius 0.
 #[derive(Clone, Debug)]
 pub struct Clearance<S = f64> {
     /// Name in the results.
@@ -19,7 +19,7 @@ pub struct Clearance<S = f64> {
     pub point: Attachment<S>,
     /// The solid's centre and axes.
     pub place: Attachment<S>,
-    /// The solid that the point stays clear of.
+    /// The solid from which the distance is measured.
     pub solid: ContactSolid<S>,
 }
 
@@ -29,7 +29,7 @@ impl<S: Scalar> Element<S> for Clearance<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let what = "distance of a point from another point, or from the surface of a solid; negative: inside of it";
+        let what = "distance of a point from another point, or from the surface of a solid; negative: inside the solid";
         let outputs = vec![Output::number("clearance", what, "clearance_sensor", &self.name, &["m"])];
         Declaration { outputs, ..Declaration::default() }
     }

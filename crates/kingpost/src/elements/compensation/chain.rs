@@ -1,4 +1,4 @@
-//! A chain of driven joints and its Jacobian: how their rates move a point.
+//! A chain of driven joints and its Jacobian, from joint rates to the velocity of a point.
 
 use super::lever::share;
 use super::predictor::solve;
@@ -12,7 +12,7 @@ use crate::spatial::{Twist, Vector3};
 pub struct DrivenChain<S = f64> {
     /// Each joint with its drive.
     pub joints: Vec<DrivenJoint<S>>,
-    /// Where the drives at full speed give no more than this in some direction, that direction is damped, m/s.
+    /// Speed of the point below which a direction is damped, m/s: drives at full speed give less in that direction.
     pub damped_below: S,
 }
 
@@ -25,27 +25,27 @@ pub struct DrivenJoint<S = f64> {
     pub link: usize,
     /// Its index in v.
     pub coordinate: usize,
-    /// The speed that the drive has as its own set-point, rad/s or m/s: the controller's takes its place.
+    /// Set-point of the drive in the scenario, rad/s or m/s: the controller's command replaces it.
     pub set_point: S,
     /// The speed limit of the drive.
     pub limit: S,
 }
 
 impl<S: Scalar> DrivenChain<S> {
-    /// The velocity of a point, and its body's angular velocity, per rate of each joint, world axes.
+    /// Returns the velocity of a point, and its body's angular velocity, per rate of each joint, world axes.
     pub fn jacobian(&self, at: &Context<'_, S>, point: &Attachment<S>) -> Vec<Twist<S>> {
         let place = at.links.attachment_frame(at.model, point).position;
         self.joints.iter().map(|joint| joint_twist(at, joint.link, place)).collect()
     }
 
-    /// The velocity that the joints' present rates give, for the Jacobian's columns.
+    /// Returns the velocity that the joints' present rates give, from the columns of the Jacobian.
     pub fn driven(&self, at: &Context<'_, S>, columns: &[Twist<S>]) -> Twist<S> {
         let rates = self.joints.iter().map(|joint| at.v[joint.coordinate]);
         rates.zip(columns).fold(Twist::zero(), |sum, (rate, column)| sum + *column * rate)
     }
 
-    /// The rates x' that give a velocity w by the rows J of the joints, with J_s = J diag(limits), so that angles and lengths
-    /// compare:
+    /// Returns the rates x' that give a velocity w by the rows J of the joints. J_s = J diag(limits) scales each rate
+    /// by its limit, so that angles and lengths are comparable:
     ///
     /// ```text
     /// x' = diag(limits) J_s^T (J_s J_s^T + lambda^2 I)^-1 w,    lambda^2 = max(0, d^2 - s^2)
@@ -53,9 +53,10 @@ impl<S: Scalar> DrivenChain<S> {
     ///
     /// Damped least squares (Nakamura & Hanafusa, "Inverse kinematic solutions with singularity robustness for robot
     /// manipulator control", *J. Dyn. Sys., Meas., Control* 108, 1986, pp. 163-171; a damping that sets in near the
-    /// singularity: Chiaverini, *IEEE Trans. Robotics Automation* 13, 1997, pp. 398-410). d is `damped_below`; s is near the
-    /// smallest singular value: the product of all over the mean square of all to the power of their number less one. A
-    /// direction then gets at most the share |w| / d of the limits, and none where the joints cannot move it.
+    /// singularity: Chiaverini, *IEEE Trans. Robotics Automation* 13, 1997, pp. 398-410). d is `damped_below`; s
+    /// approximates the smallest of the n singular values: the product of all over their root mean square to the power
+    /// n - 1. A direction then gets at most the share |w| / d of the limits, and 0 if the joints cannot move the point
+    /// in it.
     pub fn rates(&self, rows: &[Vec<S>], wanted: &[S]) -> Vec<S> {
         let (m, n) = (rows.len(), self.joints.len());
         let scaled = |i: usize, j: usize| rows[i][j] * self.joints[j].limit;
@@ -72,13 +73,13 @@ impl<S: Scalar> DrivenChain<S> {
         (0..n).map(rate).collect()
     }
 
-    /// The largest of these rates over their limits.
+    /// Returns the largest ratio of a rate to its limit.
     pub fn utilisation(&self, rates: &[S]) -> S {
         let shares = self.joints.iter().zip(rates).map(|(joint, rate)| share(*rate, joint.limit));
         shares.fold(S::ZERO, |most, share| most.select_less(share, || share, || most))
     }
 
-    /// The rates, all reduced by the same share so that each is within its limit: the direction stays.
+    /// Returns the rates, all scaled by the same factor so that each is within its limit: the direction stays.
     pub fn within_limits(&self, rates: &[S]) -> Vec<S> {
         let most = self.utilisation(rates);
         let share = S::ONE / most.select_below(1.0, || S::ONE, || most);
@@ -86,8 +87,8 @@ impl<S: Scalar> DrivenChain<S> {
     }
 }
 
-/// The velocity of a point in the world that a link carries, and the link's angular velocity, per rate of its joint,
-/// world axes.
+/// Returns the velocity of a point at `place` in the world, fixed to a link, and the link's angular velocity, per rate
+/// of the link's joint, world axes.
 pub fn joint_twist<S: Scalar>(at: &Context<'_, S>, link: usize, place: Vector3<S>) -> Twist<S> {
     let root = at.links.root_in_world(at.model.roots[link]);
     let axis = at.links.axis(link);
@@ -96,7 +97,7 @@ pub fn joint_twist<S: Scalar>(at: &Context<'_, S>, link: usize, place: Vector3<S
     Twist { angular: root.rotation * axis.angular, linear: root.rotation * linear }
 }
 
-/// The determinant of a symmetric matrix of at most three rows, of which the lower triangle is given.
+/// Returns the determinant of a symmetric matrix of at most three rows, given by its lower triangle.
 fn determinant<S: Scalar>(a: &[Vec<S>]) -> S {
     match a {
         [] => S::ONE,

@@ -1,16 +1,16 @@
-//! Estimate of a point's motion along one axis by a compensation: measured, or predicted.
+//! Estimate of a point's motion along one axis for a compensation: measured or predicted.
 
 use super::measurement::{Measured, Measurement};
 use super::predictor::FilterBank;
 use crate::elements::ElementState;
 use crate::scalar::Scalar;
 
-/// Estimates velocity and position along axes of the world.
+/// Estimates velocity and position of a point along axes of the world.
 #[derive(Clone, Debug)]
 pub struct Estimator<S = f64> {
-    /// Their source.
+    /// Source of the measured motion.
     pub measurement: Measurement<S>,
-    /// Prediction, if it predicts.
+    /// Prediction; `None` to use the measured motion.
     pub prediction: Option<Prediction<S>>,
     /// Sampling period T_s, s.
     pub period_s: f64,
@@ -21,33 +21,36 @@ pub struct Estimator<S = f64> {
 pub struct Prediction<S = f64> {
     /// The bank.
     pub bank: FilterBank,
-    /// Rate at which the measured position corrects the measured velocity, k, 1/s; 0 if both are exact. With the
-    /// measured position x and velocity v, the complementary filter `s (v + k x) / (s + k)` takes v above k and the rate of x
-    /// below, so that neither a bias nor the slow noise of v is integrated (Fossen, 2021, sec. 13.2).
+    /// k, 1/s: rate at which the measured position corrects the measured velocity; 0 if both are exact. With the
+    /// measured position x and velocity v, the complementary filter `s (v + k x) / (s + k)` uses v at frequencies above
+    /// k and the rate of x below k, so that neither a bias nor the slow noise of v is integrated (Fossen, 2021, sec.
+    /// 13.2).
     pub correction: f64,
-    /// The velocity to command each drive, from the linear and from the angular part of the measured velocity.
+    /// Weights of the velocity to command to each drive, for the linear and for the angular part of the measured
+    /// velocity.
     pub velocity: Vec<[Vec<S>; 2]>,
-    /// The position from the linear and from the angular part of the measured velocity. Without the second, that by the
-    /// rotation of the body is measured: where the lever arm changes with the motion, its integral would wander.
+    /// Weights of the position, for the linear and for the angular part of the measured velocity. If the second is
+    /// absent, the position due to the body's rotation is measured: with a lever arm that changes with the motion, the
+    /// integral of its velocity would drift.
     pub position: Vec<Vec<S>>,
     /// Age of the measurement, s.
     pub age: S,
-    /// Share of a velocity that is left at the next tick while the sensor is out: it fades at the middle frequency of the
-    /// band.
+    /// Factor on a velocity from one tick to the next while the sensor is out: the velocity decays at the middle
+    /// frequency of the band.
     pub fades: f64,
 }
 
 /// A point's motion along an axis.
 #[derive(Clone, Debug)]
 pub struct Estimate<S> {
-    /// The velocity that the ship gives it, for each drive, m/s.
+    /// Velocity of the point from the ship's motion, for each drive, m/s.
     pub velocities: Vec<S>,
     /// Its position, m.
     pub position: S,
 }
 
-/// Numbers of an axis: what the crane's own motion adds to a predicted position; the position that each part of the
-/// velocity has led to; then the states of both banks.
+/// Numbers of an axis: the contribution of the crane's own motion to a predicted position; the position integrated from
+/// each part of the velocity; then the states of both banks.
 const BY_CRANE: usize = 0;
 const LED_TO: usize = 1;
 const BANKS: usize = 3;
@@ -56,8 +59,8 @@ const LINEAR: usize = 0;
 const ANGULAR: usize = 1;
 
 impl<S: Scalar> Estimator<S> {
-    /// Returns the estimator for a lever arm that changes with the motion: the position by the rotation of the body is
-    /// measured.
+    /// Returns the estimator for a lever arm that changes with the motion: it measures the position due to the body's
+    /// rotation.
     pub fn with_measured_arms(mut self) -> Self {
         if let Some(prediction) = &mut self.prediction {
             prediction.position.truncate(ANGULAR);
@@ -73,16 +76,16 @@ impl<S: Scalar> Estimator<S> {
         own.into_iter().chain(banks).map(|name| format!("{axis}{name}")).collect()
     }
 
-    /// How many there are.
+    /// Returns the number of the numbers of an axis.
     pub fn numbers(&self) -> usize {
         if self.prediction.is_some() { BANKS + 2 * FilterBank::STATES } else { BANKS }
     }
 
-    /// Takes a sample of an axis; `begins` at the first.
+    /// Takes a sample of an axis and returns the estimate; `begins` is true at the first sample.
     pub fn take(&self, measured: &Measured<S>, axis: usize, begins: bool, numbers: &mut [S]) -> Estimate<S> {
         let position = measured.positions[0][axis] + measured.positions[1][axis];
         let Some(prediction) = &self.prediction else {
-            // A velocity that is held would move the load away: without a sensor the drives only keep the position.
+            // A held velocity would move the load away: without its sensor the compensation commands the position only.
             let velocity = measured.velocities[0][axis] + measured.velocities[1][axis];
             let velocity = if measured.delivers { velocity } else { S::ZERO };
             return Estimate { velocities: vec![velocity], position };
@@ -105,7 +108,8 @@ impl<S: Scalar> Estimator<S> {
         Estimate { velocities, position: if exact { position } else { predicted } }
     }
 
-    /// A measured velocity, corrected by the measured position; while the sensor is out, the last one, which fades.
+    /// Returns the measured velocity, corrected by the measured position; while the sensor is out, the last one,
+    /// decaying.
     fn corrected(
         &self,
         prediction: &Prediction<S>,
@@ -115,7 +119,7 @@ impl<S: Scalar> Estimator<S> {
     ) -> S {
         let last = numbers[BANKS + (bank + 1) * FilterBank::STATES - 1];
         let (half, correction) = (S::constant(0.5 * self.period_s), S::constant(prediction.correction));
-        // The crane's own motion changes the position by the rotation of the body, too.
+        // The crane's own motion also changes the position due to the body's rotation.
         let by_crane = if bank == ANGULAR { measured.by_crane[axis] } else { S::ZERO };
         let velocity =
             if measured.delivers { measured.velocities[bank][axis] } else { last * S::constant(prediction.fades) };
@@ -135,18 +139,18 @@ impl<S: Scalar> Estimator<S> {
 }
 
 impl<S: Copy> Estimate<S> {
-    /// The velocity for a drive; without a prediction all have the same.
+    /// Returns the velocity for a drive; without a prediction it is the same for all drives.
     pub fn velocity_for(&self, drive: usize) -> S {
         self.velocities.get(drive).copied().unwrap_or(self.velocities[0])
     }
 }
 
-/// Reports a drop-out or a return of the sensor, whose last state is the mode `out`.
+/// Returns the event text if the sensor drops out or returns. The mode `out` holds its last state.
 pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut ElementState<'_, S>) -> Vec<String> {
     let was_out = core::mem::replace(&mut own.modes[out], i64::from(!delivers)) == 1;
     match (was_out, delivers) {
-        (false, false) => vec!["goes on without its sensor, which has dropped out".to_owned()],
-        (true, true) => vec!["has its sensor again".to_owned()],
+        (false, false) => vec!["continues without its sensor, which has dropped out".to_owned()],
+        (true, true) => vec!["uses its sensor again".to_owned()],
         _ => Vec::new(),
     }
 }

@@ -1,4 +1,4 @@
-//! Active heave compensation: a winch or a cylinder lets out what the tip of the crane rises.
+//! Active heave compensation: a winch or a cylinder pays out rope as the crane's tip rises.
 
 use super::estimate::{Estimator, sensor_changes};
 use super::hoist::Hoist;
@@ -11,23 +11,24 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Steers the speed of a winch, or of a cylinder that moves sheaves of its rope, at every multiple of its period, so that
-/// the load keeps its height while the point from which the rope hangs down moves. With the height z and the vertical
-/// velocity v of that point, the rope L let out ([`Hoist`]), n falls of rope, and the lowering speed u that the operator
-/// asks for by its input and by the drive's own set-point,
+/// Steers the speed of a winch, or of a cylinder that moves sheaves of its rope, at every multiple of its period, so
+/// that the load keeps its height while the point from which the rope hangs down moves. With the height z and the
+/// vertical velocity v of that point, the rope L let out ([`Hoist`]), n falls of rope, and the operator's lowering
+/// speed u (the sum of the controller's input and the drive's set-point),
 ///
 /// ```text
 /// e = (z - z_0) + integral of u - (L - L_0) / n
 /// L'_wanted / n = f v + g e + u,     within the speed limit of the drive
 /// ```
 ///
-/// z_0 and L_0 are those when it was switched on. v and z are ideal or from a motion reference unit ([`Measurement`](super::Measurement)).
-/// With a prediction, v is ahead by the age of the measurement and half of the period for which the command is held,
-/// the lag of the drive is inverted, and the high-pass filter of the sensor is undone ([`FilterBank`](super::FilterBank)). Without limits
-/// and with a drive `e^(-s tau) / (1 + T s)`, the share of the motion that is left without prediction and feedback is
-/// `|1 - e^(-i w (tau + T_s/2)) sin(w T_s/2) / (w T_s/2) / (1 + i w T)|`.
+/// z_0 and L_0 are z and L when the compensation was switched on. v and z are ideal or from a motion reference unit
+/// ([`Measurement`](super::Measurement)). With a prediction, v is predicted over the age of the measurement and half of
+/// the period for which the command is held, and the lag of the drive and the high-pass filter of the sensor are
+/// inverted ([`FilterBank`](super::FilterBank)). Without limits and with a drive `e^(-s tau) / (1 + T s)`, the ratio of
+/// the residual to the motion of the tip, without prediction and feedback, is `|1 - e^(-i w (tau + T_s/2)) sin(w T_s/2)
+/// / (w T_s/2) / (1 + i w T)|`.
 ///
-/// At the speed limit the operator's speed counts as far as it is reached, so that nothing is caught up afterwards
+/// At the speed limit, u is reduced to the part that the drive reaches, so that the drive does not catch up afterwards
 /// (back-calculation: Astrom & Hagglund, *Advanced PID Control*, 2006, sec. 3.5).
 #[derive(Clone, Debug)]
 pub struct HeaveCompensation<S = f64> {
@@ -41,9 +42,9 @@ pub struct HeaveCompensation<S = f64> {
     pub falls: S,
     /// The drum of the winch, or the sheaves that a cylinder moves.
     pub hoist: Hoist<S>,
-    /// Its drive, whose input it sets.
+    /// The drive whose input it sets.
     pub drive: String,
-    /// The speed that the drive has as its set-point already, rad/s or m/s.
+    /// Set-point of the drive in the scenario, rad/s or m/s.
     pub drive_speed: S,
     /// The speed limit of the drive, rad/s or m/s.
     pub drive_limit: S,
@@ -55,8 +56,8 @@ pub struct HeaveCompensation<S = f64> {
     pub begins_on: bool,
 }
 
-/// Numbers: whether it was on; z_0, for the controller and in truth; L_0; the operator's length; the wanted speed of the
-/// rope over n; v; the wanted speed over its limit; then those of the estimator.
+/// Numbers: whether it was on; z_0, estimated and exact; L_0; the integral of the operator's speed; the wanted speed of
+/// the rope over n; v; the wanted speed over its limit; then the numbers of the estimator.
 const WAS_ON: usize = 0;
 const ZERO: usize = 1;
 const TRUE_ZERO: usize = 2;
@@ -96,18 +97,18 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
             outputs: vec![
                 number(
                     "compensation_residual",
-                    "height that the end of a rope lacks to that which heave compensation keeps, with a rope that does not stretch; \
+                    "height error of a rope's end under heave compensation, for a rope that does not stretch; \
                      positive: too high",
                     &["m"],
                 ),
                 number(
                     "compensation_speed",
-                    "speed at which heave compensation asks a winch to lower the load; negative: to hoist it",
+                    "lowering speed of the load that heave compensation commands; negative: hoisting",
                     &["m/s"],
                 ),
                 number(
                     "compensation_tip_velocity",
-                    "vertical velocity of the crane's tip that heave compensation reckons with: measured, or predicted",
+                    "vertical velocity of the crane's tip that heave compensation uses: measured or predicted",
                     &["m/s"],
                 ),
                 lever::utilisation(&self.name),
@@ -143,7 +144,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the commands of heave compensation; a run has them")
+        Some("the response leaves out the commands of heave compensation; a run contains them")
     }
 }
 
@@ -152,7 +153,7 @@ impl<S: Scalar> HeaveCompensation<S> {
         place(&self.tip, at.model, at.links)[2]
     }
 
-    /// v and z as the controller takes them: measured, or predicted.
+    /// Returns v and z as the controller uses them: measured or predicted.
     fn now(&self, measured: &Measured<S>, begins: bool, own: &mut ElementState<'_, S>) -> [S; 2] {
         let found = self.estimator.take(measured, UPWARD, begins, &mut own.numbers[ESTIMATE..]);
         let lost = self.estimator.prediction.is_none() && !measured.delivers;
@@ -160,7 +161,7 @@ impl<S: Scalar> HeaveCompensation<S> {
         [found.velocity_for(0) + by_crane, found.position]
     }
 
-    /// The speed for the drive's input, rad/s or m/s.
+    /// Returns the speed for the drive's input, rad/s or m/s.
     fn command(
         &mut self,
         at: &Context<'_, S>,

@@ -15,9 +15,9 @@ pub enum Hoist<S = f64> {
     Sheaves(MovedSheaves<S>),
 }
 
-/// Sheaves of a rope that a joint moves. With the length l of the path up to the crane's tip, at the joint's coordinate x,
-/// they let out `-(l - l_0)`, and `-dl/dx` of it per x: two lengths of x where one sheave moves along two parallel parts.
-/// The drum stays the operator's.
+/// Sheaves of a rope that a joint moves. With the length l of the path up to the crane's tip, at the joint's coordinate
+/// x, they let out the length `-(l - l_0)` of rope, at `-dl/dx` per x: 2 where one sheave moves along two parallel
+/// parts. The operator keeps the control of the drum.
 #[derive(Clone, Debug)]
 pub struct MovedSheaves<S = f64> {
     path: RopePath<S>,
@@ -29,18 +29,18 @@ pub struct MovedSheaves<S = f64> {
 /// Rope let out by a drive.
 #[derive(Clone, Copy, Debug)]
 pub struct LetOut<S> {
-    /// m; only differences count.
+    /// Length, m; only differences are used.
     pub length: S,
     /// Its derivative with respect to the drive's coordinate, m/rad or 1.
     pub per_position: S,
 }
 
-/// Rope let out per coordinate below which moved sheaves are held to this much: a drive at its limits stays finite where
-/// they move across the rope.
+/// Lower bound of the rope let out per coordinate of moved sheaves: the commanded speed stays finite where the sheaves
+/// move across the rope.
 const LEAST_PER_POSITION: f64 = 1e-2;
 
 impl<S: Scalar> Hoist<S> {
-    /// Called at the start of a run.
+    /// Prepares the path of the rope at the start of a run.
     pub fn begin(&mut self, at: &Context<'_, S>) {
         if let Self::Sheaves(sheaves) = self {
             sheaves.path.begin(at);
@@ -58,7 +58,7 @@ impl<S: Scalar> Hoist<S> {
         }
     }
 
-    /// The fastest that a drive at this speed lets out rope, m/s.
+    /// Returns the largest speed at which a drive at this speed lets out rope, m/s.
     pub fn fastest(&self, speed: S) -> S {
         match self {
             Self::Drum(drum) => speed * drum.radius,
@@ -68,14 +68,14 @@ impl<S: Scalar> Hoist<S> {
 }
 
 impl<S: Scalar> MovedSheaves<S> {
-    /// Sheaves of a path up to the tip, of which each moves with this link's joint or not; `None` if none does, or if the
-    /// tip does.
+    /// Returns the moved sheaves of a path up to the tip; `moved` holds for each station whether it moves with this
+    /// link's joint. `None` if no station moves, or if the tip moves.
     pub fn new(path: RopePath<S>, joint: usize, moved: Vec<bool>) -> Option<Self> {
         let tip = moved.last().copied().unwrap_or(true);
         (!tip && moved.contains(&true)).then_some(Self { path, joint, moved })
     }
 
-    /// Parts of rope whose length the joint changes.
+    /// Returns the number of parts of rope whose length the joint changes.
     fn parts(&self) -> S {
         let changes = self.moved.windows(2).map(|ends| ends[0] != ends[1]);
         let legs = self.path.stations()[1..].iter().zip(changes);

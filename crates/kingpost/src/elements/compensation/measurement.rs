@@ -1,4 +1,4 @@
-//! The motion of a point of the crane as compensation knows it.
+//! The measured motion of a point of the crane, for compensation.
 
 use crate::elements::Context;
 use crate::elements::hull::HullFrame;
@@ -7,21 +7,22 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, rotation_from_roll_pitch_yaw};
 
-/// The source of a point's position and velocity, such as those of the crane's tip.
+/// The source of the position and velocity of a point, such as the crane's tip.
 #[derive(Clone, Debug)]
 pub enum Measurement<S = f64> {
-    /// The motion itself, at once.
+    /// The exact motion, without delay.
     Ideal,
-    /// A motion reference unit, by its lever arm r to the point in the axes of its body, which the crane's angles give. With
-    /// the rotation R of roll, pitch and yaw, the displacement s of the unit and its angular velocity omega,
+    /// A motion reference unit, with the lever arm r from the unit to the point in the axes of its body, from the
+    /// crane's angles. With the rotation R of roll, pitch and yaw, the displacement s of the unit and its angular
+    /// velocity omega,
     ///
     /// ```text
     /// p = s + R r,    v = s' + R (omega x r) + R r'
     /// ```
     ///
-    /// (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2nd ed., 2021, eqs. 2.39 and 14.5). The last
-    /// term is the crane's own motion. The sensors of the crane's angles are ideal here. Without horizontal motion the yaw
-    /// counts as 0, and z alone has a meaning.
+    /// (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2nd ed., 2021, eqs. 2.39 and 14.5). The
+    /// last term is the crane's own motion. The sensors of the crane's angles are ideal here. Without horizontal
+    /// motion, yaw is taken as 0 and only z is valid.
     Unit {
         /// The unit's name.
         name: String,
@@ -29,7 +30,7 @@ pub enum Measurement<S = f64> {
         place: HullFrame<S>,
         /// Whether it measures its horizontal motion and yaw.
         horizontal: bool,
-        /// Whether it has a status: it can drop out.
+        /// Whether it has a status output, because it can drop out.
         has_status: bool,
     },
 }
@@ -37,27 +38,27 @@ pub enum Measurement<S = f64> {
 /// A point at a tick, world axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured<S> {
-    /// Its position by the position of the unit's place and by the rotation of its body, m: the sum is its position.
+    /// The two parts of its position, m: from the position of the unit, and from the rotation of the unit's body.
     pub positions: [Vector3<S>; 2],
-    /// The velocity by the motion of the unit's place and by the rotation of its body, m/s.
+    /// The two parts of its velocity, m/s: from the velocity of the unit, and from the rotation of the unit's body.
     pub velocities: [Vector3<S>; 2],
-    /// The velocity by the crane's own motion, m/s.
+    /// Velocity from the crane's own motion, m/s.
     pub by_crane: Vector3<S>,
-    /// Whether the sensor delivers.
+    /// Whether the sensor works.
     pub delivers: bool,
 }
 
 /// The attitude of the unit's body at a tick.
 #[derive(Clone, Copy, Debug)]
 pub struct MeasuredAttitude<S> {
-    /// Its rotation: from its axes to those of the world, or, without a measured yaw, to level axes that turn with it.
+    /// Rotation from the body's axes to the world's, or, without a measured yaw, to level axes that yaw with the body.
     pub rotation: Matrix3<S>,
     /// Its angular velocity in its own axes, rad/s.
     pub angular: Vector3<S>,
 }
 
 impl<S: Scalar> Measurement<S> {
-    /// The columns that it needs.
+    /// Returns the columns that the measurement reads.
     pub fn columns(&self) -> Vec<String> {
         let Self::Unit { name, has_status, horizontal, .. } = self else { return Vec::new() };
         let of = |signal: &str| format!("{name}.measured_{signal}");
@@ -73,7 +74,7 @@ impl<S: Scalar> Measurement<S> {
         matches!(self, Self::Ideal | Self::Unit { horizontal: true, .. })
     }
 
-    /// The attitude of the unit's body by these columns; `None` if the measurement is ideal.
+    /// Returns the attitude of the unit's body from these columns; `None` if the measurement is ideal.
     pub fn attitude(&self, read: &[S]) -> Option<MeasuredAttitude<S>> {
         let (Self::Unit { horizontal, .. }, [roll, pitch, _, _, x, y, z, rest @ ..]) = (self, read) else {
             return None;
@@ -83,8 +84,8 @@ impl<S: Scalar> Measurement<S> {
         Some(MeasuredAttitude { rotation, angular: Vector3([*x, *y, *z]) })
     }
 
-    /// The point by these columns. `driven` is the velocity that driven joints give it, m/s, which an ideal measurement
-    /// tells from the ship's.
+    /// Returns the motion of the point from these columns. `driven` is its velocity from driven joints, m/s, which an
+    /// ideal measurement subtracts to get the velocity from the ship.
     pub fn measure(&self, at: &Context<'_, S>, point: &Attachment<S>, driven: Vector3<S>, read: &[S]) -> Measured<S> {
         let (position, moving) = (place(point, at.model, at.links), velocity(point, at));
         let (Self::Unit { place, horizontal, has_status, .. }, Some(MeasuredAttitude { rotation, angular })) =

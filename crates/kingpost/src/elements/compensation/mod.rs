@@ -1,5 +1,4 @@
-//! Compensation of a ship's motion: what is measured and predicted of it, the drives that move against it, and the
-//! controllers.
+//! Compensation of a ship's motion: measurement, prediction, driven joints and controllers.
 
 pub(crate) mod assembly;
 mod chain;

@@ -11,20 +11,20 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Twist, Vector3};
 
-/// Steers the speeds of the joints below a platform at every multiple of its period, so that it stays level and its point
-/// at its height. With the upward axis n of the platform (world axes), the horizontal angular velocity omega that the ship
-/// gives it, the velocity v_z that the ship gives its point, and the Jacobian J of the joints' rates x' (its rows a angular
-/// and horizontal, its row z vertical),
+/// Steers the speeds of the joints below a platform at every multiple of its period, so that it stays level and its
+/// point at its height. With the upward axis n of the platform (world axes), its horizontal angular velocity omega and
+/// the vertical velocity v_z of its point from the ship's motion, and the Jacobian J of the joints' rates x' (rows a:
+/// horizontal angular velocity, row z: vertical velocity),
 ///
 /// ```text
 /// J_a x' = -f omega - g (-n_y, n_x),    J_z x' = -f v_z - g (z - z_0)
 /// ```
 ///
-/// by damped least squares, within the speed limits of the drives. z_0 is the height when it was switched on; level is
-/// level, whatever it was. omega, n and the point are ideal or from a motion reference unit, whose angles are absolute;
-/// with a prediction, omega and v_z are ahead by all delays and the lag of each drive, and the tilt by the age of the
-/// measurement. The platforms that are built so stand on three cylinders or in a gimbal (MacGregor's three-axis
-/// compensated crane, Barge Master); the joints here may be any chain of three or more.
+/// by damped least squares, within the speed limits of the drives. z_0 is the height when the compensation was switched
+/// on; the tilt is always controlled to 0. omega, n and the point are ideal or from a motion reference unit, whose
+/// angles are absolute; with a prediction, omega and v_z are predicted over all delays and the lag of each drive, and
+/// the tilt over the age of the measurement. Platforms of this kind stand on three cylinders or in a gimbal
+/// (MacGregor's three-axis compensated crane, Barge Master); the joints here may be any chain of three or more.
 #[derive(Clone, Debug)]
 pub struct PlatformCompensation<S = f64> {
     /// Name in the results.
@@ -35,7 +35,7 @@ pub struct PlatformCompensation<S = f64> {
     pub chain: DrivenChain<S>,
     /// The point of the platform, with the platform's axes.
     pub top: Attachment<S>,
-    /// The body that the measured attitude is of: the unit's.
+    /// The body whose attitude is measured: the unit's.
     pub base: Option<usize>,
     /// f.
     pub feed_forward: S,
@@ -45,14 +45,14 @@ pub struct PlatformCompensation<S = f64> {
     pub begins_on: bool,
 }
 
-/// Numbers: whether it was on; the utilisation; z_0, for the controller and in truth; then those of the estimator, for both
+/// Numbers: whether it was on; the utilisation; z_0, estimated and exact; then the numbers of the estimator, for both
 /// tilts and the height.
 const WAS_ON: usize = 0;
 const UTILISATION: usize = 1;
 const ZERO: usize = 2;
 const TRUE_ZERO: usize = 3;
 const ESTIMATE: usize = 4;
-/// Names of the quantities that it keeps: tilt about x and y, height.
+/// Names of the controlled quantities: tilt about x and y, height.
 const KEPT: [&str; 3] = ["tilt_x", "tilt_y", "height"];
 const HEIGHT: usize = 2;
 const UPWARD: usize = 2;
@@ -109,7 +109,7 @@ impl<S: Scalar> Element<S> for PlatformCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the commands of the platform's compensation; a run has them")
+        Some("the response leaves out the commands of the platform's compensation; a run contains them")
     }
 }
 
@@ -120,7 +120,7 @@ impl<S: Scalar> PlatformCompensation<S> {
             frame: VectorFrame::World,
             ..Output::number(
                 "platform_offset",
-                "x and y: sine of the tilt of a platform about the world's axes; z: how far its point is above the height that is kept",
+                "x and y: sine of a platform's tilt about the world's axes; z: height error of its point, positive: too high",
                 "controller",
                 &self.name,
                 &["1"],
@@ -137,7 +137,8 @@ impl<S: Scalar> PlatformCompensation<S> {
         place(&self.top, at.model, at.links)[UPWARD]
     }
 
-    /// Tilt and angular velocity as those of a point: "position" is (-n_y, n_x, 0), "velocity" omega.
+    /// Returns tilt and angular velocity in the form of a measured point: its "position" is (-n_y, n_x, 0), its
+    /// "velocity" omega.
     fn tilt(&self, at: &Context<'_, S>, driven: &Twist<S>, delivers: bool, read: &[S]) -> Measured<S> {
         let rotation = self.rotation(at);
         let tilted = |upward: Vector3<S>| Vector3([-upward[1], upward[0], S::ZERO]);
@@ -152,7 +153,7 @@ impl<S: Scalar> PlatformCompensation<S> {
             let turning = at.links.body_frame(at.model, body).rotation * at.links.body_twist(at.model, body).angular;
             return measured(tilted(rotation.column(2)), turning - driven.angular, driven.angular);
         };
-        // From the world as it is to the world as the unit knows it.
+        // Rotation from world axes to world axes by the measured attitude.
         let known = attitude.rotation * at.links.body_frame(at.model, base).rotation.transpose();
         let turning = attitude.rotation * attitude.angular;
         measured(tilted(known * rotation.column(2)), turning, known * driven.angular)
@@ -176,7 +177,7 @@ impl<S: Scalar> PlatformCompensation<S> {
         let row = |of: fn(&Twist<S>) -> S| columns.iter().map(of).collect::<Vec<S>>();
         let rows =
             [row(|column| column.angular[0]), row(|column| column.angular[1]), row(|column| column.linear[UPWARD])];
-        // The measured tilt is absolute, and old.
+        // The measured tilt is absolute but delayed.
         let age = self.estimator.prediction.as_ref().map_or(S::ZERO, |prediction| prediction.age);
         let known = self.in_known_axes(at, &rows);
         let wanted = |kept: usize, drive: usize| {
@@ -196,7 +197,8 @@ impl<S: Scalar> PlatformCompensation<S> {
         numbers[UTILISATION] = self.chain.utilisation(&free);
     }
 
-    /// The angular rows in the axes in which the tilt is known: without a measured yaw, those that turn with the unit's body.
+    /// Returns the angular rows in the axes of the measured tilt: without a measured yaw, level axes that yaw with the
+    /// unit's body.
     fn in_known_axes(&self, at: &Context<'_, S>, rows: &[Vec<S>; 3]) -> Vec<Vec<S>> {
         let Some(yaw) = self.base.filter(|_| !self.estimator.measurement.has_yaw()) else { return rows.to_vec() };
         let forward = at.links.body_frame(at.model, yaw).rotation.column(0);

@@ -1,4 +1,4 @@
-//! A filter over a bank of oscillators that predicts a motion in waves and undoes the dynamics of its sensor.
+//! A filter bank of oscillators that predicts a motion in waves and inverts the dynamics of its sensor.
 
 use crate::scalar::Scalar;
 
@@ -11,9 +11,9 @@ use crate::scalar::Scalar;
 ///
 /// A result is a weighted sum of the real and imaginary parts of the z_j, of x, x' and of y itself. The oscillators
 /// follow Kuechler, Mahl, Neupert, Schneider & Sawodny, "Active control for an offshore crane using prediction of the
-/// vessel's motion", *IEEE/ASME Trans. Mechatronics* 16(2), 2011, pp. 297-309, who find their frequencies in a running
-/// spectrum; here they are fixed, and the weights are a Wiener filter (*Extrapolation, Interpolation, and Smoothing of
-/// Stationary Time Series*, 1949) among the filters that the bank can form.
+/// vessel's motion", *IEEE/ASME Trans. Mechatronics* 16(2), 2011, pp. 297-309, who track the frequencies in a running
+/// spectrum; here the frequencies are fixed, and the weights are a Wiener filter (*Extrapolation, Interpolation, and
+/// Smoothing of Stationary Time Series*, 1949) restricted to the filters that the bank can form.
 #[derive(Clone, Debug)]
 pub struct FilterBank {
     /// r cos(w_j T_s), r sin(w_j T_s).
@@ -25,7 +25,7 @@ pub struct FilterBank {
     band: PeriodBand,
 }
 
-/// The motion that a bank is made for.
+/// The band of motions for which a bank is designed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeriodBand {
     /// Shortest period of the waves, s.
@@ -38,7 +38,7 @@ pub struct PeriodBand {
     pub sampling_period_s: f64,
 }
 
-/// The dynamics of a signal's sensor and of the drive that gets the result.
+/// Dynamics of a signal's sensor and of the drive that receives the result.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<S> {
     /// The cut-off frequency (rad/s) and damping ratio of a second-order high-pass filter, if the sensor has one.
@@ -53,13 +53,13 @@ pub struct Dynamics<S> {
 const OSCILLATORS: usize = 8;
 /// Frequencies in the band at which the weights are fitted.
 const FREQUENCIES: usize = 240;
-/// The impulse response counts until it has decayed to e to the power of minus this.
+/// Decay after which the impulse response is truncated: a factor of e to the power of minus this number.
 const DECAYS: f64 = 12.0;
-/// A diagonal added to the normal equations, over their trace: rounding.
+/// Diagonal added to the normal equations, as a share of their trace: rounding.
 const REGULAR: f64 = 1e-13;
 
 impl FilterBank {
-    /// The bank for a band.
+    /// Returns the bank for a band.
     pub fn new(band: PeriodBand) -> Self {
         let [lowest, highest] = band.ends();
         let apart = (highest - lowest) / (OSCILLATORS - 1) as f64;
@@ -80,7 +80,7 @@ impl FilterBank {
     /// Number of its states.
     pub const STATES: usize = 2 * OSCILLATORS + 3;
 
-    /// Takes a sample.
+    /// Updates the states by a sample.
     pub fn take<S: Scalar>(&self, states: &mut [S], sample: S) {
         let (entry, keeps) = (S::constant(self.entry), S::constant(self.keeps));
         for (z, [cosine, sine]) in states.chunks_exact_mut(2).zip(&self.oscillators) {
@@ -94,26 +94,27 @@ impl FilterBank {
         *last = sample;
     }
 
-    /// A result.
+    /// Returns the weighted sum of the states: a result.
     pub fn read<S: Scalar>(weights: &[S], states: &[S]) -> S {
         weights.iter().zip(states).fold(S::ZERO, |sum, (weight, state)| sum + *weight * *state)
     }
 
-    /// The weights for a velocity that bring the filter nearest to a wanted response D at the frequencies w of the band:
+    /// Computes the weights for a velocity: they minimise the deviation of the filter from a desired frequency response
+    /// D at the frequencies w of the band:
     ///
     /// ```text
     /// mean of |F(w) / D(w) - 1|^2  +  F(0)^2  +  (noise share w_m)^2 times the power of F n / (s + c)  ->  minimum
     /// ```
     ///
-    /// with white noise n of variance 1 in each sample, c = 2 pi / T_longest, w_m = 2 pi over the geometric mean of both
-    /// periods. The last term is the position that the noise leads to, which a position gain brings back; with F(0), a
-    /// bias does nothing.
+    /// with white noise n of variance 1 in each sample, c = 2 pi / T_longest, w_m = 2 pi over the geometric mean of
+    /// both periods. The last term is the position error due to the noise, which a position gain corrects. The term
+    /// F(0) removes the effect of a bias.
     pub fn velocity_weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2]) -> Vec<S> {
         self.weights(wanted, 1.0)
     }
 
-    /// Computes the weights for a position, of which a position gain commands a speed: as for a velocity, with c times
-    /// its noise.
+    /// Computes the weights for a position, from which a position gain commands a speed: like those for a velocity,
+    /// with c times the noise.
     pub fn position_weights<S: Scalar>(&self, wanted: impl Fn(f64) -> [S; 2]) -> Vec<S> {
         self.weights(wanted, self.band.correction_rad_s())
     }
@@ -143,7 +144,7 @@ impl FilterBank {
         solve(matrix, right)
     }
 
-    /// The response of each state at a frequency, real and imaginary part.
+    /// Returns the frequency response of each state: real and imaginary part.
     pub fn response(&self, frequency: f64) -> Vec<[f64; 2]> {
         let angle = frequency * self.band.sampling_period_s;
         let back = [libm::cos(angle), -libm::sin(angle)];
@@ -162,8 +163,8 @@ impl FilterBank {
         all
     }
 
-    /// The part of the normal equations that the wanted response does not change: noise by sums over the impulse
-    /// response, and the response to a constant.
+    /// Returns the part of the normal equations that does not depend on the desired response: the noise, by sums over
+    /// the impulse response, and the response to a constant.
     fn penalties(&self, size: f64) -> Vec<Vec<f64>> {
         let mut sums = vec![vec![0.0; Self::STATES]; Self::STATES];
         let (mut states, mut moved) = (vec![0.0; Self::STATES], vec![0.0; Self::STATES]);
@@ -189,12 +190,13 @@ impl FilterBank {
 }
 
 impl PeriodBand {
-    /// The geometric mean of both ends, rad/s.
+    /// Returns the geometric mean of the lowest and the highest frequency, rad/s.
     pub fn middle_rad_s(&self) -> f64 {
         core::f64::consts::TAU / libm::sqrt(self.longest_period_s * self.shortest_period_s)
     }
 
-    /// The frequency below which positions correct velocities: that of the longest period, rad/s.
+    /// Returns the frequency below which measured positions correct measured velocities, rad/s: that of the longest
+    /// period.
     pub fn correction_rad_s(&self) -> f64 {
         core::f64::consts::TAU / self.longest_period_s
     }
@@ -231,7 +233,7 @@ impl<S: Scalar> Dynamics<S> {
     }
 }
 
-/// Solves a positive definite system, of which the lower triangle is given, by Cholesky's factors.
+/// Solves a positive definite system, given by its lower triangle, by Cholesky factorisation.
 pub(super) fn solve<S: Scalar>(mut a: Vec<Vec<S>>, mut b: Vec<S>) -> Vec<S> {
     let n = b.len();
     for i in 0..n {

@@ -1,4 +1,5 @@
-//! Compensation in three axes: slewing and luffing hold the crane's tip over a point of the world, the winch the load's height.
+//! Compensation in three axes: slewing and luffing hold the crane's tip over a point of the world, and the winch holds
+//! the load's height.
 
 use super::chain::DrivenChain;
 use super::estimate::{Estimate, Estimator, sensor_changes};
@@ -11,10 +12,10 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3};
 
-/// Steers the speeds of the joints below a crane's tip and of its winch at every multiple of its period, so that the tip
-/// stays over a point of the world and the load at its height. With the tip's position p, the velocity v that the ship gives
-/// it, the Jacobian J of the joints' rates x' (its rows h horizontal, its row z vertical), the rope L paid out, n falls
-/// and the operator's velocity u (horizontal, and u_z down),
+/// Steers the speeds of the joints below a crane's tip and of its winch at every multiple of its period, so that the
+/// tip stays over a point of the world and the load at its height. With the tip's position p, its velocity v from the
+/// ship's motion, the Jacobian J of the joints' rates x' (rows h: horizontal, row z: vertical), the rope L paid out, n
+/// falls and the operator's velocity u (horizontal, and u_z down),
 ///
 /// ```text
 /// e  = p - p_0 - integral of u             horizontal
@@ -23,14 +24,14 @@ use crate::spatial::{Twist, Vector3};
 /// L'_wanted / n = f v_z + J_z x'_wanted + g e_z + u_z,    within the speed limit of the winch
 /// ```
 ///
-/// so the winch takes up what luffing does to the height. p_0 and L_0 are those when it was switched on. v and p are ideal
-/// or from a motion reference unit ([`Measurement`](super::Measurement)), and predicted for the lag of each drive
-/// ([`Prediction`](super::Prediction)). Where the drives cannot follow, all joints are slowed alike, and the operator's
-/// velocity counts as far as it is reached, so that nothing is caught up afterwards (back-calculation: Astrom &
-/// Hagglund, *Advanced PID Control*, 2006, sec. 3.5).
+/// so the winch compensates the change of height due to luffing. p_0 and L_0 are p and L when the compensation was
+/// switched on. v and p are ideal or from a motion reference unit ([`Measurement`](super::Measurement)), and predicted
+/// for the lag of each drive ([`Prediction`](super::Prediction)). If a drive is at its limit, all joints are slowed by
+/// the same factor, and u is reduced to the part that the drives reach, so that they do not catch up afterwards
+/// (back-calculation: Astrom & Hagglund, *Advanced PID Control*, 2006, sec. 3.5).
 ///
-/// A crane that three axes are compensated for by its own drives: Liebherr, MacGregor and Royal IHC build them; the resolved
-/// motion rates are Whitney's (*IEEE Trans. Man-Machine Systems* 10, 1969, pp. 47-53).
+/// Liebherr, MacGregor and Royal IHC build cranes whose own drives compensate three axes. Resolved motion rate control
+/// is by Whitney (*IEEE Trans. Man-Machine Systems* 10, 1969, pp. 47-53).
 #[derive(Clone, Debug)]
 pub struct ThreeAxisCompensation<S = f64> {
     /// Name in the results.
@@ -47,7 +48,7 @@ pub struct ThreeAxisCompensation<S = f64> {
     pub drum: Drum<S>,
     /// The drive of the winch.
     pub winch: String,
-    /// The speed that the winch has as its own set-point, rad/s: the controller's takes its place.
+    /// Set-point of the winch in the scenario, rad/s: the controller's command replaces it.
     pub winch_speed: S,
     /// The speed limit of the winch, rad/s.
     pub winch_limit: S,
@@ -59,8 +60,8 @@ pub struct ThreeAxisCompensation<S = f64> {
     pub begins_on: bool,
 }
 
-/// Numbers: whether it was on; L_0; the utilisation; p_0, for the controller and in truth; the operator's way; the ship's
-/// velocity at the tip, all x, y, z; then those of the estimator, for each axis.
+/// Numbers: whether it was on; L_0; the utilisation; for x, y and z each: p_0, estimated and exact, the integral of the
+/// operator's velocity, and the ship's velocity at the tip; then the numbers of the estimator, for each axis.
 const WAS_ON: usize = 0;
 const PAID_OUT: usize = 1;
 const UTILISATION: usize = 2;
@@ -129,7 +130,7 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the commands of the three-axis compensation; a run has them")
+        Some("the response leaves out the commands of the three-axis compensation; a run contains them")
     }
 }
 
@@ -150,13 +151,13 @@ impl<S: Scalar> ThreeAxisCompensation<S> {
         vec![
             vector(
                 "compensation_offset",
-                "x and y: how far the crane's tip is off the point that a compensation keeps; z: height that the end of its rope \
-                 lacks to that which it keeps, with a rope that does not stretch, positive: too high",
+                "x and y: offset of the crane's tip from the point that a compensation keeps; z: height error of its rope's end, \
+                 for a rope that does not stretch, positive: too high",
                 &["m"],
             ),
             vector(
                 "compensation_ship_velocity",
-                "velocity that the ship gives the crane's tip, as a compensation reckons with: measured, or predicted",
+                "velocity of the crane's tip from the ship's motion that a compensation uses: measured or predicted",
                 &["m/s"],
             ),
             lever::utilisation(&self.name),
@@ -167,7 +168,7 @@ impl<S: Scalar> ThreeAxisCompensation<S> {
         place(&self.tip, at.model, at.links)
     }
 
-    /// Takes the present place as the point to keep, when it begins and when it is switched on.
+    /// Takes the present position as the point to keep, at the start and when the compensation is switched on.
     fn reset(&self, at: &Context<'_, S>, begins: bool, estimates: &[Estimate<S>; 3], numbers: &mut [S]) {
         let lever = Lever::at(at.inputs[0], begins, numbers[WAS_ON]);
         let truth = self.position(at);
@@ -191,7 +192,7 @@ impl<S: Scalar> ThreeAxisCompensation<S> {
     ) {
         let (on, joints) = (numbers[WAS_ON], &self.chain.joints);
         let rows = HORIZONTAL.map(|axis| columns.iter().map(|column| column.linear[axis]).collect::<Vec<S>>());
-        // What the tip shall do beside the ship's motion at it, for the lag of a drive.
+        // Wanted velocity of the tip relative to the ship, for the lag of a drive.
         let wanted = |axis: usize, drive: usize| {
             let error = estimates[axis].position - numbers[ZERO + axis] - numbers[OPERATED + axis];
             let correction = self.feed_forward * estimates[axis].velocity_for(drive) + self.gain * error;
@@ -220,7 +221,8 @@ impl<S: Scalar> ThreeAxisCompensation<S> {
         numbers[UTILISATION] = most.select_less(used, || used, || most);
     }
 
-    /// The speed for the winch's input, rad/s; the lowering speed that it lacks, m/s; its share of its limit.
+    /// Returns the speed for the winch's input, rad/s; the lowering speed beyond the winch's limit, m/s; and the wanted
+    /// speed over the limit.
     fn pay_out(
         &self,
         at: &Context<'_, S>,

@@ -1,4 +1,4 @@
-//! Contacts: their shapes, and whether a load begins inside its surface.
+//! Contacts: their shapes, and the check that a load does not start inside its surface.
 
 use crate::dynamics::LinkKinematics;
 use crate::elements::contact::{ContactSolid, Facing, Friction, Spot, dissipation};
@@ -15,10 +15,10 @@ use crate::scenario::schema::{self, LoadShape, Scenario, SurfaceShape};
 use crate::simulation::Setup;
 use crate::spatial::{Vector3, rotation_from_roll_pitch_yaw};
 
-/// Points of one load, at most.
+/// Largest number of points of one load.
 const MOST_POINTS: usize = 64;
 
-/// The least restitution: below it the rebound is not visible.
+/// Smallest restitution: below it the rebound is not visible.
 const LEAST_RESTITUTION: f64 = 0.1;
 
 /// Bulge of a cylinder's ends, as a share of its radius.
@@ -96,7 +96,7 @@ fn check_bodies<S: Quantity>(
 
 type Shapes<S> = (Vec<(Facing, Spot<S>)>, [Option<ContactSolid<S>>; 2]);
 
-/// The spots of both sides and the solids that they meet.
+/// Returns the spots of both sides and the solids that they touch.
 fn shapes<S: Quantity>(
     load: &schema::ContactLoad<S>,
     surface: &schema::ContactSurface<S>,
@@ -143,7 +143,7 @@ fn shapes<S: Quantity>(
         }
         (SurfaceShape::Box(given), _) => {
             let half = half(given);
-            // A ball meets edges and corners by its own distance; feet have no solid.
+            // A ball touches edges and corners by its own distance function; feet have no solid.
             let theirs =
                 corners(half).filter(|_| solid.is_some()).map(|corner| (Facing::Surface, ball(corner, S::ZERO)));
             (of_load(own).chain(theirs).collect(), [solid, Some(ContactSolid::Box { half })])
@@ -161,7 +161,7 @@ fn corners<S: Quantity>(half: [S; 3]) -> impl Iterator<Item = Vector3<S>> {
     (0..8).map(move |k| Vector3(core::array::from_fn(|i| if k >> i & 1 == 0 { -half[i] } else { half[i] })))
 }
 
-/// Both ends of a cylinder; it must be longer than their bulges.
+/// Returns both ends of a cylinder, which must be longer than their bulges.
 fn ends<S: Quantity>(given: &schema::CylinderShape<S>, field: &str) -> Result<Vec<Spot<S>>, FieldError> {
     let (radius, bulge) = (given.radius_m.get(), given.radius_m.get() * S::constant(BULGE));
     let middle = given.length_m.get() * S::constant(0.5) - bulge;
@@ -175,7 +175,7 @@ fn ends<S: Quantity>(given: &schema::CylinderShape<S>, field: &str) -> Result<Ve
     Ok(vec![end(along * middle), end(-(along * middle))])
 }
 
-/// Called at the start of a run, with loops closed: the bristles are straight here.
+/// Sets the bristles straight at the start of a run, with loops closed.
 ///
 /// # Errors
 /// A load that penetrates its surface by more than the tolerance.
@@ -198,7 +198,7 @@ pub fn check_rest(setup: &Setup) -> Result<(), FieldError> {
     links.update(model, q, v);
     at_rest(world, model, &links, (q, v), |at| {
         of_kind::<f64, Contact>(elements)
-            .try_for_each(|contact| check_depth(contact, contact.depth(at), "where it rests: make it stiffer"))
+            .try_for_each(|contact| check_depth(contact, contact.depth(at), "at rest: make the contact stiffer"))
     })
 }
 
@@ -208,5 +208,5 @@ fn check_depth<S: Quantity>(contact: &Contact<S>, depth: S, place: &str) -> Resu
     }
     let field = format!("forces.{}.contact.load", contact.name);
     let allowed = format!("at most its penetration_tolerance_m, {} m, {place}", contact.tolerance);
-    Err(FieldError::new(field, format!("a load {depth:.4} m inside of its surface"), allowed))
+    Err(FieldError::new(field, format!("a load {depth:.4} m inside its surface"), allowed))
 }

@@ -30,7 +30,7 @@ pub struct Contact<S = f64> {
     pub friction_coefficient: NonNegative<S>,
     /// Tangential stiffness of each contact point while friction holds it, N/m; without it, `stiffness_N_per_m`.
     pub friction_stiffness_n_per_m: Option<Positive<S>>,
-    /// Largest penetration, m: a deeper one is an error at the start and a warning during the run.
+    /// Largest penetration, m: a deeper penetration is an error at the start and a warning during the run.
     #[serde(default = "tolerance::<S>")]
     pub penetration_tolerance_m: Positive<S>,
 }

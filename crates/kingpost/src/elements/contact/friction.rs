@@ -1,4 +1,4 @@
-//! Dry friction: it holds by an elastic bristle until it slides.
+//! Dry friction: an elastic bristle holds until the contact slides.
 
 use super::solid::length;
 use crate::scalar::Scalar;
@@ -29,13 +29,13 @@ pub struct FrictionForce<S> {
 pub struct Rubbing<S> {
     /// mu N, N.
     pub limit: S,
-    /// The bristle z, m, along the surface.
+    /// The bristle z, in the axes of the solid, m.
     pub bristle: Vector3<S>,
-    /// m.
+    /// Component of z along the surface, m.
     pub along: Vector3<S>,
     /// v, along the surface, m/s.
     pub slip: Vector3<S>,
-    /// Damping over stiffness of a bristle that holds, s.
+    /// tau: damping over stiffness of a bristle that holds, s.
     pub damping_time: S,
 }
 
@@ -43,26 +43,27 @@ pub struct Rubbing<S> {
 /// and long enough for steps of 50 ms.
 const TURNING_S: f64 = 0.02;
 
-/// Largest friction, as a share of its limit, with which a spot begins to hold.
+/// Largest friction, as a share of its limit, at which a spot begins to hold.
 pub(super) const RESTS: f64 = 1.0 - 2e-9;
 
-/// Factor on the cosine between bristle and slip: the fading terms act in full up to 84 degrees.
+/// Factor on the cosine of the angle between bristle and slip: up to 84 degrees the terms with v act in full; beyond
+/// that they fade.
 const FADING: f64 = 10.0;
 
-/// tau_0, s: it makes a new bristle, of length 0, point along the slip.
+/// tau_0, s: it directs a new bristle, of length 0, along the slip.
 const AIMING_S: f64 = 1e-3;
 
 impl<S: Scalar> Friction<S> {
-    /// `f = sigma (z + tau v)`, z' = v: it holds.
+    /// Returns the friction of a spot that holds: `f = sigma (z + tau v)`, z' = v.
     pub fn holding(&self, at: &Rubbing<S>) -> FrictionForce<S> {
         let damping = self.stiffness * at.damping_time;
         let force = at.along * self.stiffness + at.slip * damping;
         FrictionForce { force, rate: at.slip, heat: damping * at.slip.norm_squared() }
     }
 
-    /// `f = mu N u / |u|`, `u = z + (tau + tau_0) v`, `z' = (l v / |v| - z) min(|v| / l, 1/T)` with `l = mu N / sigma`:
-    /// it slides until z . v = 0. Near that point the terms with v fade. Beyond it, where no step ends, f and z keep
-    /// their direction, so that an implicit step across it has a solution.
+    /// Returns the friction of a spot that slides: `f = mu N u / |u|`, `u = z + (tau + tau_0) v`, `z' = (l v / |v| - z)
+    /// min(|v| / l, 1/T)` with `l = mu N / sigma`, until z . v = 0. Near that point the terms with v fade. Beyond it,
+    /// where no step ends, f and z keep their direction, so that an implicit step across it has a solution.
     pub fn sliding(&self, at: &Rubbing<S>) -> FrictionForce<S> {
         let cosine = at.along.dot(at.slip) / (length(at.along) * length(at.slip));
         let onwards = (cosine * S::constant(FADING)).clipped(S::ZERO, S::ONE);
@@ -78,8 +79,9 @@ impl<S: Scalar> Friction<S> {
         FrictionForce { force, rate, heat: force.dot(at.slip) - self.stiffness * at.bristle.dot(rate) }
     }
 
-    /// The bristle after it has slid to z . v = 0, and whether it then holds. The damping of the slip across it limits
-    /// its length; if that damping exceeds mu N, it slides on in that direction.
+    /// Returns the bristle of a spot that has slid to z . v = 0, and whether the spot then holds. The damping force of
+    /// the slip across the bristle limits the bristle's length; if that force exceeds mu N, the spot slides on in that
+    /// direction.
     pub fn after_sliding(&self, at: &Rubbing<S>) -> (Vector3<S>, bool) {
         let (speed, limit) = (length(at.slip), at.limit * S::constant(RESTS));
         let damping = self.stiffness * at.damping_time * speed;
@@ -89,7 +91,7 @@ impl<S: Scalar> Friction<S> {
         (at.slip * (length(self.within_limit(at.along, limit)) / speed), false)
     }
 
-    /// Friction that holds up to mu N, for use where no mode says whether the spot slides.
+    /// Returns friction that holds up to mu N, for states without a mode of holding or sliding.
     pub fn up_to_its_limit(&self, at: &Rubbing<S>) -> FrictionForce<S> {
         let FrictionForce { force, .. } = self.holding(at);
         let size = length(force);
@@ -99,7 +101,7 @@ impl<S: Scalar> Friction<S> {
         FrictionForce { force, rate, heat: force.dot(at.slip) - self.stiffness * at.bristle.dot(rate) }
     }
 
-    /// The bristle, shortened to its limit.
+    /// Returns the bristle, shortened to the length at which its force is `limit`.
     pub fn within_limit(&self, along: Vector3<S>, limit: S) -> Vector3<S> {
         let (size, most) = (length(along), limit / self.stiffness);
         along * most.select_less(size, || most / size, || S::ONE)

@@ -1,4 +1,4 @@
-//! The forces at a spot: its normal force, and whether it holds or slides.
+//! The forces at a spot: the normal force, and friction that holds or slides.
 
 use super::friction::{FrictionForce, Rubbing};
 use super::sides::{Met, Sides};
@@ -22,19 +22,19 @@ pub(super) struct Pressed<S> {
     pub(super) heat: S,
 }
 
-/// The mode of a spot; at rest it follows from the depth.
+/// Returns the mode of a spot; while an equilibrium is sought, the mode that follows from the depth.
 pub(super) fn condition<S>(i: usize, at: &Context<'_, S>) -> i64 {
     if at.evaluation == EvaluationMode::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
 }
 
 impl<S: Scalar> Contact<S> {
-    /// Called at the start of a run, before the equilibrium is sought: the bristles are straight in this position.
+    /// Sets the bristles straight at the present positions, at the start of a run before the equilibrium is sought.
     pub fn begin_at(&mut self, at: &Context<'_, S>) {
         let sides = self.sides_at(at);
         self.anchors = (0..self.spots.len()).map(|i| self.met(i, &sides).middle).collect();
     }
 
-    /// The depth of the deepest spot at the present positions, m; negative without contact.
+    /// Returns the depth of the deepest spot at the present positions, m; negative without contact.
     pub fn depth(&self, at: &Context<'_, S>) -> S {
         let sides = self.sides_at(at);
         let depths = (0..self.spots.len()).map(|i| self.met(i, &sides).depth);
@@ -55,7 +55,7 @@ impl<S: Scalar> Contact<S> {
         sides.met(*facing, spot, solid.unwrap_or(&ContactSolid::Sphere { radius: S::ZERO }))
     }
 
-    /// The forces of a spot that touches.
+    /// Returns the forces of a spot that touches.
     pub(super) fn acting(
         &self,
         i: usize,
@@ -85,7 +85,7 @@ impl<S: Scalar> Contact<S> {
         Some((met, pressed, drag))
     }
 
-    /// The function whose change of sign is an event of a spot.
+    /// Returns the indicator of an event of a spot.
     pub(super) fn indicator(&self, event: usize, i: usize, met: &Met<S>, at: &Context<'_, S>) -> S {
         let mode = condition(i, at);
         let never = if EVENTS[event].crossing == Crossing::Rising { -S::ONE } else { S::ONE };
@@ -136,7 +136,7 @@ impl<S: Scalar> Contact<S> {
         Rubbing { limit, bristle, along: met.along(bristle), slip: met.slip(), damping_time }
     }
 
-    /// The bristle of a spot; while an equilibrium is sought, the displacement since the search began.
+    /// Returns the bristle of a spot; while an equilibrium is sought, its displacement since the search began.
     pub(super) fn bristle(&self, i: usize, met: &Met<S>, at: &Context<'_, S>) -> Vector3<S> {
         let own = 3 * i..3 * i + 3;
         if at.evaluation == EvaluationMode::Settling {
@@ -154,7 +154,7 @@ impl<S: Scalar> Contact<S> {
         }
     }
 
-    /// The spot holds, unless friction grows faster than its limit from here.
+    /// Starts contact at a spot: it holds, unless its friction would grow faster than its limit.
     pub(super) fn touch(&self, i: usize, friction: &Friction<S>, met: &Met<S>, own: &mut ElementState<'_, S>) {
         let (slip, stiffest) = (met.slip(), friction.coefficient * self.stiffness * met.rate());
         let slides = (friction.stiffness * length(slip) - stiffest).all(|beyond| beyond > 0.0);
@@ -163,9 +163,9 @@ impl<S: Scalar> Contact<S> {
         (slip * (size / length(slip))).write_to(&mut own.states[3 * i..]);
     }
 
-    /// A spot in contact holds by its bristle if it can. Else it slides, and the bristle turns between friction and
-    /// slip with the same length and energy. A bristle that pushes along the motion as the normal force falls is let
-    /// go.
+    /// Lets a spot in contact hold if its bristle can hold it. Otherwise the spot slides, and the bristle turns to a
+    /// direction between friction and slip, with the same length and energy. A bristle that pushes along the motion
+    /// while the normal force falls is released.
     pub(super) fn hold_or_slide(
         &self,
         i: usize,

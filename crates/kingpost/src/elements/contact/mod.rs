@@ -33,8 +33,9 @@ use watch::Depth;
 /// A spot at the depth d is pushed out along the normal with `N = k d (1 + a d')`, never less than 0. The energy `k d^2
 /// / 2` is stored, the rest becomes heat ([`hunt_crossley`](crate::elements::hunt_crossley); [`dissipation`] gives a
 /// from a restitution). Along the surface a bristle z holds it with `sigma (z + a d v)` up to mu N; beyond that it
-/// slides with mu N against the motion until the motion reverses ([`Friction`]). Both forces act at one point on both
-/// bodies, so momentum is conserved. N is the gradient of its energy, so lifting and setting down creates no energy.
+/// slides with mu N against the motion until the motion reverses ([`Friction`]). Both forces act at the same point on
+/// both bodies, so momentum is conserved. The elastic part of N is the gradient of the stored energy, so lifting and
+/// setting down create no energy.
 #[derive(Clone, Debug)]
 pub struct Contact<S = f64> {
     /// Name in the results.
@@ -68,8 +69,8 @@ pub enum Facing {
     Surface,
 }
 
-/// The mode of a spot. Only events change it, so no step mixes two laws. Runs in lanes that begin differently use the
-/// depth instead until the first event in one of them.
+/// The mode of a spot. Only events change it, so that one force law holds throughout a step. If the lanes of a run
+/// begin in different modes, the mode follows from the depth until the first event in any lane.
 const BY_DEPTH: i64 = 0;
 const HOLDS: i64 = 1;
 const SLIDES: i64 = 2;
@@ -90,9 +91,9 @@ const BEGINS_TO_SLIDE: usize = 2;
 const ROUNDING_M: f64 = 1e-10;
 /// Length of a bristle that carries only a direction, m.
 const DIRECTION_M: f64 = 1e-12;
-/// Smallest friction, as a share of its limit, that slides.
+/// Friction, as a share of its limit, at and above which a spot slides.
 const JUST_HOLDS: f64 = 1.0 - 1e-9;
-/// A bristle that would need more than this times the friction limit belongs to another position.
+/// A bristle whose force exceeds this multiple of the friction limit is invalid: it belongs to another position.
 const PLAUSIBLE: f64 = 1.5;
 
 impl<S: Scalar> Element<S> for Contact<S> {
@@ -126,7 +127,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
                 number("contact_penetration", "depth of the deepest contact point; 0 without contact", &["m"]),
                 number(
                     "contact_gap",
-                    "least distance of a load's corners, or of its round surface, from its contact; negative: penetration",
+                    "smallest distance between a load's corners or round surface and its contact surface; negative: penetration",
                     &["m"],
                 ),
                 number("contact_points", "number of points of a contact that touch", &["1"]),

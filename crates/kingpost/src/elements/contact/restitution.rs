@@ -1,18 +1,20 @@
-//! The dissipation that gives a restitution.
+//! Dissipation coefficient of a contact from its coefficient of restitution.
 
 use crate::scalar::Scalar;
 
-/// Halvings, to rounding.
+/// Number of bisection steps: enough to reach rounding error.
 const HALVINGS: usize = 60;
 
 /// Below this x the series is more accurate than the difference of logarithms.
 const SMALL: f64 = 1e-3;
 
-/// a of `F = k d (1 + a d')`, s/m, with which a body that arrives at `speed`, m/s, leaves at e times that speed.
+/// Returns the dissipation a of `F = k d (1 + a d')`, s/m, for which a body that arrives at `speed`, m/s, rebounds at e
+/// times that speed.
 ///
-/// With x = a v, from `m v dv / (1 + a v) = -k d dd` over one touch follows `x (1 + e) = ln((1 + x) / (1 - e x))`, exact without other
-/// forces, whatever the mass and the stiffness (Hunt & Crossley, *J. Appl. Mech.* 42, 1975, 440; solved for a as by Marhefka & Orin,
-/// *IEEE Trans. Syst. Man Cybern. A* 29, 1999, 566). For small losses x = 3/2 (1 - e) (2 - e).
+/// With x = a v, integration of `m v dv / (1 + a v) = -k d dd` over one impact gives `x (1 + e) = ln((1 + x) / (1 - e
+/// x))`: exact without other forces, for any mass and stiffness (Hunt & Crossley, *J. Appl. Mech.* 42, 1975, 440;
+/// solved for a as by Marhefka & Orin, *IEEE Trans. Syst. Man Cybern. A* 29, 1999, 566). For small losses x = 3/2 (1 -
+/// e) (2 - e).
 ///
 /// ```
 /// use kingpost::elements::contact::dissipation;
@@ -24,7 +26,7 @@ pub fn dissipation<S: Scalar>(restitution: S, speed: S) -> S {
     let [found] = S::from_values([restitution], &|[e]| [scaled(e)]);
     let loss = S::ONE - restitution;
     let small = loss * (S::ONE + loss) * S::constant(1.5);
-    // One more Newton step gives the derivatives.
+    // One more Newton step carries the derivatives of restitution and speed.
     let next = found - residual(found, restitution) / slope(found, restitution);
     found.select_below(SMALL, || small, || next) / speed
 }
@@ -37,7 +39,8 @@ fn slope<S: Scalar>(x: S, e: S) -> S {
     S::ONE + e - S::ONE / (S::ONE + x) - e / (S::ONE - e * x)
 }
 
-/// x, by bisection: the residual is largest at (1 - e) / e and falls from there to minus infinity at the pole.
+/// Solves for x by bisection: the residual is largest at (1 - e) / e and falls from there to minus infinity at the
+/// pole.
 fn scaled(e: f64) -> f64 {
     if e >= 1.0 {
         return 0.0;

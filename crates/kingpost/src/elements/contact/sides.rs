@@ -22,7 +22,7 @@ struct ContactSide<S> {
     angular_velocity: Vector3<S>,
 }
 
-/// Both sides: the load, the surface.
+/// The two sides: the load and the surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<S> {
     sides: [ContactSide<S>; 2],
@@ -30,19 +30,19 @@ pub(super) struct Sides<S> {
     seen: [Frame<S>; 2],
 }
 
-/// A spot and the solid that it meets.
+/// A spot and the solid that it touches.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Met<S> {
     facing: Facing,
     /// Rotation of the solid.
     rotation: Matrix3<S>,
-    /// Point where both act on each other, world, m.
+    /// Point at which the contact forces act, world, m.
     point: Vector3<S>,
     /// Velocity of the spot relative to the solid at that point, in the solid's axes, m/s.
     velocity: Vector3<S>,
-    /// Out of the solid, in its axes.
+    /// Outward normal of the solid, in its axes.
     pub(super) normal: Vector3<S>,
-    /// m.
+    /// Depth of the spot in the solid, m.
     pub(super) depth: S,
     /// The middle of the spot, in the solid's axes, m.
     pub(super) middle: Vector3<S>,
@@ -101,27 +101,27 @@ impl<S: Scalar> ContactSide<S> {
 }
 
 impl<S: Scalar> Met<S> {
-    /// d', m/s.
+    /// Returns the rate of the depth, d', m/s.
     pub(super) fn rate(&self) -> S {
         -self.normal.dot(self.velocity)
     }
 
-    /// v along the surface, in the solid's axes, m/s.
+    /// Returns the slip v along the surface, in the solid's axes, m/s.
     pub(super) fn slip(&self) -> Vector3<S> {
         self.along(self.velocity)
     }
 
-    /// The part of a vector along the surface.
+    /// Returns the component of a vector along the surface.
     pub(super) fn along(&self, vector: Vector3<S>) -> Vector3<S> {
         vector - self.normal * self.normal.dot(vector)
     }
 
-    /// A vector in the solid's axes, in the world's.
+    /// Transforms a vector from the solid's axes to the world's.
     pub(super) fn in_world(&self, vector: Vector3<S>) -> Vector3<S> {
         self.rotation * vector
     }
 
-    /// The force on the load that belongs to a force on the spot.
+    /// Returns the force on the load due to a force on the spot.
     pub(super) fn on_load(&self, force: Vector3<S>) -> Vector3<S> {
         if self.facing == Facing::Load { force } else { -force }
     }

@@ -34,8 +34,8 @@ pub enum ContactSolid<S = f64> {
 }
 
 impl<S: Scalar> ContactSolid<S> {
-    /// The distance of a point from the surface, m, negative inside, and its gradient: the outward unit normal at the
-    /// nearest point. Inside, it is the distance to the nearest face; if two are equally near, to either.
+    /// Returns the distance of a point from the surface, m, negative inside, and its gradient, the outward unit normal
+    /// at the nearest point. Inside, the nearest face counts; of two equally near faces, either.
     ///
     /// ```
     /// use kingpost::elements::contact::ContactSolid;
@@ -73,7 +73,7 @@ impl<S: Scalar> ContactSolid<S> {
     }
 }
 
-/// The distance from the orthant where no coordinate is positive, and its gradient.
+/// Returns the distance from the orthant of non-positive coordinates, and its gradient.
 fn from_corner<S: Scalar, const N: usize>(beyond: [S; N]) -> (S, [S; N]) {
     let mut nearest = beyond[0];
     let mut faces = [S::ZERO; N];
@@ -95,7 +95,7 @@ fn sign<S: Scalar>(x: S) -> S {
     x.select_below(0.0, || -S::ONE, || S::ONE)
 }
 
-/// The length of a vector, but at least the smallest number that one can divide by.
+/// Returns the length of a vector, bounded below by the smallest valid divisor.
 pub(super) fn length<S: Scalar>(vector: Vector3<S>) -> S {
     root(vector.norm_squared())
 }

@@ -4,7 +4,7 @@ use super::solid::ContactSolid;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
-/// A place of a shape that may touch, in the shape's axes.
+/// A part of a shape that may touch a solid, in the shape's axes.
 #[derive(Clone, Copy, Debug)]
 pub enum Spot<S = f64> {
     /// A ball; of radius 0, a corner or a foot.
@@ -14,9 +14,9 @@ pub enum Spot<S = f64> {
         /// m.
         radius: S,
     },
-    /// The end of a cylinder, as a flat spheroid. A lying cylinder then rolls as on a circle; a standing one has a
-    /// single contact point, which moves to its rim as it leans; and nothing jumps between the two. Only against a
-    /// plane.
+    /// The end of a cylinder, as a flat spheroid, for contact with a plane only. A lying cylinder then rolls on a
+    /// circle; a standing one has a single contact point, which moves to the rim as the cylinder leans. The transition
+    /// between the two is continuous.
     End {
         /// m.
         centre: Vector3<S>,
@@ -36,14 +36,14 @@ pub struct Nearness<S> {
     pub point: Vector3<S>,
     /// Outward normal of the solid.
     pub normal: Vector3<S>,
-    /// How far the spot is inside, m; negative outside.
+    /// Depth of the spot in the solid, m; negative outside.
     pub depth: S,
     /// The middle of the spot, m.
     pub middle: Vector3<S>,
 }
 
 impl<S: Scalar> Spot<S> {
-    /// Its position relative to a solid; `seen` is the shape's frame in the solid's.
+    /// Returns the spot's position relative to a solid; `seen` is the shape's frame in the solid's axes.
     pub fn nearness(&self, solid: &ContactSolid<S>, seen: &Frame<S>) -> Nearness<S> {
         match *self {
             Self::Ball { centre, radius } => {

@@ -31,7 +31,7 @@ impl Watcher for Depth {
             return Vec::new();
         }
         let text = format!(
-            "is pressed in by {} m, more than its penetration_tolerance_m of {} m: make it stiffer",
+            "penetrates by {} m, more than its penetration_tolerance_m of {} m: make the contact stiffer",
             significant(value, 3),
             significant(self.tolerance_m, 3)
         );

@@ -14,7 +14,7 @@ impl<S: Quantity> Assemble<S> for schema::DriveFunction<S> {
         let times_s: Vec<f64> = self.time_s.iter().map(|time| time.get()).collect();
         let least = if self.period_s.is_some() { 3 } else { 2 };
         if times_s.len() < least {
-            let found = format!("{} of them", times_s.len());
+            let found = format!("{} times", times_s.len());
             return Err(FieldError::new(field("time_s"), found, format!("at least {least} times")));
         }
         if self.command.len() != times_s.len() {

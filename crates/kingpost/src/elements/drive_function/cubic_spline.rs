@@ -2,7 +2,7 @@
 
 use crate::scalar::Scalar;
 
-/// A curve through given values at given times, of cubic pieces whose slopes and curvatures agree where they meet (de Boor, *A
+/// A curve of cubic pieces through given values at given times, with continuous slope and curvature (de Boor, *A
 /// Practical Guide to Splines*, 2001, ch. IV). Its times are plain numbers; its values may carry derivatives.
 #[derive(Clone, Debug)]
 pub struct CubicSpline<S = f64> {
@@ -14,7 +14,8 @@ pub struct CubicSpline<S = f64> {
 }
 
 impl<S: Scalar> CubicSpline<S> {
-    /// From rest to rest: the first value before, the last value after, without slope at both.
+    /// Returns the spline from rest to rest: constant before the first time and after the last, with zero slope at
+    /// both.
     ///
     /// The times, at least two, increase; each has a value.
     ///
@@ -35,7 +36,8 @@ impl<S: Scalar> CubicSpline<S> {
         Self { times_s, values, curvatures, period_s: None }
     }
 
-    /// Repeated with a period, s: it goes on from the last value to the first, which comes again a period after its time.
+    /// Returns a spline that repeats with a period, s: from the last value it continues to the first, one period after
+    /// the first time.
     ///
     /// The times, at least three, increase within one period; each has a value.
     ///
@@ -57,7 +59,7 @@ impl<S: Scalar> CubicSpline<S> {
         Self { times_s, values, curvatures, period_s: Some(period_s) }
     }
 
-    /// The value at a time, s.
+    /// Returns the value at a time, s.
     pub fn at(&self, time_s: f64) -> S {
         let (first_s, n) = (self.times_s[0], self.times_s.len());
         let time_s = match self.period_s {
@@ -81,12 +83,12 @@ impl<S: Scalar> CubicSpline<S> {
     }
 }
 
-/// Twice the lengths on both sides of each time; an end has one.
+/// Returns twice the sum of the intervals before and after each time; at an end there is only one.
 fn diagonal(before: &[f64], after: &[f64]) -> Vec<f64> {
     before.iter().zip(after).map(|(one, other)| 2.0 * (one + other)).collect()
 }
 
-/// The slopes of the chords between values.
+/// Returns the slopes of the chords between neighbouring values.
 fn slopes<S: Scalar>(lengths: &[f64], values: &[S]) -> Vec<S> {
     values.windows(2).zip(lengths).map(|(pair, length)| (pair[1] - pair[0]) * S::constant(1.0 / length)).collect()
 }
@@ -110,8 +112,8 @@ fn tridiagonal<S: Scalar>(before: &[f64], diagonal: &[f64], after: &[f64], mut r
     right
 }
 
-/// Solves the system of [`tridiagonal`] where the first and the last are neighbours: a tridiagonal matrix and the
-/// product of two vectors (Press et al., *Numerical Recipes*, 3rd ed., 2007, sec. 2.7.2).
+/// Solves the cyclic tridiagonal system, in which the first and the last unknown are neighbours, as a tridiagonal
+/// matrix plus the product of two vectors (Press et al., *Numerical Recipes*, 3rd ed., 2007, sec. 2.7.2).
 fn cyclic<S: Scalar>(before: &[f64], diagonal: &[f64], after: &[f64], right: Vec<S>) -> Vec<S> {
     let last = right.len() - 1;
     let (top, bottom, shift) = (before[0], after[last], -diagonal[0]);
@@ -132,9 +134,9 @@ fn cyclic<S: Scalar>(before: &[f64], diagonal: &[f64], after: &[f64], right: Vec
 mod tests {
     use super::*;
 
-    /// A cubic is its own spline where its end slopes are those of the spline: `x^2 (3 - 2 x)` on [0, 1].
+    /// The spline reproduces a cubic with the same end slopes: `x^2 (3 - 2 x)` on [0, 1].
     #[test]
-    fn a_cubic_without_slope_at_its_ends_is_its_own_spline_on_uneven_times() {
+    fn the_spline_reproduces_a_cubic_with_zero_end_slopes_on_uneven_times() {
         let times = vec![0.0, 0.13, 0.2, 0.55, 0.9, 1.0];
         let cubic = |x: f64| x * x * (3.0 - 2.0 * x);
         let spline = CubicSpline::from_rest_to_rest(times.clone(), times.iter().map(|x| cubic(*x)).collect());
@@ -148,7 +150,7 @@ mod tests {
     /// The error of a spline through a smooth periodic function is at most 5/384 h^4 times its largest fourth derivative
     /// (Hall & Meyer, *J. Approx. Theory* 16, 1976, p. 105).
     #[test]
-    fn a_periodic_spline_of_a_sine_errs_by_the_bound_of_hall_and_meyer() {
+    fn the_error_of_a_periodic_spline_of_a_sine_is_below_and_near_the_bound_of_hall_and_meyer() {
         for n in [8_u32, 16, 32] {
             let period = 7.0;
             let w = core::f64::consts::TAU / period;

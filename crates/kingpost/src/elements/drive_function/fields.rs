@@ -4,11 +4,11 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{NonNegative, Positive, SetsInputs, SignalName, yes};
 
-/// Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions` finds
-/// these commands, so that a load stays where it should.
+/// Sets an input to its command plus a smooth curve through given commands at given times. `kingpost.drive_functions`
+/// computes commands that hold a load in place.
 #[fields]
 pub struct DriveFunction<S = f64> {
-    /// Whether the function is added; if not, the command passes.
+    /// Whether the function is added; if not, the command passes unchanged.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The input that it sets: of a drive, or the command of another controller.
@@ -17,11 +17,11 @@ pub struct DriveFunction<S = f64> {
     pub time_s: Vec<NonNegative>,
     /// The command at each time, in the SI unit of the input.
     pub command: Vec<S>,
-    /// The time after which the curve repeats, s: all times are within one period. Without it, the first command holds before
-    /// the first time and the last after the last.
+    /// Period after which the curve repeats, s: all times are within one period. Without it, the first command holds
+    /// before the first time, and the last command after the last time.
     pub period_s: Option<Positive>,
-    /// Time in which the curve grows from 0 to its full size at the start of a run, in the same way as waves in the `ramp_s` of the sea, s;
-    /// 0: it has its full size at once.
+    /// Duration of the ramp at the start of a run, s, over which the curve grows from 0 to full size like waves over
+    /// the `ramp_s` of the sea; 0: full size at once.
     #[serde(default)]
     pub ramp_s: NonNegative,
 }

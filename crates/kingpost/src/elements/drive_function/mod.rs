@@ -17,8 +17,9 @@ use crate::sea::waves::ramp;
 /// u = c + s(t) f(t),    within the limits of the input
 /// ```
 ///
-/// f is a cubic spline through given commands at given times, s the ramp over which waves begin too. An input is constant over
-/// a step; it gets the function's value at the middle of the step, so that it is not late. A row has the value at its time.
+/// f is a cubic spline through given commands at given times, s the same ramp function as that of waves. An input is
+/// constant over a step: its value is that of the function at the middle of the step, so that it has no delay. A row of
+/// results has the value at its time.
 ///
 /// Drive functions that hold a load in place on a moving base are found as the commands with the smallest deviation of the load
 /// (Maczyński & Wojciech, "Stabilization of load's position in offshore cranes", *J. Offshore Mech. Arct. Eng.* 134(2), 2012,
@@ -29,7 +30,7 @@ pub struct DriveFunction<S = f64> {
     pub name: String,
     /// The input that it sets.
     pub to: Input,
-    /// f; without it, the command passes.
+    /// f; without it, the command passes unchanged.
     pub function: Option<CubicSpline<S>>,
     /// Length of the ramp, s; 0 without one.
     pub ramp_s: f64,
@@ -71,7 +72,7 @@ impl<S: Scalar> Element<S> for DriveFunction<S> {
 }
 
 impl<S: Scalar> DriveFunction<S> {
-    /// u at a time, s.
+    /// Returns u at a time, s.
     fn action(&self, command: S, time_s: f64) -> S {
         let Some(function) = &self.function else { return command };
         let [share, ..] = ramp(time_s, self.ramp_s);

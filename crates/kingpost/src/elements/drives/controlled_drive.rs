@@ -18,10 +18,10 @@ use crate::scalar::Scalar;
 ///
 /// For a speed set-point the target speed is the set-point within +-v_max. For a position set-point x it is `v_t = a T'
 /// (sqrt(1 + 2 |e| / (a T'^2)) - 1)` towards it, with e = x - x_r, T' = 4 T and a = a_max / 2: half of the acceleration
-/// then suffices to stop at x. With a jerk limit T is at least the time in which the acceleration builds up. h is the
-/// effort that holds the joint at rest at the start. While the effort is at its limit the reference moves with the
-/// load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID Control*,
-/// 2006, sec. 3.5).
+/// then suffices to stop at x. With a jerk limit, T is at least the time in which the acceleration reaches its limit. h
+/// is the effort that holds the joint at rest at the start. While the effort is at its limit the reference moves with
+/// the load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID
+/// Control*, 2006, sec. 3.5).
 #[derive(Clone, Debug)]
 pub struct ControlledDrive<S = f64> {
     /// Name in the results.
@@ -44,9 +44,9 @@ pub struct ControlledDrive<S = f64> {
     pub damping: S,
     /// T, s.
     pub response_time: S,
-    /// The coordinate at the start: the drive holds it there while an equilibrium is sought.
+    /// The coordinate at the start; the drive holds the joint there while an equilibrium is sought.
     pub start: S,
-    /// The effort that holds it there; the run begins with it.
+    /// The effort that holds the joint there, with which the run begins.
     pub hold: [S; 1],
 }
 
@@ -85,7 +85,7 @@ const ACCELERATION: usize = 2;
 struct Effort<S> {
     free: S,
     given: S,
-    /// The limit that applies.
+    /// Active limit of the effort.
     limit: S,
 }
 
@@ -111,7 +111,7 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         Declaration { states: states.collect(), inputs: vec![input], outputs: self.shown(), ..Declaration::default() }
     }
 
-    /// The reference begins at the coordinate's position and rate.
+    /// Sets the reference to the coordinate's position and rate.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         if let [position, speed, ..] = own.states {
             (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
@@ -219,13 +219,13 @@ impl<S: Scalar> ControlledDrive<S> {
             number("drive_speed_utilisation", "speed of a drive's reference over its limit", &["1"]),
             number(
                 "drive_power_utilisation",
-                "power that a drive delivers over its limit; 0 without a limit, and while it brakes",
+                "power that a drive delivers over its power limit; 0 without a limit, and while the drive brakes",
                 &["1"],
             ),
         ]
     }
 
-    /// The set-point plus the input of a user or a controller.
+    /// Returns the set-point plus the input of a user or a controller.
     fn target(&self, at: &Context<'_, S>) -> S {
         at.inputs.first().map_or(self.value, |offset| self.value + *offset)
     }
@@ -254,13 +254,13 @@ impl<S: Scalar> ControlledDrive<S> {
         Effort { free, given: free.clipped(-limit, limit), limit }
     }
 
-    /// The effort while an equilibrium is sought, without limits.
+    /// Returns the effort while an equilibrium is sought, without limits.
     fn holding(&self, q: S) -> Effort<S> {
         let effort = self.hold[0] + self.stiffness * (self.start - q);
         Effort { free: effort, given: effort, limit: self.limits.effort }
     }
 
-    /// T; with a jerk limit at least the time that the reference needs to reach a new speed without overshoot.
+    /// Returns T; with a jerk limit, at least the time that the reference needs to reach a new speed without overshoot.
     fn reaction(&self) -> S {
         let time = self.response_time;
         self.limits.jerk.map_or(time, |jerk| {
@@ -270,7 +270,7 @@ impl<S: Scalar> ControlledDrive<S> {
         })
     }
 
-    /// a_t.
+    /// Returns a_t.
     fn wanted_acceleration(&self, at: &Context<'_, S>) -> S {
         let [position, speed] = [POSITION, SPEED].map(|i| at.states.get(i).copied().unwrap_or(S::ZERO));
         let (limits, time) = (&self.limits, self.reaction());
@@ -282,8 +282,8 @@ impl<S: Scalar> ControlledDrive<S> {
         ((wanted - speed) * (S::ONE / time)).clipped(-limits.acceleration, limits.acceleration)
     }
 
-    /// The speed towards a position at this distance: proportional to a short distance; for a long one, the speed from
-    /// which half of the acceleration stops in time.
+    /// Returns the speed towards a position at this distance: proportional to a short distance; at a long distance, the
+    /// speed from which half of the acceleration limit stops in time.
     fn approach(&self, way: S, time: S) -> S {
         let slow = S::constant(4.0) * time;
         let braking = self.limits.acceleration * S::constant(0.5);

@@ -1,4 +1,4 @@
-//! A hydraulic cylinder between two pins: it keeps a length, or goes to another at a limited speed.
+//! A hydraulic cylinder between two pins: it keeps its length, or moves to a target length at a limited speed.
 
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
@@ -16,12 +16,12 @@ use crate::scalar::Scalar;
 /// F = F_0 + k (L_wanted - L) - c L',   clipped to what the pressures allow, -F_pull <= F <= F_push
 /// ```
 ///
-/// F_0 is 0, but for a lever in a run that begins at an equilibrium: it then carries the load there, at the length that the
-/// lever has set.
+/// F_0 is 0, except for a cylinder with a lever in a run that begins at an equilibrium: F_0 then carries the load at
+/// the length that the lever has set.
 ///
 /// L_wanted changes no faster than the speed limit and stays within the stroke. There is a stop at both ends of the
 /// stroke ([`hunt_crossley`]). The work of the force is the drive's; the stops store energy and make heat. Barrel and
-/// rod have no mass of their own: add it to the bodies if it matters.
+/// rod have no mass: add their mass to the bodies if it is not negligible.
 #[derive(Clone, Debug)]
 pub struct Cylinder<S = f64> {
     /// Name in the results.
@@ -50,9 +50,9 @@ pub struct Cylinder<S = f64> {
     pub aim: Aim<S>,
     /// Length at the start, m.
     pub start: S,
-    /// Whether it holds the load from the start on, at an equilibrium at which the run begins; its target is a lever then.
+    /// Whether it has a lever and holds the load from the start of a run that begins at an equilibrium.
     pub holds: bool,
-    /// Force that holds it at its length at that equilibrium, N.
+    /// F_0: force that holds the length at that equilibrium, N.
     pub hold: [S; 1],
     /// Time at which the target length stops moving, s: a step ends there.
     pub arrival_s: Option<f64>,
@@ -61,11 +61,11 @@ pub struct Cylinder<S = f64> {
 /// The target of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aim<S = f64> {
-    /// Keeps the length that it has at the start.
+    /// Keeps the length at the start.
     Hold,
-    /// Goes to this length, m, from the start on.
+    /// Moves to this length, m, from the start on.
     Length(S),
-    /// A lever: its input, from -1 to 1, times the speed limit is the rate of the target length, which is a state.
+    /// A lever: the rate of the target length, which is a state, is its input, from -1 to 1, times the speed limit.
     Lever,
 }
 
@@ -94,7 +94,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
                 number("cylinder_force", "force of a cylinder, positive when it pushes, stops included", &["N"]),
                 number(
                     "cylinder_effort_utilisation",
-                    "force of a cylinder without its stops, over its limit to push or to pull",
+                    "force of a cylinder without its stops, over its push or pull limit",
                     &["1"],
                 ),
             ],
@@ -104,12 +104,12 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         }
     }
 
-    /// The target length begins at the present length, m.
+    /// Sets the target length to the present length, m.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.states.fill(self.length(at.model, at.links));
     }
 
-    /// Adds the force, and the work and heat that it makes.
+    /// Adds the force, its work and its heat.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let Forces { line, drive, stops, heat } = self.forces(at);
         loads.power.drives += drive * line.rate;
@@ -119,7 +119,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         }
     }
 
-    /// Rate of the target length: the lever's share of the speed limit, 0 at the ends of the stroke.
+    /// Writes the rate of the target length: the lever's share of the speed limit, 0 at the ends of the stroke.
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let (Some(rate), [lever], [wanted]) = (rates.first_mut(), at.inputs, at.states) else { return };
         let speed = self.speed_limit * *lever;
@@ -133,7 +133,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         out.extend([line.residual, line.rate, drive + stops, self.share_of_limit(drive)]);
     }
 
-    /// The barrel from the first pin, the rod from within the barrel to the second pin, and both pins.
+    /// Draws the barrel from the first pin, the rod from within the barrel to the second pin, and both pins.
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let place = |pin: &Attachment<S>| {
             let point = pin.in_body.position;
@@ -165,7 +165,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         if self.holds { Some(self) } else { None }
     }
 
-    /// Energy in the stops, J.
+    /// Returns the energy in the stops, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let square =
             self.depths(self.length(at.model, at.links)).iter().fold(S::ZERO, |sum, depth| sum + *depth * *depth);
@@ -173,7 +173,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 }
 
-/// A lever holds the length that it has set, whatever the load.
+/// A cylinder with a lever holds the length that the lever has set under any load.
 impl<S: Scalar> Settling<S> for Cylinder<S> {
     fn trim(&self) -> &[S] {
         &self.hold
@@ -223,17 +223,17 @@ impl<S: Scalar> Cylinder<S> {
         }
     }
 
-    /// The line between the pins: the row of J of their distance.
+    /// Returns the row of J of the distance between the pins.
     fn line(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Row<S> {
         Row::new(model, links, &self.first, &self.second, &Constraint::Distance(S::ZERO))
     }
 
-    /// Length between the pins, m.
+    /// Returns the length between the pins, m.
     pub fn length(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
         self.line(model, links).residual
     }
 
-    /// The length wanted.
+    /// Returns the target length.
     fn wanted(&self, at: &Context<'_, S>) -> S {
         let aim = match self.aim {
             Aim::Hold => return self.start,
@@ -256,13 +256,13 @@ impl<S: Scalar> Cylinder<S> {
         Forces { line, drive, stops: out - back, heat: heat_short + heat_long }
     }
 
-    /// A force of the drive over the limit in its direction; 0 without one.
+    /// Returns a force of the drive over the limit in its direction; 0 without a limit.
     fn share_of_limit(&self, drive: S) -> S {
         let share = |force: S, limit: S| limit.select_below(f64::MIN_POSITIVE, || S::ZERO, || force / limit);
         drive.select_below(0.0, || share(-drive, self.pull_limit), || share(drive, self.push_limit))
     }
 
-    /// How far the length is beyond each end of the stroke, m.
+    /// Returns the depth of the length beyond each end of the stroke, m.
     fn depths(&self, length: S) -> [S; 2] {
         let [short, long] = [self.stroke[0] - length, length - self.stroke[1]];
         [short, long].map(|beyond| beyond.select_below(0.0, || S::ZERO, || beyond))

@@ -24,7 +24,7 @@ impl<S: Scalar> Element<S> for Motor<S> {
         Declaration { inputs, ..Declaration::default() }
     }
 
-    /// Adds the torque and the work that it does.
+    /// Adds the torque or force and its work.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let lever = at.inputs.first().copied().unwrap_or(S::ONE);
         let effort = self.effort * self.profile.value(at.clock) * lever;

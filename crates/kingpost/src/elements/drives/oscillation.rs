@@ -46,7 +46,7 @@ impl<S: Scalar> Element<S> for Oscillation<S> {
 }
 
 impl<S: Scalar> Oscillation<S> {
-    /// The distance from the initial value, its rate and its acceleration.
+    /// Returns the displacement from the initial value, its rate and its acceleration.
     ///
     /// ```
     /// use kingpost::dynamics::Clock;
@@ -72,10 +72,10 @@ impl<S: Scalar> Oscillation<S> {
 mod tests {
     use super::*;
 
-    /// Central differences, of second order in the step; beside the end of the ramp, where the third derivative
-    /// jumps, of first order.
+    /// Central differences, whose error is of second order in the step; near the end of the ramp, where the third
+    /// derivative jumps, of first order.
     #[test]
-    fn rates_are_those_of_the_position_and_the_motion_begins_and_goes_on_without_a_jump() {
+    fn rate_and_acceleration_are_the_derivatives_of_the_position_and_start_and_continue_without_a_jump() {
         let swing = Oscillation { coordinate: 0, amplitude: 0.3, frequency_rad_s: 1.7, phase_rad: 0.8, ramp_s: 2.0 };
         let at = |time_s: f64| swing.motion(Clock { time_s, middle_s: time_s });
         let h = 1e-5;

@@ -37,12 +37,12 @@ impl<S: Scalar> Element<S> for PrescribedMotion<S> {
 }
 
 impl<S: Scalar> PrescribedMotion<S> {
-    /// The rate, rad/s or m/s.
+    /// Returns the rate, rad/s or m/s.
     pub fn rate_at(&self, clock: Clock) -> S {
         self.rate * self.profile.value(clock)
     }
 
-    /// The acceleration, rad/s^2 or m/s^2.
+    /// Returns the acceleration, rad/s^2 or m/s^2.
     pub fn acceleration_at(&self, clock: Clock) -> S {
         self.rate * self.profile.slope_per_s(clock)
     }

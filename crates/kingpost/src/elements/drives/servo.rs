@@ -1,4 +1,4 @@
-//! A position servo: it holds a joint, a crane's boom for example, up to its limit.
+//! A position servo: it holds a joint, such as that of a crane's boom, with a limited torque or force.
 
 use crate::dynamics::Loads;
 use crate::elements::{Context, Declaration, Element, Input, Support};
@@ -28,7 +28,7 @@ impl<S: Scalar> Element<S> for Servo<S> {
         Declaration { inputs: self.offset.iter().cloned().collect(), ..Declaration::default() }
     }
 
-    /// Adds the torque and the work that it does.
+    /// Adds the torque or force and its work.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = at.v[self.coordinate];
         let target = at.inputs.first().map_or(self.target, |offset| self.target + *offset);

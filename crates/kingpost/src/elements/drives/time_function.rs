@@ -3,15 +3,16 @@
 use crate::dynamics::Clock;
 use crate::scalar::Scalar;
 
-/// A pulse: up, hold, through zero to the reverse, hold, and back to rest; without a reverse back to
-/// rest from the first hold.
+/// A pulse: rise, hold, through zero to the reverse, hold, and back to rest; without a reverse, back to rest after the
+/// first hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulse {
     /// When it begins, s.
     pub start_s: f64,
-    /// Time of a ramp between zero and full, s; from full to full reverse takes twice this.
+    /// Duration of a ramp between zero and full strength, s; the ramp from full strength to full reverse takes twice
+    /// this time.
     pub rise_s: f64,
-    /// Time at full, s.
+    /// Time at full strength, s.
     pub hold_s: f64,
     /// Time at full reverse, s; 0 for a pulse that does not reverse.
     pub reverse_s: f64,
@@ -28,20 +29,20 @@ struct LinearPiece<S> {
 /// derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeFunction<S = f64> {
-    /// In order of time; the first begins at 0, each ends where the next begins.
+    /// Pieces in order of time; the first begins at 0, and each ends at the start of the next.
     pieces: Vec<LinearPiece<S>>,
     edges: Vec<f64>,
 }
 
 impl<S: Scalar> TimeFunction<S> {
-    /// One at all times: the motor is switched on as in the paper.
+    /// Returns the constant history 1: the motor is switched on as in the paper.
     pub fn constant() -> Self {
         let mut profile = Self::resting_until(0.0);
         profile.push(0.0, S::ONE, S::ZERO);
         profile
     }
 
-    /// A pulse.
+    /// Returns the history of a pulse.
     ///
     /// ```
     /// use kingpost::dynamics::Clock;
@@ -70,8 +71,8 @@ impl<S: Scalar> TimeFunction<S> {
         profile
     }
 
-    /// Straight lines between shares at given times, s, which do not decrease: zero before the first, the
-    /// last share after the last. Two shares at one time are a jump.
+    /// Returns the history that is linear between shares at given times, s, which do not decrease: zero before the
+    /// first time, the last share after the last time. Two shares at one time are a jump.
     pub fn list(times_s: &[f64], shares: &[S]) -> Self {
         let points: Vec<(f64, S)> = times_s.iter().copied().zip(shares.iter().copied()).collect();
         let mut profile = Self::resting_until(points.first().map_or(0.0, |(start_s, _)| *start_s));
@@ -86,7 +87,7 @@ impl<S: Scalar> TimeFunction<S> {
         profile
     }
 
-    /// Zero up to a time, s; the caller adds what follows.
+    /// Returns a history that is zero up to a time, s; the caller adds the pieces after it.
     fn resting_until(start_s: f64) -> Self {
         let mut profile = Self { pieces: Vec::new(), edges: Vec::new() };
         if start_s > 0.0 {
@@ -111,24 +112,24 @@ impl<S: Scalar> TimeFunction<S> {
         &self.pieces[after.max(1) - 1]
     }
 
-    /// The value.
+    /// Returns the value.
     pub fn value(&self, clock: Clock) -> S {
         let piece = self.piece(clock);
         piece.start + piece.slope_per_s * S::constant(clock.time_s - piece.start_s)
     }
 
-    /// Its rate, 1/s.
+    /// Returns the rate, 1/s.
     pub fn slope_per_s(&self, clock: Clock) -> S {
         self.piece(clock).slope_per_s
     }
 
-    /// The first edge after a time, s; infinite where there is none.
+    /// Returns the first edge after a time, s; infinity if there is none.
     pub fn next_edge_s(&self, after_s: f64) -> f64 {
         let first = self.edges.partition_point(|&edge| edge <= after_s);
         self.edges.get(first).copied().unwrap_or(f64::INFINITY)
     }
 
-    /// Where one piece ends and the next begins, s, in order.
+    /// Returns the times between pieces, s, in order.
     pub fn edges(&self) -> &[f64] {
         &self.edges
     }

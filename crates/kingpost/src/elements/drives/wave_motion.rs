@@ -50,12 +50,12 @@ impl<S: Scalar> Element<S> for WaveMotion<S> {
 }
 
 impl<S: Scalar> WaveMotion<S> {
-    /// Indices of its coordinates in v.
+    /// Returns the indices of its coordinates in v.
     pub fn coordinates(&self) -> core::ops::Range<usize> {
         self.velocities..self.velocities + 6
     }
 
-    /// The motions at a time.
+    /// Returns the motions at a time.
     pub fn at(&self, world: &World<S>, time_s: f64) -> SixMotions<S> {
         let [ramp, ramp_rate, ramp_acceleration] = world.wave_ramp(time_s).map(S::constant);
         let steady = self.steady(time_s);
@@ -68,7 +68,7 @@ impl<S: Scalar> WaveMotion<S> {
         }
     }
 
-    /// Without the ramp: each coordinate with its rate and acceleration.
+    /// Returns the motions without the ramp: each coordinate with its rate and acceleration.
     fn steady(&self, time_s: f64) -> [[S; 3]; 6] {
         let mut sums = [[S::ZERO; 3]; 6];
         for (omega, responses) in &self.waves {

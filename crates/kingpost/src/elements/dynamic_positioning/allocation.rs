@@ -4,20 +4,20 @@ use super::thruster::{Thrust, Thruster};
 use crate::scalar::Scalar;
 use crate::spatial::Symmetric3;
 
-/// Thrusters, and how they share a demand.
+/// Thrusters, and the allocation of a demanded force and moment to them.
 ///
 /// With f all components of thrust (an azimuth has two: the extended thrust), the force along x and y and the moment
-/// about z at the held point are tau = B f. Of all f that give tau, the chosen one minimises the weighted sum of
-/// squared utilisations f^T W f, with w = weight / T_max^2:
+/// about z at the held point are tau = B f. Of all f with B f = tau, the allocation takes the one with the smallest
+/// weighted sum of squared utilisations f^T W f, with w = weight / T_max^2:
 ///
 /// ```text
 /// f = W^-1 B^T (B W^-1 B^T)^-1 tau
 /// ```
 ///
 /// (Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control*, 2011, sec. 12.3.2). If that exceeds a
-/// thruster's limit, the demand is scaled down until no thruster exceeds its limit: either force and moment alike, or
-/// the moment first and then the force, in its direction, with the capacity that is left. The demand is not
-/// redistributed to thrusters with capacity left.
+/// thruster's limit, the demand is scaled down until no thruster exceeds its limit: either force and moment by the same
+/// factor, or the moment first and then the force, in its direction, with the remaining capacity. The demand is not
+/// redistributed to thrusters with remaining capacity.
 #[derive(Clone, Debug)]
 pub struct Allocation<S = f64> {
     thrusters: Vec<Thruster<S>>,
@@ -31,12 +31,12 @@ pub struct Allocation<S = f64> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CannotGive(pub &'static str);
 
-/// Smallest determinant of B W^-1 B^T, with its diagonal scaled to 1, with which thrusters still count as giving surge,
-/// sway and yaw independently.
+/// Smallest determinant of B W^-1 B^T, with its diagonal scaled to 1, at which thrusters count as independent in surge,
+/// sway and yaw.
 const LEAST_DETERMINANT: f64 = 1e-9;
 
 impl<S: Scalar> Allocation<S> {
-    /// For these thrusters.
+    /// Returns the allocation for these thrusters.
     ///
     /// # Errors
     /// Thrusters that do not give surge, sway and yaw independently.
@@ -61,22 +61,23 @@ impl<S: Scalar> Allocation<S> {
         Ok(Self { shares: shares.collect(), thrusters, heading_first })
     }
 
-    /// The thrusters.
+    /// Returns the thrusters.
     pub fn thrusters(&self) -> &[Thruster<S>] {
         &self.thrusters
     }
 
-    /// Number of components of thrust.
+    /// Returns the number of components of thrust.
     pub fn components(&self) -> usize {
         self.thrusters.iter().map(Thruster::components).sum()
     }
 
-    /// The thrust of one thruster for a force (N) and moment (N m), limits left out.
+    /// Returns the thrust of one thruster for a force (N) and moment (N m), without limits.
     pub fn thrust(&self, thruster: usize, demand: [S; 3]) -> Thrust<S> {
         self.shares[thruster].map(|row| row[0] * demand[0] + row[1] * demand[1] + row[2] * demand[2])
     }
 
-    /// The part of a demand that the thrusters can give. The thrust of each is then its [`thrust`](Self::thrust).
+    /// Returns the part of a demand that the thrusters can give. For this part, [`thrust`](Self::thrust) returns the
+    /// thrust of each.
     pub fn limited(&self, demand: [S; 3]) -> [S; 3] {
         let [x, y, moment] = demand;
         let none = [S::ZERO; 3];
@@ -89,7 +90,7 @@ impl<S: Scalar> Allocation<S> {
         [x * share, y * share, turning[2]]
     }
 
-    /// The largest share of `more` that can be added to `base`.
+    /// Returns the largest share of `more` that can be added to `base` within the limits of all thrusters.
     fn room(&self, base: [S; 3], more: [S; 3]) -> S {
         let of = |(i, thruster): (usize, &Thruster<S>)| thruster.room(self.thrust(i, base), self.thrust(i, more));
         let least = |least: S, next: S| next.select_less(least, || next, || least);
@@ -97,16 +98,17 @@ impl<S: Scalar> Allocation<S> {
     }
 }
 
-/// Force along x and y and moment about z of unit components.
+/// Returns the columns of the thrust configuration matrix for one thruster: force along x, force along y and moment
+/// about z, for unit thrust along each of its directions.
 fn columns<S: Scalar>(thruster: &Thruster<S>) -> [[S; 3]; 2] {
     let [x, y, _] = thruster.position.0;
     thruster.directions().map(|[along, aside]| [along, aside, x * aside - y * along])
 }
 
-/// Levers shorter than this, m, and shares of the force smaller than this count as 0.
+/// Lever arms (m) and shares of the force below this count as 0.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// An error unless the thrusters give surge, sway and yaw independently.
+/// Returns an error unless the thrusters give surge, sway and yaw independently.
 fn check_rank(gram: &Symmetric3<f64>) -> Result<(), CannotGive> {
     let diagonal = [gram.xx, gram.yy, gram.zz];
     let least = NEGLIGIBLE * NEGLIGIBLE * (gram.xx + gram.yy);

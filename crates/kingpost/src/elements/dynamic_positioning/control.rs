@@ -28,14 +28,14 @@ pub struct Gains<S = f64> {
     pub integral: Planar<S>,
     /// Whether each of the three has an integral.
     pub integrates: [bool; 3],
-    /// T_t, s: time constant with which an integral follows the force that can be given.
+    /// T_t, s: tracking time constant with which an integral follows the force that the thrusters can give.
     pub tracking_time: Planar<S>,
 }
 
 /// The deviation of a ship from its target.
 #[derive(Clone, Copy, Debug)]
 pub struct Deviation<S = f64> {
-    /// From the ship to the target, along the heading and to port of it, m; the heading error in (-pi, pi], rad.
+    /// Position error from the ship to the target, along the heading and to port, m; heading error in (-pi, pi], rad.
     pub error: Planar<S>,
     /// Velocity along the same axes, m/s, and the rate about the vertical, rad/s.
     pub rate: Planar<S>,
@@ -44,7 +44,7 @@ pub struct Deviation<S = f64> {
 }
 
 impl<S: Scalar> Target<S> {
-    /// The deviation of a point of a body from it.
+    /// Returns the deviation of a point of a body from the target.
     pub fn deviation(&self, place: &HullFrame<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Deviation<S> {
         let motion = place.motion_of(model, links);
         let (position, rotation) = (motion.frame.position, motion.frame.rotation);
@@ -66,13 +66,13 @@ impl<S: Scalar> Target<S> {
 }
 
 impl<S: Scalar> Deviation<S> {
-    /// A force and moment in world axes, in those of the heading.
+    /// Transforms a force and moment from world axes to the axes of the heading.
     pub fn from_world(&self, [x, y, yaw]: [S; 3]) -> Planar<S> {
         let [cos, sin] = self.heading;
         [cos * x + sin * y, cos * y - sin * x, yaw]
     }
 
-    /// A force and moment in the axes of the heading, in the world's.
+    /// Transforms a force and moment from the axes of the heading to world axes.
     pub fn to_world(&self, [surge, sway, yaw]: Planar<S>) -> [S; 3] {
         let [cos, sin] = self.heading;
         [cos * surge - sin * sway, sin * surge + cos * sway, yaw]
@@ -80,13 +80,13 @@ impl<S: Scalar> Deviation<S> {
 }
 
 impl<S: Scalar> Gains<S> {
-    /// K_p e - K_d nu.
+    /// Returns K_p e - K_d nu.
     pub fn proportional(&self, at: &Deviation<S>) -> Planar<S> {
         core::array::from_fn(|k| self.stiffness[k] * at.error[k] - self.damping[k] * at.rate[k])
     }
 
-    /// Rate of the integrals, in the axes of the heading: K_i e - (demand - given) / T_t, so that a saturated integral
-    /// stops growing.
+    /// Returns the rate of the integrals, in the axes of the heading: K_i e - (demand - given) / T_t, so that they do
+    /// not wind up at a limit.
     pub fn integral_rate(&self, at: &Deviation<S>, demand: Planar<S>, given: Planar<S>) -> Planar<S> {
         core::array::from_fn(|k| {
             let rate = || self.integral[k] * at.error[k] + (given[k] - demand[k]) / self.tracking_time[k];

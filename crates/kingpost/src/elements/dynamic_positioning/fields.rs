@@ -1,4 +1,4 @@
-//! Dynamic positioning: thrusters that keep a ship in its place.
+//! Dynamic positioning: thrusters that keep a ship in position.
 
 use indexmap::IndexMap;
 use kingpost_derive::fields;
@@ -6,7 +6,7 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Name, NonNegative, Positive, yes};
 
-/// A controller that holds a point of a ship at a position, and the ship on a heading, with thrusters.
+/// A controller with thrusters that holds a point of a ship at a position, and the ship on a heading.
 #[fields]
 pub struct DynamicPositioning<S = f64> {
     /// Whether the element acts.
@@ -14,7 +14,7 @@ pub struct DynamicPositioning<S = f64> {
     pub enabled: bool,
     /// The ship.
     pub body: Name,
-    /// The point that is held, in the body's drawing frame, m. Forces and moments refer to it.
+    /// The held point in the body's drawing frame, m. Forces and moments refer to this point.
     #[serde(default)]
     pub position_m: [S; 3],
     /// The position and heading to hold.
@@ -23,19 +23,20 @@ pub struct DynamicPositioning<S = f64> {
     pub target: StationTarget<S>,
     /// The controller's gains.
     pub gains: PositioningGains<S>,
-    /// The filter that keeps the thrusters from responding to every wave; without it they respond.
+    /// The filter that prevents thruster response to wave-frequency motion; without it, the thrusters respond to every
+    /// wave.
     pub wave_filter: Option<WaveFilter<S>>,
-    /// Rule for what is reduced when a thruster is at its limit.
+    /// Priority of yaw moment or force when a thruster is at its limit.
     #[serde(default)]
     pub priority: ThrustPriority,
-    /// Anti-windup time, s: while a thruster is at its limit, the integrals follow what the thrusters can give with
-    /// this time constant. Without it sqrt(K_d / K_i), for surge, sway and yaw each.
+    /// Anti-windup time constant, s, with which the integrals follow the force and moment of the thrusters while a
+    /// thruster is at its limit. Without it, sqrt(K_d / K_i) for surge, sway and yaw each.
     pub anti_windup_time_s: Option<Positive<S>>,
     /// The thrusters by name.
     pub thrusters: IndexMap<Name, Thruster<S>>,
 }
 
-/// A place and a heading.
+/// A position and a heading.
 #[fields(default)]
 #[derive(Copy, Default)]
 pub struct StationTarget<S = f64> {
@@ -43,7 +44,7 @@ pub struct StationTarget<S = f64> {
     pub x_m: S,
     /// y in the world, m.
     pub y_m: S,
-    /// From the world's x axis, counter-clockwise, rad.
+    /// Heading from the world's x axis, counter-clockwise, rad.
     pub heading_rad: S,
 }
 
@@ -59,11 +60,11 @@ pub enum PositioningGains<S = f64> {
 /// K_p = m omega^2, K_d = 2 zeta omega m, K_i = K_p / T_i with omega = 2 pi / period.
 #[fields]
 pub struct NaturalPeriods<S = f64> {
-    /// Along the ship.
+    /// Tuning of surge, along the ship.
     pub surge: TranslationTuning<S>,
-    /// Athwartships.
+    /// Tuning of sway, athwartships.
     pub sway: TranslationTuning<S>,
-    /// About the vertical.
+    /// Tuning of yaw, about the vertical.
     pub yaw: RotationTuning<S>,
     /// Whether integral action balances the mean load on the ship.
     #[serde(default = "yes")]
@@ -74,7 +75,7 @@ pub struct NaturalPeriods<S = f64> {
 #[fields]
 #[derive(Copy)]
 pub struct TranslationTuning<S = f64> {
-    /// Mass with the low-frequency added mass, kg.
+    /// Mass of the ship plus its low-frequency added mass, kg.
     pub mass_kg: Positive<S>,
     /// Natural period, s.
     pub period_s: Positive<S>,
@@ -89,7 +90,7 @@ pub struct TranslationTuning<S = f64> {
 #[fields]
 #[derive(Copy)]
 pub struct RotationTuning<S = f64> {
-    /// Moment of inertia about the vertical with the added one, kg m^2.
+    /// Moment of inertia about the vertical, added moment of inertia included, kg m^2.
     pub inertia_kg_m2: Positive<S>,
     /// Natural period, s.
     pub period_s: Positive<S>,
@@ -133,7 +134,7 @@ pub struct WaveFilter<S = f64> {
     /// Gain of a notch at its own period: damping ratio of its numerator over that of its denominator.
     #[serde(default = "notch_ratio::<S>")]
     pub notch_damping_ratio: NonNegative<S>,
-    /// Period of the low pass of second order, s; without it there is none.
+    /// Cut-off period of the second-order low-pass filter, s; without it, there is no low-pass filter.
     pub cutoff_period_s: Option<Positive<S>>,
     /// Damping ratio of the low pass.
     #[serde(default = "butterworth::<S>")]
@@ -148,14 +149,14 @@ fn butterworth<S: Leaf>() -> Positive<S> {
     Positive::literal(core::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// Rule for what is reduced when a thruster is at its limit.
+/// Priority of yaw moment or force when a thruster is at its limit.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum ThrustPriority {
     /// The force is reduced and keeps its direction; the yaw moment is given first.
     #[default]
     Heading,
-    /// Force and moment are reduced alike.
+    /// Force and moment are reduced by the same factor.
     None,
 }
 
@@ -212,7 +213,7 @@ pub struct MainPropeller<S = f64> {
     pub weight: Positive<S>,
 }
 
-/// A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
+/// A propeller that turns about the vertical. Its thrust has two components; the magnitude of the thrust is limited.
 #[fields]
 pub struct AzimuthThruster<S = f64> {
     /// Whether the thruster runs.

@@ -37,8 +37,8 @@ use crate::spatial::{Vector3, Wrench};
 /// Åström & Hägglund, *PID Controllers*, 2nd ed., 1995, sec. 3.5). Each [`Thruster`] follows its command with its own
 /// time constant and acts at its own position.
 ///
-/// The extra states are b, those of the [`WaveFilter`] and the thrusts. A run begins with the thrusters at the thrust
-/// that is demanded then.
+/// The extra states are b, those of the [`WaveFilter`] and the thrusts. A run begins with the thrusters at the demanded
+/// thrust.
 #[derive(Clone, Debug)]
 pub struct DynamicPositioning<S = f64> {
     /// Name of the force in the scenario.
@@ -53,14 +53,14 @@ pub struct DynamicPositioning<S = f64> {
     pub filter: WaveFilter<S>,
     /// The thrusters.
     pub allocation: Allocation<S>,
-    /// b at the start of a run: force along x and y of the world, N, and moment, N m.
+    /// b at the start of a run: force along the world's x and y, N, and moment, N m.
     pub bias: [S; 3],
 }
 
-/// While an equilibrium is sought, motions with an integral are held by this many times K_p.
+/// Factor on K_p for motions with an integral while an equilibrium is sought.
 const SETTLING_STIFFNESS: f64 = 100.0;
 
-/// The demand at one moment, and the part of it that can be given.
+/// The demand at one moment, and the part that the thrusters can give.
 struct Demand<S> {
     at: Deviation<S>,
     /// K_p e - K_d nu.
@@ -78,7 +78,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         Declaration { states: self.declared_states(), outputs: self.declared_outputs(), ..Declaration::default() }
     }
 
-    /// Filter and thrusts begin in their steady state.
+    /// Sets filter and thrusts to their steady state.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let at = self.target.deviation(&self.place, at.model, at.links);
         let (proportional, integral) = (self.gains.proportional(&at), at.from_world(self.bias));
@@ -95,7 +95,8 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         }
     }
 
-    /// Adds the thrusts, and their work. While an equilibrium is sought they follow the error at once, without limits.
+    /// Adds the thrusts and their work. While an equilibrium is sought, the thrusts follow the error without lag and
+    /// without limits.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let wrench = if at.evaluation == EvaluationMode::Settling {
             let command = self.settling_command(at.model, at.links);
@@ -172,8 +173,8 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
         self.bias.copy_from_slice(trim);
     }
 
-    /// Transfers the holding force to the integrals; returns how far the ship still is from its target in the motions
-    /// that have integrals, m or rad.
+    /// Transfers the holding force to the integrals; returns the remaining deviation from the target in the motions
+    /// with integrals, m or rad.
     fn take_over(&mut self, at: &Context<'_, S>) -> S {
         let (model, links) = (at.model, at.links);
         let at = self.target.deviation(&self.place, model, links);
@@ -185,7 +186,7 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
             .fold(S::ZERO, |most, off| most.select_less(off, || off, || most))
     }
 
-    /// The largest utilisation of a thruster that holds the ship there, limits left out.
+    /// Returns the largest utilisation of a thruster that holds the ship at this position, without limits.
     fn utilisation(&self, at: &Context<'_, S>) -> S {
         let command = self.settling_command(at.model, at.links);
         let thrusters = self.allocation.thrusters().iter().enumerate();
@@ -227,12 +228,12 @@ impl<S: Scalar> DynamicPositioning<S> {
             planar("station_demand", demand, VectorFrame::Heading, &PLANAR),
             planar(
                 "station_command",
-                "part of the demand that the thrusters are commanded to give",
+                "part of the demand that is commanded to the thrusters",
                 VectorFrame::Body,
                 &PLANAR,
             ),
             planar("station_force", force, VectorFrame::Body, &PLANAR),
-            of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster its length", &["N"]),
+            of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster the magnitude", &["N"]),
             Output {
                 components: Components::Axis,
                 frame: VectorFrame::Body,
@@ -242,8 +243,8 @@ impl<S: Scalar> DynamicPositioning<S> {
         ]
     }
 
-    /// The force that holds the ship while an equilibrium is sought, without limits: with them the search would not
-    /// converge.
+    /// Returns the force that holds the ship while an equilibrium is sought, without limits: with limits the search
+    /// would not converge.
     fn settling_command(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Planar<S> {
         let at = self.target.deviation(&self.place, model, links);
         let carried = at.from_world(self.bias);
@@ -262,8 +263,8 @@ impl<S: Scalar> DynamicPositioning<S> {
         Demand { at: deviation, proportional, demand, command: self.allocation.limited(demand) }
     }
 
-    /// Force and moment of all thrusts about the held point, body axes; `thrust` gives the thrust of a thruster from
-    /// its number and the index of its first state.
+    /// Returns force and moment of all thrusts about the held point, body axes; `thrust` returns the thrust of a
+    /// thruster from its number and the index of its first state.
     fn wrench(&self, thrust: impl Fn(usize, usize) -> Thrust<S>) -> Wrench<S> {
         let (mut sum, mut first) = (Wrench::zero(), 0);
         for (i, thruster) in self.allocation.thrusters().iter().enumerate() {
@@ -288,7 +289,7 @@ impl<S: Scalar> DynamicPositioning<S> {
 /// Units of a force in a plane and the moment about its normal.
 const PLANAR: [&str; 3] = ["N", "N", "N m"];
 
-/// Two numbers from a list; 0 beyond its end.
+/// Returns two numbers from a list; 0 beyond its end.
 fn thrust_at<S: Scalar>(thrusts: &[S], first: usize) -> Thrust<S> {
     core::array::from_fn(|k| thrusts.get(first + k).copied().unwrap_or(S::ZERO))
 }

@@ -14,7 +14,7 @@ use crate::spatial::Vector3;
 pub struct Thruster<S = f64> {
     /// Name.
     pub name: String,
-    /// Position where it acts, from the held point, body axes, m.
+    /// Position of the thrust relative to the held point, body axes, m.
     pub position: Vector3<S>,
     /// Its kind and limits.
     pub kind: ThrusterKind<S>,
@@ -47,7 +47,7 @@ pub enum ThrusterKind<S = f64> {
 pub type Thrust<S> = [S; 2];
 
 impl<S: Scalar> Thruster<S> {
-    /// How many numbers its thrust has: its extra states.
+    /// Returns the number of components of its thrust, which are extra states.
     pub fn components(&self) -> usize {
         match self.kind {
             ThrusterKind::Fixed { .. } => 1,
@@ -55,7 +55,7 @@ impl<S: Scalar> Thruster<S> {
         }
     }
 
-    /// Unit vectors of the components, in the x-y plane.
+    /// Returns the unit vectors of the components, in the x-y plane.
     pub(super) fn directions(&self) -> [[S; 2]; 2] {
         match self.kind {
             ThrusterKind::Fixed { direction, .. } => [direction, [S::ZERO; 2]],
@@ -63,7 +63,7 @@ impl<S: Scalar> Thruster<S> {
         }
     }
 
-    /// The largest thrust, N.
+    /// Returns the largest thrust, N.
     pub fn limit(&self) -> S {
         match self.kind {
             ThrusterKind::Fixed { ahead, astern, .. } => astern.select_less(ahead, || ahead, || astern),
@@ -71,13 +71,13 @@ impl<S: Scalar> Thruster<S> {
         }
     }
 
-    /// The thrust as a force in the x-y plane, N.
+    /// Returns the thrust as a force in the x-y plane, N.
     pub fn force(&self, thrust: Thrust<S>) -> [S; 2] {
         let [first, second] = self.directions();
         core::array::from_fn(|k| first[k] * thrust[0] + second[k] * thrust[1])
     }
 
-    /// The thrust with its sign, or its length where it has two components, N.
+    /// Returns the thrust with its sign, or its magnitude if it has two components, N.
     pub fn signed_thrust(&self, thrust: Thrust<S>) -> S {
         match self.kind {
             ThrusterKind::Fixed { .. } => thrust[0],
@@ -85,7 +85,7 @@ impl<S: Scalar> Thruster<S> {
         }
     }
 
-    /// The thrust as a share of the limit in its direction.
+    /// Returns the thrust over the limit in its direction.
     pub fn utilisation(&self, thrust: Thrust<S>) -> S {
         match self.kind {
             ThrusterKind::Fixed { ahead, astern, .. } => {
@@ -95,7 +95,8 @@ impl<S: Scalar> Thruster<S> {
         }
     }
 
-    /// The largest share s of `more`, from 0 to 1, with which `base + s more` is within the limits; `base` is.
+    /// Returns the largest share s of `more`, from 0 to 1, for which `base + s more` is within the limits; `base` must
+    /// be within them.
     pub fn room(&self, base: Thrust<S>, more: Thrust<S>) -> S {
         match self.kind {
             ThrusterKind::Fixed { ahead, astern, .. } => {
@@ -124,7 +125,7 @@ impl<S: Scalar> Thruster<S> {
     }
 }
 
-/// Length; 0 without derivatives for a vector of length 0.
+/// Returns the length; 0 with zero derivatives for a vector of length 0.
 fn length<S: Scalar>(thrust: Thrust<S>) -> S {
     let square = thrust[0] * thrust[0] + thrust[1] * thrust[1];
     let root = square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();

@@ -1,4 +1,4 @@
-//! The filter that keeps the thrusters from responding to every wave.
+//! The wave filter: it prevents thruster response to wave-frequency motion.
 
 use crate::elements::StateDeclaration;
 use crate::scalar::Scalar;
@@ -27,7 +27,8 @@ struct FilterSection<S> {
     frequency: S,
     /// Damping ratio of its poles.
     damping_ratio: S,
-    /// For a notch, twice the damping ratio of its poles less that of its zeros; `None` for the low pass.
+    /// For a notch, twice the difference between the damping ratios of its poles and its zeros; `None` for the low
+    /// pass.
     notch: Option<S>,
 }
 
@@ -53,12 +54,12 @@ impl<S: Scalar> WaveFilter<S> {
         self
     }
 
-    /// Number of its states.
+    /// Returns the number of its states.
     pub fn state_count(&self) -> usize {
         STATES * self.sections.len()
     }
 
-    /// The filtered signals.
+    /// Returns the filtered signals.
     pub fn output(&self, input: [S; SIGNALS], states: &[S]) -> [S; SIGNALS] {
         let each = self.sections.iter().zip(states.chunks_exact(STATES));
         each.fold(input, |signal, (section, states)| section.output(signal, states))
@@ -78,7 +79,7 @@ impl<S: Scalar> WaveFilter<S> {
         }
     }
 
-    /// Writes the steady states, at which a constant input passes unchanged.
+    /// Writes the steady states for a constant input, which then passes unchanged.
     pub fn settled_states(&self, input: [S; SIGNALS], states: &mut [S]) {
         for states in states.chunks_exact_mut(STATES).take(self.sections.len()) {
             for (pair, u) in states.chunks_exact_mut(2).zip(input) {
@@ -87,7 +88,7 @@ impl<S: Scalar> WaveFilter<S> {
         }
     }
 
-    /// Its states, as an element declares them: a and b of each section.
+    /// Returns the declarations of its states: a and b of each section.
     pub fn declared(&self) -> impl Iterator<Item = StateDeclaration> + '_ {
         let of_section = |section: usize| {
             let signals = [("surge", "N"), ("sway", "N"), ("yaw", "N m")].into_iter();

@@ -18,7 +18,7 @@ impl<S: Quantity> Assemble<S> for schema::WindLoad<S> {
     }
 }
 
-/// The wind on a body, if it is enabled and its body exists.
+/// Returns the wind on a body, if it is enabled and its body exists.
 fn wind<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -50,7 +50,7 @@ impl<S: Quantity> Assemble<S> for schema::CurrentLoad<S> {
     }
 }
 
-/// The current on a body, if it is enabled and its body exists.
+/// Returns the current on a body, if it is enabled and its body exists.
 fn water<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -73,7 +73,7 @@ fn water<S: Quantity>(
     })))
 }
 
-/// A_x, A_y, L.
+/// Returns A_x, A_y and L.
 fn sizes<S: Quantity>(coefficients: &schema::FlowCoefficients<S>) -> [S; 3] {
     let schema::FlowCoefficients { frontal_area_m2, lateral_area_m2, length_m, .. } = coefficients;
     [frontal_area_m2, lateral_area_m2, length_m].map(|size| size.get())
@@ -96,10 +96,10 @@ fn table<S: Quantity>(field: &str, given: &schema::FlowCoefficients<S>) -> Resul
     })
 }
 
-/// The lowest height of the NPD profile, m: below it the wind would reach 0.
+/// Smallest height of the NPD profile, m: below it the wind speed would reach 0.
 const LEAST_NPD_M: f64 = 1.0;
 
-/// An error unless the wind's profile is valid at a height.
+/// Returns an error unless the wind's profile is valid at a height.
 pub(crate) fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field: &str) -> Result<(), FieldError> {
     if wind.profile == schema::WindProfile::Npd && !height.all(|height| height >= LEAST_NPD_M) {
         return Err(FieldError::new(
@@ -121,7 +121,8 @@ pub(crate) fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field
     Ok(())
 }
 
-/// The velocity of a current that a load uses; an error if the profile is not defined over the draught or at the depth.
+/// Returns the velocity of the current that a load uses; an error if the profile is not defined over the draught or at
+/// the depth.
 fn current_at<S: Quantity>(
     world: &World<S>,
     load: &schema::CurrentLoad<S>,

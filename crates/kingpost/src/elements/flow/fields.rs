@@ -44,8 +44,8 @@ pub struct WindLoad<S = f64> {
     pub coefficients: FlowCoefficients<S>,
 }
 
-/// The current on a body by coefficients of its relative velocity. It damps surge, sway and yaw too: add no other
-/// damping for the current.
+/// The current on a body by coefficients of its relative velocity. The load also damps surge, sway and yaw: add no
+/// other damping for the current.
 #[fields]
 pub struct CurrentLoad<S = f64> {
     /// Whether the element acts.
@@ -69,8 +69,8 @@ pub struct CurrentLoad<S = f64> {
 /// relative velocity; a smooth curve through the points.
 #[fields]
 pub struct FlowCoefficients<S = f64> {
-    /// Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
-    /// from ahead, as in OCIMF.
+    /// Directions towards which the fluid flows, from the body's x axis, counter-clockwise, rad, increasing: 0 is flow
+    /// from astern, pi from ahead, as in OCIMF.
     pub directions_rad: Vec<f64>,
     /// Whether port and starboard are alike: the directions then go from 0 to pi and are mirrored.
     pub symmetric: bool,

@@ -43,12 +43,12 @@ pub struct FlowLoad<S = f64> {
 pub enum Flow<S = f64> {
     /// The wind at this height above the still water, m.
     Wind(S),
-    /// The current, and which velocity of its profile is used.
+    /// The current, with the velocity of its profile that is used.
     Current(CurrentAt<S>),
 }
 
 impl<S: Scalar> Flow<S> {
-    /// Mean velocity in the world, m/s, and density, kg/m^3.
+    /// Returns the mean velocity in the world, m/s, and the density, kg/m^3.
     pub fn in_world(&self, world: &World<S>) -> (Vector3<S>, S) {
         match (self, &world.wind) {
             (Self::Wind(height), Some(wind)) => (wind.at_height(*height), wind.air_density),
@@ -58,7 +58,7 @@ impl<S: Scalar> Flow<S> {
     }
 }
 
-/// Below this square of the speed, m^2/s^2, the flow counts as none, since it has no direction.
+/// Square of the speed, m^2/s^2, below which the flow is neglected, because it has no direction.
 const STILL: f64 = 1e-18;
 
 impl<S: Scalar> Element<S> for FlowLoad<S> {
@@ -69,12 +69,12 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
     fn declare(&self) -> Declaration {
         let description = "force and moment of wind or current about the reference point of its coefficients";
         let force = Output::wrench("flow_force", description, "flow", &self.name, VectorFrame::Body);
-        let description = "speed of the wind or current that acts, over ground";
+        let description = "speed over ground of the wind or current that acts on a body";
         let speed = Output::number("flow_speed", description, "flow", &self.name, &["m/s"]);
         Declaration { outputs: vec![force, speed], ..Declaration::default() }
     }
 
-    /// Adds the load, and its work.
+    /// Adds the load and its work.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let wrench = self.about_centre(at);
         loads.power.outside += wrench.dot(&at.links.body_twist(at.model, self.place.body));
@@ -92,7 +92,7 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
 }
 
 impl<S: Scalar> FlowLoad<S> {
-    /// Velocity in the world, m/s, with gusts except at an equilibrium, and density, kg/m^3.
+    /// Returns the velocity in the world, m/s, with gusts except at an equilibrium, and the density, kg/m^3.
     fn velocity(&self, at: &Context<'_, S>) -> (Vector3<S>, S) {
         let (mean, density) = self.flow.in_world(at.world);
         match (&self.gusts, &at.world.wind) {
@@ -103,7 +103,7 @@ impl<S: Scalar> FlowLoad<S> {
         }
     }
 
-    /// Force (N) and moment (N m) about the reference point, in body axes.
+    /// Returns force (N) and moment (N m) about the reference point, in body axes.
     pub fn wrench(&self, at: &Context<'_, S>) -> Wrench<S> {
         let (flow, density) = self.velocity(at);
         let [x, y, length] = self.sizes;

@@ -17,26 +17,26 @@ pub struct TableError {
 }
 
 /// Coefficients of surge force, sway force and yaw moment over the direction of the flow from the hull's x axis,
-/// counter-clockwise: a smooth curve through the given points, whose slope at each is that of the parabola through it
-/// and its two neighbours (cubic Hermite pieces, periodic).
+/// counter-clockwise: a periodic curve of cubic Hermite pieces through the given points. The slope at a point is that
+/// of the parabola through the point and its two neighbours.
 #[derive(Clone, Debug)]
 pub struct DirectionTable<S = f64> {
-    /// Where pieces begin, rad, increasing, within one turn.
+    /// Start of each piece, rad, increasing, within one turn.
     directions: Vec<f64>,
     pieces: Vec<CubicPiece<S>>,
 }
 
-/// Weights of 1, t, t^2, t^3 with t the angle from where the piece begins, rad.
+/// Weights of 1, t, t^2, t^3 with t the angle from the start of the piece, rad.
 type CubicPiece<S> = [[S; 4]; 3];
 
 impl<S: Scalar> DirectionTable<S> {
-    /// From directions, rad, and the three coefficients at each. The table of a `symmetric` hull goes from 0 to pi,
-    /// both included. It is mirrored to the other side with sway and yaw reversed, so both are 0 in a flow along the
-    /// hull.
+    /// Returns the table from directions, rad, and the three coefficients at each. The table of a `symmetric` hull goes
+    /// from 0 to pi, both included. It is mirrored to the other side with sway and yaw reversed, so both are 0 in a
+    /// flow along the hull.
     ///
     /// # Errors
-    /// Directions that do not increase or exceed one turn, or fewer than three of them; for a symmetric hull, sway or
-    /// yaw other than 0 at 0 or pi.
+    /// Directions that do not increase or that exceed one turn, or fewer than three directions; for a symmetric hull,
+    /// sway or yaw coefficients other than 0 at the directions 0 and pi.
     pub fn new(directions_rad: &[f64], rows: &[[S; 3]], symmetric: bool) -> Result<Self, TableError> {
         check(directions_rad, symmetric)?;
         if symmetric {
@@ -63,7 +63,7 @@ impl<S: Scalar> DirectionTable<S> {
         Ok(Self { directions: points.iter().map(|(angle, _)| *angle).collect(), pieces: (0..n).map(piece).collect() })
     }
 
-    /// The coefficients at a direction in (-pi, pi], rad.
+    /// Returns the coefficients at a direction in (-pi, pi], rad.
     pub fn at(&self, direction: S) -> [S; 3] {
         let first = self.directions[0];
         let [begin, place] = S::from_values([direction], &|[direction]| {
@@ -81,7 +81,7 @@ impl<S: Scalar> DirectionTable<S> {
         })
     }
 
-    /// The piece at a place in the list; each lane may have a different one.
+    /// Returns the piece at an index; each lane may have a different one.
     fn piece(&self, place: S) -> CubicPiece<S> {
         let first = place.value();
         if place.all(|place| place == first) {
@@ -103,7 +103,7 @@ fn hermite<S: Scalar>(width: f64, [from, to]: [S; 2], [start, end]: [S; 2]) -> [
     [from, start, (three * mean - two * start - end) / width, (start + end - two * mean) / (width * width)]
 }
 
-/// How near to pi the last direction of a symmetric hull must be, rad.
+/// Largest distance of the first direction from 0 and of the last from pi for a symmetric hull, rad.
 const SAME_ANGLE: f64 = 1e-6;
 
 fn check(directions: &[f64], symmetric: bool) -> Result<(), TableError> {
@@ -129,10 +129,10 @@ fn check(directions: &[f64], symmetric: bool) -> Result<(), TableError> {
     }
 }
 
-/// A coefficient in a flow along a symmetric hull counts as 0 below this share of the largest in its column.
+/// Share of the largest coefficient in a column below which a coefficient counts as 0 in a flow along a symmetric hull.
 const ROUNDING: f64 = 1e-9;
 
-/// A flow along a symmetric hull has no side force and no yaw moment.
+/// Checks that side force and yaw moment are 0 in a flow along a symmetric hull.
 fn check_mirrored<S: Scalar>(rows: &[[S; 3]]) -> Result<(), TableError> {
     let size = |x: S| x.select_below(0.0, || -x, || x);
     for (k, column) in [(1, "sway"), (2, "yaw")] {

@@ -9,8 +9,8 @@ const HEAT_RATIO: f64 = 1.4;
 
 /// A pump whose controller follows a commanded pressure with a first-order lag, as far as its flow allows.
 ///
-/// The air is an ideal gas without exchange of heat. With its volume V, its pressure above the atmosphere p, and the flow
-/// Q of air of the atmosphere into the tank,
+/// The air is an ideal gas without exchange of heat. With its volume V, its gauge pressure p, and the flow Q of air at
+/// atmospheric pressure into the tank,
 ///
 /// ```text
 /// p' = kappa (p_atm Q - (p_atm + p) V') / V
@@ -59,8 +59,8 @@ impl<S: Scalar> AirPump<S> {
         (entering - air.absolute() * air.growth) * S::constant(HEAT_RATIO) / air.volume
     }
 
-    /// Least power that the pump takes, W: that of slow compression between the tank and the atmosphere,
-    /// `p_atm Q ln((p_atm + p) / p_atm)`; none where the air flows by itself.
+    /// Returns the smallest possible power of the pump, W: that of isothermal compression between the tank and the
+    /// atmosphere, `p_atm Q ln((p_atm + p) / p_atm)`; 0 where the air flows without a pump.
     pub fn power(&self, lever: S, air: &AirChamber<S>) -> S {
         let ratio = air.absolute() * S::constant(1.0 / ATMOSPHERE_PA);
         let power = self.flow(lever, air) * ratio.ln() * S::constant(ATMOSPHERE_PA);

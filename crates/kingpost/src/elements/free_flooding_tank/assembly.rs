@@ -1,4 +1,4 @@
-//! Tanks that are open to the sea: the water as a body on a prismatic joint, its weight, pressures and stops.
+//! Free-flooding tanks: the water as a body on a prismatic joint, its weight, pressures and stops.
 
 use crate::elements::free_flooding_tank::{ATMOSPHERE_PA, AirPump, FloodedColumn};
 use crate::elements::{AnyElement, FreeFloodingTank};
@@ -13,7 +13,7 @@ use crate::scenario::schema::{self, Force as ForceSchema, Scenario};
 use crate::spatial::{Frame, Matrix3, Vector3};
 use crate::world::World;
 
-/// The free-flooding tanks of a scenario.
+/// Returns the free-flooding tanks of a scenario.
 fn of<S>(scenario: &Scenario<S>) -> impl Iterator<Item = (&schema::Name, &schema::FreeFloodingTank<S>)> {
     scenario.forces.iter().filter_map(|(name, force)| match force {
         ForceSchema::FreeFloodingTank(tank) => Some((name, &**tank)),
@@ -21,7 +21,8 @@ fn of<S>(scenario: &Scenario<S>) -> impl Iterator<Item = (&schema::Name, &schema
     })
 }
 
-/// Their water as bodies, for parents at the indices that `place` gives; none where the carrier is not enabled.
+/// Returns the water of the tanks as bodies, for parents at the indices that `place` returns; a tank whose carrier is
+/// disabled has none.
 pub(crate) fn bodies<S: Quantity>(
     scenario: &Scenario<S>,
     place: impl Fn(&str) -> Option<usize>,
@@ -54,7 +55,7 @@ impl<S: Quantity> Assemble<S> for schema::FreeFloodingTank<S> {
     }
 }
 
-/// Weight, pressures, losses and stops of a tank.
+/// Returns the weight, pressures, losses and stops of a tank.
 fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,

@@ -4,11 +4,11 @@ use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Symmetric3};
 use core::f64::consts::PI;
 
-/// End correction of the opening on one side over its radius: a circular piston in a wall moves the water of a length
-/// `8 r / 3 pi` (Rayleigh, *The Theory of Sound*, vol. 2, sec. 307).
+/// End correction of one side of the opening over its radius: a circular piston in a wall moves a water column of the
+/// length `8 r / 3 pi` (Rayleigh, *The Theory of Sound*, vol. 2, sec. 307).
 const END_CORRECTION: f64 = 8.0 / (3.0 * PI);
-/// By how much the walls of the tank lessen it there, for the ratio of the diameters 1: `1 - 1.25 d / D` (Ingard, *J.
-/// Acoust. Soc. Am.* 25, 1953, p. 1037).
+/// Factor of the reduction of the end correction by the tank's walls, with the ratio of the diameters d / D: `1 - 1.25
+/// d / D` (Ingard, *J. Acoust. Soc. Am.* 25, 1953, p. 1037).
 const BY_THE_WALLS: f64 = 1.25;
 
 /// A tank with vertical walls and an opening in its bottom: m, m^2 and kg/m^3.
@@ -52,14 +52,14 @@ impl<S: Scalar> FloodedColumn<S> {
         self.mass_per_metre() * self.level
     }
 
-    /// Inertia of the water at rest about its centre.
+    /// Returns the inertia of the water at rest about its centre.
     pub fn inertia(&self) -> SpatialInertia<S> {
         let square = [self.edges[0], self.edges[1], self.level].map(|edge| edge * edge);
         let about = |k: usize| self.mass() * (square[(k + 1) % 3] + square[(k + 2) % 3]) * S::constant(1.0 / 12.0);
         SpatialInertia::rigid(self.mass(), Symmetric3::diagonal([about(0), about(1), about(2)]))
     }
 
-    /// The rotor on the joint: the water in and about the opening, kg.
+    /// Returns the rotor inertia on the joint: the water in and about the opening, kg.
     pub fn rotor_inertia(&self) -> S {
         let share = self.opening_area / self.area();
         let radius = (self.opening_area * S::constant(1.0 / PI)).sqrt();
@@ -69,7 +69,7 @@ impl<S: Scalar> FloodedColumn<S> {
         self.mass_per_metre() * length / share
     }
 
-    /// Force for a metre of level in an upright tank, `rho g A`, N/m.
+    /// Returns the force per metre of level in an upright tank, `rho g A`, N/m.
     pub fn stiffness(&self, gravity: S) -> S {
         self.mass_per_metre() * gravity
     }

@@ -1,4 +1,4 @@
-//! A tank that is open to the sea: the weight of its water, the pressures on it, and its losses.
+//! A free-flooding tank: the weight of its water, the pressures on it, and its losses.
 
 mod air;
 pub(crate) mod assembly;
@@ -19,15 +19,16 @@ use crate::sea::waves::Water;
 use crate::spatial::{Frame, Vector3, Wrench};
 use opening_in_waves::OpeningInWaves;
 
-/// A tank with vertical walls on a hull, with an opening to the sea in its bottom. Its water is a body on a prismatic joint
-/// (see [`FloodedColumn`]) with the mass at rest, on which gravity acts. x is the level above that at rest. (Halse, Aesoy &
-/// Sporsheim, "An active roll reduction system using free flooding tanks controlled by vacuum pumps", *World Maritime
-/// Technology Conference*, 2012; van Slooten, *Mathematical modeling of free-flooding anti-roll tanks*, TU Delft, 2014.)
+/// A tank with vertical walls on a hull, with an opening to the sea in its bottom. Its water is a body on a prismatic
+/// joint (see [`FloodedColumn`]) with the mass at rest, on which gravity acts. x is the rise of the level from rest.
+/// (Halse, Aesoy & Sporsheim, "An active roll reduction system using free flooding tanks controlled by vacuum pumps",
+/// *World Maritime Technology Conference*, 2012; van Slooten, *Mathematical modeling of free-flooding anti-roll tanks*,
+/// TU Delft, 2014.)
 ///
-/// The data of a hull are those of its closed surface, so the pressure of the sea over the opening is in them. The momentum
-/// of the water in the tank then leaves for the hull just the weight and the inertia of that water. To the body on the joint
-/// the weight of x is added, half of x above the opening, and along the joint the sea drives the water in: with the vertical
-/// n in the axes of the carrier and the height z_o of the opening,
+/// The data of a hull are those of its closed surface, so they contain the pressure of the sea over the opening. By the
+/// momentum balance of the water in the tank, the hull then carries only the weight and the inertia of that water.
+/// Added to the body on the joint are the weight of x, half of x above the opening, and the force along the joint by
+/// which the sea drives the water in: with the vertical n in the axes of the carrier and the height z_o of the opening,
 ///
 /// ```text
 /// U = rho g A (x z_o + n_z x^2 / 2)
@@ -73,11 +74,11 @@ struct Flooded<S> {
     height: S,
     /// n in the carrier's axes.
     vertical: Vector3<S>,
-    /// p_sea + rho g z_o, Pa: what the sea has beyond calm water.
+    /// p_sea + rho g z_o, Pa: pressure of the sea in excess of calm water.
     excess: S,
 }
 
-/// Water that has entered a tank beyond that at rest.
+/// Water that has entered a tank in addition to the water at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct AddedWater<S = f64> {
     /// kg; negative if water has left.
@@ -86,7 +87,7 @@ pub struct AddedWater<S = f64> {
     pub centre: Vector3<S>,
 }
 
-/// The air has at least this share of the tank's volume.
+/// Smallest share of the tank's volume that is air.
 const LEAST_AIR: f64 = 0.01;
 
 impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
@@ -105,12 +106,12 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
         }
         outputs.push(number("air_pressure", "pressure of the air above that of the atmosphere", &["Pa"]));
         outputs.push(number("air_flow", "flow of air at the pressure of the atmosphere into the tank", &["m^3/s"]));
-        outputs.push(number("air_power", "least power of the pump of the air", &["W"]));
+        outputs.push(number("air_power", "smallest possible power of the air pump", &["W"]));
         let states = vec![StateDeclaration::new("air_pressure", "Pa")];
         Declaration { states, outputs, inputs: vec![Input::lever(&self.name, -1.0, 0.0)], ..Declaration::default() }
     }
 
-    /// Adds the weight beyond that of the body, the pressures and the losses.
+    /// Adds the weight in addition to the body's, the pressures and the losses.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         if !self.open {
             return;
@@ -129,7 +130,7 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
         loads.power.dissipated += loss * now.rate;
     }
 
-    /// Rate of the pressure of the air.
+    /// Writes the rate of the air pressure.
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         if let Some(pump) = &self.pump {
             rates[0] = pump.pressure_rate(at.inputs[0], &self.air(at));
@@ -202,7 +203,7 @@ impl<S: Scalar> FreeFloodingTank<S> {
         }
     }
 
-    /// The water that has entered beyond that at rest, with its centre in the world.
+    /// Returns the water that has entered in addition to the water at rest, with its centre in the world.
     pub fn added(&self, bodies: &Kinematics<S>) -> AddedWater<S> {
         let Frame { rotation, position } = bodies.world[self.carrier].times(&Frame::translation(self.opening));
         let middle = rotation.transpose_times(bodies.world[self.body].position - position)[2];
@@ -223,7 +224,7 @@ impl<S: Scalar> FreeFloodingTank<S> {
         AirChamber { pressure: self.air_pressure(at), volume: area * room, growth: -(area * at.v[self.coordinate]) }
     }
 
-    /// Force of the losses against x', N.
+    /// Returns the force of the losses against x', N.
     fn loss(&self, rate: S) -> S {
         let contraction = self.column.area() / self.column.opening_area;
         let half = S::constant(0.5) * self.loss_coefficient * self.column.mass_per_metre();

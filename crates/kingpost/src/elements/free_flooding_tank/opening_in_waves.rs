@@ -1,4 +1,4 @@
-//! A free-flooding tank in regular waves: their pressure at its opening drives the water.
+//! A free-flooding tank in regular waves: the wave pressure at its opening drives the water.
 
 use super::FreeFloodingTank;
 use crate::dynamics::Kinematics;
@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::sea::waves::{Water, wave_number};
 use crate::spatial::{Frame, Twist};
 
-/// A tank in the waves of linear theory, at any frequency.
+/// A tank in linear waves of any frequency.
 #[derive(Debug)]
 pub(super) struct OpeningInWaves<'a, S: Scalar>(pub &'a FreeFloodingTank<S>);
 
@@ -26,7 +26,7 @@ impl<S: Scalar> RegularWaves<S> for OpeningInWaves<'_, S> {
         WavePlace { position: [x, y], height, heading: rotation.0[1][0].atan2(rotation.0[0][0]) }
     }
 
-    /// The rate of the level: of the water past the hull, along the tank.
+    /// Returns the rate of the level: the velocity of the water relative to the hull, along the tank.
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6] {
         let [hull, water] = [self.0.carrier, self.0.body];
         let off =
@@ -37,7 +37,7 @@ impl<S: Scalar> RegularWaves<S> for OpeningInWaves<'_, S> {
         rates
     }
 
-    /// `rho g A cosh(k (h + z)) / cosh(k h)`: the pressure has its crest with the surface.
+    /// Returns `rho g A cosh(k (h + z)) / cosh(k h)`: the pressure is in phase with the surface elevation.
     fn amplitudes(&self, omega: f64, directions_rad: &[f64], place: &WavePlace<S>) -> Vec<[[S; 2]; 6]> {
         let Water { density_kg_m3, gravity_m_s2, depth_m } = self.0.water;
         let k = S::constant(wave_number(omega, &self.0.water));

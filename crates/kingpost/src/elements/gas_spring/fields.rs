@@ -5,20 +5,21 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::Positive;
 
-/// A cylinder with gas, and the vessels connected to it, which push an axis towards larger extensions: `p V^n` is constant.
-/// The axis needs a lower limit at which gas is left. Its outputs are `gas_spring_pressure` (Pa) and `gas_spring_force` (N).
+/// A gas cylinder with its connected vessels, which pushes an axis towards larger extensions: `p V^n` is constant. The
+/// axis needs a lower limit at which the gas volume is above 0. Its outputs are `gas_spring_pressure` (Pa) and
+/// `gas_spring_force` (N).
 #[fields]
 pub struct GasSpring<S = f64> {
     /// Area of the piston, m^2.
     pub piston_area_m2: Positive<S>,
-    /// Volume of all the gas, that of connected vessels included, at `at_extension_m`, m^3.
+    /// Volume of all the gas, connected vessels included, at `at_extension_m`, m^3.
     pub gas_volume_m3: Positive<S>,
     /// Absolute pressure of the gas at `at_extension_m`, Pa.
     pub pressure_pa: Positive<S>,
     /// Extension at which the gas has this volume and pressure, m.
     #[serde(default)]
     pub at_extension_m: S,
-    /// n: 1 for slow changes at constant temperature, 1.4 for fast ones of nitrogen or air without exchange of heat.
+    /// n: 1 for slow changes at constant temperature, 1.4 for fast changes of nitrogen or air without exchange of heat.
     #[serde(default = "adiabatic::<S>")]
     pub polytropic_exponent: Positive<S>,
     /// Absolute pressure on the other side of the piston, Pa: that of the atmosphere by default.

@@ -15,8 +15,8 @@ use crate::scalar::Scalar;
 ///
 /// n is 1 if the gas keeps its temperature, and the ratio of its specific heats, 1.4 for nitrogen, if it exchanges no
 /// heat (Cengel & Boles, *Thermodynamics*, 7th ed., sec. 4-1). The energy stored is the work against both pressures
-/// since x_0, `p_0 V_0 (1 - (V_0 / V)^(n - 1)) / (n - 1)` from the gas; as an elastic force it has no losses: friction
-/// of seals and losses of flow are those of the joint.
+/// since x_0, `p_0 V_0 (1 - (V_0 / V)^(n - 1)) / (n - 1)` from the gas; as an elastic force it has no losses: model
+/// seal friction and flow losses by the friction of the joint.
 #[derive(Clone, Debug)]
 pub struct GasSpring<S = f64> {
     /// Name of its coordinate.
@@ -37,11 +37,11 @@ pub struct GasSpring<S = f64> {
     pub exponent: S,
     /// p_a, Pa.
     pub outside_pressure: S,
-    /// Volume below which the pressure stays constant, m^3: beyond the stop of the axis.
+    /// Volume below which the pressure stays constant, m^3; it is reached only beyond the stop of the axis.
     pub smallest_volume: S,
 }
 
-/// Size of (n - 1) ln(V / V_0) below which its series stands for the quotient, so that n may be 1.
+/// Magnitude of (n - 1) ln(V / V_0) below which a series replaces the quotient, so that n may be 1.
 const NEARLY_ISOTHERMAL: f64 = 1e-4;
 
 impl<S: Scalar> Element<S> for GasSpring<S> {
@@ -73,7 +73,7 @@ impl<S: Scalar> Element<S> for GasSpring<S> {
         out.extend([pressure, self.force(pressure)]);
     }
 
-    /// Energy stored since x_0, J; negative after an expansion.
+    /// Returns the energy stored since x_0, J; negative after an expansion.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let (volume, whole) = (self.volume_at(at.q), self.whole_volume_at(at.q));
         let swept = (volume / self.volume).ln();

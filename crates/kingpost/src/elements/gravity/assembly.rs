@@ -6,7 +6,7 @@ use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Force};
 
-/// Gravity is one element: the world holds the sum of all.
+/// Assembles one gravity element: the world holds the sum of all gravity forces.
 impl<S: Quantity> Assemble<S> for schema::Gravity<S> {
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         let acts = |force: &Force<S>| gravity_of(force).is_some_and(|gravity| gravity.enabled);
@@ -16,7 +16,7 @@ impl<S: Quantity> Assemble<S> for schema::Gravity<S> {
     }
 }
 
-/// The gravity of a force that is gravity.
+/// Returns the fields of a gravity force; `None` for another force.
 pub fn gravity_of<S>(force: &Force<S>) -> Option<&schema::Gravity<S>> {
     if let Force::Gravity(gravity) = force { Some(gravity) } else { None }
 }

@@ -13,12 +13,12 @@ use crate::spatial::Vector3;
 pub struct Gravity;
 
 impl<S: Scalar> Element<S> for Gravity {
-    /// Puts every body's mass into the field.
+    /// Adds the weight of every body.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         loads.add_gravity(Vector3::new(S::ZERO, S::ZERO, -at.world.gravity));
     }
 
-    /// `sum m g z`, J, with z measured from the world's origin.
+    /// Returns `sum m g z`, J, with z measured from the world's origin.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let Context { world, model, links, .. } = *at;
         let height = |body: usize| links.body_frame(model, body).position[2];

@@ -1,7 +1,8 @@
-//! How current and waves change the velocity terms of the added mass.
+//! Velocity terms of the added mass in current and waves.
 //!
-//! The added mass A stands in the inertia of the hull's body, which moves by Kirchhoff's equations for the body's own
-//! twist nu: the force of the water is `-(A nu' + nu x* A nu)`. The difference from this is added here as a load.
+//! The added mass A is part of the inertia of the hull's body, which obeys Kirchhoff's equations with the body's twist
+//! nu: the force of the water is `-(A nu' + nu x* A nu)`. This module adds, as a load, the difference of the actual
+//! force from this one.
 
 use super::{CoefficientFrame, Hull, Radiation, SeaAxes, SlowFilter};
 use crate::dynamics::Loads;
@@ -10,14 +11,14 @@ use crate::scalar::Scalar;
 use crate::sea::database::SixBySix;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
-/// The velocity in the quadratic terms of the added mass, and whether they contain Munk's yaw moment.
+/// Choice of the velocity in the quadratic terms of the added mass, and whether these terms contain Munk's yaw moment.
 ///
-/// With the wave-frequency velocity these terms are of second order, and only one part of the second-order force. Alone
-/// they would have a mean as large as the drift, and roll a slender ship at the difference frequencies as much as the
-/// waves do. So they take the slow velocity, and `wave_drift` gives the whole second-order force.
+/// With the wave-frequency velocity these terms would be only a part of the second-order force. Alone they would have a
+/// mean as large as the drift force, and would roll a slender ship at the difference frequencies as much as the waves
+/// do. In waves they therefore take the slow velocity, and `wave_drift` gives the whole second-order force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct QuadraticTerms {
-    /// Whether they take the slow velocity, because waves act.
+    /// Whether the terms take the slow velocity, because waves act.
     pub of_slow_motion: bool,
     /// Whether `-(v x p)_z`, the moment that turns a hull in oblique motion across the flow, is already in the yaw
     /// moments of a table of current coefficients.
@@ -29,14 +30,14 @@ pub struct QuadraticTerms {
 pub struct AddedMass<S = f64> {
     /// At infinite frequency: the inertia for fast motions.
     infinite: SpatialInertia<S>,
-    /// At frequency zero: the inertia for slow motions, including the contribution of the memory.
+    /// At frequency zero: the inertia for slow motions, including the contribution of the radiation memory.
     slow: SpatialInertia<S>,
     /// At infinite frequency about the body's centre of mass, in its axes, as in the model.
     pub in_body: SpatialInertia<S>,
 }
 
 impl<S: Scalar> AddedMass<S> {
-    /// From the added mass at infinite frequency, and the memory if it acts.
+    /// Returns the added mass from that at infinite frequency, and from the radiation memory if it acts.
     pub fn new(infinite: &SixBySix, radiation: Option<&Radiation>, on: &CoefficientFrame<S>) -> Self {
         let remembered = radiation.map_or([[0.0; 6]; 6], Radiation::added_mass);
         let slow: SixBySix = core::array::from_fn(|i| core::array::from_fn(|j| infinite[i][j] + remembered[i][j]));
@@ -45,7 +46,7 @@ impl<S: Scalar> AddedMass<S> {
     }
 }
 
-/// The whole 6x6, force first in a database, moment first here.
+/// Returns a database's full 6x6 added mass, in which forces come first, as an inertia, in which moments come first.
 pub fn added_inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
     let entry = |i: usize, j: usize| S::constant(0.5 * (added[i][j] + added[j][i]));
     let block = |row: usize, column: usize| Matrix3::from_fn(|i, j| entry(row + i, column + j));
@@ -57,8 +58,8 @@ pub fn added_inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
 }
 
 impl<S: Scalar> Hull<S> {
-    /// The load about the body's centre of mass, in its axes, that changes Kirchhoff's terms for nu into those in the
-    /// water; changes of the inertia go to `loads`.
+    /// Returns the load about the body's centre of mass, in its axes, that corrects Kirchhoff's terms for nu to those
+    /// in current and waves; changes of the inertia go to `loads`.
     pub(super) fn in_flowing_water(
         &self,
         at: &Context<'_, S>,
@@ -78,9 +79,10 @@ impl<S: Scalar> Hull<S> {
         }
     }
 
-    /// A current u, constant in the world, is seen as `nu_r = nu - R^T u`, and `d(R^T u)/dt = -omega x R^T u`: `F = -(A
-    /// (nu' + omega x R^T u) + nu_r x* A_0 nu_r)`. A hull that drifts with the current moves like one in still water.
-    /// The term with A_0, of slow motions, turns a hull that is towed obliquely; it does no work.
+    /// Returns the load in a current u, constant in the world: the relative velocity is `nu_r = nu - R^T u`, with
+    /// `d(R^T u)/dt = -omega x R^T u`, so `F = -(A (nu' + omega x R^T u) + nu_r x* A_0 nu_r)`. A hull that drifts with
+    /// the current moves like one in still water. The term with A_0, the added mass of slow motions, turns a hull that
+    /// is towed obliquely; it does no work.
     fn in_current(&self, added: &SpatialInertia<S>, slow: &SpatialInertia<S>, at: &Context<'_, S>) -> Wrench<S> {
         let twist = at.links.body_twist(at.model, self.frame.body);
         let stream = at.links.to_body_axes(at.model, self.frame.body, at.world.surface_current());
@@ -89,9 +91,10 @@ impl<S: Scalar> Hull<S> {
         twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(slow, &relative)
     }
 
-    /// To first order A refers to the axes of the wave loads, w = T nu, and wave-frequency motions have no quadratic
-    /// terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are subtracted.
-    /// For the slow velocity `Q(nu) = nu x* A_0 nu - A_0 (omega x v)`, since w' is the acceleration in the world.
+    /// Returns the load in waves. To first order A refers to the axes of the wave loads, w = T nu, and wave-frequency
+    /// motions have no quadratic terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its
+    /// Kirchhoff terms are subtracted. For the slow velocity `Q(nu) = nu x* A_0 nu - A_0 (omega x v)`, since w' is the
+    /// acceleration in the world.
     fn in_waves(
         &self,
         added: &AddedMass<S>,
@@ -112,7 +115,7 @@ impl<S: Scalar> Hull<S> {
         twist.cross_momentum(&seen.times(&twist)) - axes.wrench_to_body(&(to_first_order + quadratic))
     }
 
-    /// `nu x* A nu`, without Munk's yaw moment if a table contains it.
+    /// Returns `nu x* A nu`, without Munk's yaw moment if a table contains it.
     fn cross_momentum(&self, added: &SpatialInertia<S>, twist: &Twist<S>) -> Wrench<S> {
         let momentum = added.times(twist);
         let mut terms = twist.cross_momentum(&momentum);
@@ -122,7 +125,7 @@ impl<S: Scalar> Hull<S> {
         terms
     }
 
-    /// The velocity of the slow frame in the world.
+    /// Returns the velocity of the slow frame in the world.
     fn slow_motion(&self, at: &Context<'_, S>) -> Twist<S> {
         let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
         Twist { linear: Vector3::new(x, y, S::ZERO), angular: Vector3::new(S::ZERO, S::ZERO, turning) }

@@ -18,7 +18,7 @@ use crate::sea::waves::WaveField;
 use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 use crate::world::World;
 
-/// The model with the added mass of the water, and the loads of the water.
+/// Adds the added mass of the water to the model, and returns the loads of the water.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     mut model: Model<S>,
@@ -67,14 +67,14 @@ pub fn build<S: Quantity>(
     Ok((model, hulls))
 }
 
-/// The axes of a database's coefficients, relative to the upright hull's.
+/// Returns the axes of a database's coefficients, relative to those of the upright hull.
 fn attitude<S: Scalar>(database: &Database) -> Frame<S> {
     let Some(Attitude { roll_rad, pitch_rad, height_m }) = database.hull.attitude else { return Frame::identity() };
     let rotation = rotation_from_roll_pitch_yaw(Vector3([roll_rad, pitch_rad, 0.0].map(S::constant)));
     Frame { rotation, position: Vector3([0.0, 0.0, height_m].map(S::constant)) }.inverse()
 }
 
-/// All bodies that a hull carries, each with its share of the total mass.
+/// Returns all bodies that a hull carries, each with its share of the total mass.
 fn carried<S: Scalar>(model: &Model<S>, hull: usize) -> Carried<S> {
     let bodies = model.carried(hull);
     let mass = bodies.iter().fold(S::ZERO, |sum, &body| sum + model.bodies[body].mass);
@@ -106,7 +106,8 @@ fn floating_body<S: Quantity>(
     body.ok_or_else(|| FieldError::new(field, name, "a body that is enabled and has a floating joint"))
 }
 
-/// The contribution of the water's memory to a body's inertia in slow motions, in body axes about the centre of mass.
+/// Returns the contribution of the radiation memory to a body's inertia in slow motions, in body axes about the centre
+/// of mass.
 pub(crate) fn memory_of_slow_motions<S: Quantity>(scenario: &Scenario<S>, body: &str) -> SpatialInertia<S> {
     let hulls = scenario.forces.values().filter_map(hydrodynamics_of);
     let remembers = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
@@ -147,8 +148,8 @@ fn hydrostatics<S: Quantity>(
     }
 }
 
-/// The watchers of linear hydrodynamics: the attitude of the coefficients, small motions, and the heading of a hull in
-/// waves.
+/// Returns the watchers of linear hydrodynamics: for the attitude of the coefficients, small motions, and the heading
+/// of a hull in waves.
 fn watchers<S>(
     given: &schema::Hydrodynamics<S>,
     database: &Database,
@@ -170,7 +171,7 @@ fn watchers<S>(
     watchers
 }
 
-/// The mesh for the pressure of the waves on the hull.
+/// Returns the mesh for the wave pressure on the hull.
 fn wave_pressure<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &str,
@@ -199,7 +200,7 @@ fn radiation<S>(
     }
 }
 
-/// An error unless the database was computed for the world's water.
+/// Returns an error unless the database was computed for the world's water.
 fn check_water<S: Quantity>(field: &str, database: &Database, world: &World<S>) -> Result<(), FieldError> {
     let (water, infinite) = (&database.water, f64::INFINITY);
     same(field, "density of", water.density_kg_m3, "kg/m^3", world.water_density)?;
@@ -207,7 +208,7 @@ fn check_water<S: Quantity>(field: &str, database: &Database, world: &World<S>) 
     same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", world.depth.unwrap_or(S::constant(infinite)))
 }
 
-/// The forces of the world's waves on a hull.
+/// Returns the forces of the world's waves on a hull.
 fn excitation<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &impl Fn(&str) -> String,
@@ -219,7 +220,7 @@ fn excitation<S: Quantity>(
         return Err(FieldError::new(
             field("wave_drift"),
             found,
-            "false, or a database that kingpost hydro --loading made",
+            "false, or a database made by kingpost hydro --loading",
         ));
     }
     if given.wave_pressure && !database.has_froude_krylov() {
@@ -227,7 +228,7 @@ fn excitation<S: Quantity>(
         return Err(FieldError::new(field("wave_pressure"), found, "false"));
     }
     if given.wave_pressure && given.wave_drift {
-        let found = "true, with wave_pressure, whose mean over the mesh is a part of the same drift";
+        let found = "true, with wave_pressure, whose mean contains a part of the same drift";
         return Err(FieldError::new(field("wave_drift"), found, "one of the two"));
     }
     if given.wave_drift_damping && !given.wave_drift {
@@ -247,7 +248,7 @@ fn excitation<S: Quantity>(
     Ok(Some(WaveExcitation::new(database, waves, parts)))
 }
 
-/// By how much a database's water may differ from the sea's, relative.
+/// Largest relative difference of a database's water properties from the sea's.
 const SAME_WATER: f64 = 1e-4;
 
 fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) -> Result<(), FieldError> {
@@ -262,8 +263,8 @@ fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) ->
 /// Share of the waves' energy that may lie outside the frequencies of a table.
 const MOST_UNCOVERED: f64 = 0.01;
 
-/// An error if a hull's response table, from `band_rad_s[0]` to `band_rad_s[1]`, does not cover the energy of the
-/// waves.
+/// Returns an error if a hull's response table, from `band_rad_s[0]` to `band_rad_s[1]`, does not cover the energy of
+/// the waves.
 pub(crate) fn check_coverage<S: Quantity>(
     field: &str,
     [lowest, highest]: [f64; 2],
@@ -281,14 +282,14 @@ pub(crate) fn check_coverage<S: Quantity>(
     let share = S::constant(100.0) * outside / all;
     let found = format!("frequencies from {lowest} to {highest} rad/s, with {share:.1} % of the waves' energy outside");
     let allowed = format!(
-        "frequencies that leave at most {} % outside: a database of more of them, or a narrower band of the sea's spectrum by \
+        "frequencies that leave at most {} % outside: a database with more frequencies, or a narrower band of the sea's spectrum by \
          realisation.lowest_rad_s and realisation.highest_rad_s",
         100.0 * MOST_UNCOVERED
     );
     Err(FieldError::new(field, found, allowed))
 }
 
-/// The water on a hull also changes the model: it is assembled before the forces.
+/// The water on a hull also changes the model, so it is assembled before the forces.
 impl<S: Quantity> Assemble<S> for schema::Hydrodynamics<S> {
     fn assemble(&self, _: &str, _: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         Ok(Vec::new())

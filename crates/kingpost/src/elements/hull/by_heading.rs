@@ -3,35 +3,34 @@
 use crate::scalar::Scalar;
 use core::f64::consts::TAU;
 
-/// Numbers given on a regular grid of directions, as trigonometric polynomials: the interpolation is exact for
-/// functions with at most half as many harmonics as grid points. A ship's transfer functions have about `k L / 2`
-/// harmonics.
+/// Interpolation of values on a regular grid of directions by trigonometric polynomials, exact for functions with at
+/// most half as many harmonics as grid points. A ship's transfer functions have about `k L / 2` harmonics.
 ///
-/// Each of several parts is a number f(beta - psi) for every wave, beta being the wave's direction. It is stored as the
-/// weights of 1, cos psi, sin psi, cos 2 psi, ..., so that all waves share the powers of one heading psi, and a loop
+/// Each of several parts has a value f(beta - psi) for every wave, with the wave's direction beta. It is stored as the
+/// weights of 1, cos psi, sin psi, cos 2 psi, ..., so that all waves share the harmonics of one heading psi, and a loop
 /// over the waves becomes SIMD code.
 ///
-/// A ship's slow heading hardly changes from stage to stage. So the polynomials are summed, with three derivatives, at
-/// the nearest heading of a regular grid, and a Taylor series gives the values near it. The grid is fixed, so a number
-/// depends on the heading only. Callers need sums over the waves, so the series is applied to the sums, not wave by
-/// wave.
+/// A ship's slow heading hardly changes between stages of an integration step. The polynomials are therefore summed,
+/// with three derivatives, at the nearest heading of a regular grid, and a Taylor series gives the values near it. The
+/// grid is fixed, so a value depends on the heading only. Callers need sums over the waves, so the series is applied to
+/// the sums, not wave by wave.
 #[derive(Clone)]
 pub struct ByHeading<S = f64> {
     waves: usize,
-    /// Part by part, one for each wave.
+    /// Means, part by part, one for each wave.
     means: Vec<f64>,
     harmonics: Vec<Harmonic>,
     /// The grid heading about which the series are expanded.
     node: Option<S>,
-    /// By part and wave: the number there and its derivatives with respect to the heading, that of order k divided by
-    /// k!.
+    /// By part and wave: the value at the grid heading and its derivatives with respect to the heading; the derivative
+    /// of order k is divided by k!.
     series: Vec<[S; TERMS]>,
     /// From the grid heading to the last requested one, rad.
     beyond: S,
 }
 
-/// Weights of cos m psi and sin m psi, with m the place in the list from 1, part by part, for the waves that have this
-/// harmonic: long waves have few.
+/// Weights of cos m psi and sin m psi, with m the index in the list from 1, part by part, for the waves that have this
+/// harmonic: long waves have few harmonics.
 #[derive(Clone)]
 struct Harmonic {
     first: usize,
@@ -40,15 +39,16 @@ struct Harmonic {
     sine: Vec<f64>,
 }
 
-/// A harmonic below this share of the largest number of its part is noise: data has seven digits.
+/// Share of the largest value of a part below which a harmonic is noise: data have seven digits.
 const NEGLIGIBLE: f64 = 1e-7;
 /// Number of terms of the Taylor series.
 const TERMS: usize = 4;
-/// Headings of the grid in a radian. The error in harmonic m is `(m / 4096)^4 / 24` of it: 3e-12 for the twelfth.
+/// Grid headings per radian. The error in harmonic m is `(m / 4096)^4 / 24` of it: 3e-12 for the twelfth.
 const NODES_PER_RAD: f64 = 2048.0;
 
 impl<S: Scalar> ByHeading<S> {
-    /// For waves with these directions in the world, rad; `on_grid(part, wave)` is f on the grid.
+    /// Returns the coefficients for waves with these directions in the world, rad; `on_grid(part, wave)` is f on the
+    /// grid.
     pub fn new(parts: usize, directions_rad: &[f64], on_grid: impl Fn(usize, usize) -> Vec<f64>) -> Self {
         let waves = directions_rad.len();
         let rows: Vec<Vec<f64>> = (0..parts * waves).map(|row| on_grid(row / waves, row % waves)).collect();
@@ -64,7 +64,7 @@ impl<S: Scalar> ByHeading<S> {
         Self { waves, means, harmonics, node: None, series, beyond: S::ZERO }
     }
 
-    /// Turns to a heading, rad.
+    /// Sets the heading, rad, for [`sum`](Self::sum) and [`number`](Self::number).
     pub fn turn_to(&mut self, heading: S) {
         let [node] = S::from_values([heading], &|[x]| [libm::round(x * NODES_PER_RAD) / NODES_PER_RAD]);
         if self.node != Some(node) {
@@ -73,17 +73,17 @@ impl<S: Scalar> ByHeading<S> {
         self.beyond = heading - node;
     }
 
-    /// The sum of a part's numbers over the waves, each times the weight of its wave, at the heading turned to.
+    /// Returns the sum of a part's values over the waves, each times the weight of its wave, at the set heading.
     pub fn sum(&self, part: usize, weights: &[S]) -> S {
         self.go_on(weighted(&self.series[part * self.waves..][..self.waves], weights))
     }
 
-    /// A part's number of one wave, at the heading turned to.
+    /// Returns a part's value for one wave, at the set heading.
     pub fn number(&self, part: usize, wave: usize) -> S {
         self.go_on(self.series[part * self.waves + wave])
     }
 
-    /// Taylor's series from the grid's heading.
+    /// Evaluates the Taylor series about the grid heading.
     fn go_on(&self, [f, first, second, third]: [S; TERMS]) -> S {
         f + self.beyond * (first + self.beyond * (second + self.beyond * third))
     }
@@ -138,7 +138,7 @@ impl Harmonic {
     }
 }
 
-/// Weights of cos m psi and sin m psi in f(beta - psi), from f on the grid, and cos m beta and sin m beta.
+/// Returns the weights of cos m psi and sin m psi in f(beta - psi), from f on the grid, and cos m beta and sin m beta.
 fn weights(on_grid: &[f64], m: usize, [cos, sin]: [f64; 2]) -> [f64; 2] {
     let n = on_grid.len();
     let step = turn(TAU * m as f64 / n as f64);
@@ -148,12 +148,12 @@ fn weights(on_grid: &[f64], m: usize, [cos, sin]: [f64; 2]) -> [f64; 2] {
         sine += f * at[1];
         at = times(at, step);
     }
-    // The highest harmonic of an even grid is its own mirror image.
+    // On a grid with an even number of points the highest harmonic has no separate mirror image.
     let whole = if m == 0 || 2 * m == n { 1.0 } else { 2.0 } / n as f64;
     [whole * (cosine * cos + sine * sin), whole * (cosine * sin - sine * cos)]
 }
 
-/// The sums of the terms, each times its weight, in two strands that a processor can add side by side.
+/// Returns the weighted sums of the terms, in two independent chains that a processor can add in parallel.
 fn weighted<S: Scalar>(series: &[[S; TERMS]], weights: &[S]) -> [S; TERMS] {
     let mut strands = [[S::ZERO; TERMS]; 2];
     let mut add = |strand: usize, terms: &[S; TERMS], weight: S| {
@@ -170,13 +170,13 @@ fn weighted<S: Scalar>(series: &[[S; TERMS]], weights: &[S]) -> [S; TERMS] {
     core::array::from_fn(|term| strands[0][term] + strands[1][term])
 }
 
-/// cos and sin of an angle, rad.
+/// Returns cos and sin of an angle, rad.
 fn turn(angle: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(angle);
     [cos, sin]
 }
 
-/// cos and sin of the sum of two angles.
+/// Returns cos and sin of the sum of two angles.
 fn times<S: Scalar>(a: [S; 2], b: [S; 2]) -> [S; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
@@ -185,7 +185,7 @@ fn largest(rows: &[Vec<f64>]) -> f64 {
     rows.iter().flatten().fold(0.0, |largest, f| f.abs().max(largest))
 }
 
-/// The weights are many, so a hash of them is printed.
+/// Prints a hash of the weights, which are many.
 impl<S: core::fmt::Debug> core::fmt::Debug for ByHeading<S> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let harmonics = self.harmonics.iter().flat_map(|harmonic| harmonic.cosine.iter().chain(&harmonic.sine));
@@ -214,7 +214,7 @@ mod tests {
     fn what_has_few_harmonics_is_met_between_the_points_of_the_grid() {
         let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();
         let (directions, parts) = ([0.0, 2.1, -1.0, 3.0], 2);
-        // The second part of a wave is its number times the first; wave 0 has only the mean.
+        // The second part of a wave is its index times the first part; wave 0 has only the mean.
         let row = |part: usize, wave: usize| -> Vec<f64> {
             let share = if part == 0 { 1.0 } else { wave as f64 };
             grid.iter().map(|f| if wave == 0 { 1.5 * share } else { f * share }).collect()
@@ -233,9 +233,10 @@ mod tests {
         }
     }
 
-    /// Midway between two grid headings the Taylor series changes; its error there is 3e-12 of the eleventh harmonic.
+    /// Midway between two grid headings the centre of the Taylor series changes; its error there is 3e-12 of the
+    /// eleventh harmonic.
     #[test]
-    fn a_number_depends_on_the_heading_alone_and_does_not_jump() {
+    fn a_value_depends_on_the_heading_only_and_does_not_jump_between_grid_headings() {
         let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();
         let table = ByHeading::<f64>::new(1, &[0.4], |_, _| grid.clone());
         let at = |heading: f64| number(&mut table.clone(), heading);

@@ -11,34 +11,34 @@ use crate::sea::waves::{WaveField, wave_number};
 /// slow frame, with its position x and heading psi; a contains the ramp of the waves.
 ///
 /// Second-order forces are the mean and slowly varying drift, by Newman's approximation: with D(w, beta) the mean force
-/// in a regular wave of unit amplitude, the force of a pair of waves is taken as the mean of their two D, which turns
-/// the double sum over all pairs into a product,
+/// in a regular wave of unit amplitude, the force of a pair of waves is approximated by the mean of their two values of
+/// D, which turns the double sum over all pairs into a product,
 ///
 /// ```text
 /// F = sum_i sum_j a_i a_j (D_i + D_j) / 2 cos(q_i - q_j) = Re{ (sum D_i a_i e^(i q_i)) (sum a_j e^(-i q_j)) }
 /// ```
 ///
 /// (Newman, *Proc. Int. Symp. on the Dynamics of Marine Vehicles and Structures in Waves*, London 1974, p. 182;
-/// Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, p. 157). It holds for small difference frequencies,
-/// such as those that move a moored ship.
+/// Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, p. 157). The approximation is valid for small
+/// difference frequencies, such as the natural frequencies of a moored ship.
 #[derive(Clone, Debug)]
 pub struct WaveExcitation<S = f64> {
     /// The waves at the slow frame's position, a e^(i q).
     real: Vec<S>,
     imaginary: Vec<S>,
-    /// a e^(i q) of each wave projected on the sum of all: the weight of its D in the drift.
+    /// a e^(i q) of each wave, projected on the sum over all waves: the weight of the wave's D in the drift.
     with_all: Vec<S>,
     /// Real and imaginary part of X, mode by mode; then D of surge, sway and yaw, if drift acts, and its change with
     /// velocity.
     transfer: ByHeading<S>,
     drifts: bool,
-    /// Whether the [`rates`] follow, with which D changes with the hull's velocity.
+    /// Whether `transfer` also contains the [`rates`] of change of D with the hull's velocity.
     by_velocity: bool,
-    /// The realisation of the waves, the time and the frame that the last force was computed for.
+    /// Wave realisation, time and frame of the last computed force.
     last: Option<(u64, f64, LowFrequencyFrame<S>)>,
     force: [S; 6],
     drift: [S; 6],
-    /// Change of the drift with velocity.
+    /// Rates of change of the drift with velocity.
     rates: [S; RATES],
     elevation: S,
 }
@@ -65,12 +65,12 @@ pub struct WaveForceSwitches {
 
 /// Real and imaginary part of six modes.
 const FIRST_ORDER: usize = 12;
-/// Modes that drift.
+/// Modes with drift forces.
 const DRIFTING: [usize; 3] = [0, 1, 5];
 
 impl<S: Scalar> WaveExcitation<S> {
-    /// From a hull's data, in these waves; every later call must have the same waves. Components outside the data's
-    /// frequencies make no force.
+    /// Returns the excitation from a hull's data, in these waves; every later call must have the same waves. Wave
+    /// components outside the data's frequencies exert no force.
     pub fn new(database: &Database, field: &WaveField<S>, parts: WaveForceSwitches) -> Self {
         let drifts = parts.drift && database.mean_drift.is_some();
         let by_velocity = drifts && parts.drift_damping;
@@ -97,13 +97,13 @@ impl<S: Scalar> WaveExcitation<S> {
         Self { real, imaginary, with_all, transfer, drifts, by_velocity, last: None, force, drift, rates, elevation }
     }
 
-    /// Force (N) and moment (N m) at a time, s.
+    /// Returns force (N) and moment (N m) at a time, s.
     pub fn force(&mut self, field: &WaveField<S>, time_s: f64, slow: &LowFrequencyFrame<S>) -> [S; 6] {
         self.update(field, time_s, slow);
         self.force
     }
 
-    /// Mean and slowly varying force (N) and moment (N m) at a time, s, of a hull with this velocity.
+    /// Returns mean and slowly varying force (N) and moment (N m) at a time, s, on a hull with this velocity.
     pub fn drift(
         &mut self,
         field: &WaveField<S>,
@@ -119,7 +119,7 @@ impl<S: Scalar> WaveExcitation<S> {
         drift
     }
 
-    /// The mean of the drift over all times after the ramp, at a heading (rad) and a velocity.
+    /// Returns the mean drift over all times after the ramp, at a heading (rad) and a velocity.
     pub fn mean_drift(&mut self, field: &WaveField<S>, heading: S, velocity: &HullVelocity<S>) -> [S; 6] {
         let squares: Vec<S> = field.components().map(|wave| wave.amplitude_m * wave.amplitude_m).collect();
         self.transfer.turn_to(heading);
@@ -140,7 +140,7 @@ impl<S: Scalar> WaveExcitation<S> {
         [self.drifts, self.by_velocity]
     }
 
-    /// Elevation of the incident waves at the slow frame's place, m.
+    /// Returns the elevation of the incident waves at the slow frame's position, m.
     pub fn elevation(&mut self, field: &WaveField<S>, time_s: f64, slow: &LowFrequencyFrame<S>) -> S {
         self.update(field, time_s, slow);
         self.elevation

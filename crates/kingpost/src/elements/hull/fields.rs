@@ -5,7 +5,7 @@ use kingpost_derive::fields;
 use crate::scenario::schema::{DatabasePath, Name, Positive, yes};
 
 /// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
-/// It does not contain weight: `gravity` acts on every body.
+/// Weight is not included: `gravity` acts on every body.
 #[fields]
 pub struct Hydrodynamics<S = f64> {
     /// Whether the element acts.
@@ -13,10 +13,10 @@ pub struct Hydrodynamics<S = f64> {
     pub enabled: bool,
     /// The body that is the hull; its joint is floating.
     pub body: Name,
-    /// File of the hydrodynamic database, beside the scenario's own.
+    /// File of the hydrodynamic database, relative to the scenario's file.
     pub database: DatabasePath,
-    /// The database's origin in the body's drawing frame, m; the axes are the body's. It lies on the water plane at the
-    /// database's draught.
+    /// The database's origin in the body's drawing frame, m; the axes are the body's. The origin lies on the waterplane
+    /// at the database's draught.
     #[serde(default)]
     pub origin_m: [S; 3],
     /// How buoyancy is computed.
@@ -37,8 +37,8 @@ pub struct Hydrodynamics<S = f64> {
     #[serde(default)]
     pub wave_pressure: bool,
     /// Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and
-    /// sway force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not
-    /// together with `wave_pressure`.
+    /// sway force, yaw moment. The database's coefficients are valid for the loading condition for which they were
+    /// computed. Not together with `wave_pressure`.
     #[serde(default)]
     pub wave_drift: bool,
     /// Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep
@@ -47,8 +47,8 @@ pub struct Hydrodynamics<S = f64> {
     #[serde(default)]
     pub wave_drift_damping: bool,
     /// Cut-off of a sixth-order low-pass filter, rad/s. First-order wave loads are computed at the filtered position
-    /// and heading. Choose it well below the wave frequencies and above those of the ship's drift, which the filter
-    /// follows without lag.
+    /// and heading. Choose it well below the wave frequencies and above the frequencies of the ship's slow drift, which
+    /// the filter follows without lag.
     #[serde(default = "slow_motion_cutoff")]
     pub slow_motion_cutoff_rad_s: Positive,
 }

@@ -1,9 +1,9 @@
-//! The distance of two hulls whose hydrodynamic interaction is not modelled.
+//! The distance between two hulls without modelled hydrodynamic interaction.
 
 use crate::elements::watcher::{Warning, Watcher, significant};
 use crate::sea::database::HullAtRest;
 
-/// The rectangle about a hull's water line, body axes from the centre of mass, m.
+/// The rectangle around a hull's waterline, body axes from the centre of mass, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
     /// From stern to bow.
@@ -13,7 +13,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// For a hull with this origin on its body: length and beam of its water line, about the centre of its waterplane.
+    /// Returns the rectangle of a hull with this origin on its body: waterline length and beam, about the centre of the
+    /// waterplane.
     pub fn of(hull: &HullAtRest, origin: [f64; 3]) -> Self {
         let centre = hull.waterplane.first_moments_m3.map(|moment| moment / hull.waterplane.area_m2);
         let range = |k: usize, size: f64| [-0.5, 0.5].map(|half| origin[k] + centre[k] + half * size);
@@ -24,7 +25,7 @@ impl Plan {
         self.along[1] - self.along[0]
     }
 
-    /// Its corners in order, world, m, for a body at x and y with the heading `yaw`.
+    /// Returns its corners in order, world, m, for a body at x and y with the heading `yaw`.
     fn corners(&self, [x, y, yaw]: [f64; 3]) -> [[f64; 2]; 4] {
         let (sin, cos) = libm::sincos(yaw);
         let [[stern, bow], [starboard, port]] = [self.along, self.across];
@@ -46,12 +47,12 @@ impl Plan {
 #[derive(Clone, Debug)]
 pub struct HullGap {
     hulls: [(String, Plan); 2],
-    /// m, and when, s.
+    /// Smallest distance, m, and its time, s.
     least: Option<[f64; 2]>,
 }
 
 impl HullGap {
-    /// Between two bodies.
+    /// Returns the watcher of two hulls.
     pub fn new(hulls: [(&str, Plan); 2]) -> Self {
         Self { hulls: hulls.map(|(body, plan)| (body.to_owned(), plan)), least: None }
     }
@@ -72,7 +73,8 @@ impl Watcher for HullGap {
         }
     }
 
-    /// Hulls farther apart than the length of the longer one hardly interact.
+    /// Returns a warning if the hulls come nearer than the length of the longer hull: at a larger distance they hardly
+    /// interact.
     fn warnings(&self) -> Vec<Warning> {
         let [(body, own), (other, of_other)] = &self.hulls;
         let near = |[gap, _]: &[f64; 2]| *gap < own.length().max(of_other.length());
@@ -81,17 +83,17 @@ impl Watcher for HullGap {
             format!("comes as near as {} m to {other}", significant(gap, 3))
         } else {
             format!(
-                "lies across {other}: the rectangles about their water lines overlap, and nothing keeps the hulls apart"
+                "lies across {other}: the rectangles around their waterlines overlap, and nothing keeps the hulls apart"
             )
         };
         let text = format!(
-            "{how}; each hull has the hydrodynamics of a single hull: neither shelters the other from waves, and the water in the gap between them does not resonate"
+            "{how}; each hull has the hydrodynamics of a single hull: sheltering from waves and resonance of the water in the gap are not modelled"
         );
         vec![Warning { time_s, name: body.clone(), text }]
     }
 }
 
-/// Distance between two rectangles, m; 0 where they overlap.
+/// Returns the distance between two rectangles, m; 0 if they overlap.
 fn distance(first: &[[f64; 2]; 4], second: &[[f64; 2]; 4]) -> f64 {
     let edges = |corners: &[[f64; 2]; 4]| -> [[[f64; 2]; 2]; 4] {
         core::array::from_fn(|k| [corners[k], corners[(k + 1) % 4]])
@@ -108,12 +110,13 @@ fn distance(first: &[[f64; 2]; 4], second: &[[f64; 2]; 4]) -> f64 {
     pairs.fold(f64::INFINITY, f64::min)
 }
 
-/// Distance of a point outside an edge, for corners in counter-clockwise order, times the edge's length, m^2.
+/// Returns the distance of a point outside an edge, for corners in counter-clockwise order, times the edge's length,
+/// m^2.
 fn beyond([from, to]: &[[f64; 2]; 2], at: &[f64; 2]) -> f64 {
     (to[1] - from[1]) * (at[0] - from[0]) - (to[0] - from[0]) * (at[1] - from[1])
 }
 
-/// Distance from a point to an edge, m.
+/// Returns the distance from a point to an edge, m.
 fn to_edge([from, to]: &[[f64; 2]; 2], at: &[f64; 2]) -> f64 {
     let (way, there) = ([to[0] - from[0], to[1] - from[1]], [at[0] - from[0], at[1] - from[1]]);
     let share = (way[0] * there[0] + way[1] * there[1]) / (way[0] * way[0] + way[1] * way[1]);

@@ -6,7 +6,7 @@ use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
 const LARGEST_ANGLE_DEG: f64 = 20.0;
 /// Heave beyond which a run warns, as a share of the draught.
 const LARGEST_HEAVE: f64 = 0.5;
-/// Points within this share of the hull's height below its top belong to the deck's edge.
+/// Share of the hull's height below its top within which points belong to the deck edge.
 const DECK: f64 = 1e-3;
 
 /// Watches a hull with linear hydrodynamics.
@@ -26,8 +26,8 @@ pub struct LinearLimits {
 }
 
 impl LinearLimits {
-    /// For a body whose data hold for a draught (m); the hull's points are from the centre of mass in body axes, m, and
-    /// empty if the data have no mesh.
+    /// Returns the watcher of a body with data for a draught (m). The hull's points are relative to the centre of mass
+    /// in body axes, m; there are none if the data have no mesh.
     pub fn new(body: &str, draught_m: f64, points_m: &[[f64; 3]]) -> Self {
         let heights = || points_m.iter().map(|point| point[2]);
         let (top, bottom) = (heights().fold(f64::NEG_INFINITY, f64::max), heights().fold(f64::INFINITY, f64::min));
@@ -78,7 +78,7 @@ impl LinearLimits {
     fn of_deck(&self) -> Option<Warning> {
         self.under_since_s.map(|time_s| {
             let text = format!(
-                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics have no deck; hydrostatics: mesh has",
+                "the edge of its deck went {:.2} m under still water, first at {} s: linear hydrostatics do not model the deck; hydrostatics: mesh does",
                 self.under_m,
                 significant(time_s, 6)
             );

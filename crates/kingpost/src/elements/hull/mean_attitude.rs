@@ -1,4 +1,4 @@
-//! Warns of a hull whose mean attitude is not that of its coefficients.
+//! Warns of a hull whose mean attitude differs from the attitude of its coefficients.
 
 use crate::elements::watcher::{Warning, Watcher};
 use crate::sea::database::Attitude;
@@ -6,8 +6,8 @@ use crate::sea::database::Attitude;
 /// Difference in heel or trim from the coefficients' attitude beyond which a run warns, degrees.
 pub const LARGEST_LIST_DEG: f64 = 3.0;
 
-/// Watches the mean heel and trim of a hull with linear hydrodynamics: added mass, damping and excitation hold for one
-/// attitude, whatever the hydrostatics.
+/// Watches the mean heel and trim of a hull with linear hydrodynamics: added mass, damping and excitation are valid for
+/// one attitude, with any hydrostatics.
 ///
 /// ```
 /// use kingpost::elements::Watcher;
@@ -26,7 +26,7 @@ pub struct MeanAttitude {
 }
 
 impl MeanAttitude {
-    /// For a body, and the attitude that its coefficients were computed for, if not upright.
+    /// Returns the watcher of a body; `attitude` is the attitude of its coefficients, `None` if upright.
     pub fn new(body: &str, attitude: Option<Attitude>) -> Self {
         let Attitude { roll_rad, pitch_rad, .. } = attitude.unwrap_or_default();
         Self { body: body.to_owned(), attitude_rad: [roll_rad, pitch_rad], rows: 0, sums_rad: [0.0; 2], last_s: 0.0 }

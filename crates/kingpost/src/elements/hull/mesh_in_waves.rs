@@ -7,8 +7,8 @@ use crate::sea::waves::{WaveField, WavesAtPoints};
 use crate::spatial::{Frame, Wrench};
 
 /// The nonlinear Froude-Krylov force: the difference between the pressure force on the mesh under the wave surface and
-/// its buoyancy in still water. To first order it equals the database's Froude-Krylov force, so the other excitation is
-/// then only diffraction.
+/// its buoyancy in still water. To first order it equals the database's Froude-Krylov force, so with it the linear
+/// excitation contains only diffraction.
 #[derive(Clone, Debug)]
 pub struct MeshInWaves<S = f64> {
     floating: FloatingMesh<S>,
@@ -16,13 +16,13 @@ pub struct MeshInWaves<S = f64> {
 }
 
 impl<S: Scalar> MeshInWaves<S> {
-    /// For this mesh in these waves.
+    /// Returns the working memory for this mesh in these waves.
     pub fn new(floating: FloatingMesh<S>, field: &WaveField<S>) -> Self {
         Self { floating, waves: WavesAtPoints::new(field) }
     }
 
-    /// Force (N) and moment (N m) in addition to `still`, the buoyancy of the same mesh in still water; all about the
-    /// hull's origin in its axes.
+    /// Returns force (N) and moment (N m) in addition to `still`, the buoyancy of the same mesh in still water; all
+    /// about the hull's origin in its axes.
     pub fn pressure(
         &mut self,
         field: &WaveField<S>,

@@ -1,4 +1,4 @@
-//! The water's loads on a hull: buoyancy, the memory of radiated waves, and the incident waves.
+//! Loads of the water on a hull: buoyancy, radiation with memory, and incident waves.
 //!
 //! The added mass at infinite frequency is not a load: it is part of the inertia of the hull's body, so ship and crane
 //! share one mass matrix.
@@ -63,7 +63,7 @@ pub struct FloatingMesh<S = f64> {
 }
 
 impl<S: Scalar> FloatingMesh<S> {
-    /// For this mesh.
+    /// Returns the mesh with its working memory.
     pub fn new(mesh: HullMesh) -> Self {
         Self { wetted: WettedHull::new(&mesh), mesh }
     }
@@ -96,7 +96,8 @@ pub struct Hull<S = f64> {
     pub name: String,
     /// The frame of the upright hull on its body: for buoyancy and drawing.
     pub frame: HullFrame<S>,
-    /// The axes of radiation, added mass and excitation: those of the hull in the attitude that they were computed for.
+    /// Axes of radiation, added mass and excitation: the hull's axes in the attitude for which the coefficients were
+    /// computed.
     pub coefficients: CoefficientFrame<S>,
     /// The bodies that the ship carries.
     pub carried: Carried<S>,
@@ -108,11 +109,11 @@ pub struct Hull<S = f64> {
     pub radiation: Option<Radiation>,
     /// The forces of the world's waves.
     pub excitation: Option<WaveExcitation<S>>,
-    /// The database, if its excitation acts whenever there are waves.
+    /// The database, if its excitation acts in waves.
     pub wave_data: Option<Arc<Database>>,
     /// The pressure of the waves on the mesh of the hydrostatics, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
-    /// The rectangle about its water line.
+    /// The rectangle around its waterline.
     pub plan: Plan,
     /// Its watchers.
     pub watchers: Vec<AnyWatcher>,
@@ -123,12 +124,12 @@ pub struct Hull<S = f64> {
 }
 
 impl<S: Scalar> Hull<S> {
-    /// The hulls among elements.
+    /// Returns the hulls among elements.
     pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
         of_kind(elements)
     }
 
-    /// Whether any load on it is about the draught of its data, upright.
+    /// Whether any of its loads is linearized about the upright hull at the draught of its data.
     pub fn is_linear(&self) -> bool {
         let Self { hydrostatics, added_mass, radiation, excitation, .. } = self;
         let linear = matches!(hydrostatics, Hydrostatics::Linear(_));
@@ -150,7 +151,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         }
     }
 
-    /// The states for a hull that has always moved through the water with its present horizontal velocity; for heave,
+    /// Sets the states of a hull that has always moved through the water at its present horizontal velocity; for heave,
     /// roll, pitch and yaw the memory begins at zero.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         let in_world = self.coefficients.frame(at.model, at.links);
@@ -168,7 +169,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         }
     }
 
-    /// Adds the loads of the water, and their work.
+    /// Adds the loads of the water and their work.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (hull, specific_weight) = (self.frame.frame(at.model, at.links), at.world.specific_weight());
         let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
@@ -210,7 +211,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         }
     }
 
-    /// Energy of the water that it displaces, J.
+    /// Returns the potential energy of buoyancy, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let position = FloatingPosition::of(&self.frame.frame(at.model, at.links));
         self.hydrostatics.potential_energy(&position, at.world.specific_weight())
@@ -264,12 +265,12 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 }
 
-/// How many numbers [`Hull::outputs`](Element::outputs) begins with, before forces of [`MODES`] each.
+/// Number of values at the beginning of [`Hull::outputs`](Element::outputs), before forces of [`MODES`] values each.
 const ELEVATIONS: usize = 1;
 /// Surge, sway, heave, roll, pitch and yaw.
 const MODES: usize = 6;
 
-/// The outputs of a hull, in the order of [`Hull::outputs`](Element::outputs).
+/// Returns the outputs of a hull, in the order of [`Hull::outputs`](Element::outputs).
 fn outputs(name: &str) -> Vec<Output> {
     let wrench = |variable, description| Output::wrench(variable, description, "hull", name, VectorFrame::SlowFrame);
     vec![
@@ -287,7 +288,7 @@ fn outputs(name: &str) -> Vec<Output> {
         ),
         wrench(
             "radiation_force",
-            "radiation force, of the waves that the hull has made, without added mass, with the moment about its reference point",
+            "radiation force of the hull, without added mass, with the moment about its reference point",
         ),
         Output::number(
             "water_kinetic_energy",
@@ -309,7 +310,7 @@ struct Seen<S> {
     twist: Twist<S>,
 }
 
-/// The states of a hull, or their rates: of the filter of its position, of the filter of its cargo, and of its
+/// States of a hull, or their rates: those of the position filter, of the filter of the carried bodies, and of
 /// radiation.
 struct States<T> {
     place: T,
@@ -339,7 +340,7 @@ impl<S: Scalar> Hull<S> {
         self.added_mass.as_ref().map_or(S::ZERO, |added| added.in_body.quadratic(&twist) * S::constant(0.5))
     }
 
-    /// The average position of the hull; while an equilibrium is sought, its present position.
+    /// Returns the average position of the hull; while an equilibrium is sought, its present position.
     fn low_frequency_frame(&self, at: &Context<'_, S>) -> LowFrequencyFrame<S> {
         match at.evaluation {
             EvaluationMode::Settling => LowFrequencyFrame::of(&self.coefficients.frame(at.model, at.links)),
@@ -347,7 +348,8 @@ impl<S: Scalar> Hull<S> {
         }
     }
 
-    /// Horizontal deviation of the ship's centre of mass from its mean position relative to the hull, m, and its rate.
+    /// Returns the horizontal deviation of the ship's centre of mass from its mean position relative to the hull, m,
+    /// and the rate of this deviation.
     fn off(&self, at: &Context<'_, S>, slow: &LowFrequencyFrame<S>) -> [[S; 2]; 2] {
         if at.evaluation == EvaluationMode::Settling {
             return [[S::ZERO; 2]; 2];
@@ -363,14 +365,15 @@ impl<S: Scalar> Hull<S> {
         Seen { slow, off, axes, twist: at.links.body_twist(at.model, self.frame.body) }
     }
 
-    /// The hull's velocity, including the wave-frequency part, which has no mean over the slow changes of the drift.
+    /// Returns the hull's velocity. It includes the wave-frequency part, whose mean over the slow changes of the drift
+    /// is 0.
     fn velocity(&self, at: &Context<'_, S>, slow: &LowFrequencyFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
         let [x, y, ..] = self.through_water(at, slow, rates);
         let [u, v, _] = rates.linear.0;
         HullVelocity { through_water: [x, y], over_ground: [u, v] }
     }
 
-    /// Rates along the axes of the wave loads, relative to the water.
+    /// Returns the rates along the axes of the wave loads, relative to the water.
     fn through_water(&self, at: &Context<'_, S>, slow: &LowFrequencyFrame<S>, rates: &Twist<S>) -> [S; 6] {
         modes(rates.linear - slow.rotation().transpose_times(at.world.surface_current()), rates.angular)
     }
@@ -382,7 +385,7 @@ fn modes<S: Scalar>(linear: Vector3<S>, angular: Vector3<S>) -> [S; 6] {
     [x, y, z, roll, pitch, yaw]
 }
 
-/// The load with these modes.
+/// Returns the load with these components.
 fn of_modes<S: Scalar>([x, y, z, roll, pitch, yaw]: [S; 6]) -> Wrench<S> {
     Wrench { moment: Vector3([roll, pitch, yaw]), force: Vector3([x, y, z]) }
 }

@@ -30,31 +30,31 @@ impl<S: Scalar> HullFrame<S> {
         links.body_frame(model, self.body).times(&self.in_body())
     }
 
-    /// Where the hull is and how it moves.
+    /// Returns the frame and the twist of the hull.
     pub fn motion(&self, at: &Context<'_, S>) -> HullMotion<S> {
         self.motion_of(at.model, at.links)
     }
 
-    /// Returns where the hull is and how it moves, by kinematics alone.
+    /// Returns the frame and the twist of the hull from kinematics alone.
     pub fn motion_of(&self, model: &Model<S>, links: &LinkKinematics<S>) -> HullMotion<S> {
         let twist = self.in_body().twist_to_child(&links.body_twist(model, self.body));
         HullMotion { frame: self.frame(model, links), twist }
     }
 
-    /// Twist relative to water that flows at `current` (world, m/s), in the body's axes about the origin, and the current
-    /// in those axes.
+    /// Returns the twist relative to water that flows at `current` (world, m/s), in the body's axes about the origin,
+    /// and the current in those axes.
     pub fn through_water(&self, at: &Context<'_, S>, current: Vector3<S>) -> (Twist<S>, Vector3<S>) {
         let twist = self.in_body().twist_to_child(&at.links.body_twist(at.model, self.body));
         let stream = at.links.to_body_axes(at.model, self.body, current);
         (Twist { linear: twist.linear - stream, ..twist }, stream)
     }
 
-    /// A wrench about the data's origin, in body axes, about the centre of mass.
+    /// Transforms a wrench about the data's origin to the centre of mass, both in body axes.
     pub fn about_centre(&self, wrench: &Wrench<S>) -> Wrench<S> {
         self.in_body().wrench_to_parent(wrench)
     }
 
-    /// The frame of the data in the body's.
+    /// Returns the frame of the data in the body's frame.
     pub fn in_body(&self) -> Frame<S> {
         Frame::translation(self.origin)
     }
@@ -62,7 +62,8 @@ impl<S: Scalar> HullFrame<S> {
 
 /// The frame of the first-order loads: level, at the average position and heading of the hull.
 ///
-/// Waves taken at the hull's present position would push it along through their phase, which is a second-order effect.
+/// First-order loads at the hull's present position would have a mean through the phase of the waves, which is a
+/// second-order effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowFrequencyFrame<S = f64> {
     /// x and y in the world, m.
@@ -74,27 +75,27 @@ pub struct LowFrequencyFrame<S = f64> {
 }
 
 impl<S: Scalar> LowFrequencyFrame<S> {
-    /// Position, heading and lean of a hull.
+    /// Returns the position, heading, roll and pitch of a hull.
     pub fn of(frame: &Frame<S>) -> Self {
         let [x, y, _] = frame.position.0;
         Self { position: [x, y], heading: heading(&frame.rotation), lean: RollAndPitch::of(&frame.rotation).angles() }
     }
 
-    /// The rotation about the vertical from the slow frame's level axes to the world's.
+    /// Returns the rotation about the vertical from the slow frame's level axes to the world's.
     pub fn rotation(&self) -> Matrix3<S> {
         let (sin, cos) = self.heading.sin_cos();
         let (o, i) = (S::ZERO, S::ONE);
         Matrix3([[cos, -sin, o], [sin, cos, o], [o, o, i]])
     }
 
-    /// From the hull's average axes to the slow frame's.
+    /// Rotation from the hull's average axes to the slow frame's.
     fn leaning(&self) -> Matrix3<S> {
         let [roll, pitch] = self.lean.map(|angle| angle.sin_cos().into());
         RollAndPitch { roll, pitch }.rotation()
     }
 }
 
-/// Yaw of an orientation, rad.
+/// Returns the yaw of an orientation, rad.
 fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
     let forward = rotation.column(0);
     forward[1].atan2(forward[0])
@@ -105,13 +106,13 @@ fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
 pub struct CoefficientFrame<S = f64> {
     /// The body.
     pub body: usize,
-    /// In the axes of the body, about its centre of mass. For coefficients of the upright hull they are the hull's
-    /// axes.
+    /// Frame of the coefficients in the axes of the body, about its centre of mass. For coefficients of the upright
+    /// hull its axes are the hull's.
     pub in_body: Frame<S>,
 }
 
 impl<S: Scalar> CoefficientFrame<S> {
-    /// Its frame in the world.
+    /// Returns its frame in the world.
     pub fn frame(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Frame<S> {
         links.body_frame(model, self.body).times(&self.in_body)
     }
@@ -123,36 +124,36 @@ impl<S: Scalar> CoefficientFrame<S> {
 /// of mass, in its axes, to the rates w of these coordinates; its transpose maps a load along them to a load on the
 /// body.
 ///
-/// Radiation, excitation and added mass of a listing hull stay level: in waves much longer than the hull, the water
-/// lifts it vertically, whatever its list.
+/// Radiation, excitation and added mass of a listing hull refer to level axes: waves much longer than the hull lift it
+/// vertically at any list.
 ///
-/// What this neglects is of second order and excites no motion. Forces in axes that yaw with the waves would have a
-/// mean, which belongs to the drift; so would a yaw moment about an axis, or with a lever, that tilts with them. Pitch
-/// moments in axes that do not yaw with the hull, or yaw moments in axes that do not pitch with it, would roll a
-/// slender ship at the difference frequencies.
+/// The neglected terms are of second order and excite no motion. Other axes would excite motion. Forces in axes that
+/// yaw with the waves would have a mean, which belongs to the drift; so would a yaw moment about an axis, or with a
+/// lever arm, that tilts with the waves. Pitch moments in axes that do not yaw with the hull, or yaw moments in axes
+/// that do not pitch with the hull, would roll a slender ship at the difference frequencies.
 ///
-/// The lever of yaw is measured from the centre of mass of the whole ship with crane and load, because all forces
-/// together accelerate that point. About the hull's centre of mass, from which a swinging load moves away, first-order
-/// forces would have a mean moment.
+/// The lever arm of yaw is measured from the centre of mass of the whole ship with crane and load, because the sum of
+/// all forces accelerates that point. About the hull's centre of mass, relative to which a swinging load moves,
+/// first-order forces would have a mean moment.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaAxes<S = f64> {
-    /// From the hull's average axes to the slow frame's.
+    /// Rotation from the hull's average axes to the slow frame's.
     leaning: Matrix3<S>,
     turns: RollAndPitch<S>,
-    /// From angular velocity in body axes to rates of roll, pitch and yaw; and back.
+    /// Matrix from angular velocity in body axes to rates of roll, pitch and yaw, and the inverse.
     turning: Matrix3<S>,
     turning_back: Matrix3<S>,
-    /// From the body's axes to level ones, at the hull's attitude relative to its average.
+    /// Rotation from the body's axes to level axes, at the hull's attitude relative to its average.
     level: Matrix3<S>,
-    /// From angular rates to the velocity of the point where forces act, relative to the centre of mass.
+    /// Matrix from angular rates to the velocity of the point where forces act, relative to the centre of mass.
     lever: Matrix3<S>,
     /// From the body's axes to those of the coefficients.
     to_data: Matrix3<S>,
 }
 
 impl<S: Scalar> SeaAxes<S> {
-    /// For a hull with these coefficient axes in the world. `off` is the horizontal deviation of the ship's centre of
-    /// mass from its mean position relative to the hull's, m.
+    /// Returns the axes for a hull with these coefficient axes in the world. `off` is the horizontal deviation, m, of
+    /// the ship's centre of mass from its mean position relative to the hull's centre of mass.
     pub fn of(on: &CoefficientFrame<S>, in_world: &Frame<S>, slow: &LowFrequencyFrame<S>, off: [S; 2]) -> Self {
         let (leaning, heading) = (slow.leaning(), slow.rotation());
         let (to_data, mean) = (on.in_body.rotation.transpose(), heading * leaning);
@@ -169,13 +170,13 @@ impl<S: Scalar> SeaAxes<S> {
         }
     }
 
-    /// w = T nu.
+    /// Returns w = T nu.
     pub fn rates(&self, of_body: &Twist<S>) -> Twist<S> {
         let angular = self.turning * of_body.angular;
         Twist { angular, linear: self.level * of_body.linear + self.lever * angular }
     }
 
-    /// `T' nu`: the part of the rate of T nu that depends on velocities only. `off_rate` is the rate of `off`.
+    /// Returns `T' nu`, the part of the rate of T nu that depends on velocities only. `off_rate` is the rate of `off`.
     pub fn drift(&self, of_body: &Twist<S>, off_rate: [S; 2]) -> Twist<S> {
         let turning = self.turning * of_body.angular;
         let rates = self.leaning.transpose_times(turning);
@@ -185,20 +186,20 @@ impl<S: Scalar> SeaAxes<S> {
         Twist { angular, linear }
     }
 
-    /// `T^T F`: about the body's centre of mass, in its axes.
+    /// Returns `T^T F`, about the body's centre of mass, in its axes.
     pub fn wrench_to_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
         let moment = wrench.moment + self.lever.transpose_times(wrench.force);
         Wrench { moment: self.turning.transpose_times(moment), force: self.level.transpose_times(wrench.force) }
     }
 
-    /// F, of `T^T F`.
+    /// Returns F from `T^T F`.
     pub fn wrench_of_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
         let force = self.level * wrench.force;
         let moment = self.turning_back.transpose_times(wrench.moment) - self.lever.transpose_times(force);
         Wrench { moment, force }
     }
 
-    /// `T^T A T`.
+    /// Returns `T^T A T`.
     pub fn inertia_in_body(&self, added: &SpatialInertia<S>) -> SpatialInertia<S> {
         let (turning, level) = (self.turning.transpose(), self.level.transpose());
         let of_linear = self.lever.transpose() * added.linear.to_matrix();
@@ -212,15 +213,15 @@ impl<S: Scalar> SeaAxes<S> {
         }
     }
 
-    /// A of a listing hull at its average attitude, about the centre of mass in the body's axes.
+    /// Returns A of a listing hull at its average attitude, about the centre of mass in the body's axes.
     pub fn listing(&self, added: &SpatialInertia<S>, on: &CoefficientFrame<S>) -> SpatialInertia<S> {
         let rotation = (self.leaning * self.to_data).transpose();
         added.to_parent(&Frame { rotation, position: on.in_body.position })
     }
 }
 
-/// The matrix from angular rates to the velocity of the point where forces act, relative to the centre of mass: the
-/// point is at `to_origin`, for yaw shifted horizontally by `off`.
+/// Returns the matrix from angular rates to the velocity of the point where forces act, relative to the centre of mass:
+/// the point is at `to_origin`, for yaw shifted horizontally by `off`.
 fn lever<S: Scalar>(to_origin: Vector3<S>, [x, y]: [S; 2]) -> Matrix3<S> {
     let to_left = hat(to_origin).0.map(|row| row.map(|entry| -entry));
     let [[a, b, c], [d, e, f], last] = to_left;
@@ -236,14 +237,14 @@ struct RollAndPitch<S> {
 }
 
 impl<S: Scalar> RollAndPitch<S> {
-    /// Sines and cosines, by the vertical in body axes.
+    /// Returns the sines and cosines of roll and pitch, from the vertical in body axes.
     fn of(rotation: &Matrix3<S>) -> Self {
         let [x, y, z] = rotation.row(2).0;
         let level = (y * y + z * z).sqrt();
         Self { roll: [y / level, z / level], pitch: [-x, level] }
     }
 
-    /// The rotation by pitch after that by roll.
+    /// Returns the rotation by roll and then by pitch.
     fn rotation(&self) -> Matrix3<S> {
         let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
         let (o, z) = (S::ZERO, -sin_pitch);
@@ -262,14 +263,14 @@ impl<S: Scalar> RollAndPitch<S> {
         Matrix3([[i, o, -sin_pitch], [o, cos, sin * cos_pitch], [o, -sin, cos * cos_pitch]])
     }
 
-    /// Its inverse.
+    /// Returns the inverse of E.
     fn inverse(&self) -> Matrix3<S> {
         let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
         let (o, i, tan_pitch) = (S::ZERO, S::ONE, sin_pitch / cos_pitch);
         Matrix3([[i, sin * tan_pitch, cos * tan_pitch], [o, cos, -sin], [o, sin / cos_pitch, cos / cos_pitch]])
     }
 
-    /// `E' (roll', pitch', yaw')`.
+    /// Returns `E' (roll', pitch', yaw')`.
     fn drift(&self, rates: Vector3<S>) -> Vector3<S> {
         let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
         let [roll, pitch, yaw] = rates.0;
@@ -313,7 +314,7 @@ mod tests {
 
     /// Central differences of a motion at a constant twist; their error is of second order in 1e-5 s.
     #[test]
-    fn twists_become_rates_of_angles_and_drifts_their_rates() {
+    fn rates_are_the_derivatives_of_the_coordinates_and_drifts_those_of_the_rates() {
         let (body, slow, twist) = somewhere();
         let (h, mean) = (1e-5, slow.rotation() * slow.leaning());
         let from_mean = |s: f64| angles(&(mean.transpose() * after(&body, &twist, s).rotation));
@@ -330,7 +331,7 @@ mod tests {
 
     /// A push turns the hull about the whole ship's centre of mass, also after that centre has moved.
     #[test]
-    fn a_force_follows_the_centre_of_mass_of_the_whole_ship() {
+    fn a_force_turns_the_hull_about_the_moved_centre_of_mass_of_the_whole_ship() {
         let (body, _, _) = somewhere();
         let in_world = body.times(&on().in_body);
         let (slow, off) = (LowFrequencyFrame::of(&in_world), [0.7, -0.4]);
@@ -343,7 +344,7 @@ mod tests {
 
     /// At its average attitude and position a hull's rates are its twist at the origin, in the slow frame.
     #[test]
-    fn on_average_the_rates_are_the_twist_at_the_origin() {
+    fn at_the_average_attitude_and_position_the_rates_are_the_twist_at_the_origin() {
         let (body, _, twist) = somewhere();
         let in_world = body.times(&on().in_body);
         let (slow, at_origin) = (LowFrequencyFrame::of(&in_world), on().in_body.twist_to_child(&twist));
@@ -383,7 +384,7 @@ mod tests {
 
     /// At rest in its mean position the added mass of a listing hull is level.
     #[test]
-    fn the_added_mass_of_a_listing_hull_stands_level() {
+    fn the_added_mass_of_a_listing_hull_at_its_mean_position_is_level() {
         let (body, _, twist) = somewhere();
         let in_world = body.times(&on().in_body);
         let axes = SeaAxes::of(&on(), &in_world, &LowFrequencyFrame::of(&in_world), [0.0; 2]);

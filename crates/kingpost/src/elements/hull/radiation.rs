@@ -1,4 +1,4 @@
-//! The memory of the water: waves that the hull has radiated act on it later.
+//! Radiation with memory: waves that the hull has radiated act on it later.
 
 use crate::elements::StateDeclaration;
 use crate::scalar::Scalar;
@@ -14,8 +14,8 @@ use crate::sea::database::{MODES, RadiationModel, SixBySix};
 /// z' = p z + nu_j,        F_i = -sum 2 Re(r_ij z)          (a real pole: F_i = -sum r_ij z)
 /// ```
 ///
-/// nu is the velocity of the hull's reference point relative to the water, and F acts there, both in
-/// the axes of the slow frame. For zero forward speed.
+/// nu is the velocity of the hull's reference point relative to the water, and F acts at that point, both in the axes
+/// of the slow frame. Valid for zero forward speed.
 #[derive(Clone, Debug)]
 pub struct Radiation {
     complex: Vec<ComplexPole>,
@@ -39,7 +39,7 @@ struct RealPole {
 }
 
 impl Radiation {
-    /// From a database's model.
+    /// Returns the radiation from a database's model.
     pub fn new(model: &RadiationModel) -> Self {
         let (mut complex, mut real) = (Vec::new(), Vec::new());
         for (mode, fitted) in model.modes.iter().enumerate() {
@@ -55,8 +55,8 @@ impl Radiation {
         Self { complex, real }
     }
 
-    /// A(0) - A(infinity), kg, kg m, kg m^2: the added mass of slow motions above that at infinite frequency. It is the
-    /// limit of Im K(i w) / w, `-sum 2 Re(r / p^2)`.
+    /// Returns A(0) - A(infinity), kg, kg m, kg m^2: the added mass of slow motions minus that at infinite frequency.
+    /// It is the limit of Im K(i w) / w, `-sum 2 Re(r / p^2)`.
     pub fn added_mass(&self) -> SixBySix {
         let mut added = [[0.0; 6]; 6];
         for pole in &self.complex {
@@ -74,12 +74,12 @@ impl Radiation {
         added
     }
 
-    /// Number of states.
+    /// Returns the number of states.
     pub fn state_count(&self) -> usize {
         2 * self.complex.len() + self.real.len()
     }
 
-    /// The states by mode and pole, as an element declares them; for a translation they are lengths.
+    /// Returns the declarations of the states by mode and pole; for a translation they are lengths.
     pub fn declared(&self) -> Vec<StateDeclaration> {
         let of = |mode: usize, rest: String| {
             StateDeclaration::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
@@ -92,7 +92,7 @@ impl Radiation {
         states
     }
 
-    /// The force (N) and moment (N m) of the waves radiated so far.
+    /// Returns the force (N) and moment (N m) of the waves radiated so far.
     pub fn force<S: Scalar>(&self, states: &[S]) -> [S; 6] {
         let (pairs, singles) = states.split_at(2 * self.complex.len());
         let mut force = [S::ZERO; 6];
@@ -109,7 +109,7 @@ impl Radiation {
         force
     }
 
-    /// Writes the rates of the states under a velocity (m/s) and angular velocity (rad/s).
+    /// Writes the rates of the states at a velocity (m/s) and angular velocity (rad/s).
     pub fn rates<S: Scalar>(&self, velocity: &[S; 6], states: &[S], rates: &mut [S]) {
         let (pairs, singles) = states.split_at(2 * self.complex.len());
         let (pair_rates, single_rates) = rates.split_at_mut(pairs.len());
@@ -124,7 +124,7 @@ impl Radiation {
         }
     }
 
-    /// Writes the steady states of a constant velocity (m/s) and angular velocity (rad/s): z = -nu / p. Their force is
+    /// Writes the steady states at a constant velocity (m/s) and angular velocity (rad/s): z = -nu / p. Their force is
     /// 0, because K is 0 at zero frequency.
     pub fn steady<S: Scalar>(&self, velocity: &[S; 6], states: &mut [S]) {
         let (pairs, singles) = states.split_at_mut(2 * self.complex.len());

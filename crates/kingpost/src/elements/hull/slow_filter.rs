@@ -14,8 +14,8 @@ const COUNT: usize = 5;
 /// Six first-order filters in series, `x1' = w (x - x1)` to `x6' = w (x5 - x6)`; the output is `6 x5 - 5 x6`. A
 /// position that drifts at a steady speed passes without lag, since H = 1 + O(s^2). A motion at a wave frequency omega
 /// far above w is reduced to `6 (w / omega)^5`, which is 5e-5 at a period of 8 s; as a phase error of the loads this
-/// makes a mean force of the same share of `k X a^2 / 2`. It has to be so small because nothing holds the heading of a
-/// free ship: within an hour a thousandth of the drift would turn it.
+/// causes a mean force of the same share of `k X a^2 / 2`. The share must be so small because nothing holds the heading
+/// of a free ship: a thousandth of the drift would turn the ship within an hour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowFilter<S = f64> {
     /// x, y (m), heading, roll and pitch (rad) after each filter.
@@ -26,7 +26,7 @@ impl<S: Scalar> SlowFilter<S> {
     /// Number of its states.
     pub const LEN: usize = COUNT * ORDER;
 
-    /// The steady state for a constant velocity (world, m/s) without turning.
+    /// Returns the steady state for a constant velocity (world, m/s) without rotation.
     pub fn steady(place: &LowFrequencyFrame<S>, [vx, vy]: [S; 2], cutoff_rad_s: f64) -> Self {
         let ([x, y], [roll, pitch]) = (place.position, place.lean);
         let behind = |stage: usize, speed: S| speed * S::constant((stage + 1) as f64 / cutoff_rad_s);
@@ -34,7 +34,7 @@ impl<S: Scalar> SlowFilter<S> {
         Self { stages: core::array::from_fn(stage) }
     }
 
-    /// Its states, as an element declares them.
+    /// Returns the declarations of its states.
     pub fn declared() -> impl Iterator<Item = StateDeclaration> {
         let signals = [("x", "m"), ("y", "m"), ("heading", "rad"), ("roll", "rad"), ("pitch", "rad")];
         let of = move |stage: usize| {
@@ -43,26 +43,26 @@ impl<S: Scalar> SlowFilter<S> {
         (1..=ORDER).flat_map(of)
     }
 
-    /// From its states, which are the first of `states`.
+    /// Reads the filter from its states, which are the first of `states`.
     pub fn read(states: &[S]) -> Self {
         Self { stages: core::array::from_fn(|stage| core::array::from_fn(|k| states[COUNT * stage + k])) }
     }
 
-    /// Into its states.
+    /// Writes the filter to its states.
     pub fn write(&self, states: &mut [S]) {
         for (states, stage) in states.chunks_exact_mut(COUNT).zip(&self.stages) {
             states.copy_from_slice(stage);
         }
     }
 
-    /// The output.
+    /// Returns the output.
     pub fn frame(&self) -> LowFrequencyFrame<S> {
         let [.., before, last] = &self.stages;
         let [x, y, heading, roll, pitch] = combined(before, last);
         LowFrequencyFrame { position: [x, y], heading, lean: [roll, pitch] }
     }
 
-    /// The rate of the output: x and y, world, m/s, and heading, rad/s.
+    /// Returns the rate of the output: x and y, world, m/s, and heading, rad/s.
     pub fn output_rates(&self, cutoff_rad_s: f64) -> [S; 3] {
         let [.., second, before, last] = &self.stages;
         let cutoff = S::constant(cutoff_rad_s);
@@ -71,7 +71,7 @@ impl<S: Scalar> SlowFilter<S> {
         [x, y, heading]
     }
 
-    /// The rates of its states for a hull at `now`.
+    /// Returns the rates of its states for a hull at `now`.
     pub fn rates(&self, now: &LowFrequencyFrame<S>, cutoff_rad_s: f64) -> Self {
         let slow = self.frame();
         let ([x, y], [roll, pitch]) = (now.position, now.lean);
@@ -83,13 +83,13 @@ impl<S: Scalar> SlowFilter<S> {
     }
 }
 
-/// The angle `now`, changed by full turns to be nearest to `last`.
+/// Returns the angle `now`, changed by full turns to be nearest to `last`.
 fn onward<S: Scalar>(last: S, now: S) -> S {
     let (sin, cos) = (now - last).sin_cos();
     last + sin.atan2(cos)
 }
 
-/// 6 x5 - 5 x6.
+/// Returns 6 x5 - 5 x6.
 fn combined<S: Scalar>(before: &[S; COUNT], last: &[S; COUNT]) -> [S; COUNT] {
     const N: f64 = ORDER as f64;
     core::array::from_fn(|k| S::constant(N) * before[k] - S::constant(N - 1.0) * last[k])
@@ -106,7 +106,7 @@ mod tests {
         LowFrequencyFrame { position: [motion, 0.0], heading: motion, lean: [motion, 0.0] }
     }
 
-    /// The states after one RK4 step of a given motion.
+    /// Returns the states after one RK4 step of a given motion.
     fn stepped(filter: &SlowFilter, start_s: f64, step_s: f64, motion: &dyn Fn(f64) -> f64) -> SlowFilter {
         let rates = |states: &SlowFilter, time_s: f64| states.rates(&place(motion(time_s)), CUTOFF_RAD_S);
         let moved = |by: f64, rates: &SlowFilter| {
@@ -125,7 +125,7 @@ mod tests {
         moved(step_s, &mean)
     }
 
-    /// The slow frame's x and heading after each step, both following the given motion.
+    /// Returns the slow frame's x and heading after each step, for a hull whose x and heading follow the given motion.
     fn filtered(steps: usize, motion: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
         let mut filter = SlowFilter::steady(&place(motion(0.0)), [0.0; 2], CUTOFF_RAD_S);
         let after = |k: usize| {
@@ -135,8 +135,8 @@ mod tests {
         (0..steps).map(after).collect()
     }
 
-    /// H(s) = 1 + O(s^2): a ramp is followed, through full turns of the heading too. RK4 is exact for it except for the
-    /// transient, 45^5 e^-45.
+    /// H(s) = 1 + O(s^2): the filter follows a ramp, also through full turns of the heading. RK4 is exact for a ramp
+    /// except for the transient, 45^5 e^-45.
     #[test]
     fn a_steady_drift_has_no_lag() {
         let speed = 0.03;
@@ -148,7 +148,7 @@ mod tests {
 
     /// A steady drift before the start is filtered correctly from the start.
     #[test]
-    fn a_drift_from_the_past_has_no_lag_at_the_start() {
+    fn a_steady_drift_before_the_start_has_no_lag_at_the_start() {
         let past = SlowFilter::steady(&place(2.0), [0.7, -0.3], CUTOFF_RAD_S);
         let [x, y, _] = past.output_rates(CUTOFF_RAD_S);
         assert!((past.frame().position[0] - 2.0).abs() < 1e-12 && (past.frame().heading - 2.0).abs() < 1e-12);
@@ -157,7 +157,7 @@ mod tests {
 
     /// |H| and its phase at a wave's frequency.
     #[test]
-    fn of_a_motion_with_the_waves_what_the_transfer_function_says_remains() {
+    fn a_motion_at_a_wave_frequency_is_reduced_by_the_transfer_function() {
         let omega = core::f64::consts::TAU / 8.0;
         let all = filtered(16_000, |time_s| libm::sin(omega * time_s));
         // Over the last 20 periods: the sine and the cosine component.
@@ -184,7 +184,7 @@ mod tests {
         for k in 0..200 {
             filter = stepped(&filter, 0.05 * f64::from(k), 0.05, &motion);
         }
-        // The rates are the limit of differences.
+        // The output rates are the limits of difference quotients.
         let later = stepped(&filter, 10.0, 1e-6, &motion);
         let rates = filter.output_rates(CUTOFF_RAD_S);
         let [before, after] =

@@ -45,7 +45,7 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
         WavePlace { position, height: frame.position[2], heading }
     }
 
-    /// Rates along the axes of the wave loads, about the database's origin.
+    /// Returns the rates along the axes of the wave loads, about the database's origin.
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6] {
         let frame = self.frame(bodies);
         let axes = SeaAxes::of(&self.hull.coefficients, &frame, &LowFrequencyFrame::of(&frame), [S::ZERO; 2]);
@@ -53,7 +53,7 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
         modes(rates.linear, rates.angular)
     }
 
-    /// X at the hull's heading.
+    /// Returns X at the hull's heading.
     fn amplitudes(&self, omega: f64, directions_rad: &[f64], place: &WavePlace<S>) -> Vec<[[S; 2]; 6]> {
         let on_grid = self.database.excitation(omega, true);
         let part = |part: usize, _| on_grid.iter().map(|x| x[part / 2][part % 2]).collect();

@@ -4,10 +4,11 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{AccelerationErrors, AngleErrors, DropOuts, Name, Positive, RateErrors, yes};
 
-/// Finds the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state Kalman filter. Its
-/// outputs are those of a motion reference unit with horizontal motion, and `measured_specific_force.x`, `.y`, `.z` (m/s^2,
-/// body axes): the acceleration less that of gravity. Without a receiver it finds the motion about the mean place. It begins
-/// as after a long time at rest.
+/// Estimates the motion of a point of a body from accelerometers, gyroscopes and a gyrocompass, by an error-state
+/// Kalman filter. Its outputs are those of a motion reference unit with horizontal motion, and
+/// `measured_specific_force.x`, `.y`, `.z` (m/s^2, body axes): the acceleration less that of gravity. Without a
+/// satellite receiver, it estimates the motion relative to the mean position. The run starts with the estimate to which
+/// the filter converges at rest.
 #[fields]
 pub struct InertialUnit<S = f64> {
     /// Whether the sensor measures.
@@ -29,7 +30,8 @@ pub struct InertialUnit<S = f64> {
     pub rate_errors: Option<RateErrors<S>>,
     /// Errors of the gyrocompass; without them it is exact.
     pub heading_errors: Option<AngleErrors<S>>,
-    /// A satellite receiver on the same body that helps: with it, the displacement is that from the start, however slow.
+    /// Name of a satellite receiver on the same body. With it, the displacement is relative to the start and includes
+    /// slow motion.
     pub receiver: Option<Name>,
     /// Assumptions of the filter.
     #[serde(default)]
@@ -38,8 +40,8 @@ pub struct InertialUnit<S = f64> {
     pub drop_outs: Option<DropOuts>,
 }
 
-/// Assumptions of an inertial unit's filter about its instruments and the motion. The instruments' noise need not be
-/// the true one. Derivatives do not go through these numbers.
+/// Assumptions of an inertial unit's filter about its instruments and the motion. The assumed noise may differ from
+/// that of the instruments. Derivatives with respect to these numbers are not available.
 #[fields(default)]
 #[derive(Copy)]
 pub struct InertialFilter {
@@ -51,15 +53,16 @@ pub struct InertialFilter {
     pub heading_noise_rad: Positive,
     /// Standard deviation of the noise of the receiver's positions, m.
     pub position_noise_m: Positive,
-    /// Standard deviation of the motion of the unit in waves, m: the smaller, the more the mean place counts against the
-    /// accelerometers.
+    /// Standard deviation of the motion of the unit in waves, m: a smaller value gives the mean position more weight
+    /// relative to the accelerometers.
     pub wave_motion_m: Positive,
-    /// Middle period of the waves, s: half or twice that does little harm.
+    /// Peak period of the waves, s: an error by a factor of two has little effect.
     pub wave_period_s: Positive,
 }
 
 impl Default for InertialFilter {
-    /// For accelerometers of 0.015 m/s in the root of an hour and gyroscopes of 0.15 degrees in the root of an hour at 50 Hz.
+    /// Defaults for a velocity random walk of 0.015 m/s/sqrt(h) and an angle random walk of 0.15 deg/sqrt(h), sampled
+    /// at 50 Hz.
     fn default() -> Self {
         Self {
             acceleration_noise_m_s2: Positive::literal(0.002),

@@ -10,15 +10,15 @@ pub struct Assumed {
     pub period_s: f64,
     /// Standard deviation of the white noise of an acceleration in a sample, m/s^2.
     pub acceleration_noise: f64,
-    /// That of an angular velocity, rad/s.
+    /// Standard deviation of the white noise of an angular velocity in a sample, rad/s.
     pub rate_noise: f64,
-    /// That of the heading, rad.
+    /// Standard deviation of the white noise of the heading in a sample, rad.
     pub heading_noise: f64,
     /// Standard deviation of the motion in waves along each axis, m.
     pub motion_m: f64,
-    /// Its middle period, s.
+    /// Peak period of the motion in waves, s.
     pub motion_period_s: f64,
-    /// A receiver of positions: its period (s) and the standard deviation of its noise, m.
+    /// Satellite receiver: its period (s) and the standard deviation of its noise (m).
     pub receiver: Option<[f64; 2]>,
 }
 
@@ -38,35 +38,35 @@ pub struct KalmanGains {
 pub struct Design {
     /// T, s.
     pub period_s: f64,
-    /// Middle period of the motion in waves, s.
+    /// Peak period of the motion in waves, s.
     pub motion_period_s: f64,
-    /// How the states of the motion in waves change in T.
+    /// Transition of the states of the motion in waves over T.
     pub waves: Oscillating,
-    /// Where nothing but the mean place is known, at every sample.
+    /// Gains at every sample, if only the mean position is known.
     pub mean: KalmanGains,
-    /// At a position of the receiver.
+    /// Gains at a position of the receiver.
     pub fix: Option<KalmanGains>,
     /// Gains of the heading: angle and error of the rate, at every sample.
     pub heading: [f64; 2],
 }
 
-/// How fast the error of an accelerometer wanders: m/s^2 in the root of a second.
+/// Random walk of the error of an accelerometer, m/s^2 per root second.
 const ACCELERATION_WANDERS: f64 = 1e-5;
 const GRAVITY_M_S2: f64 = 9.80665;
 
 impl Design {
-    /// The filter for these assumptions. The errors of a horizontal channel and of the vertical one obey
+    /// Designs the filter for these assumptions. The errors of a horizontal channel and of the vertical channel obey
     ///
     /// ```text
     /// dp' = dv,  dv' = g dtheta + a,  dtheta' = -db + w         horizontal
     /// dp' = dv,  dv' = -db + a                                  vertical
     /// ```
     ///
-    /// with the white noises a and w of the accelerometers and gyroscopes and the wandering error b of a gyroscope or
-    /// an accelerometer (Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation Systems*, 2nd ed.,
-    /// 2013, ch. 14). The ship stays about its mean place but for the motion in waves, an
-    /// [oscillation](Process::oscillation): a filter that knows it does not take waves for errors, and shifts neither their
-    /// phase nor their size.
+    /// with the white noises a and w of the accelerometers and gyroscopes, and the random walk b of the error of a
+    /// gyroscope or an accelerometer (Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation
+    /// Systems*, 2nd ed., 2013, ch. 14). The position of the ship is the mean position plus the motion in waves, an
+    /// [oscillation](Process::oscillation). With this model the filter does not mistake waves for errors, and changes
+    /// neither their phase nor their amplitude.
     pub fn new(of: &Assumed) -> Self {
         let (level, vertical) = (level(of), vertical(of));
         let waves = Process::oscillation(of.motion_period_s, of.motion_m, of.period_s);
@@ -88,20 +88,20 @@ impl Design {
         }
     }
 
-    /// Whether such a filter exists: its gains are numbers.
+    /// Whether such a filter exists: its gains are finite.
     pub fn is_finite(&self) -> bool {
         let of = |gains: &KalmanGains| gains.level.iter().chain(&gains.vertical).all(|gain| gain.is_finite());
         of(&self.mean) && self.fix.as_ref().is_none_or(of) && self.heading.iter().all(|gain| gain.is_finite())
     }
 }
 
-/// Displacement, velocity, tilt, error of the rate.
+/// Returns the process of a horizontal channel: displacement, velocity, tilt, error of the rate.
 fn level(of: &Assumed) -> Process {
     let noises = [0.0, of.acceleration_noise * of.period_s, of.rate_noise * of.period_s, RATE_WANDERS * root(of)];
     Process::chain(&[1.0, GRAVITY_M_S2, -1.0], of.period_s, &noises)
 }
 
-/// Displacement, velocity, error of the acceleration.
+/// Returns the process of the vertical channel: displacement, velocity, error of the acceleration.
 fn vertical(of: &Assumed) -> Process {
     let noises = [0.0, of.acceleration_noise * of.period_s, ACCELERATION_WANDERS * root(of)];
     Process::chain(&[1.0, -1.0], of.period_s, &noises)
@@ -129,14 +129,14 @@ mod tests {
         receiver: Some([0.1, 0.02]),
     };
 
-    /// The model of the waves explains a motion of its own period: little of it is left in the estimate. A filter without such
-    /// a model takes over the share 2 zeta w0 / w of it, 13 % at a cut-off of 100 s.
+    /// The filter attributes a motion of the assumed period to the waves, so its error in the estimate is small. A
+    /// filter without a wave model has an error of the share 2 zeta w0 / w of the motion, 13 % at a cut-off of 100 s.
     #[test]
-    fn a_regular_wave_of_the_assumed_period_passes_with_its_phase_and_size() {
+    fn the_estimate_keeps_phase_and_amplitude_of_a_regular_wave_of_the_assumed_period() {
         let design = Design::new(&ASSUMED);
         let frequency = core::f64::consts::TAU / ASSUMED.motion_period_s;
         let (gain, mut error, mut largest) = (design.mean.vertical, [0.0; 5], [0.0_f64; 2]);
-        // The errors of the filter, driven by the wave as the distance from the mean place.
+        // The errors of the filter, with the wave as the deviation from the mean position.
         let transition = vertical(&ASSUMED).transition;
         for k in 0..200_000 {
             let moved = &transition * DVector::from_row_slice(&error[..3]);
@@ -152,9 +152,9 @@ mod tests {
         assert!(largest[0] < 0.03 && largest[1] < 0.01 * frequency, "{largest:?}");
     }
 
-    /// After a long time without a position the next counts fully, as far as numbers reach.
+    /// After a long time without a position the next position has the gain 1, as far as the range of numbers allows.
     #[test]
-    fn a_receiver_that_is_hardly_ever_heard_counts_fully_and_takes_no_longer() {
+    fn a_receiver_with_very_rare_positions_has_the_gain_1_and_takes_no_longer_to_compute() {
         for period_s in [1e5, 1e9, 1e300, f64::INFINITY] {
             let design = Design::new(&Assumed { receiver: Some([period_s, 0.02]), ..ASSUMED });
             let gain = design.fix.map_or(0.0, |fix| fix.vertical[0]);
@@ -162,9 +162,10 @@ mod tests {
         }
     }
 
-    /// A receiver with little noise is followed faster than one with much, and the bandwidth is never above its samples'.
+    /// The filter follows a receiver with little noise faster than one with much noise, and its bandwidth never exceeds
+    /// that of the receiver's samples.
     #[test]
-    fn less_noise_of_the_receiver_gives_it_more_weight() {
+    fn a_receiver_with_less_noise_has_larger_gains() {
         let gain = |noise: f64| {
             let design = Design::new(&Assumed { receiver: Some([0.1, noise]), ..ASSUMED });
             design.fix.map_or(0.0, |fix| fix.vertical[0])

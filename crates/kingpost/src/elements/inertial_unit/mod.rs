@@ -1,4 +1,4 @@
-//! An inertial unit: accelerometers and gyroscopes, and the filter that finds the motion of a body from them.
+//! An inertial unit: accelerometers, gyroscopes and a filter that estimates the motion of a body.
 
 pub(crate) mod assembly;
 pub(crate) mod fields;
@@ -15,11 +15,11 @@ use super::{Components, Context, Declaration, Element, ElementState, Output, Vec
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, exp, roll_pitch_yaw};
 
-/// Finds attitude, angular velocity, displacement and velocity of a point of a body from its own accelerometers and
-/// gyroscopes, by an error-state Kalman filter: strapdown integration, whose errors are estimated from what else is known and
-/// taken away at once. Known are the heading, by a gyrocompass, and that the ship moves in waves about a mean place; or
-/// positions by a satellite receiver on the same body. The gains are the stationary ones ([`Design`]): the filter begins as
-/// it is after a long time at rest.
+/// Estimates attitude, angular velocity, displacement and velocity of a point of a body by an error-state Kalman
+/// filter: strapdown integration of its accelerometers and gyroscopes, whose estimated errors are corrected at every
+/// sample. The corrections use the heading from a gyrocompass, and either the assumption that the ship moves in waves
+/// about a mean position, or positions from a satellite receiver on the same body. The gains are stationary
+/// ([`Design`]): the filter starts with the estimate to which it converges at rest.
 ///
 /// (Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation Systems*, 2nd ed., 2013, ch. 5 and 14.)
 #[derive(Clone, Debug)]
@@ -30,15 +30,15 @@ pub struct InertialUnit<S = f64> {
     pub place: HullFrame<S>,
     /// The errors of its instruments.
     pub instruments: Instruments<S>,
-    /// The sampling of its results, which have no more errors.
+    /// Sampling of its results, to which no further errors are added.
     pub sampler: Sampler<S>,
     /// The filter's constants.
     pub design: Design,
-    /// The satellite receiver that helps it.
+    /// Satellite receiver whose positions correct the estimate.
     pub receiver: Option<PositionAid<S>>,
 }
 
-/// The errors of an inertial unit's instruments; `None` is none.
+/// Errors of an inertial unit's instruments; `None` for exact instruments.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Instruments<S = f64> {
     /// Errors of each component of the specific force, m/s^2.
@@ -51,21 +51,23 @@ pub struct Instruments<S = f64> {
 
 /// Signals: those of a motion, then the specific force.
 const COUNT: usize = KEPT.len() + 3;
-/// The random numbers of the instruments: after those of the signals.
+/// Index of the instruments' random numbers, after those of the signals.
 const OF_INSTRUMENTS: usize = 32;
-/// The numbers behind the sampler's: the estimate; the exact motion at the last sample; the angular velocity found then; the mean
-/// place; and what the receiver's positions have to be reduced by, so that the first one is the displacement then.
+/// Numbers after the sampler's: the estimate; the exact motion at the last sample; the angular velocity estimated then;
+/// the mean position; and the offset that is subtracted from the receiver's positions, so that the first one equals the
+/// estimated displacement.
 const EXACT: usize = navigation::NUMBERS;
 const RATE: usize = EXACT + navigation::OF_MOVING;
 const MEAN: usize = RATE + 3;
 const FIRST_FIX: usize = MEAN + 3;
 const NUMBERS: usize = FIRST_FIX + 3;
-/// The modes behind the sampler's: whether it has begun; with a receiver, the number of its next position and whether it is out.
+/// Modes after the sampler's: whether the unit has begun; with a receiver, the number of its next position and whether
+/// it has dropped out.
 const MODES: [&str; 3] = ["has_begun", "next_fix", "receiver_out"];
 const HAS_BEGUN: usize = 0;
 const NEXT_FIX: usize = 1;
 const RECEIVER_OUT: usize = 2;
-/// Periods of the waves over which the mean place is found.
+/// Number of wave periods over which the mean position is averaged.
 const MEAN_OVER: f64 = 10.0;
 
 impl<S: Scalar> Element<S> for InertialUnit<S> {
@@ -80,7 +82,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
             frame: VectorFrame::Body,
             ..Output::number(
                 "measured_specific_force",
-                "acceleration less that of gravity, as a sensor measures it",
+                "measured specific force: acceleration less that of gravity",
                 "sensor",
                 &self.name,
                 &["m/s^2"],
@@ -110,7 +112,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
         self.sampler.begin(own, &signals(&estimate, now.twist.angular, seen.specific_force));
     }
 
-    /// Takes a position of the receiver where it has a new one.
+    /// Takes the receiver's position if there is a new one.
     fn update_controls(
         &mut self,
         at: &Context<'_, S>,
@@ -130,7 +132,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
     }
 
     fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
-        // The start is not the end of a sample: what the unit knows then is that of the start.
+        // The start is not the end of a sampling interval: the estimate is then that of the start.
         let modes = &mut own.modes[self.sampler.modes()..];
         if core::mem::replace(&mut modes[HAS_BEGUN], 1) == 0 {
             return;
@@ -174,7 +176,7 @@ impl<S: Scalar> InertialUnit<S> {
         if self.receiver.is_some() { MODES.len() } else { NEXT_FIX }
     }
 
-    /// Corrects the estimate by a position of the receiver, which also moves the mean place.
+    /// Corrects the estimate by a position of the receiver, which also changes the mean position.
     fn take(&self, receiver: &PositionAid<S>, read: &[S], is_first: bool, kept: &mut [S]) {
         let mut estimate = Navigation::read(kept);
         let Moving { rotation, velocity } = estimate.moving;
@@ -195,13 +197,13 @@ impl<S: Scalar> InertialUnit<S> {
 }
 
 impl<S: Scalar> Instruments<S> {
-    /// The increments with their biases alone.
+    /// Returns the increments with their biases only.
     fn with_bias(&self, of: &Increments<S>) -> Increments<S> {
         let bias = |errors: Option<SignalErrors<S>>| errors.map_or(Vector3::zero(), |errors| Vector3([errors.bias; 3]));
         Increments { specific_force: of.specific_force + bias(self.acceleration), rate: of.rate + bias(self.rate) }
     }
 
-    /// The increments with all errors of a sample.
+    /// Returns the increments with all errors of a sample.
     fn measure(&self, of: &Increments<S>, noise: &SensorNoise, sample: u64) -> Increments<S> {
         Increments {
             specific_force: with_errors(of.specific_force, self.acceleration, noise, OF_INSTRUMENTS, sample),
@@ -209,7 +211,7 @@ impl<S: Scalar> Instruments<S> {
         }
     }
 
-    /// The heading by the gyrocompass, rad.
+    /// Returns the heading measured by the gyrocompass, rad.
     fn heading(&self, exact: &Moving<S>, noise: &SensorNoise, sample: u64) -> S {
         let yaw = roll_pitch_yaw(&exact.rotation)[2];
         self.heading.map_or(yaw, |errors| errors.on(yaw, noise, OF_INSTRUMENTS + 6, sample))

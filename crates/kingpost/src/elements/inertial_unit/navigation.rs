@@ -1,4 +1,4 @@
-//! Strapdown navigation: what an inertial unit finds of its motion, and how innovations correct it.
+//! Strapdown navigation: the estimate of an inertial unit's motion, and its correction by innovations.
 
 use super::gains::{Design, KalmanGains};
 use crate::scalar::Scalar;
@@ -23,14 +23,14 @@ pub struct Moving<S> {
 }
 
 impl<S: Scalar> Moving<S> {
-    /// The exact increments from an earlier motion to this one, over a time T:
+    /// Returns the exact increments from an earlier motion to this one, over a time T:
     ///
     /// ```text
     /// omega = log(R_0^T R_1) / T,    f = exp(-omega T / 2) R_0^T ((v_1 - v_0) / T + g z)
     /// ```
     ///
-    /// as units give them after their own fast integration (Savage, "Strapdown inertial navigation integration algorithm
-    /// design", *J. Guidance, Control, and Dynamics* 21(1), 1998, p. 19; (2), p. 208).
+    /// like those that a unit outputs after its internal integration at a high rate (Savage, "Strapdown inertial
+    /// navigation integration algorithm design", *J. Guidance, Control, and Dynamics* 21(1), 1998, p. 19; (2), p. 208).
     pub fn since(&self, before: &Self, gravity: S, period_s: f64) -> Increments<S> {
         let per_period = S::constant(1.0 / period_s);
         let turn = log_of_part_turn(&(before.rotation.transpose() * self.rotation));
@@ -46,24 +46,24 @@ impl<S: Scalar> Moving<S> {
 pub struct Navigation<S> {
     /// Attitude and velocity.
     pub moving: Moving<S>,
-    /// Displacement from its mean place, world axes, m.
+    /// Displacement from the mean position, world axes, m.
     pub displacement: Vector3<S>,
     /// Error of the accelerometers along the vertical, m/s^2.
     pub acceleration_error: S,
     /// Errors of the gyroscopes, body axes, rad/s.
     pub rate_errors: Vector3<S>,
-    /// The motion in waves along each axis of the world: its integral (m s) and itself (m).
+    /// States of the motion in waves along each axis of the world: its integral (m s) and the motion (m).
     pub waves: [[S; 2]; 3],
 }
 
-/// Number of the numbers of an estimate, and of a motion.
+/// Number of stored numbers of an estimate, and of a motion.
 pub const NUMBERS: usize = 25;
 pub const OF_MOVING: usize = 12;
 
 impl<S: Scalar> Navigation<S> {
-    /// The estimate after a long time at rest, for the attitude by the gyrocompass and the velocity that the unit then has.
-    /// Gyroscopes at rest show their errors; accelerometers show their error along the vertical, and tilt the horizon by
-    /// that across it over g.
+    /// Returns the estimate after a long time at rest, for the attitude and velocity `truth`. At rest the gyroscopes
+    /// measure only their errors. The vertical error of the accelerometers is estimated; their horizontal error tilts
+    /// the estimated horizon by this error over g.
     pub fn settled(truth: Moving<S>, at_rest: &Increments<S>, gravity: S) -> Self {
         let seen = truth.rotation * at_rest.specific_force;
         let size = seen.norm();
@@ -76,7 +76,7 @@ impl<S: Scalar> Navigation<S> {
         }
     }
 
-    /// The estimate of a unit without errors at its mean place.
+    /// Returns the estimate of a unit without errors at its mean position.
     pub fn without_errors(moving: Moving<S>) -> Self {
         Self {
             moving,
@@ -108,12 +108,12 @@ impl<S: Scalar> Navigation<S> {
         numbers[19..NUMBERS].copy_from_slice(self.waves.as_flattened());
     }
 
-    /// The angular velocity without its error.
+    /// Returns the measured angular velocity less its estimated error.
     pub fn rate(&self, measured: &Increments<S>) -> Vector3<S> {
         measured.rate - self.rate_errors
     }
 
-    /// Moves on by one sample.
+    /// Advances the estimate by one sample.
     pub fn advance(&mut self, measured: &Increments<S>, gravity: S, design: &Design) {
         let (period, half) = (S::constant(design.period_s), S::constant(0.5 * design.period_s));
         let rate = self.rate(measured);
@@ -126,13 +126,13 @@ impl<S: Scalar> Navigation<S> {
         self.waves = self.waves.map(|waves| design.waves.onward(waves));
     }
 
-    /// Returns the offset of the mean place from the estimate without the motion in waves, m.
+    /// Returns the offset of the mean position from the estimated position without the motion in waves, m.
     pub fn from_mean(&self, mean: Vector3<S>) -> Vector3<S> {
         mean - self.displacement + Vector3(self.waves.map(|[_, motion]| motion))
     }
 
-    /// Corrects all by an innovation, m along the axes of the world. A tilt about y moves the point along x, one about x
-    /// against y.
+    /// Corrects the estimate by an innovation, m, along the axes of the world. A tilt about y moves the point along x,
+    /// a tilt about x against y.
     pub fn correct(&mut self, innovation: Vector3<S>, by: &KalmanGains) {
         let (level, vertical) = (by.level.map(S::constant), by.vertical.map(S::constant));
         let [x, y, z] = innovation.0;
@@ -156,7 +156,7 @@ impl<S: Scalar> Navigation<S> {
         self.turn(angle, rate);
     }
 
-    /// Turns the attitude, rad, and adds to the errors of the rates, rad/s, both world axes.
+    /// Rotates the attitude by an angle vector, rad, and adds to the errors of the rates, rad/s, both in world axes.
     fn turn(&mut self, by: Vector3<S>, rates: Vector3<S>) {
         self.moving.rotation = exp(by) * self.moving.rotation;
         self.rate_errors += self.moving.rotation.transpose_times(rates);
@@ -202,10 +202,10 @@ mod tests {
         Moving { rotation: exp(angles), velocity }
     }
 
-    /// Savage (1998): increments and their integration undo each other, whatever the motion; displacements then follow by the
+    /// Savage (1998): integration inverts the increments exactly for any motion; displacements then follow by the
     /// trapezoidal rule.
     #[test]
-    fn without_errors_the_attitude_and_the_velocity_are_exact() {
+    fn attitude_and_velocity_of_a_unit_without_errors_are_exact() {
         let (design, start) = (design(), moved(0.0));
         let at_rest = Increments {
             specific_force: start.rotation.transpose_times(Vector3::new(0.0, 0.0, GRAVITY)),
@@ -219,17 +219,17 @@ mod tests {
             by_trapezia += (now.velocity + before.velocity) * (0.5 * PERIOD_S);
             before = now;
         }
-        // 5000 products of rotations, and sums of as many accelerations.
+        // Rounding of 5000 products of rotations and of sums of 5000 accelerations.
         let turned = log_of_part_turn(&(found.moving.rotation * before.rotation.transpose()));
         assert!(turned.norm() < 1e-12, "{turned:?}");
         assert!((found.moving.velocity - before.velocity).norm() < 1e-10, "{:?}", found.moving.velocity);
         assert!((found.displacement - by_trapezia).norm() < 1e-8, "{:?}", found.displacement);
     }
 
-    /// At rest, a unit that begins with wrong attitude and without knowledge of its errors finds them: the roots of the filter are
-    /// at 0.02 per second and above, those of the errors' slow wandering lower.
+    /// At rest, the estimate converges from a wrong attitude and without initial estimates of the errors: the roots of
+    /// the filter are at 0.02 per second and above, except the slower roots of the errors' random walk.
     #[test]
-    fn errors_of_the_gyroscopes_and_of_the_attitude_are_found_at_rest() {
+    fn estimated_gyroscope_errors_and_attitude_converge_at_rest() {
         let (design, errors) = (design(), Vector3::new(1e-4, -2e-4, 1.5e-4));
         let still = Moving { rotation: Matrix3::identity(), velocity: Vector3::zero() };
         let exact = still.since(&still, GRAVITY, PERIOD_S);

@@ -6,7 +6,7 @@ use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
 
-/// Most steps in the period of a shaper: each is a number in a snapshot.
+/// Largest number of steps in the period of a shaper: each step is a number in a snapshot.
 const MOST_STEPS: f64 = 20_000.0;
 
 impl<S: Quantity> Assemble<S> for schema::InputShaper<S> {

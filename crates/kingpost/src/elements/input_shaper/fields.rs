@@ -5,16 +5,16 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Fraction, Positive, SetsInputs, SignalName, yes};
 
-/// Sets an input to its command convolved with two or three impulses, after which a swing of the stated period and damping
-/// is zero.
+/// Sets an input to its command convolved with two or three impulses, so that the command excites no residual swing of
+/// the stated period and damping.
 #[fields]
 pub struct InputShaper<S = f64> {
-    /// Whether the shaper acts; if not, its command passes.
+    /// Whether the shaper acts; if not, its command passes unchanged.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The input that it sets: of a drive, or the command of another controller.
     pub to: SignalName,
-    /// The impulses, or none: then its command passes.
+    /// The impulses; with `none`, the command passes unchanged.
     #[serde(default)]
     pub shaper: ShaperKind,
     /// Period of the swing, between two maxima, s.
@@ -22,7 +22,7 @@ pub struct InputShaper<S = f64> {
     /// Damping ratio of the swing, below 1.
     #[serde(default = "undamped::<S>")]
     pub damping_ratio: Fraction<S>,
-    /// For ei: the swing that remains at the period, as a share of that without a shaper.
+    /// For ei: the residual swing at the period, as a share of the swing without a shaper.
     #[serde(default = "tolerance::<S>")]
     pub tolerance: Fraction<S>,
 }
@@ -31,14 +31,15 @@ pub struct InputShaper<S = f64> {
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum ShaperKind {
-    /// The command passes.
+    /// The command passes unchanged.
     None,
-    /// Two: no swing at the period. The command lasts half a period longer.
+    /// Two impulses: no residual swing at the period. The command lasts half a period longer.
     Zv,
-    /// Three: no swing at the period, and little near it. The command lasts one period longer.
+    /// Three impulses: no residual swing at the period, and little near it. The command lasts one period longer.
     #[default]
     Zvd,
-    /// Three: a stated swing at the period, and no more in a wider band. The command lasts one period longer.
+    /// Three impulses: a stated residual swing at the period, and at most about that swing in a wider band. The command
+    /// lasts one period longer.
     Ei,
 }
 

@@ -1,4 +1,4 @@
-//! An input shaper: a command that leaves no swing behind.
+//! An input shaper: it shapes a command to leave no residual swing.
 
 pub(crate) mod assembly;
 pub(crate) mod fields;
@@ -18,41 +18,43 @@ use core::f64::consts::{PI, TAU};
 /// EI   at 0, T/2, T:  (1 + V, 2 (1 - V) K, (1 + V) K^2)
 /// ```
 ///
-/// each divided by its sum (Singer & Seering, "Preshaping command inputs to reduce system vibration", *J. Dyn. Sys. Meas.
-/// Control* 112, 1990, pp. 76-82; EI: Singhose, Seering & Singer, "Residual vibration reduction using vector diagrams to
-/// generate shaped inputs", *J. Mech. Des.* 116, 1994, pp. 654-659, whose weights are for zeta = 0). ZV leaves nothing at T;
-/// ZVD leaves nothing there and little near it; EI leaves the share V at T and no more than about V in a wider band.
+/// each divided by its sum (Singer & Seering, "Preshaping command inputs to reduce system vibration", *J. Dyn. Sys.
+/// Meas. Control* 112, 1990, pp. 76-82; EI: Singhose, Seering & Singer, "Residual vibration reduction using vector
+/// diagrams to generate shaped inputs", *J. Mech. Des.* 116, 1994, pp. 654-659, whose weights are for zeta = 0). ZV
+/// leaves no residual swing at T; ZVD leaves none at T and little near T; EI leaves the share V at T and at most about
+/// V in a wider band.
 ///
-/// Inputs are constant over each step h, so an impulse at t = (n + f) h acts as two, after n and n + 1 steps, with
+/// Inputs are constant over each step h, so an impulse at t = (n + f) h is replaced by two, after n and n + 1 steps,
+/// with the shares
 ///
 /// ```text
 /// a = e^(sigma f h) sin(w (1 - f) h) / sin(w h),    b = e^(sigma (f - 1) h) sin(w f h) / sin(w h)
 /// ```
 ///
-/// of its size, w = 2 pi / T, sigma = zeta w / sqrt(1 - zeta^2). Both together excite the swing exactly as the impulse at
-/// t does, so that sampling leaves no swing either.
+/// of its size, where w = 2 pi / T and sigma = zeta w / sqrt(1 - zeta^2). Both together excite exactly the same swing
+/// as the impulse at t, so that sampling causes no residual swing.
 #[derive(Clone, Debug)]
 pub struct InputShaper<S = f64> {
     /// Name in the results, and of its command.
     pub name: String,
     /// The input that it sets.
     pub to: Input,
-    /// Steps ago and weights of the commands that it adds.
+    /// Taps: delay in steps and weight of each command in the sum.
     pub taps: Vec<(usize, S)>,
 }
 
 /// The kind of impulses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShaperKind {
-    /// No swing at the period.
+    /// No residual swing at the period.
     Zv,
-    /// No swing there, and no slope of it over the period.
+    /// No residual swing at the period, with zero slope over the period.
     Zvd,
-    /// A stated swing at the period, for a wider band.
+    /// A stated residual swing at the period, for a wider band.
     Ei,
 }
 
-/// The swing that a shaper leaves out.
+/// The swing that a shaper suppresses.
 #[derive(Clone, Copy, Debug)]
 pub struct Swing<S> {
     /// T, s.
@@ -63,10 +65,11 @@ pub struct Swing<S> {
     pub tolerance: S,
 }
 
-/// The action, which its output shows at the end of the step. The commands of earlier steps follow, then those at their ends.
+/// The action, which is its output at the end of the step. The commands of earlier steps follow, then the commands at
+/// the ends of these steps.
 const ACTION: usize = 0;
 const RING: usize = 1;
-/// The only mode: where the next command goes.
+/// The only mode: the index at which the next command is stored.
 const HEAD: usize = 0;
 
 impl<S: Scalar> Element<S> for InputShaper<S> {
@@ -81,7 +84,7 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
         Declaration { numbers, modes: vec!["next".to_owned()], ..one_command(&self.name, &self.to) }
     }
 
-    /// The command was the same before the run.
+    /// Fills the earlier commands with the initial one: the command was the same before the run.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.numbers.fill(at.inputs[0]);
     }
@@ -124,7 +127,7 @@ impl<S: Scalar> InputShaper<S> {
         self.taps.iter().map(|(steps, _)| *steps).max().unwrap_or_default()
     }
 
-    /// The sum of the weighted commands: this one, and those of earlier steps, the oldest at `head`.
+    /// Returns the weighted sum of the commands: the present one, and those of earlier steps, the oldest at `head`.
     fn shaped(&self, command: S, earlier: &[S], head: usize) -> S {
         let ago = |steps: usize| match steps {
             0 => command,
@@ -134,7 +137,7 @@ impl<S: Scalar> InputShaper<S> {
     }
 }
 
-/// The taps of a shaper for steps of this length, s; they add up to 1.
+/// Returns the taps of a shaper for steps of this length, s; their weights add up to 1.
 ///
 /// ```
 /// use kingpost::elements::{ShaperKind, Swing, shaper_taps};
@@ -169,14 +172,14 @@ pub fn shaper_taps<S: Scalar>(kind: ShaperKind, swing: Swing<S>, step_s: f64) ->
     taps.into_iter().map(|(steps, weight)| (steps, weight / sum)).collect()
 }
 
-/// A swing during a step: w h and sigma h.
+/// The swing over one step: w h and sigma h.
 struct Sampled<S> {
     turn: S,
     growth: S,
 }
 
 impl<S: Scalar> Sampled<S> {
-    /// Adds an impulse at a time in steps. Lanes may have it in different steps.
+    /// Adds an impulse at a time, in steps. The impulse may fall in different steps in different lanes.
     fn add(&self, time: S, size: S, taps: &mut Vec<(usize, S)>) {
         let mut steps = 0;
         // The first step that has not passed in every lane.
@@ -200,7 +203,7 @@ impl<S: Scalar> Sampled<S> {
         }
     }
 
-    /// a and b for the share f of a step.
+    /// Returns a and b for the share f of a step.
     fn split(&self, share: S) -> [S; 2] {
         let sine = |x: S| x.sin_cos().0;
         let (rest, whole) = (S::ONE - share, sine(self.turn));

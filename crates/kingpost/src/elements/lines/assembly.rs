@@ -19,7 +19,7 @@ impl<S: Quantity> Assemble<S> for schema::SpringLine<S> {
     }
 }
 
-/// A weightless line, if it is enabled and its bodies exist.
+/// Returns a weightless line, if it is enabled and its bodies exist.
 fn spring<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -53,7 +53,7 @@ impl<S: Quantity> Assemble<S> for schema::CatenaryLine<S> {
     }
 }
 
-/// A mooring line, if it is enabled and its body exists.
+/// Returns a mooring line, if it is enabled and its body exists.
 fn catenary<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -90,13 +90,14 @@ fn catenary<S: Quantity>(
     })))
 }
 
-/// How far an anchor may be from the seabed, as a share of the depth: rounding.
+/// Largest distance of an anchor from the seabed, as a share of the depth: rounding.
 const SAME_DEPTH: f64 = 1e-9;
 
-/// Strain at the start beyond which a length, a stiffness or a weight is an error: steel parts long before, and polyester at 0.12.
+/// Strain at the start above which a length, a stiffness or a weight is an error: steel parts at a much smaller strain,
+/// polyester at 0.12.
 const LARGEST_STRAIN: f64 = 0.1;
 
-/// Checks that at the start of a run fairleads are above the seabed, and that no line is stretched beyond what lines bear.
+/// Checks that at the start of a run fairleads are above the seabed, and that no line exceeds the largest strain.
 pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
     let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -106,7 +107,7 @@ pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
         let up = span.up;
         if line.line.on_seabed && !up.all(|up| up > 0.0) {
             let found = format!("a fairlead that starts {} m below the seabed", -up);
-            let allowed = "one above it (it is flat, at the anchor's depth), or seabed: false";
+            let allowed = "a fairlead above the seabed, which is flat at the anchor's depth, or seabed: false";
             return Err(FieldError::new(format!("forces.{}.catenary_line.fairlead", line.name), found, allowed));
         }
         check_strain(line, &span)?;
@@ -131,7 +132,7 @@ fn check_strain<S: Quantity>(line: &CatenaryLine<S>, span: &Span<S>) -> Result<(
     Err(FieldError::new(format!("forces.{}.catenary_line.unstretched_length_m", line.name), found, allowed))
 }
 
-/// An end relative to the centre of mass of its body; `None` if the body does not exist.
+/// Returns an end relative to the centre of mass of its body; `None` if the body does not exist.
 fn end<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,

@@ -5,8 +5,8 @@ use crate::scalar::Scalar;
 /// A uniform elastic line that hangs from its upper end to its lower one, in the vertical plane through both.
 ///
 /// With the horizontal force H and the vertical force V at the upper end, the tension at the unstretched length s from
-/// it is T = sqrt(H^2 + v^2), v = V - w s. The length L_s hangs, from V to v_a = V - w L_s, and the rest of L lies on
-/// the seabed, without friction:
+/// the upper end is T = sqrt(H^2 + v^2), v = V - w s. The length L_s hangs, with v from V to v_a = V - w L_s, and the
+/// rest of L lies on the seabed, without friction:
 ///
 /// ```text
 /// x = L - L_s + H/w [asinh(V/H) - asinh(v_a/H)] + H L / EA
@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 /// ```
 ///
 /// (Irvine, *Cable Structures*, 1981, ch. 1; Jonkman, NREL/TP-500-41958, 2007, eqs. 2-35 to 2-38, equivalent by (V^2 -
-/// v_a^2) / w = L_s (V + v_a)). These are the derivatives with respect to H and V of the complementary energy
+/// v_a^2) / w = L_s (V + v_a)). x and z are the derivatives of the complementary energy with respect to H and V,
 ///
 /// ```text
 /// C(H, V) = Integral (T + T^2 / 2EA) ds = (L - L_s) (H + H^2 / 2EA) + ...
@@ -35,7 +35,7 @@ pub struct Catenary<S = f64> {
     pub on_seabed: bool,
 }
 
-/// From the lower end to the upper one, m.
+/// Vector from the lower end to the upper end, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span<S = f64> {
     /// x, horizontally; positive.
@@ -53,7 +53,7 @@ pub struct EndForce<S = f64> {
     pub vertical: S,
 }
 
-/// The hanging part of a line, and the rest.
+/// Lengths and forces of the hanging part of a line and of the part on the seabed.
 struct HangingPart<S> {
     /// L_s, m.
     length: S,
@@ -73,15 +73,15 @@ struct HangingPart<S> {
 const LEAST_PULL: f64 = 1e-6;
 /// Largest number of iterations; 6 are usual.
 const MOST_ITERATIONS: usize = 200;
-/// Error of the end positions that counts as 0, relative to all lengths.
+/// Error of the end positions, relative to all lengths, that counts as 0.
 const ROUNDING: f64 = 1e-13;
-/// The smallest share of a force that an iteration may leave.
+/// Smallest factor by which an iteration may reduce a force.
 const LEAST_LEFT: f64 = 0.1;
-/// The smallest height above the seabed, as a share of the length: at 0 the line's stiffness is infinite.
+/// Smallest height of the upper end above the seabed, as a share of the length: at 0 the line's stiffness is infinite.
 const LEAST_HEIGHT: f64 = 1e-9;
 
 impl<S: Scalar> Catenary<S> {
-    /// The span under a force; H must be positive.
+    /// Returns the span under a force; H must be positive.
     pub fn span(&self, force: &EndForce<S>) -> Span<S> {
         let hanging = self.hanging(force);
         let EndForce { horizontal, vertical } = *force;
@@ -94,7 +94,8 @@ impl<S: Scalar> Catenary<S> {
         }
     }
 
-    /// The force for given ends; along a seabed it is 0 if the line is slack. NaN if an end is NaN.
+    /// Returns the force for given ends. If the line lies slack on a seabed, the horizontal force is 0. NaN if an end
+    /// is NaN.
     pub fn force(&self, span: &Span<S>) -> EndForce<S> {
         let span = self.above_seabed(span);
         let Self { unstretched_length, weight, axial_stiffness, on_seabed } = *self;
@@ -106,7 +107,7 @@ impl<S: Scalar> Catenary<S> {
         });
         let pulls = horizontal.select_below(f64::MIN_POSITIVE, || S::ZERO, || S::ONE);
         let or = |other: S, value: S| pulls.select_below(0.5, || other, || value);
-        // A last Newton step gives the derivatives.
+        // A last Newton step carries the derivatives.
         let found = EndForce { horizontal: or(S::ONE, horizontal), vertical };
         let step = self.newton_step(&found, &span);
         EndForce {
@@ -115,7 +116,7 @@ impl<S: Scalar> Catenary<S> {
         }
     }
 
-    /// Energy of weight and stretch, J, for the ends and their force.
+    /// Returns the energy of weight and stretch, J, for the ends and their force.
     pub fn potential_energy(&self, span: &Span<S>, force: &EndForce<S>) -> S {
         let span = self.above_seabed(span);
         let slack = force.horizontal.select_below(f64::MIN_POSITIVE, || S::ONE, || S::ZERO);
@@ -123,7 +124,7 @@ impl<S: Scalar> Catenary<S> {
         let at = EndForce { horizontal: or(S::ONE, force.horizontal), vertical: force.vertical };
         let hanging = self.hanging(&at);
         let (h, v, v_a) = (force.horizontal, force.vertical, hanging.lower_vertical);
-        // Where H is 0, so is the tension at the lower end.
+        // If H is 0, the tension at the lower end is 0.
         let tension = or(v, hanging.tension);
         let height = hanging.length * (v + v_a) / (tension + or(S::ZERO, hanging.lower_tension));
         let of_weight = hanging.length * tension + v_a * height + h * h / self.weight * hanging.turn;
@@ -134,17 +135,17 @@ impl<S: Scalar> Catenary<S> {
         h * span.across + v * span.up - complementary
     }
 
-    /// The tension at the upper and at the lower end (N), and the length on the seabed (m).
+    /// Returns the tension at the upper and at the lower end (N), and the length on the seabed (m).
     pub fn tensions(&self, force: &EndForce<S>) -> [S; 3] {
         let hanging = self.hanging(force);
         [hanging.tension, hanging.lower_tension, hanging.grounded]
     }
 
-    /// The position, from the lower end, of the point at this share of the unstretched length, under the force that
-    /// holds the upper end at `span`. The part below a point is itself a catenary with the vertical force at that
+    /// Returns the position, relative to the lower end, of the point at this share of the unstretched length, under the
+    /// force that holds the upper end at `span`. The part below a point is a catenary with the vertical force at that
     /// point.
     pub fn place(&self, force: &EndForce<S>, span: &Span<S>, share: S) -> Span<S> {
-        // Without a horizontal force the line hangs straight down, which is also a shape.
+        // Without a horizontal force the line hangs straight down: a small force gives that shape.
         let least = self.weight * self.unstretched_length * S::constant(LEAST_PULL);
         let horizontal = force.horizontal.select_less(least, || least, || force.horizontal);
         let below = |share: S| {
@@ -154,7 +155,7 @@ impl<S: Scalar> Catenary<S> {
             part.span(&EndForce { horizontal, vertical: lies.select_below(0.5, || vertical, || S::ZERO) })
         };
         let (point, top) = (below(share), below(S::ONE));
-        // The shape must end at the line's end: the error there is distributed along it.
+        // The shape must end at the upper end: the error at this end is distributed along the line.
         let along = point.across / top.across;
         Span { across: along * span.across, up: point.up + along * (span.up - top.up) }
     }
@@ -169,7 +170,7 @@ impl<S: Scalar> Catenary<S> {
         let tension = (h * h + v * v).sqrt();
         let lower_tension = or((h * h + lower_vertical * lower_vertical).sqrt(), h);
         let weight = self.weight * length;
-        // Each form is used where it has no cancellation.
+        // Each form is used in the range where it has no cancellation.
         let turn = (v * lower_vertical).select_below(
             0.0,
             || asinh(v / h) + asinh(-lower_vertical / h),
@@ -178,7 +179,7 @@ impl<S: Scalar> Catenary<S> {
         HangingPart { length, grounded: self.unstretched_length - length, lower_vertical, tension, lower_tension, turn }
     }
 
-    /// The Newton step of the force for these ends.
+    /// Returns the Newton step of the force for these ends.
     fn newton_step(&self, force: &EndForce<S>, span: &Span<S>) -> EndForce<S> {
         let at = self.span(force);
         let (across, up) = (span.across - at.across, span.up - at.up);
@@ -187,7 +188,7 @@ impl<S: Scalar> Catenary<S> {
         EndForce { horizontal: (zz * across - xz * up) / determinant, vertical: (xx * up - xz * across) / determinant }
     }
 
-    /// The second derivatives of C: dx/dH, dx/dV = dz/dH, dz/dV, m/N.
+    /// Returns the second derivatives of C: dx/dH, dx/dV = dz/dH, dz/dV, m/N.
     pub fn compliance(&self, force: &EndForce<S>) -> [S; 3] {
         let hanging = self.hanging(force);
         let EndForce { horizontal: h, vertical: v } = *force;
@@ -200,13 +201,13 @@ impl<S: Scalar> Catenary<S> {
         ]
     }
 
-    /// The force at the top of a vertical line of this height: z = V / w + V^2 / 2 EA w.
+    /// Returns the force at the top of a vertical line of this height: z = V / w + V^2 / 2 EA w.
     fn hanging_weight(&self, up: S) -> S {
         let weight = self.weight * up * S::constant(2.0);
         weight / (S::ONE + (S::ONE + weight / self.axial_stiffness).sqrt())
     }
 
-    /// An upper end below the seabed counts as lying on it.
+    /// Returns the span with an upper end below the seabed moved onto it.
     fn above_seabed(&self, span: &Span<S>) -> Span<S> {
         if !self.on_seabed {
             return *span;
@@ -235,8 +236,8 @@ impl Catenary {
         EndForce { horizontal: f64::NAN, vertical: f64::NAN }
     }
 
-    /// One Newton step towards the minimum of C - H x - V z, which is convex; it is shortened if it would leave the
-    /// admissible forces or go uphill.
+    /// Takes one Newton step towards the minimum of C - H x - V z, which is convex. The step is shortened if it would
+    /// leave the admissible forces or increase the function.
     fn improved(&self, force: &EndForce, span: &Span) -> EndForce {
         let step = self.newton_step(force, span);
         let after = |share: f64| EndForce {
@@ -259,7 +260,7 @@ impl Catenary {
         after(share)
     }
 
-    /// Jonkman's (2007, eqs. 2-39 and 2-40).
+    /// Returns Jonkman's initial guess (2007, eqs. 2-39 and 2-40).
     fn guess(&self, span: &Span) -> EndForce {
         let (x, z, length) = (span.across, span.up, self.unstretched_length);
         let excess = (length * length - z * z) / (x * x) - 1.0;
@@ -275,7 +276,7 @@ fn half<S: Scalar>() -> S {
     S::constant(0.5)
 }
 
-/// For arguments that are not negative.
+/// Returns asinh of an argument that is not negative.
 fn asinh<S: Scalar>(x: S) -> S {
     let size = x.select_below(0.0, || -x, || x);
     let of_size = (size + size * size / (S::ONE + (S::ONE + size * size).sqrt())).ln_1p();

@@ -8,9 +8,9 @@ use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A [`Catenary`] from a fairlead on a body to an anchor in the world: quasi-static, in its shape at rest at every
-/// moment, without inertia and drag. It pulls with H towards the anchor and with V downwards, and the energy of its
-/// weight and stretch is potential energy.
+/// A [`Catenary`] from a fairlead on a body to an anchor in the world: quasi-static, always in its shape at rest,
+/// without inertia and drag. It pulls with H towards the anchor and with V downwards, and the energy of its weight and
+/// stretch is potential energy.
 #[derive(Clone, Debug)]
 pub struct CatenaryLine<S = f64> {
     /// Name in the results.
@@ -23,8 +23,8 @@ pub struct CatenaryLine<S = f64> {
     pub line: Catenary<S>,
 }
 
-/// If the horizontal distance between fairlead and anchor is below this share of the length, H grows in proportion to
-/// it.
+/// Horizontal distance between fairlead and anchor, as a share of the length, below which H is proportional to the
+/// distance.
 const NEAREST: f64 = 1e-6;
 
 impl<S: Scalar> Element<S> for CatenaryLine<S> {
@@ -70,7 +70,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         [Support::Carries(ends), Support::Station(ends)].into_iter().chain(ties).collect()
     }
 
-    /// Energy of its weight and stretch, J.
+    /// Returns the energy of its weight and stretch, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let (way, span) = self.way(at.model, at.links);
         let force = self.line.force(&span);
@@ -80,12 +80,12 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
 }
 
 impl<S: Scalar> CatenaryLine<S> {
-    /// From the anchor to the fairlead, m.
+    /// Returns the vector from the anchor to the fairlead, m.
     pub fn span(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Span<S> {
         self.way(model, links).1
     }
 
-    /// From the fairlead to the anchor in the world, and the span of the line, m.
+    /// Returns the vector from the fairlead to the anchor in the world, and the span of the line, m.
     fn way(&self, model: &Model<S>, links: &LinkKinematics<S>) -> (Vector3<S>, Span<S>) {
         let way = self.anchor - place(&self.fairlead, model, links);
         let square = way[0] * way[0] + way[1] * way[1];

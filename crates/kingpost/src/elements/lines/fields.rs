@@ -4,8 +4,8 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{NonNegative, Pin, Positive, yes};
 
-/// A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring when
-/// it is longer than its unstretched length.
+/// A weightless line between a point on a body and a point on another body or in the world. It pulls like a spring if
+/// it is longer than its unstretched length, and never pushes.
 #[fields]
 pub struct SpringLine<S = f64> {
     /// Whether the element acts.
@@ -19,7 +19,7 @@ pub struct SpringLine<S = f64> {
     pub unstretched_length_m: Positive<S>,
     /// EA: tension per strain, N.
     pub axial_stiffness_n: Positive<S>,
-    /// Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never less than 0.
+    /// Damping along the line, s/m: a in T = EA/L0 s (1 + a s') at the stretch s; T is never negative.
     #[serde(default)]
     pub dissipation_s_per_m: NonNegative<S>,
 }
@@ -42,7 +42,7 @@ pub struct CatenaryLine<S = f64> {
     pub weight_in_water_n_per_m: Positive<S>,
     /// EA: tension per strain, N.
     pub axial_stiffness_n: Positive<S>,
-    /// Whether the line can lie on a flat seabed at the anchor's depth. Without it the line hangs freely.
+    /// Whether the line can lie on a flat seabed at the anchor's depth; if not, the line hangs freely.
     #[serde(default = "yes")]
     pub seabed: bool,
 }

@@ -1,4 +1,4 @@
-//! Lines that pull: mooring lines, hawsers, tugger lines.
+//! Lines between two points: mooring lines, hawsers, tugger lines.
 
 pub(crate) mod assembly;
 mod catenary;
@@ -16,21 +16,21 @@ use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
-/// Points that a line is drawn through.
+/// Number of points through which a line is drawn.
 const POINTS: usize = 49;
 
-/// The declaration of every line: its tensions and its drawn line.
+/// Returns the declaration of every line: its tensions and its drawn line.
 fn declaration(name: &str) -> Declaration {
     let drawn = DrawnLine { name: name.to_owned(), style: LineStyle::Line, radius_m: 0.0, points: POINTS };
     Declaration { outputs: outputs(name), lines: vec![drawn], ..Declaration::default() }
 }
 
-/// Shares of a line's length at which its points are drawn, from its first end.
+/// Returns the shares of a line's length, from its first end, at which its points are drawn.
 fn shares<S: Scalar>() -> impl Iterator<Item = S> {
     (0..POINTS).map(|i| S::constant(i as f64 / (POINTS - 1) as f64))
 }
 
-/// The outputs of every line: the tension at its first end or fairlead and at its second end or anchor, N; the
+/// Returns the outputs of every line: the tension at its first end or fairlead and at its second end or anchor, N; the
 /// unstretched length on the seabed, m.
 fn outputs(name: &str) -> Vec<Output> {
     let first = "tension at the first end of a line, or its fairlead";
@@ -43,13 +43,13 @@ fn outputs(name: &str) -> Vec<Output> {
     ]
 }
 
-/// Position of an end in the world, m.
+/// Returns the position of an end in the world, m.
 pub(super) fn place<S: Scalar>(end: &Attachment<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
     let point = end.in_body.position;
     end.body.map_or(point, |body| links.body_frame(model, body).point(point))
 }
 
-/// Velocity of an end in the world, m/s.
+/// Returns the velocity of an end in the world, m/s.
 pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Context<'_, S>) -> Vector3<S> {
     let Some(body) = end.body else { return Vector3::zero() };
     let twist = at.links.body_twist(at.model, body);
@@ -57,7 +57,7 @@ pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Context<'_, S>) -> V
     at.links.body_frame(at.model, body).rotation * in_body
 }
 
-/// Adds a force in world axes at an end; on the world itself nothing is added.
+/// Adds a force, in world axes, at an end on a body; an end in the world gets none.
 pub(super) fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
     let Some(body) = end.body else { return };
     let force = at.links.to_body_axes(at.model, body, pull);

@@ -13,7 +13,7 @@ use crate::spatial::Vector3;
 /// T = EA / L0 s max(1 + a L', 0),   and 0 where s <= 0
 /// ```
 ///
-/// so the tension does not jump when the line comes taut, and the line never pushes (the law of [`hunt_crossley`]). The
+/// so the tension is continuous when the line comes taut, and the line never pushes (the law of [`hunt_crossley`]). The
 /// energy EA / L0 s^2 / 2 is stored, the rest becomes heat.
 #[derive(Clone, Debug)]
 pub struct SpringLine<S = f64> {
@@ -40,7 +40,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         declaration(&self.name)
     }
 
-    /// Adds the pull at both ends, and the heat that the line makes.
+    /// Adds the pull at both ends and the line's heat.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
@@ -58,8 +58,8 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         out.extend([tension, tension, S::ZERO]);
     }
 
-    /// Straight if it pulls; with a sag if it is slack: a flat parabola that is longer than its chord d by e has the
-    /// sag sqrt(3/8 d e).
+    /// Draws the line: straight if taut, with a sag if slack. A flat parabola that is longer than its chord d by e has
+    /// the sag sqrt(3/8 d e).
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let first = place(&self.first, at.model, at.links);
         let way = place(&self.second, at.model, at.links) - first;
@@ -83,7 +83,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         vec![PresentSupport::Line([self.first, self.second])]
     }
 
-    /// Energy stored, J.
+    /// Returns the stored energy, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let way = self.way(at).0;
         let stretch = self.stretch(length_and_direction(way).0);
@@ -92,7 +92,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
 }
 
 impl<S: Scalar> SpringLine<S> {
-    /// From the first end to the second in the world, m, and its rate, m/s.
+    /// Returns the vector from the first end to the second in the world, m, and its rate, m/s.
     fn way(&self, at: &Context<'_, S>) -> (Vector3<S>, Vector3<S>) {
         let way = place(&self.second, at.model, at.links) - place(&self.first, at.model, at.links);
         (way, velocity(&self.second, at) - velocity(&self.first, at))
@@ -112,7 +112,7 @@ impl<S: Scalar> SpringLine<S> {
     }
 }
 
-/// Length and direction of a vector. At length 0 it has no direction, and a line is slack.
+/// Returns the length and direction of a vector. At length 0 there is no direction, but then a line is slack.
 fn length_and_direction<S: Scalar>(way: Vector3<S>) -> (S, Vector3<S>) {
     let square = way.norm_squared();
     let there = |value: S| square.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);

@@ -25,11 +25,11 @@ pub struct MotionReferenceUnit<S = f64> {
     /// Delay of its outputs, in samples: 0 to 1000.
     #[serde(default)]
     pub delay_samples: usize,
-    /// Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with those of
-    /// the angles, as a unit with a gyrocompass does.
+    /// Whether it also measures its horizontal motion, with the filter and the errors of heave, and its yaw, with the
+    /// errors of the angles, like a unit with a gyrocompass.
     #[serde(default)]
     pub horizontal_motion: bool,
-    /// The filter that removes the drift of heave and its rate, as real units have it; without it, they are exact.
+    /// The filter that removes the drift of heave and heave rate, as in real units; without it, both are unfiltered.
     pub heave_filter: Option<HeaveFilter<S>>,
     /// Errors of roll and pitch each; without them both are exact.
     pub angle_errors: Option<AngleErrors<S>>,
@@ -43,8 +43,8 @@ pub struct MotionReferenceUnit<S = f64> {
     pub drop_outs: Option<DropOuts>,
 }
 
-/// A high-pass filter of second order: motions much longer than its cut-off period are removed, shorter ones lead. With a
-/// satellite receiver it removes nothing.
+/// A second-order high-pass filter: it removes motions with periods much longer than its cut-off period, and gives
+/// shorter ones a phase lead. A satellite receiver restores the removed motion.
 #[fields]
 pub struct HeaveFilter<S = f64> {
     /// Cut-off period, s.
@@ -52,7 +52,7 @@ pub struct HeaveFilter<S = f64> {
     /// Damping ratio.
     #[serde(default = "damping_ratio::<S>")]
     pub damping_ratio: Positive<S>,
-    /// A satellite receiver on the same body, whose positions give back the motion that the filter removes.
+    /// A satellite receiver on the same body, whose positions restore the motion that the filter removes.
     pub receiver: Option<Name>,
 }
 

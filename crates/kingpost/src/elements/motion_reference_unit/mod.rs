@@ -9,11 +9,11 @@ use super::{Components, Context, Declaration, Element, ElementState, Output, Sta
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
-/// Measures the motion of a point of a body at every sample, and outputs it some samples later.
+/// Measures the motion of a point of a body at every sample, and outputs it with a delay of whole samples.
 ///
 /// Heave is the height of the point relative to the start of the run; with a [`HeaveFilter`], its deviation from a slow
-/// average. The outputs are constant between two samples; until the first delayed value arrives they are those measured
-/// at the start.
+/// average. The outputs are constant between two samples; until the first delayed sample arrives, they have the values
+/// measured at the start.
 #[derive(Clone, Debug)]
 pub struct MotionReferenceUnit<S = f64> {
     /// Name in the results.
@@ -22,15 +22,15 @@ pub struct MotionReferenceUnit<S = f64> {
     pub place: HullFrame<S>,
     /// Whether it also measures its horizontal motion and its yaw.
     pub horizontal: bool,
-    /// Its sampling of its signals.
+    /// Sampling of its signals.
     pub sampler: Sampler<S>,
-    /// The filter of heave, of the horizontal motion and of their rates; without it they are the motion itself.
+    /// The filter of heave, of the horizontal motion and of their rates; without it they are unfiltered.
     pub heave_filter: Option<HeaveFilter<S>>,
-    /// The satellite receiver that gives back the slow motion that the filter removes.
+    /// The satellite receiver that restores the slow motion removed by the filter.
     pub receiver: Option<PositionAid<S>>,
 }
 
-/// Heave as a unit gives it that integrates its accelerations twice: the drift is removed by a high-pass filter,
+/// Heave filter of a unit that integrates its accelerations twice: a high-pass filter removes the drift,
 ///
 /// ```text
 /// y(s) / h(s) = s^2 / (s^2 + 2 zeta w s + w^2)
@@ -40,15 +40,16 @@ pub struct MotionReferenceUnit<S = f64> {
 /// 1-4). At the frequency omega it leads by atan2(2 zeta w omega, omega^2 - w^2). The states are the removed part a = h
 /// - y and its rate: a'' + 2 zeta w a' + w^2 a = 2 zeta w h' + w^2 h.
 ///
-/// A receiver on the same body gives back the motion that the filter H removes. With the position g of the unit by it,
+/// A receiver on the same body restores the motion that the filter H removes. With the position g of the unit from the
+/// receiver,
 ///
 /// ```text
 /// y = H h + (1 - H) g,    1 - H = (2 zeta w s + w^2) / (s^2 + 2 zeta w s + w^2)
 /// ```
 ///
-/// the complementary filter (Brown & Hwang, *Introduction to Random Signals and Applied Kalman Filtering*, 4th ed., 2012,
-/// sec. 8.10): of an exact g it makes y = h, whatever H, and it keeps fast errors of g and slow errors of h out. Its states
-/// are the given back part b and c = b' - 2 zeta w g:
+/// the complementary filter (Brown & Hwang, *Introduction to Random Signals and Applied Kalman Filtering*, 4th ed.,
+/// 2012, sec. 8.10): with an exact g, y = h for any H, and the filter suppresses fast errors of g and slow errors of h.
+/// Its states are the restored part b and c = b' - 2 zeta w g:
 ///
 /// ```text
 /// b' = c + 2 zeta w g,    c' = w^2 (g - b) - 2 zeta w b'
@@ -61,7 +62,7 @@ pub struct HeaveFilter<S = f64> {
     pub damping_ratio: S,
 }
 
-/// Roll, pitch, heave, heave rate, angular velocity; then what a unit with horizontal motion adds.
+/// Roll, pitch, heave, heave rate, angular velocity; then the signals of horizontal motion.
 const COUNT: usize = 12;
 const VERTICAL_ONLY: usize = 7;
 /// Names of the signals of a motion, in the order of its outputs.
@@ -125,8 +126,8 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         }
     }
 
-    /// Takes a position of the satellite receiver where it has a new one. While the receiver is out, the unit goes on with
-    /// the motion that it has found.
+    /// Takes the satellite receiver's position if there is a new one. During a drop-out of the receiver, the unit
+    /// continues with its estimated motion.
     fn update_controls(
         &mut self,
         at: &Context<'_, S>,
@@ -164,16 +165,16 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
 
 /// The axes of the world in the order of the filter's states.
 const AXES: [usize; 3] = [2, 0, 1];
-/// The signals of each: displacement and velocity.
+/// Signals of each filtered axis: displacement and velocity.
 const PAIRS: [[usize; 2]; 3] = [[2, 3], [7, 8], [9, 10]];
-/// The numbers behind the sampler's, for each axis: the zero; with a receiver the unit's place by its last position, relative
-/// to the start, the velocity that it moves on with, and the place by its first position.
+/// Numbers after the sampler's, for each axis: the zero; with a receiver, the unit's position from the last received
+/// one, relative to the start, the velocity of its extrapolation, and the position from the first received one.
 const ZEROS: [&str; 3] = ["zero_height", "zero_x", "zero_y"];
 const FIXES: [&str; 3] = ["fix_height", "fix_x", "fix_y"];
 const FIX_RATES: [&str; 3] = ["fix_height_rate", "fix_x_rate", "fix_y_rate"];
 const FIRST_FIXES: [&str; 3] = ["first_fix_height", "first_fix_x", "first_fix_y"];
 
-/// The outputs of a measured inclination and angular velocity, by all sensors alike.
+/// Returns the outputs of a measured inclination and angular velocity, common to all sensors.
 pub(super) fn inclination(sensor: &str) -> [Output; 3] {
     let number = |variable, description, unit| Output::number(variable, description, "sensor", sensor, unit);
     let angular_velocity = Output {
@@ -188,7 +189,7 @@ pub(super) fn inclination(sensor: &str) -> [Output; 3] {
     ]
 }
 
-/// The outputs of a measured motion, by all units alike.
+/// Returns the outputs of a measured motion, common to all units.
 pub(super) fn motion(sensor: &str, horizontal: bool) -> Vec<Output> {
     let number = |variable, description, unit| Output::number(variable, description, "sensor", sensor, unit);
     let [roll, pitch, angular_velocity] = inclination(sensor);
@@ -212,14 +213,14 @@ pub(super) fn motion(sensor: &str, horizontal: bool) -> Vec<Output> {
 }
 
 impl<S: Scalar> HeaveFilter<S> {
-    /// 2 zeta w, 1/s.
+    /// Returns 2 zeta w, 1/s.
     fn damping(&self) -> S {
         S::constant(2.0) * self.damping_ratio * self.cutoff
     }
 }
 
 impl<S: Scalar> MotionReferenceUnit<S> {
-    /// Number of its signals, with and without horizontal motion.
+    /// Returns the number of its signals, with or without horizontal motion.
     pub fn signals(horizontal: bool) -> usize {
         if horizontal { COUNT } else { VERTICAL_ONLY }
     }
@@ -228,7 +229,7 @@ impl<S: Scalar> MotionReferenceUnit<S> {
         if self.horizontal { 3 } else { 1 }
     }
 
-    /// The motion from its zeros.
+    /// Returns the exact motion relative to its zeros.
     fn exact(&self, at: &Context<'_, S>, zeros: &[S]) -> [S; COUNT] {
         let motion = self.place.motion(at);
         let [roll, pitch, yaw] = roll_pitch_yaw(&motion.frame.rotation).0;
@@ -244,7 +245,7 @@ impl<S: Scalar> MotionReferenceUnit<S> {
         all
     }
 
-    /// Returns the motion as the unit knows it: less what its filter removes, with what a receiver gives back.
+    /// Returns the measured motion: without the part removed by the filter, with the part restored by a receiver.
     fn measured(&self, at: &Context<'_, S>, numbers: &[S], states: &[S]) -> [S; COUNT] {
         let (mut all, count) = (self.exact(at, numbers), self.filtered());
         let Some(filter) = &self.heave_filter else { return all };
@@ -260,14 +261,14 @@ impl<S: Scalar> MotionReferenceUnit<S> {
         all
     }
 
-    /// g of an axis, which has moved on since the last position of the receiver, m.
+    /// Returns g of an axis, extrapolated from the last position of the receiver, m.
     fn given(&self, at: &Context<'_, S>, numbers: &[S], axis: usize) -> S {
         let (count, next) = (self.filtered(), at.modes.last().copied().unwrap_or_default());
         let since_s = self.receiver.as_ref().map_or(0.0, |receiver| receiver.since_fix_s(at.clock.time_s, next));
         numbers[count + axis] + S::constant(since_s) * numbers[2 * count + axis]
     }
 
-    /// Where the unit is by a receiver, world axes, by the angles that it measures with their errors.
+    /// Returns the position of the unit from a receiver's, world axes, with the measured angles and their errors.
     fn fix(&self, receiver: &PositionAid<S>, time_s: f64, read: &[S], found: &[S; COUNT]) -> Vector3<S> {
         let with_errors = |signal: usize| self.sampler.now(time_s, signal, found[signal]);
         let yaw = if self.horizontal { with_errors(COUNT - 1) } else { S::ZERO };

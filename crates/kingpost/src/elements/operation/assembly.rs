@@ -10,11 +10,11 @@ use crate::scenario::schema::{self, Scenario};
 use crate::scenario::wording::one_of_with_hint;
 use crate::simulation::Setup;
 
-/// Its name in the table of events.
+/// Name of the operation in the table of events.
 const NAME: &str = "operation";
 
-/// Adds the operation, if it is enabled, before the controllers, whose commands it may set: the last `controllers` of all
-/// elements.
+/// Adds the operation, if it is enabled, before the controllers, because it may set their commands. The controllers are
+/// the last `controllers` of all elements.
 pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>, controllers: usize) -> Result<(), FieldError> {
     let Some(given) = scenario.operation.as_ref().filter(|operation| operation.enabled) else { return Ok(()) };
     if given.steps.is_empty() {
@@ -33,7 +33,7 @@ pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>, controller
     Ok(())
 }
 
-/// Checks that every step that moves nothing has a condition; only the last needs none.
+/// Checks that every step has moves or a condition; only the last step needs neither.
 fn check_ends<S>(steps: &[schema::OperationStep<S>]) -> Result<(), FieldError> {
     for (i, step) in steps.iter().enumerate().filter(|(_, step)| step.until.is_none()) {
         let field = format!("operation.steps.{i}");
@@ -48,7 +48,7 @@ fn check_ends<S>(steps: &[schema::OperationStep<S>]) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// The inputs and columns that the steps name, collected while they are read.
+/// Inputs and columns named by the steps, collected during reading.
 struct Reader<'a> {
     layout: &'a Layout,
     known: Vec<Column>,
@@ -63,7 +63,7 @@ impl Reader<'_> {
         step: &schema::OperationStep<S>,
     ) -> Result<OperationStep<S>, FieldError> {
         if step.name.trim().is_empty() {
-            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text: what the step does"));
+            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text that describes the step"));
         }
         let mut moves: Vec<(usize, Vec<Move<S>>)> = Vec::new();
         let mut last_s: f64 = 0.0;
@@ -95,8 +95,7 @@ impl Reader<'_> {
         let names = || self.layout.inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>();
         let Some(place) = self.layout.inputs.iter().position(|input| *input.name == *given.input) else {
             let names = names();
-            let none =
-                || "an input; a drive or a rope has one where it is enabled, a motor with history: lever".to_owned();
+            let none = || "an input: enabled drives and ropes have one, and motors with history: lever".to_owned();
             let allowed = if names.is_empty() { none() } else { one_of_with_hint(&names, &given.input) };
             return Err(FieldError::new(format!("{field}.input"), &given.input, allowed));
         };
@@ -162,13 +161,13 @@ impl Reader<'_> {
     }
 }
 
-/// Checks that a move begins after the previous one of the same input has ended.
+/// Checks that a move begins after the end of the previous move of the same input.
 fn check_order<S>(field: &str, before: &[Move<S>], one: &Move<S>) -> Result<(), FieldError> {
     let Some(last) = before.last() else { return Ok(()) };
     let ends_s = last.at_s + last.in_s;
     if one.at_s >= ends_s {
         return Ok(());
     }
-    let allowed = format!("at least {ends_s}, when the move before it of the same input ends");
+    let allowed = format!("at least {ends_s}, the end of the previous move of the same input");
     Err(FieldError::new(format!("{field}.at_s"), one.at_s, allowed))
 }

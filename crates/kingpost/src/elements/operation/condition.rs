@@ -15,23 +15,23 @@ pub enum Condition {
     Any(Vec<Condition>),
 }
 
-/// The range of a column, in the unit that it is written in.
+/// Range of a column, in the unit of its bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnRange {
     /// Its name.
     pub column: String,
-    /// Its place among the columns that the operation reads.
+    /// Its index among the columns that the operation reads.
     pub place: usize,
     /// The value is above this.
     pub above: Option<f64>,
     /// The value is below this.
     pub below: Option<f64>,
-    /// The unit of both, and how many of the column's SI unit it is.
+    /// Unit of both bounds, and its factor to the column's SI unit.
     pub unit: (String, f64),
 }
 
 impl Condition {
-    /// Whether it holds at this time after the start of the step, s, with these numbers in the columns.
+    /// Whether the condition holds at this time after the start of the step, s, with these values of the columns.
     pub fn holds(&self, elapsed_s: f64, columns: &[f64]) -> bool {
         match self {
             Self::After(time_s) => elapsed_s >= *time_s,
@@ -41,7 +41,7 @@ impl Condition {
         }
     }
 
-    /// The part that does not hold, in the words of an error.
+    /// Returns the part of the condition that does not hold, as text for an error.
     pub fn missing(&self, elapsed_s: f64, columns: &[f64]) -> String {
         let of = |conditions: &[Self], link: &str| {
             let open = conditions.iter().filter(|one| !one.holds(elapsed_s, columns));

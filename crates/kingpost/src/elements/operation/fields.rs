@@ -4,8 +4,8 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{ColumnName, NonNegative, Positive, SignalName, yes};
 
-/// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. A user cannot
-/// move the inputs that it sets.
+/// Named steps, one after another: each step moves levers and set-points, and lasts until its condition holds. A user
+/// cannot move the inputs that the operation sets.
 #[fields]
 pub struct Operation<S = f64> {
     /// Whether the operation runs; if not, the user sets the inputs.
@@ -18,21 +18,21 @@ pub struct Operation<S = f64> {
 /// A step of an operation.
 #[fields]
 pub struct OperationStep<S = f64> {
-    /// Name of the step, which says what it does: "lift off".
+    /// Name of the step, which describes it: "lift off".
     pub name: String,
     /// The inputs that it moves. An input that is not named keeps its value.
     #[serde(default = "none::<S>", skip_serializing_if = "Vec::is_empty")]
     pub set: Vec<InputMove<S>>,
     /// The condition that ends the step; without it, the step ends with its last move.
     pub until: Option<Condition>,
-    /// The longest time that the step may take, s. Then the run ends and reports what the step waited for.
+    /// Largest duration of the step, s. After it the run ends and reports the condition that does not hold.
     pub time_out_s: Option<Positive>,
 }
 
 /// Moves an input: a lever, a brake, or the offset of a drive's set-point.
 #[fields]
 pub struct InputMove<S = f64> {
-    /// The input, mostly by the name of its drive.
+    /// Name of the input, mostly the name of its drive.
     pub input: SignalName,
     /// The new value, in `unit`.
     pub to: S,
@@ -42,7 +42,7 @@ pub struct InputMove<S = f64> {
     /// When the move begins, s after the start of the step.
     #[serde(default)]
     pub at_s: NonNegative,
-    /// Duration of the move, s, linear from the input's present value; 0 is at once.
+    /// Duration of the linear move from the input's present value, s; 0 for a jump.
     #[serde(default)]
     pub in_s: NonNegative,
 }
@@ -63,7 +63,7 @@ pub enum Condition {
 /// A range of a column of the results: above a bound, below one, or both.
 #[fields]
 pub struct ColumnRange {
-    /// The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
+    /// The column by its name in the table of results: `hook.position.z`, `hoist_rope.rope_tension`.
     pub column: ColumnName,
     /// The value is above this.
     pub above: Option<f64>,
@@ -73,13 +73,13 @@ pub struct ColumnRange {
     pub unit: Option<String>,
 }
 
-/// A limit on a column of the results. A run reports for each whether it held, and the worst value with its time.
+/// A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.
 #[fields]
 pub struct Limit {
-    /// Whether the limit counts.
+    /// Whether the limit is checked.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
+    /// The column by its name in the table of results: `hull.roll`, `hoist_rope.rope_tension`.
     pub column: ColumnName,
     /// The largest value that is allowed.
     pub at_most: Option<f64>,

@@ -9,9 +9,10 @@ pub use condition::{ColumnRange, Condition};
 use crate::elements::{Context, Declaration, Element, ElementState, Output};
 use crate::scalar::Scalar;
 
-/// A timeline. It checks its condition at the start of each integrator step, so a step of the operation ends at most
-/// one integrator step late. An input that moves gradually has, during each integrator step, its value at the middle of
-/// that step, which makes the motion accurate to second order in the step; a row has its value at the time of the row.
+/// A timeline. The condition of its current step is checked at the start of each integrator step, so a step of the
+/// operation ends at most one integrator step late. During each integrator step, an input that moves gradually has its
+/// value at the middle of the step, which makes the motion accurate to second order in the step; a row of results has
+/// the value at its time.
 #[derive(Clone, Debug)]
 pub struct Operation<S = f64> {
     /// Name in the table of events.
@@ -29,9 +30,9 @@ pub struct Operation<S = f64> {
 /// A step of an operation.
 #[derive(Clone, Debug)]
 pub struct OperationStep<S = f64> {
-    /// Name of the step, which says what it does.
+    /// Name of the step, which describes it.
     pub name: String,
-    /// Each with the place of its input among [`Operation::inputs`]; those of one input in the order of time, one after another.
+    /// Moves of each input, with its index among [`Operation::inputs`], in order of time without overlap.
     pub moves: Vec<(usize, Vec<Move<S>>)>,
     /// The condition that ends it.
     pub until: Condition,
@@ -39,22 +40,22 @@ pub struct OperationStep<S = f64> {
     pub time_out_s: Option<f64>,
 }
 
-/// An input goes to a value.
+/// The move of an input to a value.
 #[derive(Clone, Copy, Debug)]
 pub struct Move<S = f64> {
     /// When it begins, s after the start of the step.
     pub at_s: f64,
-    /// Its duration, s; 0 is at once.
+    /// Its duration, s; 0 for a jump.
     pub in_s: f64,
     /// The new value, in the input's unit.
     pub to: S,
 }
 
-/// Share of an integrator step by which a time may be early: rounding.
+/// Rounding of a time, as a share of an integrator step.
 const TIME_SLACK: f64 = 1e-9;
 /// The only mode: the current step, from 1; 0 before the first, the number of steps plus 1 after the last.
 const STEP: usize = 0;
-/// Numbers: when the step began, s, and from [`FROM`] on the value of each input then.
+/// Numbers: start time of the step, s, and from [`FROM`] on the value of each input at that time.
 const BEGAN: usize = 0;
 const FROM: usize = 1;
 
@@ -135,12 +136,12 @@ impl<S: Scalar> Element<S> for Operation<S> {
 }
 
 impl<S: Scalar> Operation<S> {
-    /// The step of this number, from 1.
+    /// Returns the step of this number, from 1.
     fn step(&self, number: i64) -> Option<&OperationStep<S>> {
         self.steps.get(usize::try_from(number - 1).ok()?)
     }
 
-    /// Begins the next step, or ends after the last; returns what happened.
+    /// Begins the next step, or ends after the last; returns the text of the event.
     fn go_on(&self, time_s: f64, own: &mut ElementState<'_, S>, inputs: &[S]) -> String {
         own.modes[STEP] += 1;
         own.numbers[BEGAN] = S::constant(time_s);
@@ -148,8 +149,8 @@ impl<S: Scalar> Operation<S> {
         self.step(own.modes[STEP]).map_or_else(|| "ends".to_owned(), |step| format!("begins {:?}", step.name))
     }
 
-    /// The last of the moves that has begun at this time after the start of the step, where the input was `from`, and the
-    /// value from which it goes.
+    /// Returns the last move that has begun at this time after the start of the step, and the value from which it
+    /// starts. At the start of the step the input is `from`.
     fn begun<'a>(&self, moves: &'a [Move<S>], elapsed_s: f64, from: S) -> Option<(S, &'a Move<S>)> {
         let begun = moves.partition_point(|one| one.at_s <= elapsed_s + TIME_SLACK * self.step_s);
         let last = begun.checked_sub(1)?;
@@ -158,7 +159,7 @@ impl<S: Scalar> Operation<S> {
 }
 
 impl<S: Scalar> Move<S> {
-    /// The input at this time after the start of the step; the move begins at `from`.
+    /// Returns the input at this time after the start of the step; the move starts from the value `from`.
     fn value(&self, from: S, elapsed_s: f64) -> S {
         let gone_s = elapsed_s - self.at_s;
         if gone_s >= self.in_s || self.in_s == 0.0 {

@@ -8,7 +8,7 @@ use crate::scenario::assembly::{FieldError, columns};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema;
 
-/// Most numbers of a policy: each is read, and computed with, at every sample.
+/// Largest number of weights and biases of a policy: every sample uses all of them.
 const MOST_NUMBERS: usize = 100_000;
 
 impl<S: Quantity> Assemble<S> for schema::Policy<S> {
@@ -75,7 +75,7 @@ fn steered<S: Quantity>(
     Ok(PolicySteer { to: to.clone(), command, bounds })
 }
 
-/// The layers, each of which fits the one before.
+/// Returns the layers, and checks that the size of each fits the layer before.
 fn layers<S: Quantity>(lead: &str, given: &schema::Policy<S>) -> Result<Vec<PolicyLayer<S>>, FieldError> {
     let (mut inputs, mut numbers, mut layers) = (given.reads.len(), 0, Vec::new());
     for (k, layer) in given.layers.iter().enumerate() {

@@ -6,35 +6,36 @@ use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{ColumnName, Positive, SetsInputs, SignalName, yes};
 
 /// Sets inputs by a multilayer perceptron with tanh: `o = (columns - reference) / scale`, clipped to 10 on either side,
-/// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input to its command plus the value between lower (a = -1) and
-/// upper (a = 1).
+/// `a = tanh(W_n ... tanh(W_1 o + b_1) + b_n)`, and the input is its command plus the value between lower (at a = -1)
+/// and upper (at a = 1).
 #[fields]
 pub struct Policy<S = f64> {
-    /// Whether the controller acts; if not, its commands pass.
+    /// Whether the controller acts; if not, its commands pass unchanged.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Columns that it reads, in the order of the columns of the first layer's weights.
     pub reads: Vec<PolicyRead<S>>,
-    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+    /// The inputs that it sets. The command of a single input has the controller's name; with several inputs, each
+    /// command is named `name.input`.
     pub steers: Vec<PolicySteer<S>>,
-    /// The layers, the first one first.
+    /// The layers, from the first to the last.
     pub layers: Vec<PolicyLayer<S>>,
     /// Time between two samples, s: a whole number of steps; without it, one step.
     pub period_s: Option<Positive>,
 }
 
-/// A number that a policy sees.
+/// An observation of a policy.
 #[fields]
 pub struct PolicyRead<S = f64> {
-    /// The column of the results, or a state of a drive as the linear analysis names it.
+    /// The column of the results, or a state of a drive by its name in the linear analysis.
     pub column: ColumnName,
     /// Columns of the same unit that are added to it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<AlsoRead>,
-    /// The value that counts as 0, in the column's SI unit.
+    /// Value of the column at which the observation is 0, in the column's SI unit.
     #[serde(default)]
     pub reference: S,
-    /// The difference from it that counts as 1.
+    /// Difference from the reference at which the observation is 1, in the column's SI unit.
     #[serde(default = "one::<S>")]
     pub scale: Positive<S>,
 }
@@ -51,9 +52,9 @@ pub struct AlsoRead {
 pub struct PolicySteer<S = f64> {
     /// The input.
     pub to: SignalName,
-    /// Its value at -1, in its SI unit; without it, the smallest that it can have.
+    /// Value of the input at the action -1, in its SI unit; without it, the smallest allowed value.
     pub lower: Option<S>,
-    /// Its value at 1; without it, the largest.
+    /// Value of the input at the action 1, in its SI unit; without it, the largest allowed value.
     pub upper: Option<S>,
 }
 

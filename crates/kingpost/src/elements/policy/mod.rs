@@ -16,8 +16,8 @@ use crate::scalar::Scalar;
 /// u = c + lower + (a + 1) (upper - lower) / 2,          within the input's limits
 /// ```
 ///
-/// c are its commands (Goodfellow, Bengio & Courville, *Deep Learning*, 2016, sec. 6.1, 6.3). Between two samples a is held;
-/// the commands pass at every step.
+/// c are its commands (Goodfellow, Bengio & Courville, *Deep Learning*, 2016, sec. 6.1, 6.3). Between two samples a is
+/// held; changes of c act at every step.
 #[derive(Clone, Debug)]
 pub struct Policy<S = f64> {
     /// Name in the results.
@@ -26,22 +26,23 @@ pub struct Policy<S = f64> {
     pub reads: Vec<PolicyRead<S>>,
     /// Inputs that it sets.
     pub steers: Vec<PolicySteer<S>>,
-    /// Its layers, the first one first; each fits the one before, the first the reads, and the last the inputs.
+    /// Layers from the first to the last. The first fits the columns, each other fits the layer before, and the last
+    /// fits the inputs.
     pub layers: Vec<PolicyLayer<S>>,
     /// Sampling period, s: a whole number of steps.
     pub period_s: f64,
-    /// Whether it acts; if not, it passes its commands.
+    /// Whether it acts; if not, its commands pass unchanged.
     pub acts: bool,
 }
 
-/// A number that a policy sees.
+/// An observation of a policy.
 #[derive(Clone, Debug)]
 pub struct PolicyRead<S = f64> {
     /// The columns that are added.
     pub columns: Vec<String>,
-    /// The sum that counts as 0.
+    /// Sum of the columns at which the observation is 0.
     pub reference: S,
-    /// The difference that counts as 1.
+    /// Difference from the reference at which the observation is 1.
     pub scale: S,
 }
 
@@ -65,7 +66,7 @@ pub struct PolicyLayer<S = f64> {
     pub biases: Vec<S>,
 }
 
-/// Limit on either side of the values that a policy sees; they are clipped to it.
+/// Limit, on either side, to which observations are clipped.
 const LARGEST_SEEN: f64 = 10.0;
 
 impl<S: Scalar> Element<S> for Policy<S> {
@@ -106,7 +107,7 @@ impl<S: Scalar> Element<S> for Policy<S> {
         self.act(at.inputs, at.numbers, &mut out[first..]);
     }
 
-    /// The Jacobian where all that it sees is 0: at rest at the target.
+    /// Returns the Jacobian at zero observations: at rest at the target.
     fn linear_law(&self) -> Option<LinearLaw> {
         self.acts.then(|| LinearLaw { gains: self.jacobian(), integral_gains: Vec::new(), period_s: self.period_s })
     }
@@ -117,7 +118,7 @@ impl<S: Scalar> Element<S> for Policy<S> {
 }
 
 impl<S: Scalar> Policy<S> {
-    /// Writes the actions: the commands with the additions, within the limits of the inputs.
+    /// Writes the actions: the commands plus the additions, within the limits of the inputs.
     fn act(&self, commands: &[S], additions: &[S], actions: &mut [S]) {
         let each = actions.iter_mut().zip(&self.steers).zip(commands.iter().zip(additions));
         for ((action, PolicySteer { to, .. }), (command, addition)) in each {
@@ -125,7 +126,7 @@ impl<S: Scalar> Policy<S> {
         }
     }
 
-    /// o.
+    /// Returns o.
     fn seen(&self, read: &[S]) -> Vec<S> {
         let mut values = read.iter();
         let largest = S::constant(LARGEST_SEEN);
@@ -136,12 +137,12 @@ impl<S: Scalar> Policy<S> {
         each.collect()
     }
 
-    /// a.
+    /// Returns a.
     fn acted(&self, seen: Vec<S>) -> Vec<S> {
         self.layers.iter().fold(seen, |signal, layer| layer.output(&signal))
     }
 
-    /// Derivatives of what it adds by the columns that it reads.
+    /// Returns the derivatives of its additions to the commands with respect to the columns that it reads.
     fn jacobian(&self) -> Vec<Vec<f64>> {
         let sizes = self.reads.iter().map(|read| (read.columns.len(), 1.0 / read.scale.value()));
         let per_column = sizes.flat_map(|(columns, by)| (0..columns).map(move |_| by)).collect::<Vec<f64>>();
@@ -173,7 +174,7 @@ impl<S: Scalar> PolicyLayer<S> {
     }
 }
 
-/// `-m / (m + 2)` with `m = exp(-2 |x|) - 1`, and the sign of x: exact to a few units of rounding.
+/// Returns tanh as `-m / (m + 2)` with `m = exp(-2 |x|) - 1` and the sign of x: exact to a few units of rounding.
 fn tanh<S: Scalar>(x: S) -> S {
     let of_size = |size: S| {
         let m = (S::constant(-2.0) * size).exp_m1();

@@ -17,7 +17,7 @@ impl<S: Quantity> Assemble<S> for schema::QuadraticDamping<S> {
     }
 }
 
-/// Quadratic damping, if it is enabled and its body exists.
+/// Returns the quadratic damping, if it is enabled and its body exists.
 fn quadratic<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,

@@ -1,4 +1,4 @@
-//! Drag that grows with the square of the speed: of a hull's bilges in roll, of its sides in sway.
+//! Quadratic damping, such as the drag of a hull's bilges in roll and of its sides in sway.
 
 pub(crate) mod assembly;
 pub(crate) mod fields;
@@ -14,7 +14,7 @@ use crate::spatial::{Vector3, Wrench};
 /// Loads*, 1990, ch. 6).
 #[derive(Clone, Copy, Debug)]
 pub struct QuadraticDamping<S = f64> {
-    /// The body, and the point that the force acts at.
+    /// The body, and the point at which the force acts.
     pub place: HullFrame<S>,
     /// Reference against which the velocity is measured.
     pub relative_to: DampedAgainst,
@@ -25,7 +25,7 @@ pub struct QuadraticDamping<S = f64> {
 }
 
 impl<S: Scalar> Element<S> for QuadraticDamping<S> {
-    /// Adds the drag, the heat that it makes, and the work of the current.
+    /// Adds the drag, its heat, and the work of the current.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.relative_to.velocity(at.world));
         let wrench =
@@ -36,11 +36,11 @@ impl<S: Scalar> Element<S> for QuadraticDamping<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out quadratic damping, which is zero at rest; a run damps large motions more")
+        Some("the response leaves out quadratic damping, which is zero at rest; in a run it damps large motions more")
     }
 }
 
-/// `-c |rate| rate`, component by component.
+/// Returns `-c |rate| rate`, component by component.
 fn against<S: Scalar>(c: Vector3<S>, rate: Vector3<S>) -> Vector3<S> {
     let size = |x: S| x.select_below(0.0, || -x, || x);
     Vector3(core::array::from_fn(|i| -(c[i] * size(rate[i]) * rate[i])))

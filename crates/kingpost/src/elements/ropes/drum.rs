@@ -8,26 +8,26 @@
 //! R = R0 - c theta,   L = L0 + R0 theta - c theta^2 / 2
 //! ```
 //!
-//! which gives the mean radius of every layer. The point where the rope leaves the drum is kept at R0: it would shift
-//! by less than the height of the layers.
+//! which gives the mean radius of every layer. The point where the rope leaves the drum stays at R0: its shift would be
+//! less than the height of the layers.
 
 use crate::elements::Context;
 use crate::scalar::Scalar;
 
-/// A drum: the coordinate that winds up a rope.
+/// A drum: the coordinate that winds a rope.
 #[derive(Clone, Copy, Debug)]
 pub struct Drum<S = f64> {
     /// Index in q.
     pub position: usize,
     /// Index in v.
     pub coordinate: usize,
-    /// 1 where positive rates of the coordinate pay out, else -1.
+    /// 1 if positive rates of the coordinate pay out, otherwise -1.
     pub sense: S,
     /// R0, m.
     pub radius: S,
     /// Its angle at the start, rad.
     pub start: S,
-    /// The layers; without them all rope is paid out at R0.
+    /// The layers; without them the radius stays R0.
     pub layers: Option<Layers<S>>,
 }
 
@@ -36,7 +36,7 @@ pub struct Drum<S = f64> {
 pub struct Layers<S = f64> {
     /// c, m/rad.
     pub thinning: S,
-    /// Angle at which the innermost layer is reached, rad; from there on the radius is constant.
+    /// Angle at which the innermost layer is reached, rad; beyond it the radius is constant.
     pub innermost_from: S,
 }
 

@@ -13,36 +13,36 @@ pub struct Rope<S = f64> {
     /// Whether the element acts.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The points, sheaves and drum of its path, from its first end to its last: it begins at a point or a drum and
+    /// The points, sheaves and drum of its path, from the first end to the last. A path begins at a point or a drum and
     /// ends at a point.
     pub path: Vec<RopeStation<S>>,
     /// Unstretched length of the rope on its path at the start, m; without it, the rope is just taut at the start.
     pub unstretched_length_m: Option<Positive<S>>,
     /// EA: tension per strain, N; without it, the rope itself does not stretch.
     pub axial_stiffness_n: Option<Positive<S>>,
-    /// Stiffness in series with the rope, of the crane's boom and foundation for example, N/m; without it, they are
+    /// Stiffness in series with the rope, N/m, such as that of the crane's boom and foundation; without it, they are
     /// rigid.
     pub series_stiffness_n_per_m: Option<Positive<S>>,
-    /// Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' in addition to k e. For wire ropes it is 0.01
-    /// to 0.02 s.
+    /// tau: damping over stiffness, s. At the rate e' of its stretch the rope pulls with k tau e' in addition to k e.
+    /// For wire ropes it is 0.01 to 0.02 s.
     #[serde(default)]
     pub damping_time_s: NonNegative<S>,
-    /// Its mass, kg/m. It acts as weight only, without inertia, and the legs stay straight; without it, the rope has no
-    /// weight.
+    /// Mass of the rope, kg/m. The mass acts as weight only, without inertia, and the legs stay straight; without it,
+    /// the rope has no weight.
     pub mass_kg_per_m: Option<Positive<S>>,
-    /// Diameter of the circle that displaces as much water as the rope, below the still water line, m; without it, the
-    /// rope has no buoyancy.
+    /// Diameter of the circular section that displaces the same volume of water as the rope, below the still waterline,
+    /// m; without it, the rope has no buoyancy.
     pub diameter_m: Option<Positive<S>>,
     /// Tension at which the rope parts, N; without it, the rope never parts.
     pub breaking_load_n: Option<Positive<S>>,
     /// The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
-    /// at rest in air.
+    /// bodies at rest in air.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub carries: Vec<CarriedByRope<S>>,
     /// The crane's load chart for this rope; without it, the load is not checked.
     pub load_chart: Option<LoadChart<S>>,
-    /// Whether it can be released: it then has an input in [0, 1] with the rope's name. At 0.5 the load is lost. Below 0.5
-    /// the rope is hooked on again, as soon as its path is shorter than the rope.
+    /// Whether it can be released, by an input in [0, 1] with the rope's name. At 0.5 the load is released. Below 0.5
+    /// the rope is hooked on again as soon as its path is shorter than the rope.
     #[serde(default)]
     pub can_be_released: bool,
     /// Whether it begins released: its input then begins at 1.
@@ -59,8 +59,8 @@ pub struct LoadChart<S = f64> {
     pub joint: CoordinateName,
     /// Radii that increase, m: two or more.
     pub radii_m: Vec<f64>,
-    /// The rated load at each radius, including the gear between rope and load, kg. Linear between radii; constant
-    /// below the first and above the last.
+    /// Rated load at each radius, kg, including the lifting gear between rope and load. Linear between radii; constant
+    /// below the first radius and above the last.
     pub rated_loads_kg: Vec<Positive<S>>,
 }
 
@@ -70,11 +70,11 @@ pub struct CarriedByRope<S = f64> {
     /// The body: the load, the hook block.
     pub body: Name,
     /// Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
-    /// the rope. For each of n slings at an angle b to the horizontal it is 1 / (n sin b).
+    /// the rope. For each of n slings at an angle b to the horizontal the share is 1 / (n sin b).
     pub share: Option<Positive<S>>,
 }
 
-/// A line with a constant-tension winch: a tugger line or a tag line. The winch stands at its first end.
+/// A line with a constant-tension winch at its first end: a tugger line or a tag line.
 #[fields]
 pub struct TuggerLine<S = f64> {
     /// Whether the element acts.
@@ -82,13 +82,14 @@ pub struct TuggerLine<S = f64> {
     pub enabled: bool,
     /// The points and sheaves of its path, from the winch to the load: it begins and ends at a point.
     pub path: Vec<RopeStation<S>>,
-    /// Its tension at the load while its length stays, N.
+    /// Tension at the load while the length is constant, N.
     pub tension_n: NonNegative<S>,
-    /// By how much its tension is higher while it pays out, and lower while it hauls in, per rate of its length, N s/m. It
-    /// damps a swing.
+    /// Damping that reduces swing, N s/m: increase of the tension per rate of paying out, and decrease per rate of
+    /// hauling in.
     #[serde(default)]
     pub damping_n_s_per_m: NonNegative<S>,
-    /// Its largest tension at the load, N: at least `tension_N`. Without it, there is none; it never pushes.
+    /// Largest tension at the load, N: at least `tension_N`. Without it, there is no upper limit. The tension is never
+    /// negative.
     pub largest_tension_n: Option<Positive<S>>,
 }
 
@@ -99,7 +100,7 @@ pub enum RopeStation<S = f64> {
     Point(RopePoint<S>),
     /// A sheave.
     Sheave(Sheave<S>),
-    /// The drum that the rope is wound on: only at the beginning of the path.
+    /// The drum on which the rope is wound: only at the beginning of the path.
     Drum(RopeDrum<S>),
 }
 
@@ -111,7 +112,7 @@ pub struct RopePoint<S = f64> {
     /// The point in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// Number of parallel falls from the place before to this one. Together they pull with this number times the
+    /// Number of parallel falls from the previous place to this one. Together they pull with this number times the
     /// tension.
     #[serde(default = "one")]
     pub falls: u32,
@@ -127,8 +128,8 @@ pub struct Sheave<S = f64> {
     pub position_m: [S; 3],
     /// Radius to the middle of the rope, m.
     pub radius_m: Positive<S>,
-    /// The axis in the body's axes, of any length except 0. From the first end to the last, the rope turns about it by
-    /// the right-hand rule, by -90 to 270 degrees.
+    /// The sheave's axis in the body's axes, of any length except 0. From the first end to the last, the rope turns
+    /// about this axis by the right-hand rule, by -90 to 270 degrees.
     pub axis: Direction<S>,
     /// Efficiency while the rope is hauled in, towards its first end: the smaller tension at the sheave over the
     /// larger.
@@ -148,18 +149,18 @@ pub struct RopeDrum<S = f64> {
     pub radius_m: Positive<S>,
     /// The layers of rope on the drum; without them the radius is constant.
     pub layers: Option<DrumLayers<S>>,
-    /// The sign of the joint's rate that pays out rope. It decides on which side the rope leaves the drum.
+    /// Sign of the joint's rate that pays out rope. It determines the side on which the rope leaves the drum.
     #[serde(default)]
     pub pays_out: PaysOut,
-    /// Efficiency while it hauls in: tension times radius over the torque.
+    /// Efficiency while the drum hauls in: tension times radius over the torque.
     #[serde(default = "all::<S>")]
     pub efficiency_hoisting: Fraction<S>,
-    /// Efficiency while it pays out: the torque that holds the rope over tension times radius.
+    /// Efficiency while the drum pays out: the torque that holds the rope over tension times radius.
     #[serde(default = "all::<S>")]
     pub efficiency_lowering: Fraction<S>,
 }
 
-/// Layers of rope on a drum: its radius falls by the height of a layer for every layer of turns.
+/// Layers of rope on a drum: each layer that is paid out reduces the radius by its height.
 #[fields]
 pub struct DrumLayers<S = f64> {
     /// Turns of rope side by side.
@@ -167,8 +168,8 @@ pub struct DrumLayers<S = f64> {
     /// Height of a layer, m: the rope's diameter if each turn lies on top of the one below, 0.87 of it if the turns lie
     /// in the grooves.
     pub height_m: Positive<S>,
-    /// Radius to the middle of the rope in the innermost layer, m. The radius falls no further; an event is recorded
-    /// then.
+    /// Radius to the middle of the rope in the innermost layer, m, at which the radius stops decreasing and an event is
+    /// recorded.
     pub innermost_radius_m: Positive<S>,
 }
 
@@ -194,7 +195,7 @@ fn all<S: Leaf>() -> Fraction<S> {
 }
 
 impl<S: Leaf> RopeStation<S> {
-    /// The name of its kind, and the body that it names; `None` for a drum, which stands on a joint.
+    /// Returns the name of its kind, and the name of its body; `None` for a drum, which is on a joint.
     pub fn on(&self) -> (&'static str, Option<&Name>) {
         match self {
             Self::Point(point) => ("point", Some(&point.body)),

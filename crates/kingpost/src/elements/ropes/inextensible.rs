@@ -23,23 +23,24 @@ use crate::model::Attachment;
 use crate::scalar::{Dual, Scalar};
 use crate::spatial::{Frame, Vector3};
 
-/// A number with its rate in time.
+/// A number with its time derivative.
 type Rated<S> = Dual<1, S>;
 
-/// Largest rate of l - L, m/s, at which a rope still counts as just taut: rounding.
+/// Largest rate of l - L, m/s, at which a rope counts as just taut: rounding.
 const ROUNDING_M_S: f64 = 1e-9;
 
 /// Data that an inextensible rope needs in addition to its path.
 #[derive(Clone, Debug)]
 pub struct Inextensible<S = f64> {
-    /// Copy of the path over numbers with their rates, so that the rate of the length carries the second derivative.
+    /// Copy of the path over numbers with time derivatives, so that the derivative of the length's rate is its second
+    /// derivative.
     rated: RopePath<Rated<S>>,
     /// T from the last solution for the accelerations, N.
     pub(super) tension: S,
 }
 
 impl<S: Scalar> Inextensible<S> {
-    /// For a path; its stations are copied.
+    /// Returns the data for a path, with a copy of its stations.
     pub fn new(path: &RopePath<S>) -> Self {
         let stations = path.stations().iter().map(|station| Station {
             centre: Attachment { body: None, in_body: Frame::identity(), link: None, in_link: Frame::identity() },
@@ -87,8 +88,8 @@ fn rated<S: Scalar>(vector: Vector3<S>, rate: Vector3<S>) -> Vector3<Rated<S>> {
 }
 
 impl<S: Scalar> Rope<S> {
-    /// The mode of an inextensible rope at the start of a run: taut if the path is as long as the rope and stays so. If
-    /// its ends move apart, it comes taut at once, as an event.
+    /// Returns the mode of an inextensible rope at the start of a run: taut if the path is as long as the rope and its
+    /// length does not change. If the ends move apart, the rope comes taut immediately, as an event.
     pub(super) fn held_at_start(&mut self, at: &Context<'_, S>) -> i64 {
         let now = self.laid(at);
         let longer = now.stretch.all(|stretch| stretch > ROUNDING_M);

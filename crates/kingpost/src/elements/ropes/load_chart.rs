@@ -22,14 +22,14 @@ pub struct LoadChart<S = f64> {
     pub centre: Attachment<S>,
     /// Unit vector along the slewing axis, in the axes of that body.
     pub axis: Vector3<S>,
-    /// They increase, m; at least two.
+    /// Increasing radii, m; at least two.
     pub radii: Vec<f64>,
-    /// One for each radius, kg, all above 0.
+    /// Rated load at each radius, kg, above 0.
     pub rated_loads: Vec<S>,
 }
 
 impl<S: Scalar> LoadChart<S> {
-    /// The outputs of a rope with this name and a chart: radius, rated load, hook load, utilisation.
+    /// Returns the outputs of a rope with this name and a chart: radius, rated load, hook load, utilisation.
     pub(super) fn outputs(name: &str) -> [Output; 4] {
         let number = |variable, description, unit| Output::number(variable, description, "rope", name, unit);
         [
@@ -40,16 +40,16 @@ impl<S: Scalar> LoadChart<S> {
         ]
     }
 
-    /// The distance of a point (world, m) from the slewing axis, m.
+    /// Returns the distance of a point (world, m) from the slewing axis, m.
     fn radius(&self, at: &Context<'_, S>, point: Vector3<S>) -> S {
         let axis = self.centre.body.map_or(self.axis, |body| at.links.body_frame(at.model, body).rotation * self.axis);
         let way = point - place(&self.centre, at.model, at.links);
         let across = way - axis * axis.dot(way);
-        // On the axis itself the root has no derivative.
+        // At 0 the square root has no derivative.
         (across.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt()
     }
 
-    /// The rated load at a radius, m; kg.
+    /// Returns the rated load, kg, at a radius, m.
     pub fn rated_load(&self, radius: S) -> S {
         let rows = self.radii.windows(2).zip(self.rated_loads.windows(2));
         rows.fold(self.rated_loads[0], |sum, (radii, loads)| {
@@ -59,7 +59,7 @@ impl<S: Scalar> LoadChart<S> {
         })
     }
 
-    /// The watcher that warns of a load beyond the chart of the rope with this name.
+    /// Returns the watcher that warns of a load beyond the chart of the rope with this name.
     pub(super) fn watcher(&self, name: &str) -> AnyWatcher {
         let ends_m = [self.radii[0], self.radii[self.radii.len() - 1]];
         let (load, outside_m) = (Extreme::default(), Extreme::default());
@@ -68,21 +68,21 @@ impl<S: Scalar> LoadChart<S> {
 }
 
 impl<S: Scalar> Rope<S> {
-    /// Radius, rated load, hook load and utilisation, for its chart; the path has been evaluated at the present
-    /// positions.
+    /// Returns radius, rated load, hook load and utilisation, if the rope has a chart; the path has been evaluated at
+    /// the present positions.
     pub(super) fn on_chart(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Option<[S; 4]> {
         let chart = self.load_chart.as_ref()?;
         let radius = chart.radius(at, self.path.leaves_crane_at()?);
         let rated = chart.rated_load(radius);
         let (square, gravity) = (self.pull_on_load(at, now).norm_squared(), at.world.gravity);
-        // The root has no derivative for a slack rope.
+        // For a slack rope the square root has no derivative.
         let pull = || square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();
         let weighs = square.select_below(f64::MIN_POSITIVE, || S::ZERO, pull);
         let hook = gravity.select_below(f64::MIN_POSITIVE, || S::ZERO, || weighs / gravity);
         Some([radius, rated, hook, hook / rated])
     }
 
-    /// The sum of its forces on the body at the lower end of the leg between crane and load, world, N.
+    /// Returns the sum of the rope's forces on the body at the lower end of the leg between crane and load, world, N.
     fn pull_on_load(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Vector3<S> {
         let Some(load) = self.path.load() else { return Vector3::zero() };
         let mut sum = Vector3::zero();
@@ -101,13 +101,14 @@ impl<S: Scalar> Rope<S> {
 }
 
 impl<S: Scalar> RopePath<S> {
-    /// The point where the rope leaves the crane, world, m; the path has been evaluated at the present positions.
+    /// Returns the point where the rope leaves the crane, world, m; the path has been evaluated at the present
+    /// positions.
     fn leaves_crane_at(&self) -> Option<Vector3<S>> {
         let (leg, runs_up) = self.leaving_leg()?;
         Some(self.straights().nth(leg)?[usize::from(runs_up)])
     }
 
-    /// The body that the leg between crane and load leads to; `None` among them is the world.
+    /// Returns the body at the load's end of the leg between crane and load; `Some(None)` is the world.
     fn load(&self) -> Option<Option<usize>> {
         let (leg, runs_up) = self.leaving_leg()?;
         Some(self.stations()[leg + usize::from(!runs_up)].centre.body)
@@ -122,9 +123,9 @@ struct ChartWatcher {
     ends_m: [f64; 2],
     /// The largest utilisation.
     load: Extreme,
-    /// When it first passed 1, s.
+    /// Time at which it first exceeded 1, s.
     load_since_s: Option<f64>,
-    /// Largest distance of the radius outside the chart, m, and that radius.
+    /// Largest distance of the radius from the chart's range, m, and that radius.
     outside_m: Extreme,
     radius_m: f64,
 }

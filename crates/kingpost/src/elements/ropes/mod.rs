@@ -67,21 +67,22 @@ pub struct Rope<S = f64> {
     pub breaking_load: Option<S>,
     /// The mass whose weight equals its tension at rest in air, kg.
     pub carried_mass: Option<S>,
-    /// Whether an input of its name releases it and hooks it on again.
+    /// Whether an input with its name releases it and hooks it on again.
     pub can_be_released: bool,
     /// Whether it is released at the start.
     pub begins_released: bool,
     /// Its weight; without it, the rope is weightless.
     pub weight: Option<RopeWeight<S>>,
-    /// The crane's load chart for it, if known.
+    /// The crane's load chart for the rope; `None` if unknown.
     pub load_chart: Option<LoadChart<S>>,
     /// The constraint of an inextensible rope, instead of elasticity.
     pub inextensible: Option<Inextensible<S>>,
 }
 
-/// The only mode: the state of the rope. Only events change it, so no step mixes two laws. Runs in lanes that begin
-/// differently use the stretch instead until the first event in one of them. A rope whose damper cancels all of its
-/// pull goes slack while it is still stretched; as it shortens, the energy left in the spring becomes heat.
+/// The only mode: the state of the rope. Only events change it, so that one force law holds throughout a step. If the
+/// lanes of a run begin in different modes, the mode follows from the stretch until the first event in any lane. A rope
+/// whose damper cancels all of its pull goes slack while it is still stretched; as it shortens, the remaining energy of
+/// the spring becomes heat.
 const BY_STRETCH: i64 = 0;
 const TAUT: i64 = 1;
 const SLACK: i64 = 2;
@@ -94,7 +95,10 @@ const EVENTS: [Event; 8] = [
     Event { what: "goes slack", crossing: Crossing::Falling },
     Event { what: "comes taut", crossing: Crossing::Rising },
     Event { what: "is hauled in to its end", crossing: Crossing::Falling },
-    Event { what: "leaves its range at a sheave or drum, or two places of its path meet", crossing: Crossing::Falling },
+    Event {
+        what: "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap",
+        crossing: Crossing::Falling,
+    },
     Event { what: "is paid out to the innermost layer of its drum", crossing: Crossing::Falling },
     Event { what: "is released", crossing: Crossing::Rising },
     Event { what: "is hooked on", crossing: Crossing::Falling },
@@ -108,11 +112,12 @@ const INNERMOST_LAYER: usize = 4;
 const IS_RELEASED: usize = 5;
 const IS_HOOKED_ON: usize = 6;
 const PARTS: usize = 7;
-/// The words in the table of events for a rope that reaches its breaking load.
+/// Text in the table of events for a rope that reaches its breaking load.
 pub const PARTS_WORDS: &str = "parts";
-/// Share of L at the start below which a rope counts as hauled in to its end: its stiffness stays that of this length.
+/// Share of L at the start below which a rope counts as hauled in to its end. Below this length its stiffness stays
+/// constant.
 const SHORTEST: f64 = 1e-3;
-/// Number of points that the last leg is drawn through.
+/// Number of points through which the last leg is drawn.
 const POINTS_OF_LAST_LEG: usize = 17;
 
 impl<S: Scalar> Element<S> for Rope<S> {
@@ -136,7 +141,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
         ];
         let leads = leads.into_iter().filter(|_| self.path.has_leads());
         let amplification = self.carried_mass.map(|_| {
-            let what = "dynamic amplification factor of a rope: its tension over that with its load at rest in air";
+            let what =
+                "dynamic amplification factor of a rope: its tension over its tension with the load at rest in air";
             number("rope_daf", what, &["1"])
         });
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
@@ -198,7 +204,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    /// Adds the pulls at all stations, the torque on the drum, and the heat.
+    /// Adds the forces at all stations, the torque on the drum, and the heat.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let now = self.stretched(at);
         self.weigh(at, &now, loads);
@@ -268,8 +274,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    /// Straight except for the last leg of a slack rope, which sags: a flat parabola that is longer than its chord d by
-    /// e has the sag sqrt(3/8 d e).
+    /// Draws the legs: straight, except for the last leg of a slack rope, which sags. A flat parabola that is longer
+    /// than its chord d by e has the sag sqrt(3/8 d e).
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let now = self.stretched(at);
         let last = self.path.stations().len().saturating_sub(2);

@@ -1,4 +1,4 @@
-//! The path of a rope over points, sheaves and a drum: its length, and the forces of a tension in it on the bodies.
+//! The path of a rope over points, sheaves and a drum: its length, and the forces of the rope's tension on the bodies.
 //!
 //! Leg i leads from station i to the next, in n_i parallel falls. With the centres c_i of the stations, the way w_i =
 //! c_(i+1) - c_i, d_i = |w_i|, u_i = w_i / d_i, the sheaves' radii R_i and axes a_i, about which the rope turns on its
@@ -22,13 +22,13 @@ use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 use core::f64::consts::FRAC_PI_2;
 
-/// The largest angle at a sheave from the middle of its range, rad: 175 degrees.
+/// Largest wrap angle from the middle of its range, rad: 175 degrees.
 const FARTHEST: f64 = 175.0 * core::f64::consts::PI / 180.0;
 
-/// Scale of the rope's speed over a sheave or on a drum over which friction changes sign smoothly, m/s.
+/// Smoothing speed of the sign change of friction, for the rope's speed over a sheave or on a drum, m/s.
 const SMOOTHING_M_S: f64 = 0.01;
 
-/// The stations of a rope in their order, and the memory to evaluate them.
+/// The stations of a rope in order, with working memory for their evaluation.
 #[derive(Clone, Debug)]
 pub struct RopePath<S = f64> {
     /// At least two. The last is a point; the first is a point or a drum.
@@ -44,7 +44,7 @@ pub struct RopePath<S = f64> {
 pub(super) struct Wrap<S> {
     /// The direction from which the wrap angle is measured, in the axes of the body that carries the drum.
     pub from: Vector3<S>,
-    /// Length from there to where the rope leaves the drum, m.
+    /// Length from this direction to the point where the rope leaves the drum, m.
     pub length: S,
 }
 
@@ -74,24 +74,25 @@ struct Leg<S> {
     radii: S,
     /// Derivative of the path's length with respect to the position of the station after it.
     gradient: Vector3<S>,
-    /// Its share of the rate of the path's length, m/s.
+    /// Contribution of the leg to the rate of the path's length, m/s.
     rate: S,
 }
 
 /// Length of a path.
 #[derive(Clone, Copy, Debug)]
 pub struct PathLength<S> {
-    /// From the first end, or from where the rope leaves its drum, to the last end, m; all falls of a leg count.
+    /// Length from the first end, or from the point where the rope leaves its drum, to the last end, m; all falls of a
+    /// leg count.
     pub length: S,
     /// Its rate, m/s.
     pub rate: S,
-    /// The smallest margin: of the wrap angle's range at every sheave and drum, rad, less 5 degrees, and of the gaps
-    /// between sheaves over the distance of their centres. Below 0 the path is no longer valid.
+    /// Smallest margin of the path: of the wrap angle to the ends of its range less 5 degrees at every sheave and drum,
+    /// rad, and of the gaps between sheaves over the distance of their centres. Below 0 the path is no longer valid.
     pub range_left: S,
 }
 
 impl<S: Scalar> RopePath<S> {
-    /// A path over at least two stations.
+    /// Returns a path over at least two stations.
     pub fn new(stations: Vec<Station<S>>) -> Self {
         let zero = Vector3::zero();
         let motion = StationMotion { centre: zero, velocity: zero, angular_velocity: zero };
@@ -102,7 +103,8 @@ impl<S: Scalar> RopePath<S> {
         Self { stations, drum: None, places, legs }
     }
 
-    /// The path up to the place before its last end, as a point; `None` if it has only two places.
+    /// Returns the path up to the station before its last end, taken as a point; `None` if the path has only two
+    /// stations.
     pub fn up_to_tip(&self) -> Option<Self> {
         let (_, before) = self.stations.split_last()?;
         let (tip, rest) = before.split_last()?;
@@ -110,38 +112,41 @@ impl<S: Scalar> RopePath<S> {
         (!rest.is_empty()).then(|| Self::new(rest.iter().cloned().chain([end]).collect()))
     }
 
-    /// The stations, in order.
+    /// Returns the stations, in order.
     pub fn stations(&self) -> &[Station<S>] {
         &self.stations
     }
 
-    /// The pairs of bodies that the legs connect.
+    /// Returns the pairs of bodies that the legs connect.
     pub fn attached_bodies(&self) -> Vec<[Option<usize>; 2]> {
         self.stations.windows(2).map(|ends| [ends[0].centre.body, ends[1].centre.body]).collect()
     }
 
-    /// The axis of a station, a unit vector in the world, at the positions of the last [`extent`](Self::extent).
+    /// Returns the axis of a station, a unit vector in the world, at the positions of the last
+    /// [`extent`](Self::extent).
     pub(super) fn axis(&self, station: usize) -> Vector3<S> {
         self.places[station].axis
     }
 
-    /// The centre of a station in the world, m; likewise.
+    /// Returns the centre of a station in the world, m, at the positions of the last [`extent`](Self::extent).
     pub(super) fn centre(&self, station: usize) -> Vector3<S> {
         self.places[station].motion.centre
     }
 
-    /// The vector between the centres of a leg's stations, m, and its falls; likewise.
+    /// Returns the vector between the centres of a leg's stations, m, and its falls, at the positions of the last
+    /// [`extent`](Self::extent).
     pub(super) fn line(&self, leg: usize) -> (Vector3<S>, S) {
         let Leg { along, distance, .. } = self.legs[leg];
         (along * distance, self.stations[leg + 1].falls)
     }
 
-    /// The heights of the centres of a leg's stations, m; likewise.
+    /// Returns the heights of the centres of a leg's stations, m, at the positions of the last
+    /// [`extent`](Self::extent).
     pub(super) fn heights(&self, leg: usize) -> [S; 2] {
         [leg, leg + 1].map(|station| self.centre(station)[2])
     }
 
-    /// Called at the start of a run: the wrap on the drum is measured from here.
+    /// Sets the reference of the wrap on the drum at the start of a run.
     pub fn begin(&mut self, at: &Context<'_, S>) {
         let Some(drum) = self.stations[0].round else { return };
         self.stand(at);
@@ -151,14 +156,16 @@ impl<S: Scalar> RopePath<S> {
         self.drum = Some(Wrap { from, length: angle * drum.radius });
     }
 
-    /// The first leg between places that overlap: its number, the distance of the centres and the sum of the radii, m.
+    /// Returns the first leg between overlapping stations: its number, the distance of the centres and the sum of the
+    /// radii, m.
     pub fn overlap(&mut self, at: &Context<'_, S>) -> Option<(usize, [S; 2])> {
         self.stand(at);
         let mut legs = self.legs.iter().enumerate().map(|(k, leg)| (k, [leg.distance, leg.radii]));
         legs.find(|(_, [distance, radii])| !(*distance - *radii).all(|apart| apart > 0.0))
     }
 
-    /// The wrap angles at the sheaves, each with the number of the station, rad; call after [`extent`](Self::extent).
+    /// Returns the wrap angles at the sheaves, each with the number of the station, rad; call after
+    /// [`extent`](Self::extent).
     pub fn wraps(&mut self) -> Vec<(usize, S)> {
         let inner = 1..self.legs.len();
         let of = |i: usize| {
@@ -171,21 +178,21 @@ impl<S: Scalar> RopePath<S> {
         inner.filter_map(of).collect()
     }
 
-    /// Whether the axis of the drum points along the rope, which then cannot leave it on either side.
+    /// Whether the axis of the drum points along the rope, which then cannot leave the drum on either side.
     pub fn drum_is_along(&mut self, at: &Context<'_, S>) -> bool {
         self.stand(at);
         let across = self.legs[0].along.cross(self.places[0].axis).norm_squared();
-        // The square of a sine: within 1 mrad of the axis.
+        // The limit is the square of a sine: within 1 mrad of the axis.
         self.stations[0].round.is_some() && !across.all(|across| across > 1e-6)
     }
 
-    /// Length and rate at the present positions.
+    /// Returns length and rate at the present positions.
     pub fn extent(&mut self, at: &Context<'_, S>) -> PathLength<S> {
         self.stand(at);
         self.measure()
     }
 
-    /// Length and rate with the stations as placed.
+    /// Returns length and rate for the stations as placed.
     pub(super) fn measure(&mut self) -> PathLength<S> {
         let mut length = self.drum.map_or(S::ZERO, |wrap| -wrap.length);
         for (k, leg) in self.legs.iter_mut().enumerate() {
@@ -222,7 +229,7 @@ impl<S: Scalar> RopePath<S> {
         PathLength { length, rate, range_left }
     }
 
-    /// Length, m, and its rate if the stations had these velocities instead of their own, m/s.
+    /// Returns the length, m, and its rate, m/s, for these velocities of the stations instead of the actual ones.
     pub fn length_and_rate_by(&mut self, at: &Context<'_, S>, velocities: &[Twist<S>]) -> [S; 2] {
         self.stand(at);
         for (place, twist) in self.places.iter_mut().zip(velocities) {
@@ -232,7 +239,7 @@ impl<S: Scalar> RopePath<S> {
         [length, rate]
     }
 
-    /// Places the stations and lays the legs.
+    /// Computes the positions of the stations, and the legs.
     fn stand(&mut self, at: &Context<'_, S>) {
         for (place, station) in self.places.iter_mut().zip(&self.stations) {
             let axis = station.round.map_or(Vector3::zero(), |round| station.to_world(at, round.axis));
@@ -249,7 +256,7 @@ impl<S: Scalar> RopePath<S> {
         self.lay();
     }
 
-    /// Lays the legs between the stations as placed.
+    /// Computes the legs between the stations as placed.
     pub(super) fn lay(&mut self) {
         for (k, leg) in self.legs.iter_mut().enumerate() {
             let ends = [k, k + 1].map(|i| (self.stations[i].round.map(|round| round.radius), self.places[i].axis));
@@ -262,15 +269,15 @@ impl<S: Scalar> RopePath<S> {
             };
             let way = self.places[k + 1].motion.centre - self.places[k].motion.centre;
             let distance = at_least_something(way.norm_squared()).sqrt();
-            // Sheaves that overlap have no straight rope between them.
+            // Between overlapping sheaves there is no straight rope.
             let sine = (rho / distance).clipped(-S::ONE, S::ONE);
             let cosine = at_least_something(S::ONE - sine * sine).sqrt();
             *leg = Leg { along: way * (S::ONE / distance), distance, axis, sine, cosine, radii, ..*leg };
         }
     }
 
-    /// beta of a round station less 90 degrees; adds R times its derivatives to the adjacent legs, and stores its
-    /// moments.
+    /// Returns beta of a round station less 90 degrees, adds R times its derivatives to the adjacent legs, and stores
+    /// the moments of the station.
     fn turn(&mut self, i: usize, round: &Round<S>) -> S {
         let (axis, behind) = (self.places[i].axis, self.legs[i].along);
         let before = match (i.checked_sub(1), self.drum) {
@@ -295,8 +302,8 @@ impl<S: Scalar> RopePath<S> {
     /// Applies a tension at the last end to the bodies, at the positions of the last [`extent`](Self::extent): each
     /// station gets the wrench, in world axes, of its adjacent legs, whose tensions differ by the friction at the
     /// sheaves. The speed of the rope over a sheave is the rate that the drum pays out less the rate at which the legs
-    /// before it lengthen; together all legs lengthen by `stretch_rate`, m/s, more than the drum pays out. So friction
-    /// never adds energy. Returns the tension at the first end, N, and the power given to the bodies, W.
+    /// before it lengthen; all legs together lengthen at `stretch_rate`, m/s, faster than the drum pays out. Friction
+    /// therefore never adds energy. Returns the tension at the first end, N, and the power given to the bodies, W.
     pub fn pull(&self, tension: S, stretch_rate: S, hand: impl FnMut(&Station<S>, &Wrench<S>)) -> [S; 2] {
         self.hand_on(tension, stretch_rate, |round, speed| round.efficiency.ratio(speed, SMOOTHING_M_S), hand)
     }
@@ -329,13 +336,13 @@ impl<S: Scalar> RopePath<S> {
         [behind, power]
     }
 
-    /// The force that the drum must hold over the tension of the rope, at a speed of paying out, m/s.
+    /// Returns the ratio of the force that the drum holds to the tension of the rope, at a pay-out speed, m/s.
     pub(super) fn ratio_at_drum(&self, paid_out: S) -> S {
         self.stations[0].round.map_or(S::ONE, |drum| drum.efficiency.ratio(paid_out, SMOOTHING_M_S))
     }
 
-    /// The straight parts of the legs at the positions of the last [`extent`](Self::extent): from the contact point at
-    /// the station before to that at the station after, world, m.
+    /// Returns the straight parts of the legs at the positions of the last [`extent`](Self::extent): from the contact
+    /// point at the station before to that at the station after, world, m.
     pub fn straights(&self) -> impl Iterator<Item = [Vector3<S>; 2]> + '_ {
         let touches = |i: usize, leg: &Leg<S>| {
             let foot = leg.direction().cross(self.places[i].axis);
@@ -347,24 +354,24 @@ impl<S: Scalar> RopePath<S> {
 }
 
 impl<S: Scalar> Leg<S> {
-    /// The angle from the line of centres to the rope, rad.
+    /// Returns the angle from the line of centres to the rope, rad.
     fn lean(&self) -> S {
         self.sine.atan2(self.cosine)
     }
 
-    /// The rope's direction in the plane of its sheaves.
+    /// Returns the rope's direction in the plane of its sheaves.
     fn direction(&self) -> Vector3<S> {
         self.along * self.cosine + self.axis.cross(self.along) * self.sine
     }
 
-    /// Adds the derivative with respect to the position of the station after the leg, from that with respect to the
-    /// unit vector along it.
+    /// Adds the derivative with respect to the position of the station after the leg, from the derivative with respect
+    /// to the unit vector along the leg.
     fn turns_with(&mut self, by_along: Vector3<S>) {
         self.gradient += (by_along - self.along * self.along.dot(by_along)) * (S::ONE / self.distance);
     }
 }
 
-/// A number that is not negative, but at least the smallest one that one can divide by.
+/// Returns a non-negative number, bounded below by the smallest valid divisor.
 fn at_least_something<S: Scalar>(x: S) -> S {
     x.select_below(f64::MIN_POSITIVE, || S::constant(f64::MIN_POSITIVE), || x)
 }

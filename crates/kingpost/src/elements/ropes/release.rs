@@ -1,35 +1,37 @@
-//! Release of a rope by hand, and hooking on again.
+//! Release of a rope by its lever, and hooking on again.
 
 use super::{IS_HOOKED_ON, IS_RELEASED, PARTED, RELEASED, Rope, SLACK};
 use crate::elements::{Context, ElementState, Input};
 use crate::scalar::Scalar;
 
-/// The lever at which a rope is released.
+/// Position of the lever at which a rope is released.
 const RELEASES: f64 = 0.5;
 
-/// Whether a rope in this mode carries nothing: it is released or has parted.
+/// Whether a rope in this mode carries no load, because it is released or has parted.
 pub(super) fn is_off(mode: i64) -> bool {
     matches!(mode, RELEASED | PARTED)
 }
 
 impl<S: Scalar> Rope<S> {
-    /// The input that releases it and hooks it on.
+    /// Returns the input that releases it and hooks it on.
     pub(super) fn lever(&self) -> Option<Input> {
         let start = if self.begins_released { 1.0 } else { 0.0 };
         self.can_be_released.then(|| Input::lever(&self.name, 0.0, start))
     }
 
-    /// Whether its lever asks for its release.
+    /// Whether its lever commands its release.
     pub(super) fn is_let_go(&self, at: &Context<'_, S>) -> bool {
         at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES))
     }
 
-    /// Length that the path must lose before the rope can be hooked on, m; positive while it is not to be.
+    /// Returns the length by which the path must shorten before the rope can be hooked on, m; positive while the lever
+    /// commands the release.
     pub(super) fn out_of_reach(&self, at: &Context<'_, S>, stretch: S) -> S {
         if self.is_let_go(at) { S::ONE } else { stretch }
     }
 
-    /// The mode after its lever moved, for a rope that has not parted; `None` if the lever does not decide it.
+    /// Returns the mode after a move of its lever, for a rope that has not parted; `None` if the mode does not depend
+    /// on the lever.
     pub(super) fn hook_or_release(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) -> Option<i64> {
         match (own.modes[0] == RELEASED, self.is_let_go(at)) {
             (false, false) => None,

@@ -11,7 +11,7 @@ use crate::spatial::{Vector3, Wrench};
 pub struct Station<S = f64> {
     /// A point, or the centre of a sheave or a drum: on a body or in the world.
     pub centre: Attachment<S>,
-    /// The sheave or drum; `None` for a point where the rope ends or runs through.
+    /// The sheave or drum; `None` for a point where the rope ends or through which it runs.
     pub round: Option<Round<S>>,
     /// Parallel falls of the leg that ends here.
     pub falls: S,
@@ -20,7 +20,7 @@ pub struct Station<S = f64> {
 /// A sheave or a drum.
 #[derive(Clone, Copy, Debug)]
 pub struct Round<S = f64> {
-    /// Unit vector about which the rope turns on its way from its first end, body axes.
+    /// Unit vector about which the rope turns from its first end to its last, body axes.
     pub axis: Vector3<S>,
     /// Radius to the middle of the rope, m.
     pub radius: S,
@@ -28,18 +28,18 @@ pub struct Round<S = f64> {
     pub efficiency: Efficiency<S>,
 }
 
-/// The smaller over the larger tension of a rope that runs over a sheave.
+/// Efficiency of a sheave: the smaller over the larger tension of the rope that runs over it.
 #[derive(Clone, Copy, Debug)]
 pub struct Efficiency<S = f64> {
-    /// While the rope runs towards its first end.
+    /// Efficiency while the rope runs towards its first end.
     pub hoisting: S,
-    /// While it runs towards its last.
+    /// Efficiency while the rope runs towards its last end.
     pub lowering: S,
 }
 
 impl<S: Scalar> Efficiency<S> {
-    /// Tension before a sheave over that after it; `speed` is the rope's towards its last end, m/s. It is smooth, 1 at
-    /// rest, and never adds energy.
+    /// Returns the tension before a sheave over the tension after it; `speed` is the speed of the rope towards its last
+    /// end, m/s. The ratio is smooth, is 1 at rest, and never adds energy.
     pub fn ratio(&self, speed: S, smoothing_m_s: f64) -> S {
         let smoothing = S::constant(smoothing_m_s);
         let way = speed / (speed * speed + smoothing * smoothing).sqrt();
@@ -61,7 +61,7 @@ pub(super) struct StationMotion<S> {
 }
 
 impl<S: Scalar> Station<S> {
-    /// The position and motion of the station.
+    /// Returns the position and motion of the station.
     pub(super) fn motion(&self, at: &Context<'_, S>) -> StationMotion<S> {
         let angular_velocity = self.centre.body.map_or(Vector3::zero(), |body| {
             at.links.body_frame(at.model, body).rotation * at.links.body_twist(at.model, body).angular
@@ -70,18 +70,18 @@ impl<S: Scalar> Station<S> {
         StationMotion { centre, velocity: velocity(&self.centre, at), angular_velocity }
     }
 
-    /// A vector in the axes of the station's body, in world axes.
+    /// Transforms a vector from the axes of the station's body to world axes.
     pub(super) fn to_world(&self, at: &Context<'_, S>, vector: Vector3<S>) -> Vector3<S> {
         self.centre.body.map_or(vector, |body| at.links.body_frame(at.model, body).rotation * vector)
     }
 
-    /// A vector in world axes, in the axes of the station's body.
+    /// Transforms a vector from world axes to the axes of the station's body.
     pub(super) fn to_body(&self, at: &Context<'_, S>, vector: Vector3<S>) -> Vector3<S> {
         self.centre.body.map_or(vector, |body| at.links.to_body_axes(at.model, body, vector))
     }
 
-    /// The body that a wrench at the station acts on, and the wrench in its axes about its centre of mass; `None` on the
-    /// world.
+    /// Returns the body on which a wrench at the station acts, and the wrench in the body's axes about its centre of
+    /// mass; `None` for a station in the world.
     pub(super) fn on_body(&self, at: &Context<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
         let body = self.centre.body?;
         let (force, moment) = (self.to_body(at, in_world.force), self.to_body(at, in_world.moment));

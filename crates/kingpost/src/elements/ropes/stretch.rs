@@ -15,7 +15,7 @@ pub(super) struct Stretched<S> {
     /// e, m, and its rate, m/s.
     pub stretch: S,
     pub rate: S,
-    /// k e and T without the weight of the rope, N; both 0 if it is slack.
+    /// k e and T without the weight of the rope, N; both 0 if the rope is slack.
     pub elastic: S,
     pub tension: S,
     /// (k e)^2 / (2 EA), N: strain energy per length of the rope that is wound on the drum.
@@ -25,20 +25,20 @@ pub(super) struct Stretched<S> {
 }
 
 impl<S: Scalar> Rope<S> {
-    /// The mode of the rope; at rest, unless it is off, it follows from the stretch.
+    /// Returns the mode of the rope; at rest the mode follows from the stretch, unless the rope is released or parted.
     pub(super) fn condition(&self, at: &Context<'_, S>) -> i64 {
         let begins = if self.begins_released { RELEASED } else { BY_STRETCH };
         let mode = at.modes.first().copied().unwrap_or(begins);
         if at.evaluation == EvaluationMode::Running || is_off(mode) { mode } else { BY_STRETCH }
     }
 
-    /// Positive where both the spring and the spring with its damper pull, m.
+    /// Returns a length, m, that is positive if both the spring and the spring with its damper pull.
     pub(super) fn pull_length(&self, now: &Stretched<S>) -> S {
         now.stretch + self.damping_time * now.rate.select_below(0.0, || now.rate, || S::ZERO)
     }
 
-    /// Called at the start of a run, before an equilibrium is sought: the drum's wrap and the rope paid out are
-    /// measured from here. Returns the length of the path, m.
+    /// Sets the reference of the drum's wrap and of the rope paid out, at the start of a run before an equilibrium is
+    /// sought. Returns the length of the path, m.
     pub fn begin_at(&mut self, at: &Context<'_, S>) -> S {
         self.path.begin(at);
         if let Some(drum) = &mut self.drum {
@@ -47,12 +47,13 @@ impl<S: Scalar> Rope<S> {
         self.path.extent(at).length
     }
 
-    /// The tension of a stretch at rest, N; negative for a negative stretch.
+    /// Returns the tension at a stretch at rest, N; negative for a negative stretch.
     pub fn tension_at_rest(&self, stretch: S) -> S {
         stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
     }
 
-    /// A rope begins to pull: its damper force alone may part it as it comes taut.
+    /// Sets the mode of a rope that begins to pull: taut, or parted if its tension, from the damper alone as it comes
+    /// taut, exceeds the breaking load.
     pub(super) fn pull_or_part(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.modes[0] = TAUT;
         if self.inextensible.is_some() {
@@ -66,13 +67,13 @@ impl<S: Scalar> Rope<S> {
         }
     }
 
-    /// The largest tension on its path at the present positions, N.
+    /// Returns the largest tension on its path at the present positions, N.
     pub fn tension_here(&mut self, at: &Context<'_, S>) -> S {
         let now = self.stretched(at);
         self.tensions(at, &now).1
     }
 
-    /// Its geometry and stretch, without tension.
+    /// Returns its geometry and stretch, without tension.
     pub(super) fn laid(&mut self, at: &Context<'_, S>) -> Stretched<S> {
         let PathLength { length, rate, range_left } = self.path.extent(at);
         let no_drum =
@@ -100,8 +101,7 @@ impl<S: Scalar> Rope<S> {
         let where_longer = |force: S| stretch.select_below(0.0, || S::ZERO, || force);
         let (elastic, tension) = match self.condition(at) {
             TAUT => (elastic, pull),
-            // Without a damper a slack rope is never stretched, except by rounding, which would spoil the energy of a
-            // step.
+            // Without a damper a slack rope is stretched by rounding only, which would falsify the energy of a step.
             SLACK if self.damping_time.all(|time| time == 0.0) => (S::ZERO, S::ZERO),
             SLACK => (where_longer(elastic), S::ZERO),
             PARTED | RELEASED => (S::ZERO, S::ZERO),
@@ -112,7 +112,7 @@ impl<S: Scalar> Rope<S> {
         Stretched { elastic, tension, carried, ..laid }
     }
 
-    /// The tensions at its first and its last end, and the largest on its path, N.
+    /// Returns the tensions at its first and its last end, and the largest on its path, N.
     pub(super) fn tensions(&self, at: &Context<'_, S>, now: &Stretched<S>) -> ([S; 2], S) {
         let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
         self.with_weight(at, now, [first, now.tension])

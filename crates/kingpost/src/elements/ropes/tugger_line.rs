@@ -6,14 +6,15 @@ use crate::elements::{Context, Crossing, Declaration, DrawnLine, Element, Event,
 use crate::scalar::Scalar;
 
 /// A line over a [`RopePath`] whose winch, at its first end, pays out and hauls in so that the tension T at its last
-/// end depends on the length l of the path by its rate alone:
+/// end depends only on the rate of the path's length l:
 ///
 /// ```text
 /// T = T_0 + c l',   0 <= T <= T_max
 /// ```
 ///
-/// With c = 0 the tension is constant, however fast the load moves; with c > 0 the winch pays out at a higher tension than it
-/// hauls in, and takes energy out of a swing. V = T_0 l; all other work is the winch's. Friction acts at the sheaves.
+/// With c = 0 the tension is constant at any speed of the load; with c > 0 the tension is higher while the winch pays
+/// out than while it hauls in, which damps a swing. V = T_0 l; all other work is the winch's. Friction acts at the
+/// sheaves.
 #[derive(Clone, Debug)]
 pub struct TuggerLine<S = f64> {
     /// Name in the results.
@@ -24,12 +25,14 @@ pub struct TuggerLine<S = f64> {
     pub tension: S,
     /// c, N s/m.
     pub damping: S,
-    /// T_max, N; without it, there is none.
+    /// T_max, N; `None` for no limit.
     pub largest: Option<S>,
 }
 
-const LEAVES_RANGE: Event =
-    Event { what: "leaves its range at a sheave, or two places of its path meet", crossing: Crossing::Falling };
+const LEAVES_RANGE: Event = Event {
+    what: "wraps a sheave beyond the valid angle, or two neighbouring places of its path overlap",
+    crossing: Crossing::Falling,
+};
 
 impl<S: Scalar> Element<S> for TuggerLine<S> {
     fn name(&self) -> &str {
@@ -88,7 +91,7 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
 }
 
 impl<S: Scalar> TuggerLine<S> {
-    /// T at this rate of the path's length, N.
+    /// Returns T at this rate of the path's length, N.
     fn tension_at(&self, rate: S) -> S {
         let tension = self.tension + self.damping * rate;
         let pulls = tension.select_below(0.0, || S::ZERO, || tension);

@@ -29,7 +29,7 @@ use core::f64::consts::FRAC_PI_4;
 pub struct RopeWeight<S = f64> {
     /// kg/m.
     pub mass_per_length: S,
-    /// Diameter of the circle that displaces as much water, m.
+    /// Diameter of the circular section that displaces the same volume of water as the rope, m.
     pub diameter: S,
 }
 
@@ -70,17 +70,17 @@ impl<S: Scalar> RopeWeight<S> {
 }
 
 impl<S: Scalar> PerLength<S> {
-    /// w(z), N/m.
+    /// Returns w(z), N/m.
     fn at(&self, height: S) -> S {
         height.select_below(0.0, || self.in_water, || self.in_air)
     }
 
-    /// W(z), N.
+    /// Returns W(z), N.
     fn integral(&self, height: S) -> S {
         self.at(height) * height
     }
 
-    /// The mean of W between two heights, N.
+    /// Returns the mean of W between two heights, N.
     fn mean(&self, [from, to]: [S; 2]) -> S {
         let half = S::constant(0.5);
         let on_one_side = || self.integral(from + to) * half;
@@ -88,7 +88,7 @@ impl<S: Scalar> PerLength<S> {
         (from * to).select_below(0.0, across, on_one_side)
     }
 
-    /// The derivatives of the mean with respect to both heights, N/m.
+    /// Returns the derivatives of the mean with respect to both heights, N/m.
     fn slopes(&self, [from, to]: [S; 2]) -> [S; 2] {
         let product = from * to;
         let on_one_side = || self.at(from + to) * S::constant(0.5);
@@ -100,14 +100,14 @@ impl<S: Scalar> PerLength<S> {
 }
 
 impl<S: Scalar> WeightOnPath<S> {
-    /// The tension at a height less the mean, N.
+    /// Returns the tension at a height less the mean tension, N.
     fn above_mean(&self, height: S) -> S {
         self.density * (self.per_length.integral(height) - self.mean)
     }
 }
 
 impl<S: Scalar> Rope<S> {
-    /// The distribution, if the rope has weight and has not parted; the path has been evaluated at the present
+    /// Returns the distribution, if the rope has weight and has not parted; the path has been evaluated at the present
     /// positions.
     fn hanging(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Option<WeightOnPath<S>> {
         let weight = self.weight.filter(|_| !is_off(self.condition(at)))?;
@@ -149,14 +149,14 @@ impl<S: Scalar> Rope<S> {
         }
     }
 
-    /// V, J.
+    /// Returns V, J.
     pub(super) fn energy_of_weight(&self, at: &Context<'_, S>, now: &Stretched<S>) -> S {
         let Some(hanging) = self.hanging(at, now) else { return S::ZERO };
         now.unstretched * hanging.mean - now.paid_out.length * hanging.per_length.integral(self.path.centre(0)[2])
     }
 
-    /// The tension at the first and the last end including the weight, and the largest on the path; `tensions` are
-    /// those of the first and the last end without weight, N. None is below 0.
+    /// Returns the tensions at the first and the last end with the weight, and the largest on the path, N, each at
+    /// least 0; `tensions` are the tensions at the first and the last end without the weight, N.
     pub(super) fn with_weight(&self, at: &Context<'_, S>, now: &Stretched<S>, tensions: [S; 2]) -> ([S; 2], S) {
         let larger = |a: S, b: S| a.select_less(b, || b, || a);
         let [first, last] = tensions;

@@ -4,11 +4,11 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{LocalName, SetsInputs, SignalName};
 
-/// Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the command of a
-/// branch, `name.branch.input`; those of the branches that are not selected go nowhere.
+/// Passes the commands of one of several branches to inputs. Another controller, or the operation, sets the commands of
+/// a branch, `name.branch.input`; the commands of the other branches have no effect.
 #[fields]
 pub struct Selector {
-    /// The branch that passes.
+    /// The branch whose commands pass.
     pub selected: LocalName,
     /// The branches.
     pub branches: Vec<LocalName>,

@@ -1,4 +1,4 @@
-//! A selector: of several commands for the same inputs, one passes.
+//! A selector: it passes one of several commands to each of its inputs.
 
 pub mod assembly;
 pub mod fields;
@@ -6,14 +6,15 @@ pub mod fields;
 use super::{Context, Declaration, Element, ElementState, Input};
 use crate::scalar::Scalar;
 
-/// Passes the commands of one of its branches to the inputs that it sets; those of the other branches go nowhere.
+/// Passes the commands of one of its branches to the inputs that it sets; the commands of the other branches have no
+/// effect.
 #[derive(Clone, Debug)]
 pub struct Selector {
     /// Name in the results.
     pub name: String,
     /// The branches.
     pub branches: Vec<String>,
-    /// The one that passes.
+    /// Index of the branch whose commands pass.
     pub selected: usize,
     /// Inputs that it sets.
     pub to: Vec<Input>,
@@ -59,7 +60,7 @@ impl<S: Scalar> Element<S> for Selector {
 }
 
 impl Selector {
-    /// The commands of the branch that acts.
+    /// Returns the commands of the selected branch.
     fn chosen<'a, S>(&self, commands: &'a [S]) -> &'a [S] {
         let first = self.selected * self.to.len();
         &commands[first..first + self.to.len()]

@@ -15,7 +15,8 @@ use crate::spatial::Vector3;
 /// Largest delay of a sensor, in samples: each is a number in a snapshot.
 const MOST_DELAY: usize = 1000;
 
-/// The sampling of a sensor: its field, the errors of its signals, its period, its delay, its failures.
+/// Returns the sampling of a sensor, from its field, the errors of its signals, its period, its delay and its
+/// drop-outs.
 pub fn sampler<S: Quantity>(
     scenario: &Scenario<S>,
     [name, kind]: [&str; 2],
@@ -100,7 +101,7 @@ impl<S: Quantity> Assemble<S> for schema::LoadCell<S> {
     }
 }
 
-/// Names of all ropes.
+/// Returns the names of all ropes.
 pub fn ropes<S>(scenario: &Scenario<S>) -> impl Iterator<Item = &str> {
     scenario.forces.iter().filter_map(|(name, force)| matches!(force, Force::Rope(_)).then_some(name.as_str()))
 }
@@ -123,7 +124,7 @@ impl<S: Quantity> Assemble<S> for schema::SatelliteReceiver<S> {
     }
 }
 
-/// The receiver that helps a unit at a point of a body.
+/// Returns the satellite receiver that corrects a unit at a point of a body.
 pub fn position_aid<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
@@ -183,7 +184,7 @@ pub fn of_acceleration<S: Quantity>(given: &schema::AccelerationErrors<S>) -> Si
     SignalErrors { noise, bias: given.bias_m_s2, resolution }
 }
 
-/// The middle period of an oscillation that a filter follows from sample to sample.
+/// Checks that the period of an oscillation is long enough for a filter to follow it from sample to sample.
 pub fn long_enough<S: Quantity>(field: String, found: Positive, sampler: &Sampler<S>) -> Result<(), FieldError> {
     let least = 4.0 * sampler.period_s;
     if found.get() >= least {
@@ -192,10 +193,10 @@ pub fn long_enough<S: Quantity>(field: String, found: Positive, sampler: &Sample
     Err(FieldError::new(field, found.get(), format!("at least four times period_s, {least} s")))
 }
 
-/// Whether there is a filter for what it assumes.
+/// Checks that a filter exists for its assumptions.
 pub fn exists(field: String, is_finite: bool) -> Result<(), FieldError> {
-    let allowed = "noises and motions from which gains of finite size follow";
-    if is_finite { Ok(()) } else { Err(FieldError::new(field, "numbers too far apart", allowed)) }
+    let allowed = "noise and motion with finite filter gains";
+    if is_finite { Ok(()) } else { Err(FieldError::new(field, "numbers whose magnitudes differ too much", allowed)) }
 }
 
 fn of_force<S: Quantity>(given: &schema::ForceErrors<S>) -> SignalErrors<S> {

@@ -1,11 +1,11 @@
-//! Errors that a sensor adds to the truth: bias, white noise, a resolution, and drop-outs.
+//! Errors of a sensor: bias, white noise, resolution and drop-outs.
 
 use crate::scalar::Scalar;
 use crate::sea::waves::Noise;
 use crate::spatial::Vector3;
 use crate::state::digest;
 
-/// The errors of one signal. Of a value x, sample k gives
+/// Errors of one signal. Sample k of a value x is
 ///
 /// ```text
 /// y_k = q round((x + b + sigma n_k) / q),    or without a resolution q    y_k = x + b + sigma n_k
@@ -20,13 +20,14 @@ pub struct SignalErrors<S = f64> {
     pub noise: S,
     /// b.
     pub bias: S,
-    /// q; 0 is none.
+    /// q; 0 for no resolution.
     pub resolution: f64,
 }
 
-/// Failures of a sensor: at each sample one that works fails with the probability T / `mean_interval_s`, and one that
-/// has failed works again with T / `mean_duration_s`, with the sampling period T. Both times are then geometrically
-/// distributed with these means (Gilbert, *Bell System Technical Journal* 39, 1960, p. 1253).
+/// Drop-outs of a sensor: at each sample, a working sensor drops out with the probability T / `mean_interval_s`, and a
+/// sensor that has dropped out works again with the probability T / `mean_duration_s`, with the sampling period T. Both
+/// times are then geometrically distributed with these means (Gilbert, *Bell System Technical Journal* 39, 1960, p.
+/// 1253).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DropOuts {
     /// Mean time from the end of a drop-out to the next, s.
@@ -44,29 +45,30 @@ pub struct SensorNoise {
 
 /// The channels of sensors have this bit; waves and gusts use small numbers.
 const CHANNELS_OF_SENSORS: u64 = 1 << 63;
-/// Signals of one sensor, at most; the last channel is that of its drop-outs.
+/// Largest number of signals of one sensor; the last channel is used for its drop-outs.
 const SIGNALS: u64 = 64;
 
 impl SensorNoise {
-    /// The numbers of the sensor of this name in a run with this seed. A name has the same numbers whatever other
-    /// sensors there are.
+    /// Returns the random numbers of the sensor with this name in a run with this seed. They do not depend on other
+    /// sensors.
     pub fn new(seed: u64, name: &str) -> Self {
         Self { noise: Noise::new(seed), channel: CHANNELS_OF_SENSORS | (digest(name.as_bytes()) & !(SIGNALS - 1)) }
     }
 
-    /// n_k of a signal.
+    /// Returns n_k of a signal.
     pub fn normal(&self, signal: usize, sample: u64) -> f64 {
         self.noise.normal(self.channel + signal as u64, sample)
     }
 
-    /// A number from (0, 1) that decides whether the sensor works at a sample.
+    /// Returns a number from (0, 1) that determines whether the sensor works at a sample.
     pub fn uniform(&self, sample: u64) -> f64 {
         self.noise.uniform(self.channel + SIGNALS - 1, sample)
     }
 }
 
 impl<S: Scalar> SignalErrors<S> {
-    /// The value with its errors at a sample. Its derivative is that of a staircase where there is a resolution: 0.
+    /// Returns the value with its errors at a sample. With a resolution the value is a staircase, whose derivative is
+    /// 0.
     pub fn on(&self, value: S, noise: &SensorNoise, signal: usize, sample: u64) -> S {
         let noisy = value + self.bias;
         let noisy = if S::HAS_DERIVATIVES || !self.noise.all(|sigma| sigma == 0.0) {
@@ -82,7 +84,8 @@ impl<S: Scalar> SignalErrors<S> {
     }
 }
 
-/// Three components with the same errors each, as the signals from `first` on; without errors, themselves.
+/// Returns three components with the same errors each, as the signals from `first` on; without errors, the components
+/// unchanged.
 pub fn with_errors<S: Scalar>(
     values: Vector3<S>,
     errors: Option<SignalErrors<S>>,

@@ -6,8 +6,8 @@ use crate::elements::{Context, Declaration, Element, ElementState, Output};
 use crate::scalar::Scalar;
 
 /// Measures a rope's tension, N. A tension depends on the forces of all elements, so it is read as a column at the
-/// start of the first step after each sampling time: a row of results that falls on a sampling time still holds the
-/// sample before.
+/// start of the first step after each sampling time: a row of results at a sampling time still holds the previous
+/// sample.
 #[derive(Clone, Debug)]
 pub struct LoadCell<S = f64> {
     /// Name in the results.
@@ -53,7 +53,7 @@ impl<S: Scalar> Element<S> for LoadCell<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        // It learns the tension at its samples alone.
+        // The sensor knows the tension only at its samples.
         self.sampler.outputs(at, out, || [at.numbers[0]]);
     }
 }

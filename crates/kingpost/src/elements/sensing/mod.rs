@@ -1,4 +1,5 @@
-//! Sensors of a crane, and what all sensors have in common: noise, bias, resolution, delay, drop-outs, the gains of their filters.
+//! Sensors of a crane, and the parts common to all sensors: noise, bias, resolution, delay, drop-outs, and the gains of
+//! filters.
 
 pub(crate) mod assembly;
 mod encoder;

@@ -1,20 +1,20 @@
-//! Linear processes in samples, and what a Kalman filter knows of them after a long time.
+//! Discrete linear processes and the stationary gains of their Kalman filters.
 
 use crate::scalar::Scalar;
 use crate::spatial::exponential;
 use nalgebra::{DMatrix, DVector};
 
-/// Rounds of the recursion: the last is the covariance after 2^40 samples.
+/// Number of doublings: the last one gives the covariance after 2^40 samples.
 const DOUBLINGS: usize = 40;
 
-/// Standard deviation of what the model of an oscillation does not explain of it, over it.
+/// Standard deviation of the part of an oscillation that its model does not explain, over that of the oscillation.
 const UNEXPLAINED: f64 = 0.1;
 /// Damping ratio of an oscillation: the width of its spectrum.
 const DAMPING_RATIO: f64 = 0.3;
-/// How fast the error of a gyroscope wanders: rad/s in the root of a second.
+/// Random walk of the error of a gyroscope, rad/s per root second.
 pub const RATE_WANDERS: f64 = 1e-6;
 
-/// A linear process in a sample: `x <- A x + n`, with the covariance Q of the noise n.
+/// A linear process over one sample: `x <- A x + n`, with the covariance Q of the noise n.
 #[derive(Clone, Debug)]
 pub struct Process {
     /// A.
@@ -24,32 +24,34 @@ pub struct Process {
 }
 
 impl Process {
-    /// From `x' = F x` and the standard deviations that a sample adds.
+    /// Returns the process of `x' = F x` with the standard deviations of the noise that a sample adds to each state.
     pub fn new(rates: DMatrix<f64>, period_s: f64, deviations: &[f64]) -> Self {
         let squares = deviations.iter().map(|x| x * x);
         let noise = DMatrix::from_diagonal(&DVector::from_iterator(deviations.len(), squares));
         Self { transition: exponential(rates * period_s), noise }
     }
 
-    /// A chain of which the rate of state k is this factor times state k + 1.
+    /// Returns a chain of states, in which the rate of state k is its factor times state k + 1.
     pub fn chain(factors: &[f64], period_s: f64, deviations: &[f64]) -> Self {
         let size = factors.len() + 1;
         let rates = DMatrix::from_fn(size, size, |i, j| if j == i + 1 { factors[i] } else { 0.0 });
         Self::new(rates, period_s, deviations)
     }
 
-    /// The error of an angle that is the integral of a gyroscope's rate of this noise, and the error of the rate.
+    /// Returns the process of an angle's error, where the angle is the integral of a gyroscope's rate with this noise,
+    /// and of the rate's error.
     pub fn of_angle(rate_noise: f64, period_s: f64) -> Self {
         Self::chain(&[-1.0], period_s, &[rate_noise * period_s, RATE_WANDERS * libm::sqrt(period_s)])
     }
 
-    /// An oscillation x about zero with a middle period and a standard deviation, behind its integral: with the frequency w0
+    /// Returns the process of an oscillation x about zero with a peak period and a standard deviation. Its states are
+    /// the integral of x, then x: with the frequency w0
     ///
     /// ```text
     /// x'' + 2 zeta w0 x' + w0^2 x = noise'
     /// ```
     ///
-    /// as in the filter of waves of Fossen (*Handbook of Marine Craft Hydrodynamics and Motion Control*, 2nd ed., 2021, sec.
+    /// as in Fossen's wave filter (*Handbook of Marine Craft Hydrodynamics and Motion Control*, 2nd ed., 2021, sec.
     /// 13.3).
     pub fn oscillation(middle_period_s: f64, deviation: f64, period_s: f64) -> Self {
         let frequency = core::f64::consts::TAU / middle_period_s;
@@ -58,18 +60,18 @@ impl Process {
         Self::new(rates, period_s, &[0.0, libm::sqrt(2.0 * damper) * deviation * libm::sqrt(period_s)])
     }
 
-    /// The gain where the first state is known to be about zero but for an [oscillation](Self::oscillation) of this standard
-    /// deviation: for the states of this process, then the two of the oscillation.
+    /// Returns the gain for the pseudo-measurement that the first state equals an [oscillation](Self::oscillation) of
+    /// this standard deviation about zero: for the states of this process, then for the two states of the oscillation.
     pub fn gain_about_zero(&self, oscillation: &Self, deviation: f64) -> DVector<f64> {
         self.beside(oscillation).gain(&difference(self.size() + 2), UNEXPLAINED * deviation)
     }
 
-    /// Number of its states.
+    /// Returns the number of its states.
     pub fn size(&self) -> usize {
         self.noise.nrows()
     }
 
-    /// Both as one process, this one first.
+    /// Returns both processes as one, this one first.
     pub fn beside(&self, other: &Self) -> Self {
         let (one, all) = (self.size(), self.size() + other.size());
         let both = |first: &DMatrix<f64>, second: &DMatrix<f64>| {
@@ -81,7 +83,7 @@ impl Process {
         Self { transition: both(&self.transition, &other.transition), noise: both(&self.noise, &other.noise) }
     }
 
-    /// One step that is this number of samples, by squares. Not finite for too many.
+    /// Returns the process over this number of samples, by repeated squaring. Not finite for too large a number.
     pub fn after(&self, samples: f64) -> Self {
         let (mut left, mut power) = (samples, self.clone());
         let mut all: Option<Self> = None;
@@ -98,20 +100,21 @@ impl Process {
         all.unwrap_or(power)
     }
 
-    /// This process, then another.
+    /// Returns this process followed by another.
     fn then(&self, next: &Self) -> Self {
         let turned = &next.transition * &self.noise * next.transition.transpose();
         Self { transition: &next.transition * &self.transition, noise: turned + &next.noise }
     }
 
-    /// The gain K = P h / (h^T P h + r^2) of a Kalman filter after many samples of h^T x + r n, n of variance 1: P solves the algebraic Riccati equation
+    /// Returns the stationary gain K = P h / (h^T P h + r^2) of a Kalman filter for the measurement h^T x + r n, with n
+    /// of variance 1: P solves the algebraic Riccati equation
     ///
     /// ```text
     /// P = A P A^T - A P h (h^T P h + r^2)^-1 h^T P A^T + Q
     /// ```
     ///
-    /// by doubling (Anderson & Moore, *Optimal Filtering*, 1979, sec. 6.7): after k rounds it is the covariance after 2^k
-    /// samples.
+    /// by doubling (Anderson & Moore, *Optimal Filtering*, 1979, sec. 6.7): after k doublings P is the covariance after
+    /// 2^k samples.
     pub fn gain(&self, measured: &DVector<f64>, deviation: f64) -> DVector<f64> {
         let size = self.size();
         let (mut a, mut p) = (self.transition.transpose(), self.noise.clone());
@@ -135,29 +138,29 @@ impl Process {
     }
 }
 
-/// The first state is measured.
+/// Returns the measurement vector of the first state.
 pub fn first(size: usize) -> DVector<f64> {
     DVector::from_fn(size, |i, _| if i == 0 { 1.0 } else { 0.0 })
 }
 
-/// The first state less the last is measured.
+/// Returns the measurement vector of the first state less the last.
 fn difference(size: usize) -> DVector<f64> {
     let mut measured = first(size);
     measured[size - 1] = -1.0;
     measured
 }
 
-/// How the integral of an oscillation and itself change in a sample.
+/// Transition matrix of an oscillation and its integral over one sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillating([[f64; 2]; 2]);
 
 impl Oscillating {
-    /// Returns how an [oscillation](Process::oscillation) and its integral change in a sample.
+    /// Returns the transition matrix of an [oscillation](Process::oscillation) and its integral over one sample.
     pub fn of(oscillation: &Process) -> Self {
         Self([0, 1].map(|i| [0, 1].map(|j| oscillation.transition[(i, j)])))
     }
 
-    /// Both a sample later.
+    /// Returns the integral and the oscillation one sample later.
     pub fn onward<S: Scalar>(&self, [integral, itself]: [S; 2]) -> [S; 2] {
         self.0.map(|row| S::constant(row[0]) * integral + S::constant(row[1]) * itself)
     }
@@ -167,10 +170,10 @@ impl Oscillating {
 mod tests {
     use super::*;
 
-    /// The alpha-beta filter of a place whose velocity jumps at random, by its tracking index L = s_a T^2 / r (Kalata, *IEEE
-    /// Trans. Aerospace and Electronic Systems* 20, 1984, p. 174).
+    /// Alpha-beta filter of a position with random jumps of the velocity, by its tracking index L = s_a T^2 / r
+    /// (Kalata, *IEEE Trans. Aerospace and Electronic Systems* 20, 1984, p. 174).
     #[test]
-    fn the_gain_of_a_place_and_a_velocity_is_that_of_the_tracking_index() {
+    fn the_gains_of_position_and_velocity_are_those_of_the_tracking_index() {
         for index in [1e-4, 0.01, 0.5, 3.0] {
             let (period, deviation) = (0.5, 2.0);
             let acceleration = index * deviation / (period * period);
@@ -185,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_of_several_samples_is_each_after_the_other() {
+    fn a_step_of_13_samples_equals_13_steps_of_one_sample() {
         let chain = Process::new(DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -0.5, -0.1]), 0.3, &[0.1, 0.2]);
         let one_by_one = (1..13).fold(chain.clone(), |all, _| all.then(&chain));
         let at_once = chain.after(13.0);

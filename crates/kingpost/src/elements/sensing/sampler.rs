@@ -1,14 +1,14 @@
-//! The sampling of a sensor's signals: errors, a delay, and a last value that is held while the sensor drops out.
+//! Sampling of a sensor's signals: errors, a delay, and hold of the last value during a drop-out.
 
 use super::errors::{DropOuts, SensorNoise, SignalErrors};
 use crate::elements::{Context, Crossing, Declaration, Delay, ElementState, EvaluationMode, Event, Output};
 use crate::scalar::Scalar;
 
-/// Samples a fixed list of signals. Its numbers stand first among the element's: the outputs, then a ring buffer for
-/// each signal; so do its modes: the head of each buffer, then whether it has dropped out.
+/// Samples a fixed list of signals. Its numbers are the first of the element's: the outputs, then a ring buffer for
+/// each signal. Its modes are also the first: the head of each buffer, then whether the sensor has dropped out.
 #[derive(Clone, Debug)]
 pub struct Sampler<S = f64> {
-    /// The errors of each signal; `None` is a signal without errors.
+    /// Errors of each signal; `None` for a signal without errors.
     pub errors: Vec<Option<SignalErrors<S>>>,
     /// Its drop-outs; without them it always works.
     pub drop_outs: Option<DropOuts>,
@@ -22,27 +22,28 @@ pub struct Sampler<S = f64> {
 
 /// The mode of a sensor that has dropped out.
 const OUT: i64 = 1;
-/// Its events where it can drop out, in the order of [`Sampler::events`].
+/// Index of its events, in the order of [`Sampler::events`], if it can drop out.
 const DROPS_OUT: usize = 0;
 const WORKS_AGAIN: usize = 1;
 
 impl<S: Scalar> Sampler<S> {
-    /// Number of its signals.
+    /// Returns the number of its signals.
     pub fn count(&self) -> usize {
         self.errors.len()
     }
 
-    /// Number of its numbers: those of the element begin after them.
+    /// Returns the number of its numbers, after which the element's own begin.
     pub fn numbers(&self) -> usize {
         self.count() * (1 + self.delay_samples)
     }
 
-    /// Number of its modes: those of the element begin after them.
+    /// Returns the number of its modes, after which the element's own begin.
     pub fn modes(&self) -> usize {
         self.status_mode() + usize::from(self.drop_outs.is_some())
     }
 
-    /// The declaration of a sensor of this name with these signals and outputs, its status behind them if it can drop out.
+    /// Returns the declaration of a sensor with this name, these signals and outputs, followed by its status if it can
+    /// drop out.
     pub fn declaration(&self, name: &str, signals: &[&str], outputs: Vec<Output>) -> Declaration {
         Declaration {
             numbers: self.number_names(signals),
@@ -56,31 +57,31 @@ impl<S: Scalar> Sampler<S> {
         }
     }
 
-    /// Names of its numbers, for these names of signals.
+    /// Returns the names of its numbers, for these names of signals.
     fn number_names(&self, signals: &[&str]) -> Vec<String> {
         let late = |name: &&str| (0..self.delay_samples).map(|tick| format!("{name}_{tick}")).collect::<Vec<_>>();
         signals.iter().map(ToString::to_string).chain(signals.iter().flat_map(late)).collect()
     }
 
-    /// Names of its modes.
+    /// Returns the names of its modes.
     fn mode_names(&self, signals: &[&str]) -> Vec<String> {
         let heads = signals.iter().filter(|_| self.delay_samples > 0).map(|name| format!("{name}_oldest"));
         heads.chain(self.drop_outs.map(|_| "drop_out".to_owned())).collect()
     }
 
-    /// Its status as an output, if it can drop out.
+    /// Returns its status as an output, if it can drop out.
     fn status(&self, name: &str) -> Option<Output> {
-        let what = "1 while a sensor delivers new samples, 0 while it holds its last";
+        let what = "1 while a sensor delivers new samples, 0 while it holds its last sample";
         self.drop_outs.map(|_| Output::number("sensor_status", what, "sensor", name, &["1"]))
     }
 
-    /// Its events, if it can drop out: they are brought about by samples, not by indicators.
+    /// Returns its events, if it can drop out: samples cause them, not indicators.
     fn events(&self) -> Vec<Event> {
         let of = |what| Event { what, crossing: Crossing::Rising };
         self.drop_outs.map_or_else(Vec::new, |_| vec![of("drops out"), of("delivers again")])
     }
 
-    /// Every value that it holds at the start: the first with bias and noise.
+    /// Fills the outputs and the buffers at the start with the first values, with bias and noise.
     pub fn begin(&self, own: &mut ElementState<'_, S>, values: &[S]) {
         for (signal, value) in values.iter().enumerate() {
             let value = self.with_errors(signal, *value, 0);
@@ -89,7 +90,7 @@ impl<S: Scalar> Sampler<S> {
         }
     }
 
-    /// One sample at a time: `own.numbers[..count]` become what the sensor delivers.
+    /// Takes one sample: `own.numbers[..count]` become the outputs of the sensor.
     pub fn take(&self, time_s: f64, own: &mut ElementState<'_, S>, values: &[S]) {
         let sample = self.sample_at(time_s);
         let delivers = self.delivers(sample, own);
@@ -108,8 +109,8 @@ impl<S: Scalar> Sampler<S> {
         self.drop_outs.is_none() || modes[self.status_mode()] != OUT
     }
 
-    /// The values that it delivers, the exact ones in a [mode](EvaluationMode::Unsampled) without samples; then its status if
-    /// it can drop out.
+    /// Appends its outputs, exact values in a [mode](EvaluationMode::Unsampled) without sampling; then its status if it
+    /// can drop out.
     pub fn outputs<Exact: AsRef<[S]>>(&self, at: &Context<'_, S>, out: &mut Vec<S>, exact: impl FnOnce() -> Exact) {
         let count = self.count();
         if at.evaluation == EvaluationMode::Unsampled {
@@ -125,12 +126,12 @@ impl<S: Scalar> Sampler<S> {
         if self.delay_samples > 0 { self.count() } else { 0 }
     }
 
-    /// A signal with its errors at a time, before its delay.
+    /// Returns a signal with its errors at a time, before its delay.
     pub fn now(&self, time_s: f64, signal: usize, value: S) -> S {
         self.with_errors(signal, value, self.sample_at(time_s))
     }
 
-    /// The number of the sample at a time.
+    /// Returns the number of the sample at a time.
     pub fn sample_at(&self, time_s: f64) -> u64 {
         libm::round(time_s / self.period_s) as u64
     }
@@ -139,7 +140,7 @@ impl<S: Scalar> Sampler<S> {
         self.errors[signal].map_or(value, |errors| errors.on(value, &self.noise, signal, sample))
     }
 
-    /// Decides whether it works at this sample, and notes a change.
+    /// Determines whether it works at this sample, and records a change.
     fn delivers(&self, sample: u64, own: &mut ElementState<'_, S>) -> bool {
         let Some(DropOuts { mean_interval_s, mean_duration_s }) = self.drop_outs else { return true };
         let (mode, drawn) = (self.status_mode(), self.noise.uniform(sample));

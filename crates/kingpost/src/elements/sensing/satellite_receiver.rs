@@ -1,4 +1,4 @@
-//! A receiver of satellite positioning: a sensor of where its antenna is.
+//! A satellite positioning receiver: a sensor of the position of its antenna.
 
 use super::Sampler;
 use crate::elements::lines::place;

@@ -17,7 +17,7 @@ impl<S: Quantity> Assemble<S> for schema::SlackTank<S> {
     }
 }
 
-/// A slack tank, if it is enabled and its body exists.
+/// Returns a slack tank, if it is enabled and its body exists.
 fn slack<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -67,7 +67,7 @@ fn check_body<S: Quantity>(
     Err(FieldError::new(field, found, "a body whose mass is at least that of the liquid, which is part of it"))
 }
 
-/// Density of a tank's liquid, kg/m^3.
+/// Returns the density of a tank's liquid, kg/m^3.
 fn density<S: Quantity>(scenario: &Scenario<S>, tank: &schema::SlackTank<S>) -> S {
     let of_sea = || scenario.sea.clone().unwrap_or_default().density_kg_m3;
     tank.density_kg_m3.unwrap_or_else(of_sea).get()

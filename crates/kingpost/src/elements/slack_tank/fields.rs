@@ -7,7 +7,7 @@ use crate::scenario::schema::{Fraction, Name, Positive, yes};
 /// The free surface of a liquid in a box whose sides are along the body's axes. The body's `mass_kg`,
 /// `centre_of_mass_m` and inertia must contain the liquid, as if it were frozen with the body upright. This force adds
 /// the effect of the liquid's shift. The surface is taken as always level, so the liquid's natural period must be well
-/// below those of the body in roll and pitch.
+/// below the natural periods of the body in roll and pitch.
 #[fields]
 pub struct SlackTank<S = f64> {
     /// Whether the surface is free; if not, the liquid stays as if it were frozen.
@@ -15,7 +15,7 @@ pub struct SlackTank<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
-    /// Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on it.
+    /// Centre of the box in the body's drawing frame, m. The moment of a free surface does not depend on this position.
     pub position_m: [S; 3],
     /// Inner length along the body's x axis, m.
     pub length_m: Positive<S>,

@@ -11,11 +11,11 @@ use crate::scalar::Scalar;
 use crate::sea::hull::BoxTank;
 use crate::spatial::{Vector3, Wrench};
 
-/// A box of liquid on a body. Its weight `rho g V` is part of the body's weight, with the liquid as in the upright
-/// body.
+/// A box of liquid on a body. Its weight `rho g V` is part of the body's weight, with the liquid in its position in the
+/// upright body.
 ///
 /// The surface is always level, so the liquid's centre moves from c0 to c(n), n being the vertical in body axes
-/// ([`BoxTank::shift`]). This adds only a moment, wherever the tank is, by the potential energy
+/// ([`BoxTank::shift`]). This adds only a moment, independent of the tank's position, with the potential energy
 ///
 /// ```text
 /// U = rho g V n . (c - c0),      M = n x dU/dn = (c - c0) x (-rho g V n)
@@ -46,7 +46,7 @@ impl<S: Scalar> Element<S> for SlackTank<S> {
         loads.wrenches.push((self.place.body, Wrench { moment, force: Vector3::zero() }));
     }
 
-    /// Energy of the liquid relative to the upright position, J: never positive.
+    /// Returns the energy of the liquid relative to the upright position, J: never positive.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let vertical = self.vertical(at.model, at.links);
         vertical.dot(self.tank.shift(vertical)) * self.density * at.world.gravity
@@ -54,12 +54,12 @@ impl<S: Scalar> Element<S> for SlackTank<S> {
 }
 
 impl<S: Scalar> SlackTank<S> {
-    /// The slack tanks among elements.
+    /// Returns the slack tanks among elements.
     pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
         of_kind(elements)
     }
 
-    /// n, in the body's axes.
+    /// Returns n, in the body's axes.
     fn vertical(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
         links.to_body_axes(model, self.place.body, Vector3::new(S::ZERO, S::ZERO, S::ONE))
     }

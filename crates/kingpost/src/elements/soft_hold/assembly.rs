@@ -18,7 +18,7 @@ impl<S: Quantity> Assemble<S> for schema::SoftHold<S> {
     }
 }
 
-/// A soft hold, if it is enabled and its body exists; `q` and `v` are the scenario's initial state.
+/// Returns a soft hold, if it is enabled and its body exists; `q` and `v` are the scenario's initial state.
 fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -50,14 +50,13 @@ fn build<S: Quantity>(
     })))
 }
 
-/// Checks that it holds a body that moves under forces, at a finite position.
+/// Checks that the body has a floating joint and that the target is finite.
 fn check<S: Quantity>(scenario: &Scenario<S>, given: &schema::SoftHold<S>, field: &str) -> Result<(), FieldError> {
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let joint = &scenario.bodies[&given.body].joint;
     if !matches!(joint, Joint::Floating(_)) {
         let found = format!("{}, whose joint is {}", given.body, joint.kind());
-        let allowed =
-            "a body with a floating joint: no force moves a prescribed body, and other joints already hold theirs";
+        let allowed = "a body with a floating joint: no force moves a prescribed body, and other joints already hold their bodies";
         return Err(FieldError::new(format!("{field}.body"), found, allowed));
     }
     let Some(target) = given.target else { return Ok(()) };
@@ -75,7 +74,7 @@ struct Ship<'a, S: Quantity> {
     links: &'a LinkKinematics<S>,
     body: usize,
     carried: Vec<usize>,
-    /// Their centre of mass in the world, m.
+    /// Centre of mass of the ship with all that it carries, world, m.
     centre: Vector3<S>,
 }
 
@@ -99,8 +98,8 @@ impl<'a, S: Quantity> Ship<'a, S> {
         forward[1].atan2(forward[0])
     }
 
-    /// The position at which the centre of mass is held, and the cosine and sine of the held heading: the initial ones,
-    /// or those with the drawing frame on its target.
+    /// Returns the position at which the centre of mass is held, and the cosine and sine of the held heading: the
+    /// initial ones, or those for which the drawing frame is at the target.
     fn held(&self, target: Option<StationTarget<S>>, point: Vector3<S>) -> ([S; 2], [S; 2]) {
         let Some(StationTarget { x_m, y_m, heading_rad }) = target else {
             let (sin, cos) = self.heading().sin_cos();
@@ -112,8 +111,8 @@ impl<'a, S: Quantity> Ship<'a, S> {
         ([x_m + cos * x - sin * y, y_m + sin * x + cos * y], [cos, sin])
     }
 
-    /// Mass along and across the heading and moment of inertia about the vertical through the centre, with the added
-    /// mass of slow motions.
+    /// Returns the masses along and across the heading and the moment of inertia about the vertical through the centre
+    /// of mass, with the added mass of slow motions.
     fn masses(&self) -> [S; 3] {
         let rotation = rotation_from_roll_pitch_yaw(Vector3::new(S::ZERO, S::ZERO, self.heading()));
         let to_level = Frame { rotation, position: self.centre }.inverse();

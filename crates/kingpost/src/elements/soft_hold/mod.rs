@@ -13,8 +13,8 @@ use core::f64::consts::TAU;
 
 /// Springs and dampers in surge, sway and yaw between a point of a body and a fixed position in the world.
 ///
-/// With d the displacement of the point from its position along the held heading and to port of it (m), and delta the
-/// heading relative to the held one, the short way round (rad),
+/// With d the displacement of the point from its held position, along the held heading and to port (m), and delta the
+/// heading relative to the held heading, from -pi to pi (rad),
 ///
 /// ```text
 /// F = -k d - c d',      M = -k_psi delta - c_psi delta'
@@ -39,7 +39,7 @@ pub struct SoftHold<S = f64> {
     pub damping: Planar<S>,
 }
 
-/// The deviation of a body from its position.
+/// Deviation of a body from its held position and heading.
 struct Off<S> {
     /// d and delta.
     deviation: Planar<S>,
@@ -57,8 +57,7 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let deviation =
-            "surge and sway of a ship on a soft hold from its held position, and its heading relative to the held one";
+        let deviation = "surge and sway deviation of a ship on a soft hold from its held position, and heading relative to the held heading";
         let planar = |variable, description, units| Output {
             components: Components::Planar,
             frame: VectorFrame::Heading,
@@ -85,13 +84,13 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
         loads.wrenches.push((self.place.body, self.place.about_centre(&wrench)));
     }
 
-    /// Energy stored, J.
+    /// Returns the stored energy, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let each = self.stiffness.into_iter().zip(self.off(at).deviation);
         each.fold(S::ZERO, |sum, (k, off)| sum + k * off * off) * S::constant(0.5)
     }
 
-    /// Both along the heading that the body has.
+    /// Appends deviation and force along the present heading of the body.
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let off = self.off(at);
         let (sin, cos) = off.deviation[2].sin_cos();
@@ -106,8 +105,8 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
 }
 
 impl<S: Scalar> SoftHold<S> {
-    /// `k = m (2 pi / T)^2` and `c = 2 zeta m 2 pi / T` for a mass (kg, or kg m^2) that oscillates with the period T
-    /// (s) and the damping ratio zeta.
+    /// Returns `k = m (2 pi / T)^2` and `c = 2 zeta m 2 pi / T` for a mass (kg, or kg m^2) that oscillates with the
+    /// period T (s) and the damping ratio zeta.
     ///
     /// ```
     /// use kingpost::elements::SoftHold;
@@ -140,7 +139,7 @@ impl<S: Scalar> SoftHold<S> {
         }
     }
 
-    /// Force and moment, along the heading that is held.
+    /// Returns force and moment, along the held heading.
     fn force(&self, off: &Off<S>) -> Planar<S> {
         core::array::from_fn(|k| -(self.stiffness[k] * off.deviation[k] + self.damping[k] * off.rate[k]))
     }

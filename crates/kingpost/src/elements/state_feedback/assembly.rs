@@ -56,7 +56,7 @@ fn read<S: Quantity>(
     Ok(FeedbackRead { column: given.column.to_string(), reference: given.reference, follows })
 }
 
-/// An input that a feedback sets, with its row of gains and its limits.
+/// Returns an input that a feedback sets, with its row of gains and its limits.
 fn steered<S: Quantity>(
     field: &str,
     name: &str,
@@ -85,7 +85,7 @@ fn steered<S: Quantity>(
     Ok(FeedbackSteer { to: to.clone(), command, gains, integral_gains, limits })
 }
 
-/// A row of gains: a finite one for each column.
+/// Checks a row of gains: one finite gain for each column.
 fn check_gains<S: Quantity>(field: &str, gains: &[S], columns: usize) -> Result<(), FieldError> {
     if gains.len() != columns {
         let allowed = format!("{columns}, one for each column in reads");

@@ -4,16 +4,17 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{ColumnName, Positive, SetsInputs, SignalName, yes};
 
-/// Sets inputs to `c - K e - K_I (integral of e)`, `e = x - reference`, within limits: c their commands, x the columns that it
-/// reads, K and K_I the gains.
+/// Sets inputs to `c - K e - K_I (integral of e)` within limits, with `e = x - reference`, the commands c of the
+/// inputs, the columns x that it reads, and the gains K and K_I.
 #[fields]
 pub struct StateFeedback<S = f64> {
-    /// Whether the controller acts; if not, its commands pass.
+    /// Whether the controller acts; if not, its commands pass unchanged.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The columns that it reads.
     pub reads: Vec<FeedbackRead<S>>,
-    /// The inputs that it sets. The command of a single one has the controller's name, of several `name.input`.
+    /// The inputs that it sets. The command of a single input has the controller's name; with several inputs, each
+    /// command is named `name.input`.
     pub steers: Vec<FeedbackSteer<S>>,
     /// Time between two samples, s: a whole number of steps; without it, one step.
     pub period_s: Option<Positive>,
@@ -22,10 +23,10 @@ pub struct StateFeedback<S = f64> {
 /// A column that is fed back.
 #[fields]
 pub struct FeedbackRead<S = f64> {
-    /// The column of the results, `slew.joint_position`, or a state of a drive as the linear analysis names it,
-    /// `slewing.position`.
+    /// The column of the results, such as `slew.joint_position`, or a state of a drive by its name in the linear
+    /// analysis, such as `slewing.position`.
     pub column: ColumnName,
-    /// Its value where nothing is corrected, in its SI unit.
+    /// Value of the column at which there is no correction, in its SI unit.
     #[serde(default)]
     pub reference: S,
     /// The input in `steers` whose command is added to the reference; both have the same unit.
@@ -37,14 +38,14 @@ pub struct FeedbackRead<S = f64> {
 pub struct FeedbackSteer<S = f64> {
     /// The input.
     pub to: SignalName,
-    /// Its row of K: a gain for each column, the input's unit over the column's.
+    /// Row of K: a gain for each column, in the input's unit over the column's.
     pub gains: Vec<S>,
-    /// Its row of K_I: a gain for the integral of each column over time, the input's unit over the column's and over s.
+    /// Row of K_I: a gain for the time integral of each column, in the input's unit over the column's and over s.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub integral_gains: Vec<S>,
-    /// The smallest value that it is set to, in its SI unit; without it, the smallest that it can have.
+    /// Lower limit of the input's value, in its SI unit; without it, the smallest allowed value.
     pub lower: Option<S>,
-    /// The largest.
+    /// Upper limit of the input's value, in its SI unit; without it, the largest allowed value.
     pub upper: Option<S>,
 }
 

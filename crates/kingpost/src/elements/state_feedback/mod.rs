@@ -1,4 +1,4 @@
-//! State feedback: inputs set by columns of the results, times gains.
+//! State feedback: inputs set from columns of the results by gains.
 
 pub(crate) mod assembly;
 pub(crate) mod fields;
@@ -14,11 +14,12 @@ use crate::scalar::Scalar;
 /// u = c - K e - K_I (integral of e),    e = x - x_ref - w,    within its limits
 /// ```
 ///
-/// w is the command of the input that a column follows, and 0 for the others: the angle of a crane, for example, follows the
-/// command of its slewing gear. With the gain of a position in K, of its rate in K and of the position in K_I, it is a PID
-/// controller. The integral is the sum over the samples times the period. While an input is at a limit, its integral does not
-/// grow further beyond it (conditional integration: Astrom & Hagglund, *Advanced PID Control*, 2006, sec. 3.5). Between two
-/// samples the correction is held; the commands pass at every step.
+/// w is the command of the input that a column follows, and 0 for a column that follows none: the angle of a crane, for
+/// example, follows the command of its slewing gear. With gains of a position and its rate in K, and of the position in
+/// K_I, it is a PID controller. The integral is the sum over the samples times the period. While an input is at a
+/// limit, its integral does not grow further beyond the limit (conditional integration: Astrom & Hagglund, *Advanced
+/// PID Control*, 2006, sec. 3.5). Between two samples the correction is held; changes of the commands act at every
+/// step.
 #[derive(Clone, Debug)]
 pub struct StateFeedback<S = f64> {
     /// Name in the results.
@@ -29,7 +30,7 @@ pub struct StateFeedback<S = f64> {
     pub steers: Vec<FeedbackSteer<S>>,
     /// Sampling period, s: a whole number of steps.
     pub period_s: f64,
-    /// Whether it acts; if not, it passes its commands.
+    /// Whether it acts; if not, its commands pass unchanged.
     pub acts: bool,
 }
 
@@ -53,7 +54,7 @@ pub struct FeedbackSteer<S = f64> {
     pub command: String,
     /// Its row of K.
     pub gains: Vec<S>,
-    /// Its row of K_I, 1/s more; empty without one.
+    /// Its row of K_I, in the unit of K over s; empty without integral gains.
     pub integral_gains: Vec<S>,
     /// Its limits.
     pub limits: [S; 2],
@@ -103,7 +104,7 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
     }
 
     fn linear_law(&self) -> Option<LinearLaw> {
-        // A row that is not given is zero.
+        // An omitted row is zero.
         let row = |gains: &[S]| {
             (0..self.reads.len()).map(|k| gains.get(k).map_or(0.0, |gain| -gain.value())).collect::<Vec<_>>()
         };
@@ -130,7 +131,7 @@ impl<S: Scalar> StateFeedback<S> {
         }
     }
 
-    /// A row of gains times the deviations.
+    /// Returns a row of gains times the deviations.
     fn correction(&self, gains: &[S], read: &[S], commands: &[S]) -> S {
         let deviation = |(of, value): (&FeedbackRead<S>, &S)| {
             let still = *value - of.reference;
@@ -142,7 +143,7 @@ impl<S: Scalar> StateFeedback<S> {
 }
 
 impl<S: Scalar> FeedbackSteer<S> {
-    /// Returns the growth of an integral: nothing if the action is beyond a limit and it would push it further.
+    /// Returns the growth of an integral: 0 if the action is beyond a limit and the growth would push it further.
     fn kept(&self, grown: S, action: S) -> S {
         let beyond = action - action.clipped(self.limits[0], self.limits[1]);
         (beyond * grown).select_below(0.0, || S::ZERO, || grown)

@@ -14,7 +14,7 @@ use crate::sea::hull::Solid;
 use crate::spatial::Vector3;
 use crate::world::{CurrentProfile, World};
 
-/// The largest share of open area for which the reduction of added mass was fitted.
+/// Largest share of open area for which the reduction of added mass was fitted.
 const LARGEST_PERFORATION: f64 = 0.5;
 /// Relative rounding within which a volume equals the solid's.
 const ROUNDING: f64 = 1e-9;
@@ -25,7 +25,7 @@ impl<S: Quantity> Assemble<S> for schema::Submerged<S> {
     }
 }
 
-/// One object, if it is enabled and its body exists.
+/// Returns an object, if it is enabled and its body exists.
 fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -86,7 +86,7 @@ fn solid<S: Quantity>(shape: &SubmergedShape<S>) -> Solid<S> {
     }
 }
 
-/// V over the solid's volume.
+/// Returns V over the solid's volume.
 fn displaced<S: Quantity>(field: &str, given: &schema::Submerged<S>, solid: &Solid<S>) -> Result<S, FieldError> {
     let (Some(volume), whole) = (given.displaced_volume_m3, solid.volume()) else { return Ok(S::ONE) };
     let share = volume.get() / whole;
@@ -97,7 +97,7 @@ fn displaced<S: Quantity>(field: &str, given: &schema::Submerged<S>, solid: &Sol
     Ok(share)
 }
 
-/// The inner space; with the displaced volume it must fit into the solid.
+/// Returns the inner space, which with the displaced volume must fit into the solid.
 fn entrained<S: Quantity>(
     field: &str,
     given: &schema::Submerged<S>,
@@ -109,7 +109,7 @@ fn entrained<S: Quantity>(
     let (volume, height) = (inside.volume_m3.get(), inside.height_m.get());
     let room = solid.volume() * (S::ONE - displaced);
     if !(volume - room).all(|beyond| beyond <= ROUNDING) {
-        let allowed = format!("at most what displaced_volume_m3 leaves of the solid, {room:.6} m3");
+        let allowed = format!("at most the volume of the solid less displaced_volume_m3, {room:.6} m3");
         return Err(FieldError::new(field("volume_m3"), volume, allowed));
     }
     let whole = solid.reach(Vector3([S::ZERO, S::ZERO, S::ONE])) * S::constant(2.0);
@@ -163,7 +163,7 @@ fn growth<S: Quantity>(
     })
 }
 
-/// Shares of the volume of an upright solid that are under water at depths of its bottom.
+/// Returns the shares of an upright solid's volume that are under water at depths of its bottom.
 fn shares_of<S: Quantity>(field: &str, depths: &[f64], solid: &Solid<S>) -> Result<Vec<S>, FieldError> {
     let up = Vector3([S::ZERO, S::ZERO, S::ONE]);
     let (half, last) = (solid.reach(up), depths.len() - 1);
@@ -187,8 +187,8 @@ fn shares_of<S: Quantity>(field: &str, depths: &[f64], solid: &Solid<S>) -> Resu
     Ok(depths.iter().enumerate().map(share).collect())
 }
 
-/// Factor on the added mass for an open area of p percent: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34, exp((10 -
-/// p) / 28) from there to 50 (DNV-RP-N103, sec. 4.6, on the effect of perforation).
+/// Returns the factor on the added mass for an open area of p percent: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34,
+/// exp((10 - p) / 28) from there to 50 (DNV-RP-N103, sec. 4.6, on the effect of perforation).
 fn left_by_perforation<S: Quantity>(perforation: S) -> S {
     let percent = perforation * S::constant(100.0);
     let wave = || {
@@ -218,7 +218,7 @@ fn check_world<S: Quantity>(scenario: &Scenario<S>, field: &str, world: &World<S
     check_current(world)
 }
 
-/// An error unless the current is known at each depth.
+/// Returns an error unless the current is defined at each depth.
 pub(crate) fn check_current<S: Quantity>(world: &World<S>) -> Result<(), FieldError> {
     if matches!(world.current.profile, CurrentProfile::PowerLaw(_)) && world.depth.is_none() {
         let found = "power_law, over infinite depth";

@@ -1,21 +1,21 @@
-//! How added mass grows with the share of the volume under water.
+//! Growth of the added mass with the share of the volume under water.
 
 use crate::scalar::Scalar;
 
-/// phi over s, from phi(0) = 0: in proportion, or a smooth curve through points that overshoots none of them (the monotone
-/// cubic of Fritsch and Butland, *SIAM J. Sci. Stat. Comput.* 5, 1984, 300-304, with slopes that are harmonic means).
+/// phi over s, from phi(0) = 0: proportional, or a smooth curve through points without overshoot (the monotone cubic of
+/// Fritsch and Butland, *SIAM J. Sci. Stat. Comput.* 5, 1984, 300-304, with slopes that are harmonic means).
 #[derive(Clone, Debug, Default)]
 pub struct AddedMassGrowth<S = f64> {
-    /// s, phi and dphi/ds at the points; none for phi = s.
+    /// s, phi and dphi/ds at the points; empty for phi = s.
     points: Vec<[S; 3]>,
 }
 
-/// Why points make no curve.
+/// Error in the points of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthError {
     /// `shares` or `factors`.
     pub column: &'static str,
-    /// Row of the error, if it is in one.
+    /// Row of the error; `None` for an error of the whole column.
     pub row: Option<usize>,
     /// The value found.
     pub found: String,
@@ -24,12 +24,12 @@ pub struct GrowthError {
 }
 
 impl<S: Scalar> AddedMassGrowth<S> {
-    /// phi = s.
+    /// Returns phi = s.
     pub fn in_proportion() -> Self {
         Self { points: Vec::new() }
     }
 
-    /// Through points whose shares go from 0 to 1.
+    /// Returns the curve through points whose shares go from 0 to 1.
     ///
     /// # Errors
     /// [`GrowthError`], for the first point that is wrong.
@@ -61,7 +61,7 @@ impl<S: Scalar> AddedMassGrowth<S> {
         Ok(Self { points: with_slopes(shares, factors) })
     }
 
-    /// phi and its rate, for this s and its rate.
+    /// Returns phi and its rate, for s and its rate.
     pub fn at(&self, share: S, rate: S) -> [S; 2] {
         let Some([_, last, _]) = self.points.last() else { return [share, rate] };
         let mut found = [*last, S::ZERO];
@@ -82,7 +82,8 @@ impl<S: Scalar> AddedMassGrowth<S> {
     }
 }
 
-/// Harmonic means of the neighbouring chords' slopes if both have the same sign, else 0; at the ends the chord's slope.
+/// Returns the points with slopes: the harmonic mean of the neighbouring chords' slopes if both have the same sign,
+/// otherwise 0; at the ends the chord's slope.
 fn with_slopes<S: Scalar>(shares: &[S], factors: &[S]) -> Vec<[S; 3]> {
     let width = |k: usize| shares[k + 1] - shares[k];
     let chord = |k: usize| (factors[k + 1] - factors[k]) / width(k);

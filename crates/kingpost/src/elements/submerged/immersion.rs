@@ -9,8 +9,9 @@ use crate::sea::waves::{LocalSurface, WavesAtBody};
 use crate::spatial::{Frame, Twist, Vector3};
 use crate::world::CurrentAt;
 
-/// The phase of a solid: out of the water, at the surface or under it. Only events change it, so no step mixes two
-/// laws. Runs in lanes that begin differently use the level instead until the first event in one of them.
+/// The phase of a solid: out of the water, at the surface or under water. Only events change it, so that one law holds
+/// throughout a step. If the lanes of a run begin in different phases, the phase follows from the level until the first
+/// event in any lane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Phase {
     ByLevel = 0,
@@ -20,7 +21,7 @@ pub(super) enum Phase {
 }
 
 impl Phase {
-    /// From the depths of the lowest and the highest point below the surface.
+    /// Returns the phase for these depths of the lowest and the highest point below the surface.
     pub fn of<S: Scalar>(low: S, high: S) -> Self {
         if low.all(|low| low < 0.0) {
             Self::Dry
@@ -43,7 +44,7 @@ impl Phase {
     }
 }
 
-/// Memory for the waves at a solid.
+/// Working memory for the waves at a solid.
 #[derive(Clone, Debug, Default)]
 pub struct Waters<S = f64> {
     waves: Option<WavesAtBody<S>>,
@@ -92,7 +93,7 @@ pub(super) struct Immersion<S> {
 }
 
 impl<S: Scalar> Immersion<S> {
-    /// 1 while the surface cuts the solid, else 0.
+    /// Returns 1 while the surface cuts the solid, otherwise 0.
     pub fn is_cut(&self, solid: &Solid<S>) -> S {
         let (level, reach) = (self.plane.level, solid.reach(self.plane.normal));
         match self.phase {
@@ -104,39 +105,40 @@ impl<S: Scalar> Immersion<S> {
         }
     }
 
-    /// w: speed at which the solid's centre sinks through the surface, m/s.
+    /// Returns w, the speed at which the solid's centre sinks through the surface, m/s.
     pub fn sinking_speed(&self) -> S {
         self.plane.level_rate * self.plane.scale
     }
 
-    /// n: the surface's normal, up.
+    /// Returns n, the upward normal of the surface.
     pub fn surface_normal(&self) -> Vector3<S> {
         self.plane.normal
     }
 
-    /// Velocity of the body at b.
+    /// Returns the velocity of the body at b.
     pub fn velocity_at_centre(&self) -> Vector3<S> {
         self.twist.linear + self.twist.angular.cross(self.centre)
     }
 
-    /// Depth of a point below the sea, along the vertical, m; the point is in the solid's axes.
+    /// Returns the depth of a point below the sea, along the vertical, m; the point is in the solid's axes.
     pub fn depth(&self, point: Vector3<S>) -> S {
         depth(&self.frame, point, self.elevation, self.slopes)
     }
 }
 
-/// Depth of a point of a frame below the plane of the sea with this elevation and these slopes at the frame's origin.
+/// Returns the depth of a point of a frame below the plane of the sea with this elevation and these slopes at the
+/// frame's origin.
 fn depth<S: Scalar>(frame: &Frame<S>, point: Vector3<S>, elevation: S, [x, y]: [S; 2]) -> S {
     let off = frame.rotation * point;
     elevation + x * off[0] + y * off[1] - frame.position[2] - off[2]
 }
 
-/// The surface in the solid's axes: N . r < L is below, with the normal N = (-slopes, 1); both divided by the length of
-/// N.
+/// The surface in the solid's axes: points r with N . r < L are below it, with the normal N = (-slopes, 1); N and L are
+/// divided by the length of N.
 struct Plane<S> {
     normal: Vector3<S>,
     level: S,
-    /// The rates of both for points fixed in the body, and 1 / |N|.
+    /// Rates of normal and level for points fixed in the body, and 1 / |N|.
     normal_rate: Vector3<S>,
     level_rate: S,
     scale: S,
@@ -160,14 +162,14 @@ impl<S: Scalar> Plane<S> {
         }
     }
 
-    /// dV/dt: the volume of the solid that the plane sweeps per time.
+    /// Returns dV/dt, the volume of the solid that the plane sweeps per time.
     fn volume_rate(&self, below: &Below<S>) -> S {
         (self.level_rate * below.area - self.normal_rate.dot(below.area_moment)) * self.scale
     }
 }
 
 impl<S: Scalar> Waters<S> {
-    /// For the waves of this world, if there are any.
+    /// Returns the memory for the waves of this world, if there are any.
     pub fn new(world: &crate::world::World<S>) -> Self {
         Self { waves: world.waves.as_ref().map(WavesAtBody::new) }
     }
@@ -179,7 +181,8 @@ impl<S: Scalar> Waters<S> {
         }
     }
 
-    /// Depths of the lowest and the highest point of a solid below the surface, perpendicular to it, m.
+    /// Returns the depths of the lowest and the highest point of a solid below the surface, perpendicular to the
+    /// surface, m.
     pub(super) fn margins(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> [S; 2] {
         let motion = place.motion(at);
         let plane = Plane::of(&self.surface(at, motion.frame.position.0), &motion);
@@ -187,14 +190,14 @@ impl<S: Scalar> Waters<S> {
         [plane.level + reach, plane.level - reach]
     }
 
-    /// Depth of a point below the sea, along the vertical, m: [`Immersion::depth`].
+    /// Returns the depth of a point below the sea, along the vertical, m: [`Immersion::depth`].
     pub(super) fn depth(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, point: Vector3<S>) -> S {
         let frame = place.frame(at.model, at.links);
         let surface = self.surface(at, frame.position.0);
         depth(&frame, point, surface.elevation, surface.slopes)
     }
 
-    /// A point of a body, and the water there.
+    /// Returns a point of a body, and the water at this point.
     pub(in crate::elements) fn point(&mut self, at: &Context<'_, S>, place: &HullFrame<S>) -> PointInWater<S> {
         let motion = place.motion(at);
         let surface = self.surface(at, motion.frame.position.0);
@@ -203,7 +206,7 @@ impl<S: Scalar> Waters<S> {
         PointInWater { frame: motion.frame, velocity: motion.twist.linear, stream, depth }
     }
 
-    /// The immersion of a solid, without phi.
+    /// Returns the immersion of a solid, without phi.
     pub(super) fn immersion(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> Immersion<S> {
         let motion = place.motion(at);
         let surface = self.surface(at, motion.frame.position.0);
@@ -216,14 +219,14 @@ impl<S: Scalar> Waters<S> {
             Phase::Dry => none,
             Phase::Wet => Below { volume: whole, ..none },
             Phase::Cut => {
-                // At first contact the water line section must already exist.
+                // At first contact the waterplane must already have an area.
                 let reach = solid.reach(plane.normal) - S::constant(1e-3 * ROUNDING_M);
                 solid.below(plane.normal, plane.level.clipped(-reach, reach))
             }
             Phase::ByLevel => solid.below(plane.normal, plane.level),
         };
         let share = below.volume / whole;
-        // Below 1e-12 of the volume the quotient of both moments is rounding, and so is every force at their centre.
+        // Below 1e-12 of the volume the centre is a quotient of rounding errors, and every force at it is negligible.
         let divisor = share.select_below(1e-12, || whole, || below.volume);
         let centre = Vector3(below.first_moment.0.map(|moment| moment / divisor));
         let [stream, acceleration] = self.water(at, &motion, &surface, centre);
@@ -246,7 +249,7 @@ impl<S: Scalar> Waters<S> {
         }
     }
 
-    /// Velocity and acceleration of the water at the depth of a solid's wet part, in the body's axes.
+    /// Returns velocity and acceleration of the water at the depth of a solid's wet part, in the body's axes.
     fn water(
         &self,
         at: &Context<'_, S>,

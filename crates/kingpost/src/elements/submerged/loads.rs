@@ -8,12 +8,12 @@ use crate::sea::hull::Solid;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 use crate::world::GustsAtHeight;
 
-/// The added mass for a density of 1: that of the whole object under water, and how it grows with immersion.
+/// The added mass for a density of 1: of the fully submerged object, and its growth with immersion.
 #[derive(Clone, Debug)]
 pub struct AddedMassOf<S = f64> {
     /// C_A V_R along the body's axes, m^3.
     pub linear: Vector3<S>,
-    /// The moments about them, m^5.
+    /// Added moments of inertia about the body's axes, for a density of 1, m^5.
     pub angular: Vector3<S>,
     /// phi(s).
     pub growth: AddedMassGrowth<S>,
@@ -24,11 +24,11 @@ pub struct AddedMassOf<S = f64> {
 pub struct Drag<S = f64> {
     /// C_D A_p along the body's axes, m^2.
     pub areas: Vector3<S>,
-    /// N s/m.
+    /// c along the body's axes, N s/m.
     pub linear: Vector3<S>,
 }
 
-/// Slamming by a given coefficient, in place of that of the added mass that grows.
+/// Slamming by a coefficient, which replaces that of the growing added mass.
 #[derive(Clone, Copy, Debug)]
 pub struct Slamming<S = f64> {
     /// C_S A_S, m^2.
@@ -74,7 +74,7 @@ fn by_square<S: Scalar>(velocity: Vector3<S>, areas: Vector3<S>) -> Vector3<S> {
 }
 
 impl<S: Scalar> AddedMassOf<S> {
-    /// A times the growth factor, about the solid's centre.
+    /// Returns A times the growth factor, about the solid's centre.
     pub fn inertia(&self, density: S, factor: S) -> SpatialInertia<S> {
         let scale = density * factor;
         SpatialInertia {
@@ -84,9 +84,9 @@ impl<S: Scalar> AddedMassOf<S> {
         }
     }
 
-    /// The force F = -(A nu_r' + nu_r x* A nu_r) - A' nu_r, less the part `-(A nu' + nu x* A nu)` that is already in
-    /// the body's inertia; the last term only while A grows. In the body's axes the rate of the water's velocity u is
-    /// a - omega x u.
+    /// Returns the force F = -(A nu_r' + nu_r x* A nu_r) - A' nu_r, less the part `-(A nu' + nu x* A nu)` that is
+    /// already in the body's inertia; the last term acts only while A grows. In the body's axes the rate of the water's
+    /// velocity u is a - omega x u.
     pub(super) fn forces(&self, density: S, now: &Immersion<S>) -> (Wrench<S>, Wrench<S>) {
         let added = self.inertia(density, now.factor);
         let through = Twist { linear: now.twist.linear - now.stream, ..now.twist };
@@ -100,8 +100,9 @@ impl<S: Scalar> AddedMassOf<S> {
 }
 
 impl<S: Scalar> Slamming<S> {
-    /// Force 1/2 rho C_S A_S w^2 along the surface's normal, at the solid's centre, while the surface cuts the solid and
-    /// it sinks with the speed w (DNV-RP-N103, *Modelling and analysis of marine operations*, sec. 4.3.5).
+    /// Returns the force 1/2 rho C_S A_S w^2 along the surface's normal, at the solid's centre, while the surface cuts
+    /// the solid and the solid sinks with the speed w (DNV-RP-N103, *Modelling and analysis of marine operations*, sec.
+    /// 4.3.5).
     pub(super) fn force(&self, density: S, solid: &Solid<S>, now: &Immersion<S>) -> Wrench<S> {
         let speed = now.sinking_speed();
         let pressure = density * S::constant(0.5) * speed.select_below(0.0, || S::ZERO, || speed * speed);
@@ -119,7 +120,7 @@ impl<S: Scalar> Drag<S> {
 }
 
 impl<S: Scalar> WindOnDry<S> {
-    /// 1/2 rho C_D A_p |w - v| (w - v) on the dry share, at the solid's centre.
+    /// Returns 1/2 rho C_D A_p |w - v| (w - v) on the dry share, at the solid's centre.
     pub(super) fn force(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let Some(wind) = &at.world.wind else { return Wrench::zero() };
         let mut flow = wind.at_height(self.height);

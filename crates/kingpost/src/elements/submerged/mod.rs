@@ -40,9 +40,9 @@ use loads::SubmergedLoads;
 /// slamming                           -A' nu_r while A grows, or 1/2 rho C_S A_S w^2 while it sinks with the speed w
 /// ```
 ///
-/// As the body comes out, the momentum of the water that detaches stays with that water, so A falls without a force. (A
-/// force d(A v)/dt would push the body out and add energy.) Going in and coming out, the motion loses the power
-/// `|A'| v^2 / 2` to the water.
+/// As the body comes out, the detaching water keeps its momentum, so A decreases without a force. (A force d(A v)/dt
+/// would push the body out and add energy.) On entry and on exit, the motion loses the power `|A'| v^2 / 2` to the
+/// water.
 #[derive(Clone, Debug)]
 pub struct Submerged<S = f64> {
     /// Name in the results.
@@ -55,7 +55,7 @@ pub struct Submerged<S = f64> {
     pub displaced: S,
     /// A_0 for rho = 1, and phi.
     pub added_mass: AddedMassOf<S>,
-    /// Slamming by a coefficient, in place of A' nu_r.
+    /// Slamming by a coefficient, which replaces A' nu_r.
     pub slamming: Option<Slamming<S>>,
     /// Drag of the wet share.
     pub drag: Drag<S>,
@@ -78,7 +78,7 @@ const MEETS: usize = 0;
 const IS_UNDER: usize = 1;
 const COMES_UP: usize = 2;
 const LEAVES: usize = 3;
-/// Distance by which a solid may be outside its phase, m: rounding.
+/// Tolerance of the depth at the limits of a phase, m: rounding.
 const ROUNDING_M: f64 = 1e-9;
 
 impl<S: Scalar> Element<S> for Submerged<S> {
@@ -135,7 +135,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    /// The work of pushing it into still water, J.
+    /// Returns the work of pushing it into still water, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let frame = self.place.frame(at.model, at.links);
         let (vertical, level) = (frame.rotation.row(2), -frame.position[2]);
@@ -196,7 +196,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out wave loads and drag on its submerged part; a run has them")
+        Some("the response leaves out wave loads and drag on its submerged part; a run contains them")
     }
 
     fn supports(&self) -> Vec<Support> {
@@ -210,12 +210,13 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 }
 
 impl<S: Scalar> Submerged<S> {
-    /// The lifted objects among elements.
+    /// Returns the lifted objects among elements.
     pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
         of_kind(elements)
     }
 
-    /// Mass of the water that it displaces with the model at rest, kg, and the centre of that water in the world, m.
+    /// Returns the mass of the water that it displaces with the model at rest, kg, and the centre of that water in the
+    /// world, m.
     pub fn displaced(&mut self, at: &Context<'_, S>) -> (S, Vector3<S>) {
         let now = self.immersion(at);
         (at.world.water_density * self.displaced * now.below.volume, now.frame.point(now.centre))
@@ -243,7 +244,7 @@ impl<S: Scalar> Submerged<S> {
         }
     }
 
-    /// The water inside, if it can hold any. At rest it has the level of the sea.
+    /// Returns the water inside, if it can hold any. At rest the level inside is the level of the sea.
     fn inside(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
         let water = self.entrained?;
         let outside = water.outside(now.depth(water.floor()));
@@ -251,14 +252,14 @@ impl<S: Scalar> Submerged<S> {
         Some((water, Levels { inside, outside }))
     }
 
-    /// rho V (g + a), at the centre of V.
+    /// Returns rho V (g + a), at the centre of V.
     fn buoyancy(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let vertical = now.frame.rotation.row(2);
         let field = (vertical * at.world.gravity + now.acceleration) * (at.world.water_density * self.displaced);
         Wrench { moment: now.below.first_moment.cross(field), force: field * now.below.volume }
     }
 
-    /// The buoyancy in still water, which has a potential.
+    /// Returns the buoyancy in still water, which has a potential.
     fn still_buoyancy(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let vertical = now.frame.rotation.row(2);
         let below = if now.in_waves { self.solid.below(vertical, -now.frame.position[2]) } else { now.below };
@@ -267,7 +268,7 @@ impl<S: Scalar> Submerged<S> {
     }
 }
 
-/// Its outputs, in the order of [`Submerged::outputs`](Element::outputs).
+/// Returns its outputs, in the order of [`Submerged::outputs`](Element::outputs).
 fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     let number = |variable, description, unit| Output::number(variable, description, "submerged", name, unit);
     let vector = |variable, description, frame, unit| Output {
@@ -277,17 +278,17 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     };
     let force = |variable, description| vector(variable, description, VectorFrame::World, &["N"]);
     let mut all = vec![
-        number("submerged_share", "volume below the surface over the whole volume", &["1"]),
+        number("submerged_share", "volume below the surface over the total volume", &["1"]),
         force("submerged_buoyancy", "buoyancy with the Froude-Krylov force of the waves"),
         force("submerged_drag", "drag of the water on the wet part"),
         force(
             "submerged_inertia",
-            "force of the water's acceleration on the added mass, and of its velocity as the body turns; the force of the body's own acceleration is in its inertia",
+            "force on the added mass due to the water's acceleration and, as the body turns, to its velocity; the body's inertia contains the force due to the body's acceleration",
         ),
-        force("submerged_slamming", "force of the added mass that grows, or by a slamming coefficient"),
+        force("submerged_slamming", "slamming force: of the growing added mass, or by a slamming coefficient"),
         Output::wrench(
             "submerged_force",
-            "sum of the loads of water and wind, with the moment about the solid's centre; without the force of the body's own acceleration",
+            "sum of the loads of water and wind, with the moment about the solid's centre; without the force due to the body's acceleration",
             "submerged",
             name,
             VectorFrame::World,
@@ -295,14 +296,14 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
         vector("submerged_added_mass", "added mass along the body's axes", VectorFrame::Body, &["kg"]),
     ];
     if holds_water {
-        let what = "weight of the water inside a lifted object that stands above the sea outside; negative: the sea stands higher";
+        let what = "weight of the water inside a lifted object above the level of the sea outside; negative: the sea is higher";
         all.push(number("entrained_water", "water inside a lifted object", &["kg"]));
         all.push(number("entrained_weight", what, &["N"]));
     }
     all
 }
 
-/// At rest there are no phases: the level decides.
+/// Whether solids have phases in this mode of evaluation. At rest the level determines the law.
 fn has_phases(evaluation: EvaluationMode) -> bool {
     evaluation == EvaluationMode::Running
 }

@@ -4,9 +4,10 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{DropOuts, Name, Positive, RateErrors, yes};
 
-/// Finds how a load or a hook swings from gyroscopes on it, by an error-state Kalman filter which knows that it swings about
-/// the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes). A
-/// constant inclination fades from its results. It begins as after a long time at rest.
+/// Estimates the swing of a load or a hook from its gyroscopes, by an error-state Kalman filter with a model of the
+/// swing about the vertical: `measured_roll`, `measured_pitch` (rad) and `measured_angular_velocity.x`, `.y`, `.z`
+/// (rad/s, body axes). A constant inclination decays in the estimate. The run starts with the estimate to which the
+/// filter converges at rest.
 #[fields]
 pub struct SwingEstimator<S = f64> {
     /// Whether the sensor measures.
@@ -28,21 +29,21 @@ pub struct SwingEstimator<S = f64> {
     pub drop_outs: Option<DropOuts>,
 }
 
-/// Assumptions of a swing estimator's filter about its gyroscopes and the swing. Derivatives do not go through these
-/// numbers.
+/// Assumptions of a swing estimator's filter about its gyroscopes and the swing. Derivatives with respect to these
+/// numbers are not available.
 #[fields(default)]
 #[derive(Copy)]
 pub struct SwingFilter {
     /// Standard deviation of the noise of a gyroscope in a sample, rad/s.
     pub rate_noise_rad_s: Positive,
-    /// Standard deviation of the swing, rad: the smaller, the more the vertical counts against the gyroscopes.
+    /// Standard deviation of the swing, rad: a smaller value gives the vertical more weight relative to the gyroscopes.
     pub swing_rad: Positive,
-    /// Middle period of the swing, s: half or twice that does little harm.
+    /// Peak period of the swing, s: an error by a factor of two has little effect.
     pub swing_period_s: Positive,
 }
 
 impl Default for SwingFilter {
-    /// For gyroscopes of 0.15 degrees in the root of an hour at 50 Hz, and a load on 25 m of rope.
+    /// Defaults for an angle random walk of 0.15 deg/sqrt(h), sampled at 50 Hz, and a load on 25 m of rope.
     fn default() -> Self {
         Self {
             rate_noise_rad_s: Positive::literal(3e-4),

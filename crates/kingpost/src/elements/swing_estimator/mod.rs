@@ -1,4 +1,4 @@
-//! A swing estimator: gyroscopes on a load or a hook, and the filter that finds its inclination from them.
+//! A swing estimator: gyroscopes on a load or a hook, and the filter that estimates the inclination.
 
 pub(crate) mod assembly;
 pub(crate) mod fields;
@@ -9,10 +9,11 @@ use crate::elements::{Context, Declaration, Element, ElementState};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, exp, log_of_part_turn};
 
-/// Finds roll, pitch and angular velocity of a body that hangs, from its own gyroscopes. Accelerometers do not help: under
-/// a rope they measure along the rope, whatever its angle. What helps against the drift of the gyroscopes is that the body
-/// swings about the vertical, with about a known period: an error-state Kalman filter has the swing about two axes as states. Its
-/// gains are the stationary ones ([`SwingFilter`]): it begins as it is after a long time at rest.
+/// Estimates roll, pitch and angular velocity of a hanging body from gyroscopes on it. Accelerometers do not help:
+/// under a rope they measure along the rope at any angle. To correct the drift of the gyroscopes, an error-state Kalman
+/// filter uses the swing of the body about the vertical with an approximately known period: the swing about two axes is
+/// among its states. The gains are stationary ([`SwingFilter`]): the filter starts with the estimate to which it
+/// converges at rest.
 ///
 /// (Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation Systems*, 2nd ed., 2013, ch. 5 and 14;
 /// gyroscopes in the hook: Neupert, Arnold, Schneider & Sawodny, *Control Engineering Practice* 18, 2010, p. 31.)
@@ -24,7 +25,7 @@ pub struct SwingEstimator<S = f64> {
     pub body: usize,
     /// The errors of each gyroscope, rad/s.
     pub rate_errors: Option<SignalErrors<S>>,
-    /// The sampling of its results, which have no more errors.
+    /// Sampling of its results, to which no further errors are added.
     pub sampler: Sampler<S>,
     /// The filter's constants.
     pub filter: SwingFilter,
@@ -35,23 +36,23 @@ pub struct SwingEstimator<S = f64> {
 pub struct SwingFilter {
     /// Sampling period T, s.
     pub period_s: f64,
-    /// How the states of the swing about an axis change in T: its integral and itself.
+    /// Transition over T of the states of the swing about an axis: its integral and the swing.
     pub swing: Oscillating,
     /// Gains about an axis: angle, error of the rate, both states of the swing.
     pub gains: [f64; 4],
 }
 
 impl SwingFilter {
-    /// The filter for a sampling period, white noise of this standard deviation in a sample of a gyroscope (rad/s), and a swing of
-    /// this standard deviation (rad) and middle period. The error of the angle about a level axis and that of the rate obey
-    /// `dtheta' = -db + w`; the angle is an [oscillation](Process::oscillation) about zero.
+    /// Designs the filter for a sampling period, white noise of this standard deviation in a sample of a gyroscope
+    /// (rad/s), and a swing of this standard deviation (rad) and peak period. The error of the angle about a level axis
+    /// and that of the rate obey `dtheta' = -db + w`; the angle is an [oscillation](Process::oscillation) about zero.
     pub fn new(period_s: f64, rate_noise: f64, swing_rad: f64, swing_period_s: f64) -> Self {
         let swing = Process::oscillation(swing_period_s, swing_rad, period_s);
         let gain = Process::of_angle(rate_noise, period_s).gain_about_zero(&swing, swing_rad);
         Self { period_s, swing: Oscillating::of(&swing), gains: [0, 1, 2, 3].map(|state| gain[state]) }
     }
 
-    /// Whether such a filter exists: its gains are numbers.
+    /// Whether such a filter exists: its gains are finite.
     pub fn is_finite(&self) -> bool {
         self.gains.iter().all(|gain| gain.is_finite())
     }
@@ -59,7 +60,7 @@ impl SwingFilter {
 
 /// Signals: roll, pitch, angular velocity.
 const KEPT: [&str; 5] = ["roll", "pitch", "x_rate", "y_rate", "z_rate"];
-/// The numbers behind the sampler's: the estimate; then the exact attitude at the last sample.
+/// Numbers after the sampler's: the estimate; then the exact attitude at the last sample.
 const EXACT: usize = 10;
 const NUMBERS: usize = EXACT + 9;
 
@@ -86,7 +87,7 @@ impl<S: Scalar> Element<S> for SwingEstimator<S> {
     }
 
     fn sample(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
-        // The start is not the end of a sample: the estimate is then that of the start.
+        // The start is not the end of a sampling interval: the estimate is then that of the start.
         if core::mem::replace(&mut own.modes[self.sampler.modes()], 1) == 0 {
             return;
         }
@@ -116,7 +117,7 @@ impl<S: Scalar> SwingEstimator<S> {
     /// Number of its signals.
     pub const SIGNALS: usize = KEPT.len();
 
-    /// Attitude and angular velocity in body axes.
+    /// Returns attitude, and angular velocity in body axes.
     fn exact(&self, at: &Context<'_, S>) -> (Matrix3<S>, Vector3<S>) {
         let rotation = at.links.body_frame(at.model, self.body).rotation;
         (rotation, at.links.body_twist(at.model, self.body).angular)
@@ -130,32 +131,32 @@ struct VerticalEstimate<S> {
     up: Vector3<S>,
     /// Errors of the gyroscopes, body axes, rad/s.
     rate_errors: Vector3<S>,
-    /// The swing about x and y of the body: its integral (rad s) and itself (rad).
+    /// The swing about the body's x and y: its integral (rad s) and the swing (rad).
     states: [[S; 2]; 2],
 }
 
 impl<S: Scalar> VerticalEstimate<S> {
-    /// The estimate after a long time at rest, of a body that swings from this vertical.
+    /// Returns the estimate after a long time at rest, for a body with this vertical.
     fn settled(up: Vector3<S>, rate_errors: Vector3<S>) -> Self {
         let mut settled = Self { up, rate_errors, states: [[S::ZERO; 2]; 2] };
         settled.states = settled.inclination().map(|angle| [S::ZERO, angle]);
         settled
     }
 
-    /// From numbers of an element.
+    /// Reads the estimate from numbers of an element.
     fn read(numbers: &[S]) -> Self {
         let states = [0, 1].map(|axis| [numbers[6 + 2 * axis], numbers[7 + 2 * axis]]);
         Self { up: Vector3::from_slice(numbers), rate_errors: Vector3::from_slice(&numbers[3..]), states }
     }
 
-    /// To numbers of an element.
+    /// Writes the estimate to numbers of an element.
     fn write(&self, numbers: &mut [S]) {
         self.up.write_to(numbers);
         self.rate_errors.write_to(&mut numbers[3..]);
         numbers[6..EXACT].copy_from_slice(self.states.as_flattened());
     }
 
-    /// Roll and pitch, rad.
+    /// Returns roll and pitch, rad.
     fn inclination(&self) -> [S; 2] {
         let [x, y, z] = self.up.0;
         [y.atan2(z), (-x).atan2((y * y + z * z).sqrt())]
@@ -166,8 +167,8 @@ impl<S: Scalar> VerticalEstimate<S> {
         [roll, pitch, x, y, z]
     }
 
-    /// Moves on by one sample and corrects; returns the angular velocity without its error. The axes of the swing turn with the
-    /// body about the vertical.
+    /// Advances the estimate by one sample and corrects it; returns the angular velocity less its estimated error. The
+    /// axes of the swing turn with the body about the vertical.
     fn advance(&mut self, measured: Vector3<S>, filter: &SwingFilter) -> Vector3<S> {
         let turn = (measured - self.rate_errors) * S::constant(filter.period_s);
         self.up = exp(-turn) * self.up;
@@ -181,7 +182,7 @@ impl<S: Scalar> VerticalEstimate<S> {
         measured - self.rate_errors
     }
 
-    /// The swing has no inclination beside it: what the angle lacks to it corrects all.
+    /// Corrects the estimate by the difference between the swing and the estimated inclination, which should be equal.
     fn correct(&mut self, filter: &SwingFilter) {
         let [x, y] = [0, 1].map(|axis| self.states[axis][1] - self.inclination()[axis]);
         let [angle, rate, integral, swing] = filter.gains.map(S::constant);

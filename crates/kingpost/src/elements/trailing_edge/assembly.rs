@@ -19,7 +19,7 @@ impl<S: Quantity> Assemble<S> for schema::TrailingEdge<S> {
     }
 }
 
-/// One edge, if it is enabled and its body exists.
+/// Returns a trailing edge, if it is enabled and its body exists.
 fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,

@@ -4,9 +4,9 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{Name, Positive, yes};
 
-/// The trailing edge of a fin that swims: the water leaves it with the sideways momentum that the fin gave it, which
-/// drives the fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge
-/// is along z. The added mass of the fin is that of its `submerged`.
+/// The trailing edge of a swimming fin: the water leaves the edge with sideways momentum from the fin, which drives the
+/// fin forward (Lighthill, 1971). The fin moves forward along the body's x axis and strikes along y; the edge is along
+/// z. The fin's added mass is that of a `submerged` force on its body.
 #[fields]
 pub struct TrailingEdge<S = f64> {
     /// Whether the element acts.

@@ -19,9 +19,9 @@ use crate::spatial::{Vector3, Wrench};
 /// ```
 ///
 /// with the velocities u along the chord and w across it of the edge through the water. The second term is the momentum
-/// m w per length of the water that the edge leaves behind at the speed u; the first is the pressure in the plane of the
-/// edge. Together they lose the power 1/2 m w^2 u to the wake. The other part of the reactive force is the added mass
-/// of the fin, as a [`super::Submerged`] has it. An edge that moves backwards leaves nothing behind. m is that of the
+/// m w per length of the water that the edge leaves behind at the speed u; the first is the pressure in the plane of
+/// the edge. Together they lose the power 1/2 m w^2 u to the wake. The other part of the reactive force is that of the
+/// fin's added mass, which [`super::Submerged`] contains. An edge that moves backwards has no wake. m counts only the
 /// share of the span that is under water.
 #[derive(Clone, Debug)]
 pub struct TrailingEdge<S = f64> {
@@ -39,12 +39,12 @@ pub struct TrailingEdge<S = f64> {
 struct Reaction<S> {
     /// F, in the body's axes, N.
     force: Vector3<S>,
-    /// Velocity of the edge through the water, and of the water, in the body's axes, m/s.
+    /// Velocity of the edge relative to the water, and velocity of the water, in the body's axes, m/s.
     through: Vector3<S>,
     stream: Vector3<S>,
 }
 
-/// The least slope of the span against the horizontal, by which its wet share follows the depth.
+/// Smallest slope of the span against the horizontal from which its wet share is computed.
 const LEAST_SLOPE: f64 = 0.05;
 
 impl<S: Scalar> Element<S> for TrailingEdge<S> {
@@ -59,12 +59,12 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
             frame: VectorFrame::World,
             ..Output::number("trailing_edge_force", description, "wake", &self.name, &["N"])
         };
-        let description = "kinetic energy per time that the trailing edge leaves in its wake";
+        let description = "power that the trailing edge loses to its wake";
         let power = Output::number("wake_power", description, "wake", &self.name, &["W"]);
         Declaration { outputs: vec![force, power], ..Declaration::default() }
     }
 
-    /// Adds the force, the power lost to the wake, and the work of the stream.
+    /// Adds the force, the power lost to the wake, and the work of the water's flow.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let Reaction { force, through, stream } = self.reaction(at);
         loads.power.dissipated -= force.dot(through);
@@ -85,7 +85,7 @@ impl<S: Scalar> Element<S> for TrailingEdge<S> {
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some("the response leaves out the waves at the trailing edge of a fin; a run has them")
+        Some("the response leaves out the waves at the trailing edge of a fin; a run contains them")
     }
 
     fn supports(&self) -> Vec<Support> {

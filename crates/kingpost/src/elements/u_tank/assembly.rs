@@ -12,7 +12,7 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Force as ForceSchema, Scenario};
 use crate::spatial::{Frame, Matrix3, Vector3};
 
-/// The U-tanks of a scenario.
+/// Returns the U-tanks of a scenario.
 fn of<S>(scenario: &Scenario<S>) -> impl Iterator<Item = (&schema::Name, &schema::UTank<S>)> {
     scenario.forces.iter().filter_map(|(name, force)| match force {
         ForceSchema::UTank(tank) => Some((name, &**tank)),
@@ -20,7 +20,8 @@ fn of<S>(scenario: &Scenario<S>) -> impl Iterator<Item = (&schema::Name, &schema
     })
 }
 
-/// The liquids as bodies, for parents at the indices that `place` gives; none where the carrier is not enabled.
+/// Returns the liquids as bodies, for parents at the indices that `place` returns; a tank whose carrier is disabled has
+/// none.
 pub(crate) fn bodies<S: Quantity>(
     scenario: &Scenario<S>,
     place: impl Fn(&str) -> Option<usize>,
@@ -66,7 +67,7 @@ impl<S: Quantity> Assemble<S> for schema::UTank<S> {
     }
 }
 
-/// Weight, losses, pump and stops of a tank whose liquid flows.
+/// Returns weight, losses, pump and stops of a tank whose liquid flows.
 fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -114,7 +115,7 @@ fn geometry<S: Quantity>(scenario: &Scenario<S>, given: &schema::UTank<S>) -> UT
     }
 }
 
-/// Checks that the columns and the duct fit each other.
+/// Checks that the dimensions of columns and duct are consistent.
 fn check<S: Quantity>(given: &schema::UTank<S>, field: &str) -> Result<(), FieldError> {
     let less = |at: &str, value, limit, what: &str| liquids::less(&format!("{field}.{at}"), value, limit, what);
     let duct_top = given.duct_height_m.get() * S::constant(0.5);

@@ -6,8 +6,8 @@ use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Name, NonNegative, Positive, yes};
 
 /// Two columns of liquid at the sides of a ship and a duct between them, all of rectangular sections. The liquid is a
-/// body of its own, with the tank's name, whose flow is a degree of freedom: the body that carries the tank must not
-/// contain its mass.
+/// separate body with the tank's name, and its flow is a degree of freedom: the mass of the carrying body must not
+/// contain the liquid.
 #[fields]
 pub struct UTank<S = f64> {
     /// Whether the liquid flows; if not, it is frozen, and its mass stays.
@@ -15,7 +15,7 @@ pub struct UTank<S = f64> {
     pub enabled: bool,
     /// The body that carries the tank.
     pub body: Name,
-    /// Middle of the duct in the body's drawing frame, m. The columns stand to port and to starboard of it.
+    /// Middle of the duct in the body's drawing frame, m. The columns are to port and to starboard of it.
     pub position_m: [S; 3],
     /// Distance between the middles of the columns along the body's y axis, m.
     pub column_distance_m: Positive<S>,
@@ -36,10 +36,11 @@ pub struct UTank<S = f64> {
     /// Linear damping over the critical damping of the liquid in a ship at rest.
     #[serde(default)]
     pub damping_ratio: NonNegative<S>,
-    /// Pressure lost in bends and valve over the dynamic pressure in the duct, rho u^2 / 2.
+    /// Pressure loss in bends and valve over the dynamic pressure in the duct, rho u^2 / 2.
     #[serde(default)]
     pub loss_coefficient: NonNegative<S>,
-    /// Level in the port column above `level_m` at the start, m; to starboard it is as much below.
+    /// Level in the port column above `level_m` at the start, m; the starboard level is below `level_m` by the same
+    /// amount.
     #[serde(default = "no_rise::<S>")]
     pub initial_rise_m: S,
     /// A pump in the duct: an input with the tank's name, from -1 to 1, positive towards port.
@@ -54,8 +55,8 @@ fn no_rise<S: Leaf>() -> S {
 /// product of its limits.
 #[fields]
 pub struct UTankPump<S = f64> {
-    /// Pressure at no flow, Pa.
+    /// Pressure at zero flow, Pa.
     pub pressure_limit_pa: Positive<S>,
-    /// Flow at no pressure, m^3/s.
+    /// Flow at zero pressure, m^3/s.
     pub flow_limit_m3_s: Positive<S>,
 }

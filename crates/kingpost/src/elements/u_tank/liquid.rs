@@ -20,8 +20,9 @@ pub struct UTankGeometry<S = f64> {
 
 /// Constants of the geometry for the equations of motion.
 ///
-/// With the level y in the port column above that at rest, the kinetic energy of one-dimensional flow in a tank that
-/// moves with the twist V is (Holden & Fossen, *Ocean Engineering* 45, 2012, pp. 22-37; Lloyd, *Seakeeping*, 1989, ch. 13)
+/// With the rise y of the level in the port column from rest, the kinetic energy of one-dimensional flow in a tank that
+/// moves with the twist V is (Holden & Fossen, *Ocean Engineering* 45, 2012, pp. 22-37; Lloyd, *Seakeeping*, 1989, ch.
+/// 13)
 ///
 /// ```text
 /// T = V . M V / 2 + y' V . c + m_t y'^2 / 2
@@ -35,8 +36,9 @@ pub struct UTankGeometry<S = f64> {
 /// T = (V + s y') . M (V + s y') / 2 + (m_t - c . s) y'^2 / 2
 /// ```
 ///
-/// which is a rigid body on a joint with the column s, and a rotor. For a tank whose two sides are alike s is a rotation about
-/// an axis along x: the liquid is a pendulum that hangs from a hinge at the height `arm` above its centre.
+/// which is the energy of a rigid body on a joint with the column s, and of a rotor. For a tank that is symmetric about
+/// its middle, s is a rotation about an axis along x: the liquid is a pendulum that hangs from a hinge at the height
+/// `arm` above its centre.
 #[derive(Clone, Copy, Debug)]
 pub struct UTankLiquid<S = f64> {
     /// Area of a column, m^2.
@@ -53,16 +55,16 @@ pub struct UTankLiquid<S = f64> {
     pub centre: S,
     /// Height of the hinge above its centre, m.
     pub arm: S,
-    /// Angle of the pendulum for a metre of level, rad/m.
+    /// Angle of the pendulum per metre of level, rad/m.
     pub turn: S,
     /// m_t, kg.
     pub flow_mass: S,
-    /// rho A, kg/m: weight that changes sides for a metre of level, over g.
+    /// rho A, kg/m: mass that changes sides per metre of level.
     pub column_mass: S,
 }
 
 impl<S: Scalar> UTankGeometry<S> {
-    /// The liquid's mechanics.
+    /// Returns the constants of the liquid's equations of motion.
     pub fn liquid(&self) -> UTankLiquid<S> {
         let Self { distance, column: [length, breadth], level, duct: [duct_length, duct_height], density } = *self;
         let half = S::constant(0.5);
@@ -101,18 +103,20 @@ impl<S: Scalar> UTankGeometry<S> {
 }
 
 impl<S: Scalar> UTankLiquid<S> {
-    /// Inertia of the rotor on the hinge, `(m_t - c . s) / turn^2`, kg m^2: never negative, by Cauchy and Schwarz.
+    /// Returns the inertia of the rotor on the hinge, `(m_t - c . s) / turn^2`, kg m^2: never negative, by the
+    /// Cauchy-Schwarz inequality.
     pub fn rotor_inertia(&self) -> S {
         self.flow_mass / (self.turn * self.turn) - (self.mass * self.arm * self.arm + self.moment_about_x)
     }
 
-    /// Stiffness against a level, `2 rho g A`, N/m, in a tank that stands upright.
+    /// Returns the stiffness against a level, `2 rho g A`, N/m, in an upright tank.
     pub fn stiffness(&self, gravity: S) -> S {
         self.column_mass * gravity * S::constant(2.0)
     }
 
-    /// From where the pendulum has the centre of the liquid to where it is, along y and z (m), and its derivative along
-    /// the angle. The centre moves by `rho A / m` times `distance y` along y and `y^2` along z.
+    /// Returns the vector from the pendulum's centre of mass to the true centre of the liquid, along y and z (m), and
+    /// its derivative with respect to the angle. The centre moves by `rho A / m` times `distance y` along y and `y^2`
+    /// along z.
     pub fn beyond_the_arc(&self, angle: S) -> [[S; 2]; 2] {
         let (sin, cos) = angle.sin_cos();
         let rise = self.column_mass / (self.mass * self.turn * self.turn);

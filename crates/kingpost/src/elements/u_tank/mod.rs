@@ -11,9 +11,9 @@ use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
-/// A U-tank on a body. Its liquid is a body on a hinge (see [`UTankLiquid`]); gravity pulls at that body's centre. Here is
-/// what the pendulum lacks: the way D from its arc to the true centre of the liquid, with the vertical n in the axes of
-/// the carrying body,
+/// A U-tank on a body. Its liquid is a body on a hinge (see [`UTankLiquid`]); gravity pulls at that body's centre. This
+/// element adds the difference from the pendulum: with the vector D from the pendulum's arc to the true centre of the
+/// liquid, and the vertical n in the axes of the carrying body,
 ///
 /// ```text
 /// U = m g n . D(angle),    torque = -m g n . dD/dangle,    moment on the carrier = D x (-m g n)
@@ -68,7 +68,7 @@ impl<S: Scalar> Element<S> for UTank<S> {
         Declaration { outputs, inputs, ..Declaration::default() }
     }
 
-    /// Adds the weight beyond the pendulum's, the losses and the pump.
+    /// Adds the weight in addition to the pendulum's, the losses and the pump.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let [beyond, slope] = self.liquid.beyond_the_arc(at.q[self.position]).map(Self::across);
         let weight = self.weight(at);
@@ -81,7 +81,7 @@ impl<S: Scalar> Element<S> for UTank<S> {
         loads.power.drives += pump * speed;
     }
 
-    /// Energy of the weight beyond the pendulum's, J.
+    /// Returns the energy of the weight in addition to the pendulum's, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let [beyond, _] = self.liquid.beyond_the_arc(at.q[self.position]).map(Self::across);
         -self.weight(at).dot(beyond)
@@ -113,12 +113,13 @@ impl<S: Scalar> Element<S> for UTank<S> {
 }
 
 impl<S: Scalar> UTank<S> {
-    /// The U-tanks among elements.
+    /// Returns the U-tanks among elements.
     pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
         of_kind(elements)
     }
 
-    /// Moment on the ship for a heel to which the levels have come, over g and the heel, `rho A d^2 / 2`, kg m^2.
+    /// Returns the moment of the free surface on a heeled ship, with the levels at rest, over g and the heel angle,
+    /// `rho A d^2 / 2`, kg m^2.
     pub fn free_surface(&self) -> S {
         S::constant(0.5) * self.liquid.column_mass * self.geometry.distance * self.geometry.distance
     }
@@ -133,12 +134,12 @@ impl<S: Scalar> UTank<S> {
         at.links.to_body_axes(at.model, self.carrier, vertical) * -(self.liquid.mass * at.world.gravity)
     }
 
-    /// y', m/s.
+    /// Returns y', m/s.
     fn speed(&self, at: &Context<'_, S>) -> S {
         at.v[self.coordinate] / self.liquid.turn
     }
 
-    /// Force of the losses against y', N.
+    /// Returns the force of the losses against y', N.
     fn loss(&self, speed: S) -> S {
         let Self { liquid, geometry, .. } = self;
         let half = S::constant(0.5) * self.loss_coefficient * geometry.density * liquid.area;

@@ -18,7 +18,7 @@ impl<S: Quantity> Assemble<S> for schema::ViscousDamping<S> {
     }
 }
 
-/// Linear damping, if it is enabled and its body exists.
+/// Returns linear damping, if it is enabled and its body exists.
 fn viscous<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -44,7 +44,7 @@ fn viscous<S: Quantity>(
     })))
 }
 
-/// The reference of a damping.
+/// Returns the reference of a damping.
 pub(crate) fn against(given: schema::DampedAgainst) -> DampedAgainst {
     match given {
         schema::DampedAgainst::Water => DampedAgainst::Water,
@@ -52,11 +52,12 @@ pub(crate) fn against(given: schema::DampedAgainst) -> DampedAgainst {
     }
 }
 
-/// How negative the symmetric part of a damping matrix may be, as a share of its diagonal: rounding of printed numbers.
+/// Tolerance of negative eigenvalues of a damping matrix's symmetric part, as a share of its diagonal: rounding of
+/// printed numbers.
 const ROUNDING: f64 = 1e-6;
 
-/// Checks that damping adds energy to no motion: the symmetric part of its matrix has no negative eigenvalue, whatever
-/// the unit of length.
+/// Checks that damping adds no energy to any motion: the symmetric part of its matrix has no negative eigenvalue, in
+/// any unit of length.
 fn check_heat<S: Quantity>(field: &str, matrix: &[[S; 6]; 6]) -> Result<(), FieldError> {
     let entries: [S; 36] = array::from_fn(|k| matrix[k / 6][k % 6]);
     let [least] = S::from_values(entries, &|entries| {
@@ -71,7 +72,7 @@ fn check_heat<S: Quantity>(field: &str, matrix: &[[S; 6]; 6]) -> Result<(), Fiel
     ))
 }
 
-/// The smallest eigenvalue of the symmetric part, its diagonal scaled to 1; NaN if an entry is NaN.
+/// Returns the smallest eigenvalue of the symmetric part, with its diagonal scaled to 1; NaN if an entry is NaN.
 fn least_eigenvalue(matrix: &[[f64; 6]; 6]) -> f64 {
     let size = |i: usize| if matrix[i][i] > 0.0 { libm::sqrt(matrix[i][i]) } else { 1.0 };
     let scaled = Matrix6::from_fn(|i, j| 0.5 * (matrix[i][j] + matrix[j][i]) / (size(i) * size(j)));

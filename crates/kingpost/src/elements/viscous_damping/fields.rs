@@ -4,19 +4,19 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{Name, NonNegative, yes};
 
-/// Reference against which the velocity is measured where the sea has a current.
+/// Reference against which the velocity is measured in a sea with a current.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum DampedAgainst {
     /// The water at its surface: for friction and eddies of the hull.
     #[default]
     Water,
-    /// The earth: for the damping of a moored ship by chains on the seabed and by slow drift in waves. A current exerts
-    /// no force through it.
+    /// The earth: for the damping of a moored ship by chains on the seabed and by slow drift in waves. This damping
+    /// transfers no force from a current.
     Earth,
 }
 
-/// A force and a moment against a body's velocity and angular velocity, each in body axes.
+/// Linear damping: a force against a body's velocity and a moment against its angular velocity, in body axes.
 #[fields]
 pub struct ViscousDamping<S = f64> {
     /// Whether the element acts.
@@ -37,6 +37,6 @@ pub struct ViscousDamping<S = f64> {
     #[serde(default)]
     pub angular_n_m_s: [NonNegative<S>; 3],
     /// A full matrix, added to the two above: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity
-    /// x, y, z (m/s) and roll, pitch, yaw rate (rad/s). It may not add energy to any motion.
+    /// x, y, z (m/s) and roll, pitch, yaw rate (rad/s). The matrix must not add energy to any motion.
     pub matrix: Option<Box<[[S; 6]; 6]>>,
 }

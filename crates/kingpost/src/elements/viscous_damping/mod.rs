@@ -1,4 +1,4 @@
-//! Damping proportional to a body's rates: of a hull in the water, or as in the paper.
+//! Damping proportional to a body's rates, such as that of a hull in the water.
 
 pub(crate) mod assembly;
 pub(crate) mod fields;
@@ -26,7 +26,7 @@ pub struct ViscousDamping<S = f64> {
 }
 
 impl<S: Scalar> Element<S> for ViscousDamping<S> {
-    /// Adds the damping, the heat that it makes, and the work of the current.
+    /// Adds the damping, its heat, and the work of the current.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.relative_to.velocity(at.world));
         let along = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));

@@ -8,7 +8,7 @@ use crate::scenario::assembly::{FieldError, sensors};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{Drive, Scenario};
 
-/// An enabled entry among these, or an error that lists them.
+/// Returns the enabled entry named `found`, or an error that lists the enabled entries.
 pub fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
     let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
     let allowed = sensors::allowed(&listed, found, &format!("{names} that is enabled"));
@@ -16,7 +16,7 @@ pub fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) 
     one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
 }
 
-/// A controlled drive, which follows a speed.
+/// Returns the controlled drive with this name; its set-point must be a speed.
 pub fn drive<'a, S: Quantity>(
     field: &str,
     found: &str,
@@ -47,7 +47,7 @@ pub struct Hung<'a, S> {
     pub falls: S,
 }
 
-/// The rope and the drive of its drum, or of a joint that moves its sheaves.
+/// Returns the rope with the drive of its drum, or with the drive of a joint that moves its sheaves.
 pub fn hung<'a, S: Quantity>(
     (scenario, model): (&Scenario<S>, &Model<S>),
     lead: &str,
@@ -69,7 +69,7 @@ pub fn hung<'a, S: Quantity>(
     Ok(Hung { drive: driven, speed, hoist, tip, falls })
 }
 
-/// A drive and its joint, for an error.
+/// Returns the text "drive, which drives joint" for an error.
 pub fn driving<S: Quantity>(scenario: &Scenario<S>, drive: &str) -> String {
     let joint = match scenario.drives.get(drive) {
         Some(Drive::ControlledDrive(given)) => given.joint.to_string(),
@@ -79,7 +79,7 @@ pub fn driving<S: Quantity>(scenario: &Scenario<S>, drive: &str) -> String {
     format!("{drive}, which drives {joint}")
 }
 
-/// The sheaves before the tip that the joint of a drive moves.
+/// Returns the sheaves before the tip that the joint of a drive moves.
 fn moved_sheaves<S: Quantity>(model: &Model<S>, rope: &Rope<S>, drive: &ControlledDrive<S>) -> Option<MovedSheaves<S>> {
     let driven = model.plan.iter().position(|place| place.velocities == drive.coordinate)?;
     let way = |link: Option<usize>| core::iter::successors(link, |link| model.links.nodes[*link].parent);

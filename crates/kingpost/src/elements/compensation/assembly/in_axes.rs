@@ -82,7 +82,7 @@ struct Joints<'a> {
     lead: &'a str,
     given: &'a [schema::CompensationDrive],
     least: usize,
-    /// Part that they move, in words.
+    /// The moved part, as text for an error.
     moves: &'a str,
 }
 
@@ -104,7 +104,7 @@ impl Joints<'_> {
         each.map(|(k, joint)| drive(&self.field(k), &joint.drive, elements)).collect()
     }
 
-    /// The joints of the drives, all on the way to this link.
+    /// Returns the joints of the drives; each must carry this link.
     fn below<S: Quantity>(
         &self,
         model: &Model<S>,

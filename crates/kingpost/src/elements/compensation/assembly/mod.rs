@@ -1,4 +1,4 @@
-//! Heave compensation, and what all compensations share.
+//! Heave compensation, and the parts common to all compensations.
 
 pub(crate) mod hoists;
 pub(crate) mod in_axes;
@@ -40,7 +40,8 @@ impl<S: Quantity> Assemble<S> for schema::HeaveCompensation<S> {
     }
 }
 
-/// The period, and the inputs, which have its name: no drive and no rope may have it.
+/// Checks the sampling period, and that no drive and no rope has the compensation's name, which is the name of its
+/// inputs.
 pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -> Result<(), FieldError> {
     let step_s = scenario.simulation.step_s.get();
     if period_s < step_s {
@@ -48,16 +49,20 @@ pub fn check<S>(scenario: &Scenario<S>, name: &str, lead: &str, period_s: f64) -
         return Err(FieldError::new(format!("{lead}.period_s"), period_s, allowed));
     }
     if scenario.drives.contains_key(name) || scenario.forces.contains_key(name) || scenario.sensors.contains_key(name) {
-        return Err(FieldError::new(lead, format!("the name {name} of another entry"), "a name of its own"));
+        return Err(FieldError::new(
+            lead,
+            format!("the name {name} of another entry"),
+            "a name that no other entry has",
+        ));
     }
     Ok(())
 }
 
-/// Source from which a compensation knows the motion.
+/// Source of the motion that a compensation uses.
 pub struct MotionSource<'a, S> {
     /// The unit.
     pub sensor: Option<&'a schema::Name>,
-    /// Whether it has to measure horizontal motion.
+    /// Whether the unit must measure horizontal motion.
     pub horizontal: bool,
     /// The prediction.
     pub prediction: Option<&'a schema::HeavePrediction<S>>,
@@ -72,7 +77,7 @@ pub struct MotionUnit<S> {
     has_status: bool,
     /// Age of its outputs, s.
     age_s: f64,
-    /// The cut-off frequency (rad/s) and damping ratio of the filter of its heave, unless it removes nothing.
+    /// Cut-off frequency (rad/s) and damping ratio of its heave's high-pass filter; `None` without a filter.
     high_pass: Option<[S; 2]>,
 }
 
@@ -92,7 +97,7 @@ impl<S: Quantity> MotionUnit<S> {
 
 impl<S: Quantity> From<&MotionReferenceUnit<S>> for MotionUnit<S> {
     fn from(unit: &MotionReferenceUnit<S>) -> Self {
-        // One that a satellite receiver helps removes nothing.
+        // An inertial unit with a satellite receiver has no high-pass filter.
         let filter = unit.heave_filter.filter(|_| unit.receiver.is_none());
         let high_pass = filter.map(|filter| [filter.cutoff, filter.damping_ratio]);
         Self { high_pass, ..Self::new(&unit.name, (unit.place, unit.horizontal), &unit.sampler) }
@@ -105,7 +110,7 @@ impl<S: Quantity> From<&InertialUnit<S>> for MotionUnit<S> {
     }
 }
 
-/// The unit of a compensation, if it has one.
+/// Returns the unit of a compensation, if it has one.
 pub fn unit<S: Quantity>(
     lead: &str,
     source: &MotionSource<'_, S>,
@@ -124,7 +129,7 @@ pub fn unit<S: Quantity>(
     Ok(Some(unit))
 }
 
-/// Builds the estimator of the motion for these drives of a compensation.
+/// Builds the motion estimator of a compensation for these drives.
 pub fn estimator<S: Quantity>(
     lead: &str,
     source: &MotionSource<'_, S>,
@@ -174,7 +179,7 @@ fn prediction<S: Quantity>(
         let lag = given.drive_response_s.map_or(*response_s, |time| time.get());
         Dynamics { delay: delay + S::constant(0.5 * period_s), lag, ..position }
     };
-    // Roll and pitch come without the filter of heave.
+    // The high-pass filter acts on heave only, not on roll and pitch.
     let both = |of: Dynamics<S>| [of, Dynamics { high_pass: None, ..of }];
     let weights = |of: Dynamics<S>| both(of).map(|of| bank.velocity_weights(|frequency| of.velocity(frequency)));
     Ok(Prediction {
@@ -187,5 +192,5 @@ fn prediction<S: Quantity>(
     })
 }
 
-/// Samples in the longest period, at most: the weights are found from sums over some of it.
+/// Largest number of samples in the longest period: it limits the sums that give the weights.
 const MOST_SAMPLES: f64 = 1e4;

@@ -5,9 +5,10 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Fraction, Name, NonNegative, Positive, SetsInputs, yes};
 
-/// Active heave compensation of a rope. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
-/// input `NAME.lowering_speed` (m/s at the load, positive: down) ask for. Its outputs are `compensation_residual` (m),
-/// `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and `compensation_utilisation`.
+/// Active heave compensation of a rope. Its inputs are a lever with its name, from 0 (off) to 1 (on), and
+/// `NAME.lowering_speed` (m/s at the load, positive: down), which is added to its command. Its outputs are
+/// `compensation_residual` (m), `compensation_speed` (m/s), `compensation_tip_velocity` (m/s) and
+/// `compensation_utilisation`.
 #[fields]
 pub struct HeaveCompensation<S = f64> {
     /// Whether the element acts.
@@ -19,25 +20,25 @@ pub struct HeaveCompensation<S = f64> {
     /// The rope. The place before its last end is the crane's tip.
     pub rope: Name,
     /// The controlled drive of the rope's drum, or of a joint that moves sheaves between drum and tip: the slide of a
-    /// compensation cylinder. Its set-point is a speed, which counts as the operator's.
+    /// compensation cylinder. Its set-point is a speed, which is added to the operator's speed.
     pub drive: Name,
-    /// The motion reference unit or inertial unit that it measures the tip's motion by; without it, it knows that motion exactly and
-    /// at once.
+    /// The motion reference unit or inertial unit that measures the tip's motion; without it, the compensation uses the
+    /// exact motion without delay.
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.
     pub period_s: Positive,
-    /// Share of the tip's velocity that it commands.
+    /// Feed-forward gain: share of the tip's velocity that is commanded.
     #[serde(default = "whole::<S>")]
     pub feed_forward: Fraction<S>,
-    /// Speed that it commands per error of the load's height, 1/s.
+    /// Commanded speed per height error of the load, 1/s.
     #[serde(default = "gain::<S>")]
     pub position_gain_per_s: NonNegative<S>,
-    /// Prediction over all delays; without it, it commands the velocity that it has measured.
+    /// Prediction over all delays; without it, the measured velocity is commanded.
     pub prediction: Option<HeavePrediction<S>>,
 }
 
 /// Prediction of the ship's motion over the delay of the sensor, the time for which a command is held, and the response
-/// of the drive. It also undoes the sensor's high-pass filter, for waves of these periods.
+/// of the drive. It also inverts the sensor's high-pass filter, for waves of these periods.
 #[fields]
 pub struct HeavePrediction<S = f64> {
     /// Shortest period of the tip's motion, s; at least four times period_s.
@@ -46,14 +47,15 @@ pub struct HeavePrediction<S = f64> {
     /// Longest period, s; longer than the shortest.
     #[serde(default = "longest")]
     pub longest_period_s: Positive,
-    /// Standard deviation of the noise in a measured velocity over that of the velocity. The larger, the smoother and
-    /// the less exact is the prediction.
+    /// Standard deviation of the noise in a measured velocity over that of the velocity. A larger value makes the
+    /// prediction smoother and less exact.
     #[serde(default = "noise_share")]
     pub noise_share: Positive,
-    /// Time by which it predicts further than over the delay of its sensor and half of period_s, s.
+    /// Prediction time in addition to the delay of its sensor and half of period_s, s.
     #[serde(default)]
     pub extra_delay_s: NonNegative<S>,
-    /// Time constant of the drive's response, which it inverts, s; without it, the response_time_s of each drive.
+    /// Time constant of the drive's response that the prediction inverts, s; without it, the response_time_s of each
+    /// drive.
     pub drive_response_s: Option<NonNegative<S>>,
 }
 

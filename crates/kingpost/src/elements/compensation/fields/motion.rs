@@ -5,11 +5,11 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Fraction, HeavePrediction, Name, NonNegative, Positive, SetsInputs, yes};
 
-/// Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of the
-/// world, and the winch the load's height. It adds what its lever, an input with its name from 0 (off) to 1 (on), and its
-/// inputs `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s at the
-/// load, positive: down) ask for. Its outputs are `compensation_offset` (m), `compensation_ship_velocity` (m/s) and
-/// `compensation_utilisation`. The set-points of its drives do not count.
+/// Compensation in three axes: slewing and luffing, or any chain of driven joints, hold the crane's tip over a point of
+/// the world, and the winch holds the load's height. Its inputs are a lever with its name, from 0 (off) to 1 (on), and
+/// the speeds `NAME.x_speed` and `NAME.y_speed` (m/s of the tip, along the world's axes) and `NAME.lowering_speed` (m/s
+/// at the load, positive: down), which are added to its commands. Its outputs are `compensation_offset` (m),
+/// `compensation_ship_velocity` (m/s) and `compensation_utilisation`. The set-points of its drives do not count.
 #[fields]
 pub struct ThreeAxisCompensation<S = f64> {
     /// Whether the element acts.
@@ -24,26 +24,26 @@ pub struct ThreeAxisCompensation<S = f64> {
     pub drive: Name,
     /// The controlled drives that move the tip: of slewing, luffing, knuckle, telescope. At least two.
     pub joints: Vec<CompensationDrive>,
-    /// The motion reference unit with horizontal motion, or the inertial unit, that it measures the tip's motion by; without it,
-    /// it knows that motion exactly and at once.
+    /// The motion reference unit with horizontal motion, or the inertial unit, that measures the tip's motion; without
+    /// it, the compensation uses the exact motion without delay.
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.
     pub period_s: Positive,
-    /// Share of the ship's velocity at the tip that it commands.
+    /// Feed-forward gain: share of the ship's velocity at the tip that is commanded.
     #[serde(default = "whole::<S>")]
     pub feed_forward: Fraction<S>,
-    /// Speed that it commands per error of the position, 1/s.
+    /// Commanded speed per position error, 1/s.
     #[serde(default = "gain::<S>")]
     pub position_gain_per_s: NonNegative<S>,
-    /// Near a singularity, where the joints at full speed move the tip slower than this in some direction, the commands in
-    /// that direction are reduced, m/s.
+    /// Speed of the tip, m/s, below which a direction counts as near a singularity: if the joints at full speed move
+    /// the tip slower than this in a direction, the commands in that direction are reduced.
     #[serde(default = "damped_below::<S>")]
     pub damped_below_m_s: NonNegative<S>,
-    /// Prediction over all delays; without it, it commands the velocity that it has measured.
+    /// Prediction over all delays; without it, the measured velocity is commanded.
     pub prediction: Option<HeavePrediction<S>>,
 }
 
-/// A platform below a crane's pedestal that stays level and at its height by three or more driven joints. Its lever is an
+/// A platform below a crane's pedestal that three or more driven joints keep level and at its height. Its lever is an
 /// input with its name, from 0 (off) to 1 (on). Its outputs are `platform_offset` (sines of the tilt, and m) and
 /// `compensation_utilisation`. The set-points of its drives do not count.
 #[fields]
@@ -56,23 +56,23 @@ pub struct PlatformCompensation<S = f64> {
     pub begins_on: bool,
     /// The body that stays level.
     pub body: Name,
-    /// The point of it that stays at its height, in its drawing frame, m.
+    /// The point of the body that stays at its height, in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
     /// The controlled drives that move it. At least three.
     pub joints: Vec<CompensationDrive>,
-    /// The motion reference unit or inertial unit, on the ship, that it measures the motion by; without it, it knows the motion
-    /// exactly and at once.
+    /// The motion reference unit or inertial unit, on the ship, that measures the motion; without it, the compensation
+    /// uses the exact motion without delay.
     pub sensor: Option<Name>,
     /// Time between two commands, s; at least simulation.step_s.
     pub period_s: Positive,
-    /// Share of the ship's motion that it commands.
+    /// Feed-forward gain: share of the ship's motion that is commanded.
     #[serde(default = "whole::<S>")]
     pub feed_forward: Fraction<S>,
-    /// Speed that it commands per error of tilt and height, 1/s.
+    /// Commanded speed per error of tilt and height, 1/s.
     #[serde(default = "gain::<S>")]
     pub position_gain_per_s: NonNegative<S>,
-    /// Prediction over all delays; without it, it commands the velocities that it has measured.
+    /// Prediction over all delays; without it, the measured velocities are commanded.
     pub prediction: Option<HeavePrediction<S>>,
 }
 

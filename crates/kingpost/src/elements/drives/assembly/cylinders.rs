@@ -1,4 +1,4 @@
-//! Hydraulic cylinders: their pins, and whether they start within their stroke.
+//! Hydraulic cylinders: their pins, and the check that they start within their stroke.
 
 use crate::dynamics::LinkKinematics;
 use crate::elements::drives::{Aim, Cylinder};
@@ -10,7 +10,7 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, CylinderTarget, Scenario};
 use crate::simulation::Setup;
 
-/// One cylinder, if it is enabled and its bodies exist.
+/// Returns a cylinder, if it is enabled and its bodies exist.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -79,8 +79,8 @@ fn within<S: Quantity>(length: S, [shortest, longest]: [S; 2]) -> bool {
 /// Takes the lengths at the start of the run, with loops closed.
 ///
 /// # Errors
-/// A length outside the stroke; pins that coincide have the length 0. A target length that is reached at different
-/// times in different lanes, since a step ends there.
+/// A length outside the stroke; pins that coincide have the length 0. A target length that different lanes reach at
+/// different times, because a step ends at that time.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -95,7 +95,11 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
             return Err(FieldError::new(field(), found, allowed));
         }
         if matches!(cylinder.aim, Aim::Length(_)) && cylinder.arrival_s.is_none() {
-            return Err(FieldError::new(field(), "a target reached at different times", "one"));
+            return Err(FieldError::new(
+                field(),
+                "a target length that lanes reach at different times",
+                "the same time in all lanes",
+            ));
         }
     }
     Ok(())

@@ -11,7 +11,7 @@ use crate::scenario::assembly::flexible::owner;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, History, HistoryList, Scenario};
 
-/// The history of a motor; `field` is its path. It may jump.
+/// Returns the history of a motor, which may jump; `field` is its path.
 pub fn of_motor<S: Quantity>(
     field: &str,
     history: History,
@@ -30,7 +30,7 @@ pub fn of_motor<S: Quantity>(
     }
 }
 
-/// The prescribed motions of the coordinates that exist.
+/// Returns the prescribed motions of the coordinates that exist.
 pub fn given_motions<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut motions = Vec::new();
     for (i, body) in model.bodies.iter().enumerate() {
@@ -47,7 +47,7 @@ pub fn given_motions<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> R
     Ok(motions)
 }
 
-/// The prescribed motion of one coordinate; `field` gives the path of its mode.
+/// Returns the prescribed motion of one coordinate; `field` returns the path of its mode.
 fn given_motion<S: Quantity>(
     field: impl Fn(&str) -> String,
     given: &GivenMotion<S>,
@@ -67,7 +67,7 @@ fn given_motion<S: Quantity>(
     Ok(Box::new(PrescribedMotion { coordinate, rate, profile }))
 }
 
-/// The history of a prescribed rate: it has no lever and no jump.
+/// Returns the history of a prescribed rate, which has no lever and no jump.
 fn of_rate<S: Quantity>(field: &str, given: &GivenMotion<S>) -> Result<TimeFunction<S>, FieldError> {
     let GivenMotion::Rate { history, pulse, list, .. } = given else { return Ok(TimeFunction::constant()) };
     match history {
@@ -91,7 +91,7 @@ fn of_rate<S: Quantity>(field: &str, given: &GivenMotion<S>) -> Result<TimeFunct
     }
 }
 
-/// A trapezoid from rest to rest.
+/// Returns a trapezoidal history from rest to rest.
 fn of_travel<S: Quantity>(
     field: &str,
     start_s: f64,
@@ -106,7 +106,7 @@ fn of_travel<S: Quantity>(
     Ok(TimeFunction::pulse(Pulse { start_s, rise_s: ramp_s, hold_s, reverse_s: 0.0 }))
 }
 
-/// A list whose times do not decrease, with a share for each.
+/// Returns a listed history: times that do not decrease, with a share for each.
 fn listed<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<TimeFunction<S>, FieldError> {
     let times_s: Vec<f64> = list.time_s.iter().map(|time| time.get()).collect();
     if times_s.is_empty() {
@@ -123,7 +123,7 @@ fn listed<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<TimeFunctio
     Ok(TimeFunction::list(&times_s, &list.share))
 }
 
-/// A jump of the rate would need an infinite force.
+/// Checks that a prescribed rate does not jump: a jump would need an infinite force.
 fn check_no_jump<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<(), FieldError> {
     let (times, shares) = (&list.time_s, &list.share);
     if times[0].get() > 0.0 && !shares[0].all(|share| share == 0.0) {
@@ -140,10 +140,10 @@ fn check_no_jump<S: Quantity>(field: &str, list: &HistoryList<S>) -> Result<(), 
 }
 
 fn no_pulse(field: &str) -> FieldError {
-    let allowed = "rise_s, hold_s and perhaps start_s and reverse_s, for a history that is a pulse";
+    let allowed = "rise_s and hold_s, and optionally start_s and reverse_s, for the history pulse";
     FieldError::new(format!("{field}.pulse"), "nothing", allowed)
 }
 
 fn no_list(field: &str) -> FieldError {
-    FieldError::new(format!("{field}.list"), "nothing", "time_s and share, for a history that is a list")
+    FieldError::new(format!("{field}.list"), "nothing", "time_s and share, for the history list")
 }

@@ -16,7 +16,7 @@ use crate::scenario::schema::{self, BrakeState, History, Scenario};
 use crate::world::World;
 use indexmap::IndexMap;
 
-/// The drives that are enabled, for a model that starts at `q`; gives prescribed joints their initial rate in `v`.
+/// Builds the enabled drives for a model that starts at `q`, and sets the initial rates of prescribed joints in `v`.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -87,7 +87,7 @@ pub fn build<S: Quantity>(
     Ok(drives)
 }
 
-/// The input through which a wire offsets a servo's target.
+/// Returns the input for the offset of a servo's target, which a wire may set.
 fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<Input> {
     let name = sensors::offset_of(name);
     let unit = if motion == Rotation { "rad" } else { "m" };
@@ -98,7 +98,7 @@ fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<I
 /// Largest offset of a servo's target, rad or m.
 const FARTHEST_OFFSET: f64 = 1e6;
 
-/// A drive that is enabled would have no effect on a coordinate that is held or prescribed.
+/// Refuses an enabled drive on a coordinate that is held or prescribed: it would have no effect.
 fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: MotionType) -> Result<(), FieldError> {
     let mode = match mode {
         MotionType::Free => return Ok(()),
@@ -109,7 +109,8 @@ fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: MotionType) -> Resul
     Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for an enabled drive"))
 }
 
-/// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes are added.
+/// Refuses two drives with set-points on one joint: they would oppose each other. The efforts of motors and brakes are
+/// added.
 fn check_alone<'a, S: Quantity>(
     parts: &JointDrive<'_, S>,
     name: &'a str,
@@ -127,7 +128,7 @@ fn check_alone<'a, S: Quantity>(
     ))
 }
 
-/// A drive of a joint, rotating and sliding alike.
+/// A drive of a joint that turns or slides.
 struct JointDrive<'a, S> {
     field: String,
     enabled: bool,
@@ -163,7 +164,7 @@ enum Law<'a, S> {
 }
 
 impl<'a, S: Quantity> JointDrive<'a, S> {
-    /// `None` for a drive outside a joint.
+    /// Returns the parts of a joint's drive; `None` for a drive outside a joint.
     fn of(name: &str, drive: &'a schema::Drive<S>) -> Option<Self> {
         let motor = |effort, history, pulse: &'a Option<schema::Pulse>, list: &'a Option<schema::HistoryList<S>>| {
             Law::Motor { effort, history, pulse: pulse.as_ref(), list: list.as_ref() }
@@ -233,7 +234,7 @@ impl<'a, S: Quantity> JointDrive<'a, S> {
     }
 }
 
-/// Names of the coordinates that turn or that slide, including those of disabled bodies.
+/// Returns the names of the coordinates with this motion (turning or sliding), including those of disabled bodies.
 fn coordinates<S: Quantity>(scenario: &Scenario<S>, motion: AxisMotion) -> Vec<String> {
     let of_body = |(name, body): (&schema::Name, &schema::Body<S>)| {
         let axes = axes(&body.joint).into_iter().filter(|axis| axis.motion == motion);

@@ -5,7 +5,7 @@ use kingpost_derive::fields;
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{CoordinateName, Positive, yes};
 
-/// A drive that turns an axis to follow a set-point within limits: a winch, a slewing gear.
+/// A drive that turns an axis to follow a set-point within limits, such as a winch or a slewing gear.
 #[fields]
 pub struct ControlledDrive<S = f64> {
     /// Whether the element acts.
@@ -29,7 +29,7 @@ pub struct ControlledDrive<S = f64> {
     pub stiffness_n_m_per_rad: Positive<S>,
     /// Torque per rate error against its reference, N m s/rad.
     pub damping_n_m_s_per_rad: Positive<S>,
-    /// Time in which its reference reaches a new rate where no limit acts, s. A jerk limit makes it longer.
+    /// Time in which its reference reaches a new rate if no limit acts, s. A jerk limit makes this time longer.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }
@@ -46,7 +46,7 @@ pub enum AngleSetPoints<S = f64> {
     Position(AngleSetPoint<S>),
 }
 
-/// A torque to give.
+/// A torque set-point.
 #[fields]
 #[derive(Copy)]
 pub struct TorqueSetPoint<S = f64> {
@@ -55,7 +55,7 @@ pub struct TorqueSetPoint<S = f64> {
     pub torque_n_m: S,
 }
 
-/// A rate to keep.
+/// A rate set-point.
 #[fields]
 #[derive(Copy)]
 pub struct RateSetPoint<S = f64> {
@@ -64,7 +64,7 @@ pub struct RateSetPoint<S = f64> {
     pub rate_rad_s: S,
 }
 
-/// An angle to go to.
+/// An angle set-point.
 #[fields]
 #[derive(Copy)]
 pub struct AngleSetPoint<S = f64> {
@@ -97,7 +97,7 @@ pub struct LinearControlledDrive<S = f64> {
     pub stiffness_n_per_m: Positive<S>,
     /// Force per speed error against its reference, N s/m.
     pub damping_n_s_per_m: Positive<S>,
-    /// Time in which its reference reaches a new speed where no limit acts, s. A jerk limit makes it longer.
+    /// Time in which its reference reaches a new speed if no limit acts, s. A jerk limit makes this time longer.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }
@@ -114,7 +114,7 @@ pub enum LengthSetPoints<S = f64> {
     Position(ExtensionSetPoint<S>),
 }
 
-/// A force to give.
+/// A force set-point.
 #[fields]
 #[derive(Copy)]
 pub struct ForceSetPoint<S = f64> {
@@ -123,7 +123,7 @@ pub struct ForceSetPoint<S = f64> {
     pub force_n: S,
 }
 
-/// A speed to keep.
+/// A speed set-point.
 #[fields]
 #[derive(Copy)]
 pub struct SpeedSetPoint<S = f64> {
@@ -132,7 +132,7 @@ pub struct SpeedSetPoint<S = f64> {
     pub speed_m_s: S,
 }
 
-/// An extension to go to.
+/// An extension set-point.
 #[fields]
 #[derive(Copy)]
 pub struct ExtensionSetPoint<S = f64> {

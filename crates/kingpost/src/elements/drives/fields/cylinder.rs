@@ -6,7 +6,7 @@ use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Name, NonNegative, Positive, yes};
 
 /// A hydraulic cylinder between two pins: a force `stiffness (target length - length) - damping rate` along the line
-/// between them, limited to what it can push and pull. The target length changes no faster than the speed limit.
+/// between them, within the push and pull limits. The target length changes no faster than the speed limit.
 #[fields]
 pub struct Cylinder<S = f64> {
     /// Whether the element acts.
@@ -16,9 +16,9 @@ pub struct Cylinder<S = f64> {
     pub first: Pin<S>,
     /// Pin on the other.
     pub second: Pin<S>,
-    /// Length between the pins when fully retracted, m: there is a stop.
+    /// Length between the pins when fully retracted, m, limited by a stop.
     pub shortest_m: Positive<S>,
-    /// Length between the pins when fully extended, m: there is a stop.
+    /// Length between the pins when fully extended, m, limited by a stop.
     pub longest_m: Positive<S>,
     /// The target length.
     #[serde(default)]
@@ -36,7 +36,8 @@ pub struct Cylinder<S = f64> {
     /// Stiffness of the stops at both ends of the stroke, N/m.
     #[serde(default = "stop_stiffness::<S>")]
     pub stop_stiffness_n_per_m: NonNegative<S>,
-    /// Dissipation of the stops, s/m: at a speed u into a stop its force is 1 + dissipation u times that of its spring.
+    /// Dissipation of the stops, s/m: at a speed u into a stop, the stop's force is its spring force times (1 +
+    /// dissipation u).
     #[serde(default = "stop_dissipation::<S>")]
     pub stop_dissipation_s_per_m: NonNegative<S>,
 }
@@ -65,16 +66,16 @@ pub struct Pin<S = f64> {
 #[fields]
 #[derive(Copy, Default)]
 pub enum CylinderTarget<S = f64> {
-    /// Keeps the length that it has at the start.
+    /// Keeps the length at the start.
     #[default]
     Hold,
-    /// Goes to this length, from the start on.
+    /// Moves to this length, from the start on.
     Length(TargetLength<S>),
-    /// An input in [-1, 1], with the drive's name, times the speed limit is the rate of the target length.
+    /// Moves at the rate of the speed limit times an input in [-1, 1] with the drive's name.
     Lever,
 }
 
-/// A length to go to.
+/// A target length.
 #[fields]
 #[derive(Copy)]
 pub struct TargetLength<S = f64> {
@@ -83,7 +84,7 @@ pub struct TargetLength<S = f64> {
 }
 
 impl<S: Leaf> Pin<S> {
-    /// The body; `None` for the world.
+    /// Returns the name of the body; `None` for the world.
     pub fn named_body(&self) -> Option<&Name> {
         (self.body != crate::scenario::schema::WORLD).then_some(&self.body)
     }

@@ -1,4 +1,4 @@
-//! Histories of strengths and rates over time, and motions given by their distance.
+//! Histories of strengths and rates over time, and motions given by angle, length or amplitude.
 
 use kingpost_derive::fields;
 
@@ -11,9 +11,9 @@ pub enum History {
     /// Full strength from the start on.
     #[default]
     Constant,
-    /// Up, hold and stop, or up, hold, reverse and stop, at the times of `pulse`.
+    /// Rise, hold and stop, or rise, hold, reverse and stop, at the times of `pulse`.
     Pulse,
-    /// Straight lines between the shares of `list` at given times.
+    /// Linear between the shares of `list` at given times.
     List,
     /// Full strength times an input in [-1, 1] that has the drive's name.
     Lever,
@@ -23,15 +23,16 @@ pub enum History {
 /// last.
 #[fields]
 pub struct HistoryList<S = f64> {
-    /// Times in increasing order, s. The same time twice is a jump: a motor may have one, a prescribed rate may not.
+    /// Times in increasing order, s. A time given twice is a jump, which is allowed for a motor but not for a
+    /// prescribed rate.
     pub time_s: Vec<NonNegative>,
     /// The share at each time: 1 is full strength, -1 full strength in the other direction.
     pub share: Vec<S>,
 }
 
 /// Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
-/// `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back
-/// to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
+/// `rise_s`, and 0 from then on. With a `reverse_s`, after the hold: from R to -R in twice `rise_s`, -R for
+/// `reverse_s`, and then back to 0. Without a reverse the distance is `R (rise_s + hold_s)`.
 #[fields]
 pub struct RatePulse {
     /// When it begins, s.
@@ -46,11 +47,11 @@ pub struct RatePulse {
     pub reverse_s: NonNegative,
 }
 
-/// Turning by an angle, from rest to rest: the rate goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
-/// ramps it is `angle / (duration_s - ramp_s)`.
+/// A turn by an angle, from rest to rest: the rate rises in `ramp_s`, is constant at `angle / (duration_s - ramp_s)`,
+/// and falls to 0 in `ramp_s`.
 #[fields]
 pub struct AngleTravel<S = f64> {
-    /// How far it turns, positive about the axis, rad.
+    /// Angle of the turn, positive about the axis, rad.
     pub angle_rad: S,
     /// When it begins, s.
     #[serde(default)]
@@ -61,11 +62,11 @@ pub struct AngleTravel<S = f64> {
     pub ramp_s: Positive,
 }
 
-/// Sliding by a length, from rest to rest: the speed goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
-/// ramps it is `length / (duration_s - ramp_s)`.
+/// A travel by a length, from rest to rest: the speed rises in `ramp_s`, is constant at `length / (duration_s -
+/// ramp_s)`, and falls to 0 in `ramp_s`.
 #[fields]
 pub struct LengthTravel<S = f64> {
-    /// How far it slides, positive along the axis, m.
+    /// Length of the travel, positive along the axis, m.
     pub length_m: S,
     /// When it begins, s.
     #[serde(default)]

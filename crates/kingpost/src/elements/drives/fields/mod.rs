@@ -1,4 +1,4 @@
-//! Drives: what acts between two bodies, mostly in the joint that connects them.
+//! Drives: forces between two bodies, mostly in the joint that connects them.
 
 pub(crate) mod controlled;
 pub(crate) mod cylinder;
@@ -35,8 +35,8 @@ pub enum Drive<S = f64> {
     Cylinder(Cylinder<S>),
 }
 
-/// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
-/// with a `reverse_s` from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
+/// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on.
+/// With a `reverse_s`, after the hold: from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
 #[fields]
 pub struct Pulse {
     /// When it begins, s.
@@ -125,7 +125,7 @@ pub struct LinearServo<S = f64> {
     pub force_limit_n: NonNegative<S>,
 }
 
-/// How far a brake is set.
+/// State of a brake.
 #[fields]
 #[derive(Copy, Default, Eq)]
 pub enum BrakeState {
@@ -148,8 +148,7 @@ pub struct Brake<S = f64> {
     pub joint: CoordinateName,
     /// Capacity: the torque that it can hold, N m.
     pub torque_n_m: NonNegative<S>,
-    /// Rate scale over which its torque changes sign smoothly, rad/s. A joint that it holds creeps more slowly than
-    /// this.
+    /// Smoothing rate over which the torque changes sign, rad/s. A held joint creeps more slowly than this rate.
     #[serde(default = "slow::<S>")]
     pub smoothing_rad_s: Positive<S>,
     /// Set, released, or moved by a lever.
@@ -167,7 +166,7 @@ pub struct LinearBrake<S = f64> {
     pub joint: CoordinateName,
     /// Capacity: the force that it can hold, N.
     pub force_n: NonNegative<S>,
-    /// Speed scale over which its force changes sign smoothly, m/s. A joint that it holds creeps more slowly than this.
+    /// Smoothing speed over which the force changes sign, m/s. A held joint creeps more slowly than this speed.
     #[serde(default = "slow::<S>")]
     pub smoothing_m_s: Positive<S>,
     /// Set, released, or moved by a lever.

@@ -1,4 +1,4 @@
-//! Stability of a controller with its filter and thrusters, for the ship that its gains are made for.
+//! Stability of a controller with its filter and thrusters, for the ship for which the gains are designed.
 
 use crate::scenario::schema;
 use core::f64::consts::TAU;
@@ -6,15 +6,15 @@ use nalgebra::{Complex, DMatrix};
 
 /// The stability of a controlled ship without disturbance.
 pub(crate) enum RootGrowth {
-    /// It comes to rest.
+    /// Every root decays: the ship comes to rest.
     None,
-    /// This root grows.
+    /// The root that grows fastest.
     Of(Complex<f64>),
-    /// Rates of such different magnitudes that no roots are found.
+    /// No roots are found, because the magnitudes of the rates differ too much.
     Unknown,
 }
 
-/// Iterations of the search for roots; it needs a few per root if their magnitudes are comparable.
+/// Largest number of iterations of the search for roots, which needs a few per root if their magnitudes are comparable.
 const MOST_ITERATIONS: usize = 1000;
 
 /// One of surge, sway and yaw.
@@ -28,7 +28,7 @@ pub(crate) struct ControlLoop<'a> {
 }
 
 impl ControlLoop<'_> {
-    /// The root that grows fastest of a free ship, m x'' = T, under the controller.
+    /// Returns the root that grows fastest, for a free ship, m x'' = T, under the controller.
     pub(crate) fn growth(&self) -> RootGrowth {
         let Some(schur) = self.rates().try_schur(f64::EPSILON, MOST_ITERATIONS) else { return RootGrowth::Unknown };
         let roots = schur.complex_eigenvalues();
@@ -40,15 +40,15 @@ impl ControlLoop<'_> {
         }
     }
 
-    /// The matrix of the rates of x, v, thrust and integral (both over m) and the filter's states; the only unit left
-    /// is s.
+    /// Returns the matrix of the rates of x, v, thrust and integral (the last two over m), and the filter's states; the
+    /// only remaining unit is s.
     fn rates(&self) -> DMatrix<f64> {
         let sections = self.filter.map(sections).unwrap_or_default();
         let n = 4 + 2 * sections.len();
         let [stiffness, damping, integral] = self.gains.map(|gain| gain / self.inertia);
         let mut a = DMatrix::zeros(n, n);
         (a[(0, 1)], a[(1, 2)], a[(3, 0)]) = (1.0, 1.0, -integral);
-        // The input of the next section as a combination of the states.
+        // The input of the next section, as a linear combination of the states.
         let mut signal = DMatrix::zeros(1, n);
         (signal[(0, 0)], signal[(0, 1)]) = (-stiffness, -damping);
         for (k, section) in sections.iter().enumerate() {
@@ -73,8 +73,8 @@ impl ControlLoop<'_> {
     }
 }
 
-/// A root with a growth rate below this share of the fastest rate is rounding: a controller without integral has a root
-/// at 0.
+/// Share of the fastest rate below which a growth rate counts as rounding: a controller without integral has a root at
+/// 0.
 const ROUNDING: f64 = 1e-6;
 
 /// A section of [`WaveFilter`](crate::elements::dynamic_positioning::WaveFilter) in plain numbers.

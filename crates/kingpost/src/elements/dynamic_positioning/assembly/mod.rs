@@ -36,14 +36,14 @@ fn build<S: Quantity>(
     check_gains(given, &field)?;
     let position = Vector3(given.position_m);
     let thrusters = thrusters(given, position);
-    let found = if thrusters.is_empty() { "none that runs".to_owned() } else { String::new() };
+    let found = if thrusters.is_empty() { "no enabled thruster".to_owned() } else { String::new() };
     let heading_first = given.priority == ThrustPriority::Heading;
     let allocation = Allocation::new(thrusters, heading_first).map_err(|error| {
         let found = if found.is_empty() { format!("thrusters that give {}", error.0) } else { found };
         FieldError::new(
             format!("{field}.thrusters"),
             found,
-            "enabled thrusters that give surge, sway and yaw independently: two transverse ones at different places along the ship, and one along the ship",
+            "enabled thrusters that give surge, sway and yaw independently: two transverse thrusters at different positions along the ship, and one longitudinal thruster",
         )
     })?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
@@ -77,7 +77,7 @@ fn check_finite<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str)
     }
 }
 
-/// K_p, K_d and K_i of surge, sway and yaw.
+/// Returns K_p, K_d and K_i of surge, sway and yaw.
 fn numbers<S: Quantity>(gains: &PositioningGains<S>) -> [Planar<S>; 3] {
     match gains {
         PositioningGains::NaturalPeriods(given) => {
@@ -139,7 +139,7 @@ fn tunings<S: Quantity>(given: &schema::NaturalPeriods<S>) -> [Tuning<S>; 3] {
     [of(&given.surge), of(&given.sway), yaw]
 }
 
-/// By Routh's criterion m s^3 + K_d s^2 + K_p s + K_i is stable only where T_i > m / K_d.
+/// Checks the integral times: by Routh's criterion m s^3 + K_d s^2 + K_p s + K_i is stable only if T_i > m / K_d.
 fn check_gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Result<(), FieldError> {
     let PositioningGains::NaturalPeriods(periods) = &given.gains else { return Ok(()) };
     let each = ["surge", "sway", "yaw"].into_iter().zip(tunings(periods));
@@ -147,7 +147,7 @@ fn check_gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) 
         let least = tuning.period_s / (S::constant(4.0 * PI) * tuning.damping_ratio);
         if !(tuning.integral_time() - least).all(|room| room > 0.0) {
             let allowed = format!(
-                "more than period_s / (4 pi damping_ratio), {least}: else the ship is unstable even without delays"
+                "more than period_s / (4 pi damping_ratio), {least}: otherwise the ship is unstable even without delays"
             );
             let field = format!("{field}.gains.natural_periods.{name}.integral_time_s");
             return Err(FieldError::new(field, tuning.integral_time(), allowed));
@@ -165,7 +165,7 @@ pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
     })
 }
 
-/// Periods of waves, s: a wave filter needs no others.
+/// Allowed periods of a wave filter, s: periods of waves.
 const WAVE_PERIODS_S: core::ops::RangeInclusive<f64> = 0.1..=1e3;
 
 fn check_filter(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
@@ -195,7 +195,7 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
             RootGrowth::None => continue,
             RootGrowth::Of(root) => (
                 format!(
-                    "{} s, with which {delays} make an oscillation of {:.1} s grow",
+                    "{} s, with which {delays} cause a growing oscillation of {:.1} s",
                     tuning.period_s,
                     TAU / root.im.abs()
                 ),
@@ -230,7 +230,7 @@ fn gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Res
     Ok(Gains { stiffness, damping, integral, integrates, tracking_time })
 }
 
-/// Whether a gain is greater than 0; without a gain nothing can become unstable in that direction.
+/// Whether a gain is greater than 0; a direction without a gain cannot become unstable.
 fn is_there<S: Quantity>(gain: S, field: &str) -> Result<bool, FieldError> {
     let there = gain.decides(field, |gain| gain > 0.0)?;
     if !there {
@@ -251,7 +251,7 @@ fn filter<S: Quantity>(given: &schema::DynamicPositioning<S>) -> WaveFilter<S> {
     filter
 }
 
-/// The thrusters that are enabled, relative to the held point.
+/// Returns the enabled thrusters, with positions relative to the held point.
 fn thrusters<S: Quantity>(given: &schema::DynamicPositioning<S>, point: Vector3<S>) -> Vec<Thruster<S>> {
     let running = given.thrusters.iter().filter(|(_, thruster)| thruster.enabled());
     let build = |(name, given): (&schema::Name, &schema::Thruster<S>)| {
@@ -285,7 +285,7 @@ impl<S: Quantity> schema::Thruster<S> {
         }
     }
 
-    /// Position, m, and direction, rad.
+    /// Returns position, m, and direction, rad.
     fn place(&self) -> [S; 4] {
         let ([x, y, z], direction) = match self {
             Self::Tunnel(given) => (given.position_m, given.direction_rad),
@@ -295,7 +295,7 @@ impl<S: Quantity> schema::Thruster<S> {
         [x, y, z, direction]
     }
 
-    /// Limits ahead and astern, N, time constant, s, and weight.
+    /// Returns the limits ahead and astern, N, the time constant, s, and the weight.
     fn numbers(&self) -> [S; 4] {
         let [ahead, astern, time_constant, weight] = match self {
             Self::Tunnel(t) => [t.max_thrust_n, t.max_thrust_n, t.time_constant_s, t.weight],

@@ -9,17 +9,17 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::world::World;
 
-/// Strain at the start beyond which a length is an error: steel parts long before.
+/// Strain at the start above which a length is an error: steel parts at a much smaller strain.
 const LARGEST_STRAIN: f64 = 0.05;
 
-/// By how much an inextensible rope may be shorter than its path, m: rounding of a length in a file.
+/// Largest shortage of an inextensible rope's length relative to its path, m: rounding of a length in a file.
 const SHORT_BY_ROUNDING_M: f64 = 1e-9;
 
-/// The largest wrap angle of a sheave at the start, degrees: beyond it the axis points the wrong way. During the run
-/// the angle may be larger.
+/// Largest wrap angle of a sheave at the start, degrees: a larger angle means that the axis points in the wrong
+/// direction. During the run the angle may be larger.
 const LARGEST_WRAP_DEG: f64 = 200.0;
 
-/// The smallest length of a path, m: it is not exactly 0 when all stations coincide.
+/// Smallest length of a path, m: the computed length is not exactly 0 if all stations coincide.
 const LEAST_LENGTH_M: f64 = 1e-6;
 
 /// Wrap angle below which a rope runs straight past a sheave, degrees.
@@ -77,16 +77,17 @@ fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Resul
         return Ok(());
     }
     let (field, found) = (format!("{of}.unstretched_length_m"), format!("{} m", rope.unstretched_length));
-    let allowed =
-        format!("at least {length} m, its path, for a rope that does not stretch; without this field, its path");
+    let allowed = format!(
+        "at least {length} m, the length of its path, for a rope that does not stretch; without this field, that length"
+    );
     Err(FieldError::new(field, found, allowed))
 }
 
-/// Checks that no two stations of the path overlap, and that a drum's axis is across the rope.
+/// Checks that no two stations of the path overlap, and that a drum's axis is not along the rope.
 fn check_apart<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     if let Some((leg, [distance, radii])) = path.overlap(at) {
-        let found = format!("a place {distance:.4} m from the one before it");
-        let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
+        let found = format!("a place {distance:.4} m from the place before it");
+        let allowed = format!("a distance above {radii:.4} m, the sum of both radii");
         return Err(FieldError::new(format!("{of}.path.{}", leg + 1), found, allowed));
     }
     if path.drum_is_along(at) {
@@ -135,7 +136,7 @@ pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// The context of an element without entries of its own, for a model at rest.
+/// Calls a function with the context of a model at rest, for an element without states, inputs, numbers and modes.
 pub(crate) fn at_rest<S: Quantity, R>(
     world: &World<S>,
     model: &Model<S>,

@@ -8,7 +8,7 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::spatial::Frame;
 
-/// The chart of the rope with this name; `None` if the slewing joint does not exist.
+/// Returns the chart of the rope with this name; `None` if the slewing joint does not exist.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     rope: &str,

@@ -15,7 +15,7 @@ use crate::scenario::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use crate::scenario::wording::NOTHING;
 use crate::spatial::{Frame, Vector3};
 
-/// Falls of one leg, at most.
+/// Largest number of falls of one leg.
 const MOST_FALLS: u32 = 100;
 
 impl<S: Quantity> Assemble<S> for schema::Rope<S> {
@@ -24,7 +24,7 @@ impl<S: Quantity> Assemble<S> for schema::Rope<S> {
     }
 }
 
-/// One rope, if it is enabled and every body on its path exists.
+/// Returns a rope, if it is enabled and every body on its path exists.
 fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -32,7 +32,7 @@ fn build<S: Quantity>(
     model: &Model<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     if given.can_be_released && scenario.drives.contains_key(name) {
-        let found = format!("true, with an input {name} that drives.{name} has too");
+        let found = format!("true, with an input {name} that drives.{name} also has");
         let allowed = "a name for the rope that no drive has";
         return Err(FieldError::new(format!("forces.{name}.rope.can_be_released"), found, allowed));
     }
@@ -67,7 +67,8 @@ fn build<S: Quantity>(
     })))
 }
 
-/// A rope that begins released can be hooked on, and its length does not follow from the start.
+/// Checks that a rope that begins released can be released and has a length, which does not follow from its path at the
+/// start.
 fn check_begins_released<S: Quantity>(name: &str, given: &schema::Rope<S>) -> Result<(), FieldError> {
     let field = |field| format!("forces.{name}.rope.{field}");
     if given.begins_released && !given.can_be_released {
@@ -80,8 +81,8 @@ fn check_begins_released<S: Quantity>(name: &str, given: &schema::Rope<S>) -> Re
     Ok(())
 }
 
-/// Refuses options that need a rope that stretches: a damper, a breaking load, since a snap load breaks a rope, and
-/// friction at sheaves and drum, which depends on the tension.
+/// Refuses options that need an elastic rope: a damper; a breaking load, because snap loads break ropes; and friction
+/// at sheaves and drum, which depends on the tension.
 fn check_inextensible<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<(), FieldError> {
     let allowed = |what| {
         format!("{what} for a rope without axial_stiffness_N and series_stiffness_N_per_m, which does not stretch")
@@ -109,7 +110,7 @@ fn check_inextensible<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<
     Ok(())
 }
 
-/// The weight of a rope; one that displaces water without mass would float up.
+/// Returns the weight of a rope. A rope that displaces water but has no mass is an error: it would float up.
 fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeWeight<S>>, FieldError> {
     let diameter = given.diameter_m.as_ref().map(|diameter| diameter.get());
     match (&given.mass_kg_per_m, diameter) {
@@ -122,7 +123,7 @@ fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeW
     }
 }
 
-/// The mass whose weight is the rope's tension at rest in air; `None` if no body that it carries exists.
+/// Returns the mass whose weight equals the rope's tension at rest in air; `None` if none of the carried bodies exists.
 fn carried_mass<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
@@ -135,7 +136,7 @@ fn carried_mass<S: Quantity>(
     for (i, carried) in given.carries.iter().enumerate() {
         known(&format!("{field}.carries.{i}.body"), &carried.body, scenario.bodies.keys().map(|body| body.as_str()))?;
         let share = carried.share.map_or(S::constant(1.0 / f64::from(falls)), |share| share.get());
-        // A flexible body is several bodies of the model.
+        // A flexible body consists of several bodies of the model.
         for body in model.bodies.iter().filter(|body| flexible::owner(&body.name).0 == &*carried.body) {
             sum = Some(sum.unwrap_or(S::ZERO) + body.mass * share);
         }
@@ -149,7 +150,7 @@ impl<S: Quantity> Assemble<S> for schema::TuggerLine<S> {
     }
 }
 
-/// One tugger line, if it is enabled and every body on its path exists.
+/// Returns a tugger line, if it is enabled and every body on its path exists.
 fn tugger<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -158,7 +159,7 @@ fn tugger<S: Quantity>(
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     let field = format!("forces.{name}.tugger_line");
     if let Some(RopeStation::Drum(_)) = given.path.first() {
-        let allowed = "a point: the winch that keeps the tension needs no drum";
+        let allowed = "a point: a constant-tension winch needs no drum";
         return Err(FieldError::new(format!("{field}.path.0"), "a drum", allowed));
     }
     let Laid { stations, .. } = lay(scenario, &field, &given.path, model)?;
@@ -224,12 +225,12 @@ fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     Ok(())
 }
 
-/// Checks that several falls run between points only: a sheave leads a single fall.
+/// Checks that several falls run between points only: a sheave guides a single fall.
 fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     if let Some(RopeStation::Point(RopePoint { falls, .. })) = path.first()
         && *falls != 1
     {
-        let allowed = "1: falls run from one point to the next, and this is the first";
+        let allowed = "1: falls run to a point from the point before, and this is the first point";
         return Err(FieldError::new(field("path.0.point.falls".to_owned()), falls, allowed));
     }
     for (i, pair) in path.windows(2).enumerate() {
@@ -246,7 +247,7 @@ fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     Ok(())
 }
 
-/// A rope whose stations are all on one body would hold and move nothing.
+/// Refuses a rope whose stations are all on one body: it would have no effect.
 fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     let Some(first) = path.first().and_then(|station| station.on().1) else { return Ok(()) };
     if path.iter().any(|station| station.on().1 != Some(first)) {
@@ -256,10 +257,10 @@ fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) ->
     Err(FieldError::new(field("path".to_owned()), format!("places that are all on {first}"), allowed))
 }
 
-/// The station of a drum and the drum, if its joint exists.
+/// A drum and its station; `None` if the drum's joint does not exist.
 type OnDrum<S> = Option<(Station<S>, Drum<S>)>;
 
-/// The context in which a station is read, and its field.
+/// Context for reading a station, with the station's field.
 struct Placing<'a, S> {
     scenario: &'a Scenario<S>,
     model: &'a Model<S>,
@@ -267,7 +268,7 @@ struct Placing<'a, S> {
 }
 
 impl<S: Quantity> Placing<'_, S> {
-    /// A point on a body or in the world; `None` if the body does not exist.
+    /// Returns a point on a body or in the world; `None` if the body does not exist.
     fn centre(&self, body: &schema::Name, position_m: [S; 3]) -> Result<Option<Attachment<S>>, FieldError> {
         let bodies = self.scenario.bodies.keys().map(|body| body.as_str());
         known(&format!("{}.body", self.field), body, bodies.chain([schema::WORLD]))?;
@@ -301,7 +302,7 @@ impl<S: Quantity> Placing<'_, S> {
         Ok(Efficiency { hoisting, lowering })
     }
 
-    /// A drum stands on the body that carries its joint.
+    /// Returns a drum, which is on the body that carries its joint.
     fn drum(&self, given: &schema::RopeDrum<S>) -> Result<OnDrum<S>, FieldError> {
         let (field, joint) = (format!("{}.joint", self.field), given.joint.as_str());
         let efficiency = self.efficiency(given.efficiency_hoisting.get(), given.efficiency_lowering.get())?;

@@ -76,7 +76,7 @@ pub enum RopeEnd {
     First,
 }
 
-/// Measures where its antenna is: `measured_position.x`, `.y`, `.z`, m in the world.
+/// Measures the position of its antenna: `measured_position.x`, `.y`, `.z`, m in the world.
 #[fields]
 pub struct SatelliteReceiver<S = f64> {
     /// Whether the sensor measures.

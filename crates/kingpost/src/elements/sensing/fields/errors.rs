@@ -4,14 +4,14 @@ use kingpost_derive::fields;
 
 use crate::scenario::schema::{NonNegative, Positive};
 
-/// Failures of a sensor, drawn from the run's seed. While it fails, its outputs keep their last values and its
-/// `sensor_status` is 0; the table of events has the beginning and the end of each.
+/// Random drop-outs of a sensor, from the run's seed. During a drop-out its outputs keep their last values and its
+/// `sensor_status` is 0; the table of events has the beginning and the end of each drop-out.
 #[fields]
 #[derive(Copy)]
 pub struct DropOuts {
-    /// Mean time from the end of one to the next, s; at least the sensor's period.
+    /// Mean time from the end of one drop-out to the next drop-out, s; at least the sensor's period.
     pub mean_interval_s: Positive,
-    /// Mean duration, s; at least the sensor's period.
+    /// Mean duration of a drop-out, s; at least the sensor's period.
     pub mean_duration_s: Positive,
 }
 
@@ -19,14 +19,14 @@ pub struct DropOuts {
 #[fields]
 #[derive(Copy, Default)]
 pub struct AngleErrors<S = f64> {
-    /// Standard deviation of its white noise in a sample, rad: the density per root hertz over the root of twice the
-    /// period.
+    /// Standard deviation of its white noise in a sample, rad: the noise density, rad/sqrt(Hz), over the square root of
+    /// twice the period.
     #[serde(default)]
     pub noise_rad: NonNegative<S>,
     /// Constant error, rad.
     #[serde(default)]
     pub bias_rad: S,
-    /// Smallest step, rad; 0 is none. Derivatives do not go through it.
+    /// Resolution, rad; 0 for none. With a resolution the derivative of the measured value is 0.
     #[serde(default)]
     pub resolution_rad: NonNegative,
 }
@@ -35,14 +35,14 @@ pub struct AngleErrors<S = f64> {
 #[fields]
 #[derive(Copy, Default)]
 pub struct LengthErrors<S = f64> {
-    /// Standard deviation of its white noise in a sample, m: the density per root hertz over the root of twice the
-    /// period.
+    /// Standard deviation of its white noise in a sample, m: the noise density, m/sqrt(Hz), over the square root of
+    /// twice the period.
     #[serde(default)]
     pub noise_m: NonNegative<S>,
     /// Constant error, m.
     #[serde(default)]
     pub bias_m: S,
-    /// Smallest step, m; 0 is none. Derivatives do not go through it.
+    /// Resolution, m; 0 for none. With a resolution the derivative of the measured value is 0.
     #[serde(default)]
     pub resolution_m: NonNegative,
 }
@@ -51,14 +51,14 @@ pub struct LengthErrors<S = f64> {
 #[fields]
 #[derive(Copy, Default)]
 pub struct SpeedErrors<S = f64> {
-    /// Standard deviation of its white noise in a sample, m/s: the density per root hertz over the root of twice the
-    /// period.
+    /// Standard deviation of its white noise in a sample, m/s: the noise density, m/s/sqrt(Hz), over the square root of
+    /// twice the period.
     #[serde(default)]
     pub noise_m_s: NonNegative<S>,
     /// Constant error, m/s.
     #[serde(default)]
     pub bias_m_s: S,
-    /// Smallest step, m/s; 0 is none. Derivatives do not go through it.
+    /// Resolution, m/s; 0 for none. With a resolution the derivative of the measured value is 0.
     #[serde(default)]
     pub resolution_m_s: NonNegative,
 }
@@ -67,14 +67,14 @@ pub struct SpeedErrors<S = f64> {
 #[fields]
 #[derive(Copy, Default)]
 pub struct AccelerationErrors<S = f64> {
-    /// Standard deviation of its white noise in a sample, m/s^2: the density per root hertz over the root of twice the
-    /// period.
+    /// Standard deviation of its white noise in a sample, m/s^2: the noise density, m/s^2/sqrt(Hz), over the square
+    /// root of twice the period.
     #[serde(default)]
     pub noise_m_s2: NonNegative<S>,
     /// Constant error, m/s^2.
     #[serde(default)]
     pub bias_m_s2: S,
-    /// Smallest step, m/s^2; 0 is none. Derivatives do not go through it.
+    /// Resolution, m/s^2; 0 for none. With a resolution the derivative of the measured value is 0.
     #[serde(default)]
     pub resolution_m_s2: NonNegative,
 }
@@ -83,14 +83,14 @@ pub struct AccelerationErrors<S = f64> {
 #[fields]
 #[derive(Copy, Default)]
 pub struct RateErrors<S = f64> {
-    /// Standard deviation of its white noise in a sample, rad/s: the density per root hertz over the root of twice the
-    /// period.
+    /// Standard deviation of its white noise in a sample, rad/s: the noise density, rad/s/sqrt(Hz), over the square
+    /// root of twice the period.
     #[serde(default)]
     pub noise_rad_s: NonNegative<S>,
     /// Constant error, rad/s.
     #[serde(default)]
     pub bias_rad_s: S,
-    /// Smallest step, rad/s; 0 is none. Derivatives do not go through it.
+    /// Resolution, rad/s; 0 for none. With a resolution the derivative of the measured value is 0.
     #[serde(default)]
     pub resolution_rad_s: NonNegative,
 }
@@ -99,14 +99,14 @@ pub struct RateErrors<S = f64> {
 #[fields]
 #[derive(Copy, Default)]
 pub struct ForceErrors<S = f64> {
-    /// Standard deviation of its white noise in a sample, N: the density per root hertz over the root of twice the
-    /// period.
+    /// Standard deviation of its white noise in a sample, N: the noise density, N/sqrt(Hz), over the square root of
+    /// twice the period.
     #[serde(default)]
     pub noise_n: NonNegative<S>,
     /// Constant error, N.
     #[serde(default)]
     pub bias_n: S,
-    /// Smallest step, N; 0 is none. Derivatives do not go through it.
+    /// Resolution, N; 0 for none. With a resolution the derivative of the measured value is 0.
     #[serde(default)]
     pub resolution_n: NonNegative,
 }
