@@ -11,11 +11,12 @@ if TYPE_CHECKING:
 
 
 class KingpostWarning(UserWarning):
-    """A warning about a run that goes on; use this category in `warnings.filterwarnings`."""
+    """Category of all warnings of Kingpost, for `warnings.filterwarnings`; the run continues after a
+    warning."""
 
 
 def shortened(text: str, longest: int = 200) -> str:
-    """A found text for a message: a file may hold one of any length.
+    """Shorten a text from the input for a message.
 
     >>> shortened("barge" * 100, longest=8)
     'bargebar...'
@@ -24,7 +25,7 @@ def shortened(text: str, longest: int = 200) -> str:
 
 
 def printable(text: str) -> str:
-    """A text without terminal control characters: titles and names come from files.
+    """Remove terminal control characters from a text: titles and names come from files.
 
     >>> printable("a\\x1b[31mred\\nline")
     'a?[31mred\\nline'

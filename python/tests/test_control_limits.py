@@ -50,7 +50,7 @@ def test_prediction_leaves_less_within_its_band_and_the_real_sensor_more_beyond_
 
 
 @pytest.mark.thorough
-def test_a_slow_winch_leaves_more_of_higher_seas_but_never_more_than_without():
+def test_a_slow_winch_is_longer_at_its_limit_in_higher_seas_and_never_increases_the_motion():
     name = next(iter(SWEEPS))
     row = sweep.measure(name, length_s=80.0, heights_m=[1.0, 4.0, 6.0])
     assert row.verdict == rows.PASSED, row.shortfalls
@@ -66,7 +66,7 @@ def test_a_slow_winch_leaves_more_of_higher_seas_but_never_more_than_without():
         keep=["U-tank, Tp 11.5 s"],
     ),
 )
-def test_devices_against_roll_are_swept_with_limits_that_their_scenario_has(name: str):
+def test_a_short_sweep_of_an_anti_roll_device_finishes_without_reaching_a_limit(name: str):
     row = sweep.measure(name, length_s=4.0, heights_m=[1.0, 2.0])
     assert row.finished
     assert row.unit == "deg"

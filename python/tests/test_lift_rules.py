@@ -39,7 +39,7 @@ def _loss() -> tuple[kingpost.Scenario, kingpost.Scenario]:
     return before, before.with_overrides({"bodies.lift.enabled": False, "operation.enabled": False})
 
 
-def test_the_area_that_drives_a_ship_back_is_that_of_a_straight_righting_arm() -> None:
+def test_area_1_after_loss_of_the_hook_load_is_that_of_a_linear_gz_curve() -> None:
     """GM (phi_2 - phi_1)^2 / 2: to 5 degrees the arms are straight to phi^2 BM / (2 GM), 1.3 %, and each
     trapezium is within its own bend."""
     before, after = _loss()
@@ -52,7 +52,7 @@ def test_the_area_that_drives_a_ship_back_is_that_of_a_straight_righting_arm() -
     assert found.held
 
 
-def test_a_ship_that_floods_soon_does_not_hold() -> None:
+def test_a_ship_with_an_early_flooding_angle_fails_the_rule() -> None:
     found = lift_rules.hook_load_loss(*_loss(), flooding_deg=9.0)
     assert found.end_deg == pytest.approx(9.0)
     assert not found.held

@@ -118,12 +118,12 @@ def test_an_unknown_ending_is_refused(results, tmp_path):
         write(results, tmp_path / "run.xlsx")
 
 
-def test_parquet_without_pyarrow_is_refused_before_a_run_with_the_extra_that_brings_it(
+def test_parquet_without_pyarrow_is_refused_before_a_run_and_the_message_names_the_extra(
     tmp_path, capsys, monkeypatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     assert main(["run", "paper", "-o", str(tmp_path / "run.parquet")]) == 2
     shown = capsys.readouterr()
-    assert 'found no pyarrow, allowed: Parquet with pyarrow: pip install "kingpost[parquet]"' in shown.err
+    assert 'Parquet needs pyarrow, which is not installed: pip install "kingpost[parquet]"' in shown.err
     assert shown.out == ""
     assert list(tmp_path.iterdir()) == []

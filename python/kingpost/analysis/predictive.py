@@ -33,7 +33,8 @@ class Plan:
     states
         The predicted states at the end of each period, shape (periods, states).
     beyond
-        How far a state has to exceed its limits, because no inputs within theirs hold them; 0 if they hold.
+        Smallest excess of the states over their limits that the limited inputs can reach; 0 if all limits
+        hold.
     """
 
     inputs: Matrix
@@ -118,7 +119,7 @@ class PredictiveRegulator:
             The states now: deviations from rest, or from another rest of the linear model, such as a slewed
             crane. In the order of ``states``, SI units.
         before
-            The inputs of the last period, from which limits of rates count; default: 0.
+            The inputs of the last period, from which limits of rates are counted; default: 0.
 
         Returns
         -------

@@ -116,8 +116,8 @@ def frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
 
 
 def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The frequencies, each once and in their order; one that equals the lowest or highest of the data within
-    the printed digits becomes that one."""
+    """Return the frequencies without repetitions. A frequency within the printed digits of the lowest or
+    highest of the data is replaced by it."""
     asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
     for end in covered[[0, -1]] if covered.size else ():
         asked = np.where(np.abs(asked - end) <= PRINTED_RAD_S, end, asked)
@@ -125,8 +125,8 @@ def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDA
 
 
 def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The directions, each once and in their order; values beyond one turn were probably meant in other
-    units."""
+    """Return the directions without repetitions; refuse values beyond one turn, which are probably in another
+    unit."""
     beyond = directions_rad[~(np.abs(directions_rad) <= FULL_TURN_RAD * (1 + 1e-9))]
     if beyond.size:
         raise KingpostError(
@@ -137,7 +137,7 @@ def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def each_once(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The values without repetitions, in the order in which they first appear.
+    """Return the values without repetitions, in the order of their first occurrence.
 
     >>> each_once(np.array([0.5, 0.2, 0.5]))
     array([0.5, 0.2])

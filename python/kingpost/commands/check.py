@@ -1,4 +1,4 @@
-"""`kingpost check`: is a scenario valid, and what does it contain."""
+"""`kingpost check`: validate a scenario and print its model."""
 
 from __future__ import annotations
 

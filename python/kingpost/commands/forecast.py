@@ -1,4 +1,4 @@
-"""`kingpost forecast`: whether work may begin, from a forecast of the sea."""
+"""`kingpost forecast`: go or no-go decision and weather windows from a forecast of the sea."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def run(options: argparse.Namespace) -> int:
 def _limiting(
     options: argparse.Namespace, series: Series, direction: float | None
 ) -> tuple[LimitingHeight, list[str]]:
-    """Limiting heights, and lines that say which they are."""
+    """Limiting heights, and lines of text on their origin."""
     import numpy as np
 
     if (options.study is None) == (options.scenario is None):
@@ -167,7 +167,7 @@ def _pair(given: str, name: str) -> tuple[str, str]:
 
 
 def _like(text: str, values: object) -> float | str:
-    """A value of an axis by its text."""
+    """Return the value of an axis that matches a text."""
     import numpy as np
 
     array = np.asarray(values)

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 FRAME = "hull: x forward, y to port, z up, origin on the water plane"
 LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or below the hull's"
-"""The frame of the coefficients of a hull that lists or trims; x is along its heading."""
+"""Description of the coefficients' frame for an inclined hull; x is along its heading."""
 
 
 def to_dataset(database: Database) -> xarray.Dataset:
-    """Label a database with the names of Capytaine, so that Capytaine's post-processing accepts it.
+    """Convert a database to a data set with Capytaine's names, for Capytaine's post-processing.
 
     Parameters
     ----------

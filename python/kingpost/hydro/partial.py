@@ -1,8 +1,8 @@
-"""Solved frequencies in a file next to the output, so that a stopped run can continue.
+"""Storage of solved frequencies in a file next to the output, so that a stopped run can continue.
 
 The file belongs to one set of settings: hull, attitude, lid, water, frequencies, directions and solver.
-It contains their SHA-256, and a file of other settings is ignored. It is written atomically after each
-frequency, and removed when the database is written.
+It contains the SHA-256 of these settings; a file of other settings is ignored. It is written atomically after
+each frequency, and removed when the database is written.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ class Partial:
             np.savez(beside, settings=np.array(self.settings), **named)
 
     def done(self) -> None:
-        """The database is written: remove the file."""
+        """Remove the file once the database is written."""
         if self.path is not None:
             self.path.unlink(missing_ok=True)
             # The temporary file of a run that was killed while writing.

@@ -73,13 +73,13 @@ def check_parquet(path: Path) -> None:
     Raises
     ------
     KingpostError
-        If it is missing; the message names the extra that installs it.
+        If pyarrow is missing; the message names the extra that installs it.
 
     >>> check_parquet(Path("run.nc"))
     """
     if path.suffix.lower() == PARQUET and importlib.util.find_spec("pyarrow") is None:
         raise KingpostError(
-            f'{path}: found no pyarrow, allowed: Parquet with pyarrow: pip install "kingpost[parquet]"'
+            f'{path}: Parquet needs pyarrow, which is not installed: pip install "kingpost[parquet]"'
         )
 
 

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 FEWEST_RUNS, FEWEST_PEAKS = 5, 20
-"""Runs, and peaks over the threshold in all of them, that a tail is fitted to."""
+"""Least number of runs, and of peaks over the threshold in all runs, for the fit of a tail."""
 MOST_GROUPS = 20
-"""Parts of the runs that the jackknife leaves out, one at a time."""
+"""Largest number of groups of runs in the jackknife, which leaves out one group at a time."""
 SHAPES = (0.05, 60.0)
-"""Where the shape of a Weibull distribution is sought."""
+"""Range in which the shape of a Weibull distribution is sought."""
 
 
 def peaks(values: ArrayLike, level: float | None = None) -> NDArray[np.float64]:
@@ -181,7 +181,8 @@ def weibull(
 
 @dataclass(frozen=True)
 class _Tail:
-    """Peaks over a threshold, the group of their run, and the time of all runs and without each group."""
+    """Peaks over a threshold, the group of each peak's run, and the duration of all runs and without each
+    group."""
 
     threshold: float
     above: NDArray[np.float64]
@@ -229,7 +230,7 @@ class _Tail:
 
 
 def _threshold(pooled: NDArray[np.float64], over: int) -> float:
-    """Return the threshold that `over` peaks exceed."""
+    """Return the threshold that is exceeded by `over` peaks."""
     if not FEWEST_PEAKS <= over < len(pooled):
         allowed = f"from {FEWEST_PEAKS} to fewer than the {len(pooled)} kept"
         raise KingpostError(f"peaks over the threshold: found {over}, allowed: {allowed}")

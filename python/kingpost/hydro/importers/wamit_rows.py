@@ -86,8 +86,9 @@ def of_six_motions(
 
 
 def first_column(radiation: NDArray[np.float64], waves: NDArray[np.float64], c33: float) -> str | None:
-    """`period_s` or `frequency_rad_s` by the heave force, whose modulus is C_33 in the longest waves and zero
-    in the shortest; `None` if neither end agrees. All numbers are dimensionless, as in the files."""
+    """Recognise `period_s` or `frequency_rad_s` by the heave force, whose modulus is C_33 in the longest
+    waves and zero in the shortest; `None` if neither end agrees. All numbers are dimensionless, as in the
+    files."""
     heave = waves[(waves[:, 2] == 3) & (waves[:, 0] > 0)]
     if not len(heave) or c33 <= 0.0:
         return None

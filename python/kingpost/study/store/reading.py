@@ -24,17 +24,18 @@ if TYPE_CHECKING:
     import xarray
 
 MOST_NAMED = 5
-"""The most damaged units that an error names."""
+"""Largest number of damaged units that an error names."""
 AGAIN = "`kingpost study FILE --resume` computes what is damaged anew"
 
 
 def open_results(folder: Path) -> xarray.Dataset:
-    """The results of a study, in memory, each number verified.
+    """Read the results of a study into memory and verify every number by its digest.
 
     Raises
     ------
     KingpostError
-        If there is no study, or a part of it is damaged: the description, the frame or the numbers of a unit.
+        If there is no study, or its description, its coordinates or attributes, or the numbers of a unit are
+        damaged.
     """
     import xarray
     import zarr
@@ -55,7 +56,7 @@ def open_results(folder: Path) -> xarray.Dataset:
     for runs in _not_done(folder, about, arrays):
         for name in arrays:
             found[name].values[runs] = fills[name]
-    # Texts as other data sets have them.
+    # Texts in the form of other data sets.
     texts = {name: (one.dims, np.array(one.values.tolist(), str), one.attrs)
              for name, one in found.coords.items() if one.dtype.kind == "T"}  # fmt: skip
     return found.assign_coords(texts)
@@ -67,7 +68,7 @@ def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generi
     Raises
     ------
     KingpostError
-        If a marker cannot be read, or the numbers of a unit are not those that it was written with.
+        If a marker cannot be read, or the numbers of a unit do not match the digest in its marker.
     """
     size, damaged, missing = int(about["runs_of_unit"]), [], []
     for unit, first in enumerate(range(0, int(about["runs"]), size)):
@@ -98,9 +99,9 @@ def _is_whole(marker: Path, about: About, arrays: Mapping[str, NDArray[np.generi
 
 @contextmanager
 def _named(path: Path) -> Iterator[None]:
-    """Whatever a damaged chunk leads to, in the library or its codecs, as one error in words."""
+    """Convert any exception of the library or its codecs on a damaged chunk into one `KingpostError`."""
     try:
-        # Of parts that the library does not know it warns: the digests say more.
+        # The library's warnings about unknown parts are suppressed: the digests are checked anyway.
         with warnings.catch_warnings(action="ignore"):
             yield
     except Exception as error:

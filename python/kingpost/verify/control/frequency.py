@@ -1,10 +1,10 @@
-"""Residual of heave compensation over the tip's heave, by the frequency of the waves.
+"""Frequency response of heave compensation: amplitude of the residual over that of the tip.
 
 Regular waves of several periods run at once (a multisine: Pintelon & Schoukens, *System Identification*, 2nd
 ed., 2012, ch. 5), each of which fits a whole number of times into the window that is measured. The lines of
 the Fourier transform of residual and tip are then those of the waves alone, without leakage, and the ratio of
-two lines is the response at that frequency. What is not linear is left out: the noise of the sensor, which
-does not depend on the waves, and the friction of the sheave, which the closed form has not.
+two lines is the response at that frequency. Two effects are left out: the sensor's noise, which does not
+depend on the waves, and the friction of the sheave, which the closed form does not contain.
 """
 
 from __future__ import annotations
@@ -68,12 +68,12 @@ class OverFrequency:
 
     @property
     def distance(self) -> float | None:
-        """The largest distance from the closed form."""
+        """Largest difference between the measured ratio and the closed form."""
         return None if self.formula is None else float(np.abs(self.ratio - self.formula).max())
 
     @property
     def verdict(self) -> str:
-        """Whether it is the closed form."""
+        """Whether the measured ratio agrees with the closed form within `ALLOWED`; `-` if there is none."""
         if self.distance is None:
             return "-"
         return PASSED if self.distance <= ALLOWED else FAILED
@@ -82,7 +82,7 @@ class OverFrequency:
 def left_by_delay(
     omega: np.ndarray, delay_s: float, period_s: float, lag_s: float, gain_per_s: float
 ) -> np.ndarray:
-    """The share of a sinusoid that is left without prediction, when z and v come late.
+    """Residual of a sinusoid as a share of its amplitude, without prediction, if z and v are delayed.
 
     With D = e^(-s tau) of the sensor, P = e^(-s T_s/2) sinh(s T_s/2) / (s T_s/2) / (1 + s T) of hold and
     drive, and the rope L paid out, which the feedback knows without delay,

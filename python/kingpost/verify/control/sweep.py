@@ -24,12 +24,14 @@ from .standard import SETTLED_S
 from .sweep_cases import SWEEPS, Sweep
 
 LARGEST_SHARE = 1.0
-"""Allowed for the motion that is left over that without, of standard deviations and of largest values."""
+"""Limit of the remaining motion over the motion without the controller: of standard deviations and of
+maxima."""
 LARGEST_GROWTH = 1.0
-"""Allowed for the most that a metre of Hs adds to what is left, over the most that it adds without.
+"""Limit of the growth: the largest increase of the remaining motion per metre of Hs, over the largest
+increase without the controller.
 
-A limit lets through what exceeds it: u - clip(u) never grows faster than u. A jump between two states, or the
-onset of an oscillation of the controller's own, would grow faster.
+A saturated input leaves the excess: u - clip(u) never grows faster than u. A jump between two states, or the
+onset of an oscillation that the controller causes, would grow faster.
 """
 ROUNDING = 1e-12
 
@@ -41,32 +43,34 @@ class Degraded:
     name: str
     heights_m: np.ndarray
     without: np.ndarray
-    """Standard deviation of the motion without, in `unit`."""
+    """Standard deviation of the motion without the controller or device, in `unit`."""
     left: np.ndarray
-    """That with the controller or device."""
+    """Standard deviation of the motion with the controller or device, in `unit`."""
     largest: np.ndarray
-    """The largest motion with over the largest without."""
+    """Largest motion with the controller or device over the largest motion without it."""
     at_a_limit: np.ndarray
-    """Share of the time in which a limit is reached."""
+    """Share of the time at a limit."""
     finished: bool
-    """Whether all runs went to their end."""
+    """Whether all runs reached their end."""
     unit: str = "m"
 
     @property
     def share(self) -> np.ndarray:
-        """Share of the motion that is left, 1."""
+        """Remaining motion over the motion without the controller or device, 1."""
         return self.left / self.without
 
     @property
     def growth(self) -> float:
-        """The most that a metre of Hs adds to what is left, over the most that it adds without."""
+        """Largest increase of the remaining motion per metre of Hs, over the largest increase without the
+        controller."""
         steps = np.diff(self.heights_m, prepend=0.0)
         with_it, without = (np.diff(one, prepend=0.0) / steps for one in (self.left, self.without))
         return float(with_it.max() / without.max())
 
     @property
     def shortfalls(self) -> list[str]:
-        """Violations of the claim that saturation degrades smoothly, never to instability."""
+        """Violations of the claim that performance degrades smoothly under saturation, never to
+        instability."""
         statements = {
             "a run ended early": self.finished,
             f"leaves {self.share.max():.2f} of the motion": self.share.max() <= LARGEST_SHARE,
