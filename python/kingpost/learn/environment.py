@@ -12,7 +12,7 @@ from .task import LARGEST_OBSERVATION, Task
 
 
 def spaces(task: Task) -> tuple[gymnasium.spaces.Box, gymnasium.spaces.Box]:
-    """The spaces of one environment's observations and actions.
+    """Observation and action space of one environment.
 
     >>> from kingpost.learn import anti_sway
     >>> spaces(anti_sway())[1]
@@ -57,7 +57,7 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
-        """Begin an episode; with the same seed it is the same to the last bit. There are no options."""
+        """Begin an episode; the same seed gives the same episode to the last bit. There are no options."""
         check_options(options)
         super().reset(seed=seed)
         self.episodes.begin({0: self.np_random})

@@ -1,4 +1,4 @@
-"""Take the roll out of a ship by the precession of two gyros."""
+"""Task: reduce the roll of a ship with two gyros."""
 
 from __future__ import annotations
 
