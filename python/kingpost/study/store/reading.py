@@ -1,7 +1,6 @@
-"""The results of a study as they are read: whole, or an error that names what is damaged.
-
-The digest of each unit stands in its marker, that of the frame (coordinates and attributes) in the study's
-description. A unit without a marker has not run to its end, and its numbers do not count.
+"""Reading of a study's results, with an error that names damaged parts. The marker of each unit holds the
+digest of the unit's numbers; the study's description holds the digest of the frame (coordinates and
+attributes). A unit without a marker is not finished, and its numbers do not count.
 """
 
 from __future__ import annotations
@@ -63,7 +62,7 @@ def open_results(folder: Path) -> xarray.Dataset:
 
 
 def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generic]]) -> list[slice]:
-    """The runs of the units without a marker.
+    """Return the runs of the units without a marker.
 
     Raises
     ------
