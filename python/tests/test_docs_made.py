@@ -26,7 +26,7 @@ def objects(schema: dict[str, Any]) -> list[dict[str, Any]]:
     return [one for one in (schema, *schema["$defs"].values()) if "properties" in one]
 
 
-def test_every_field_of_the_schema_stands_on_its_page(schema) -> None:
+def test_every_field_of_the_schema_is_on_its_page(schema) -> None:
     page = docs_schema.page(SCHEMA)
     names = {name for one in objects(schema) for name in one["properties"]}
     assert len(names) > 300
@@ -40,7 +40,7 @@ def test_every_link_of_the_page_of_fields_leads_to_a_heading(schema) -> None:
     assert set(re.findall(r"\(#(\w+)\)", page)) <= headings
 
 
-def test_the_star_of_a_symbol_stays_on_the_page() -> None:
+def test_the_asterisk_of_a_symbol_is_kept_on_the_page() -> None:
     """Source: two stars of a paragraph, as in M* q'' = F*, mean italics in Markdown and are gone."""
     code = re.compile(r"^```.*?^```|^    .*?$|`[^`\n]*`", re.DOTALL | re.MULTILINE)
     for path in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):

@@ -67,7 +67,7 @@ def test_a_public_function_is_documented(name: str, function: Callable[..., Any]
     assert missing == [], name
 
 
-def test_every_public_name_has_words() -> None:
+def test_every_public_name_has_a_docstring() -> None:
     bare = [
         name for name in kingpost.__all__ if name != "__version__" and not getattr(kingpost, name).__doc__
     ]

@@ -70,12 +70,12 @@ def apart():
     process.end()
 
 
-def test_the_yard_and_the_gallerys_lifts_run_as_they_are(bases, apart):
+def test_the_unmutated_lifts_of_the_tests_and_the_gallery_run(bases, apart):
     """Else the cases below would be refused for something that is wrong in all of them."""
     assert {name: apart(written(base)) for name, base in bases.items()} == dict.fromkeys(bases, "ran")
 
 
-def test_a_lift_with_something_wrong_is_refused_with_its_place_or_runs_in_numbers(bases, apart):
+def test_a_mutated_lift_is_refused_with_its_place_or_runs_with_finite_results(bases, apart):
     """Source: the public contract: `lift_outcomes` says what is allowed."""
     came_to: Counter[str] = Counter()
     wrong = []
@@ -132,7 +132,7 @@ def test_a_number_that_has_a_sign_is_refused_without_it(bases):
 
 
 @pytest.mark.parametrize("depth", [100, 1000, 100_000])
-def test_conditions_that_are_nested_without_end_are_refused_at_their_place(depth, apart):
+def test_conditions_nested_too_deeply_are_refused_at_their_place(depth, apart):
     """Source: a stack ends; the error has the line of the first bracket too many."""
     nested = "{all: [" * depth + "{after_s: 1}" + "]}" * depth
     says = apart(YARD.replace("until: {after_s: 0.1}", f"until: {nested}"))

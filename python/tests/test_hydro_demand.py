@@ -87,7 +87,7 @@ def solved(file: Path) -> int:
 
 @pytest.mark.skipif(os.name != "posix", reason="a process is killed by a signal")
 @pytest.mark.thorough
-def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> None:
+def test_a_killed_run_is_resumed_and_writes_the_same_file(tmp_path) -> None:
     options = (PRISM, "--water-depth-m", "1", "--panels", "150", "--frequencies-rad-s", "2:5.5:9",
                "--directions", "12")  # fmt: skip
     whole, stopped = tmp_path / "whole", tmp_path / "stopped"

@@ -60,7 +60,7 @@ def test_the_first_column_is_known_by_the_heave_force_of_long_waves(column, said
     assert wamit_rows.first_column(np.zeros((0, 5)), waves, 10.0) == said
 
 
-def test_parts_of_the_excitation_that_are_not_its_parts_are_told(tmp_path) -> None:
+def test_parts_that_do_not_add_up_to_the_excitation_give_a_note(tmp_path) -> None:
     base = writers.database()
     path = programs.wamit_six_digits(tmp_path / "hull", base)
     programs.wamit_six_digits(tmp_path / "other", replace(base, diffraction=1.1 * base.diffraction))
@@ -82,7 +82,7 @@ def test_a_wamit_listing_alone_is_read_to_its_degrees(tmp_path) -> None:
     assert any("whole degree" in note for note in found.provenance.notes)
 
 
-def test_motions_beyond_six_are_read_over_with_a_word(tmp_path) -> None:
+def test_motions_beyond_six_are_skipped_with_a_note(tmp_path) -> None:
     base = writers.database()
     path = programs.wamit_six_digits(tmp_path / "hull", base)
     programs.wamit_listing(tmp_path / "hull", base)
@@ -108,7 +108,7 @@ def test_shipx_files_give_the_database_back(tmp_path) -> None:
     assert any("2 m aft of Lpp/2" in note for note in found.provenance.notes)
 
 
-def test_strip_theory_without_surge_is_accepted_and_said(tmp_path) -> None:
+def test_strip_theory_without_surge_is_accepted_with_a_note(tmp_path) -> None:
     base = writers.database()
     without = [matrices.copy() for matrices in (base.added_mass, base.radiation_damping)]
     for matrices in without:
@@ -162,7 +162,7 @@ def test_a_folder_of_nemoh_gives_the_database_back(tmp_path) -> None:
     )
 
 
-def test_frequencies_above_the_limit_are_left_out_before_anything_is_looked_at(tmp_path) -> None:
+def test_frequencies_above_the_limit_are_left_out_before_any_check(tmp_path) -> None:
     base = writers.database()
     spoiled = replace(base, radiation_damping=base.radiation_damping.copy())
     spoiled.radiation_damping[-4:] *= -1.0
@@ -236,7 +236,7 @@ def test_a_roll_moment_of_two_panels_across_names_the_panels_first() -> None:
         check_long_waves(coarse, "coarse.LIS")
 
 
-def test_a_fit_beyond_a_quarter_is_refused_and_the_cut_that_it_proposes_is_taken(tmp_path) -> None:
+def test_a_fit_error_above_a_quarter_is_refused_and_the_proposed_cut_is_accepted(tmp_path) -> None:
     """Source: a hemisphere's data, those above 0.7 of the highest frequency spoiled by noise."""
     base = samples.floating_hemisphere()
     spoiled = replace(base, added_mass=base.added_mass.copy(), radiation=None)
@@ -259,7 +259,7 @@ def test_a_fit_beyond_a_quarter_is_refused_and_the_cut_that_it_proposes_is_taken
     assert target.exists()
 
 
-def test_a_fit_that_misses_is_taken_on_request_and_says_which_motion() -> None:
+def test_a_fit_that_misses_its_limit_is_accepted_on_request_and_names_the_motion() -> None:
     database = samples.floating_hemisphere()
     spoiled = replace(database, added_mass=database.added_mass.copy())
     spoiled.added_mass[-1, 2, 2] *= 2.0

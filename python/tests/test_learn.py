@@ -87,7 +87,7 @@ def test_bits_do_not_depend_on_threads_and_on_the_number_of_environments(mode: s
 
 
 @pytest.mark.parametrize("mode", [AutoresetMode.SAME_STEP, AutoresetMode.NEXT_STEP])
-def test_the_native_vector_does_what_gymnasium_s_does_with_single_environments(mode: AutoresetMode) -> None:
+def test_the_native_vector_equals_gymnasium_s_vector_of_single_environments(mode: AutoresetMode) -> None:
     given = actions(25, 3)
     native = ShipCraneVectorEnv(anti_sway(), 3, 1, mode, max_episode_steps=10)
     makers = [lambda: ShipCraneEnv(anti_sway(), max_episode_steps=10)] * 3
@@ -103,7 +103,7 @@ def test_the_native_vector_does_what_gymnasium_s_does_with_single_environments(m
         assert ours == theirs == {}
 
 
-def test_the_name_makes_the_native_vector() -> None:
+def test_the_registered_name_makes_the_native_vector() -> None:
     envs = gymnasium.make_vec("Kingpost/AntiSway-v0", 4, vectorization_mode="vector_entry_point")
     assert isinstance(envs, ShipCraneVectorEnv)
     assert isinstance(envs.metadata["autoreset_mode"], AutoresetMode)
@@ -213,7 +213,7 @@ def test_mistakes_are_named_with_what_is_allowed() -> None:
         ),
     ],
 )
-def test_a_range_that_some_episode_would_fail_in_is_refused_with_the_task(randomised, message) -> None:
+def test_a_range_with_an_invalid_end_is_refused_when_the_task_is_made(randomised, message) -> None:
     with pytest.raises(KingpostError, match=message):
         replace(anti_sway(), randomised=randomised)
 
@@ -310,7 +310,7 @@ def test_the_examples_of_the_page_run() -> None:
 
 
 @pytest.mark.parametrize("name", ["Kingpost/AntiSway-v0", "Kingpost/HeaveCompensation-v0"])
-def test_each_episode_draws_how_late_its_observations_are(name: str) -> None:
+def test_each_episode_draws_the_delay_of_its_observations(name: str) -> None:
     """Source: the same episodes without delay, whose actions do not depend on what is seen."""
     made = {"vectorization_mode": "vector_entry_point", "threads": 2}
     prompt = gymnasium.make_vec(name, 6, **made)
@@ -329,7 +329,7 @@ def test_each_episode_draws_how_late_its_observations_are(name: str) -> None:
         assert np.array_equal(row, expected)
 
 
-def test_copies_that_resume_see_what_the_marked_one_had_seen() -> None:
+def test_resumed_copies_have_the_delayed_observations_of_the_marked_one() -> None:
     task = replace(anti_sway(), delay_s=(0.1, 0.3))
     episodes = Episodes(task, 3, 1)
     episodes.begin({copy: np.random.default_rng(copy) for copy in range(3)})
@@ -345,7 +345,7 @@ def test_copies_that_resume_see_what_the_marked_one_had_seen() -> None:
 
 
 @pytest.mark.parametrize("delay_s", [(-0.1, 0.1), (0.2, 0.1), (0.0, 100.0), (0.0, float("nan"))])
-def test_a_delay_that_cannot_be_is_refused(delay_s: tuple[float, float]) -> None:
+def test_an_impossible_delay_is_refused(delay_s: tuple[float, float]) -> None:
     with pytest.raises(KingpostError, match=r"delay_s: found .* allowed: from 0 to duration_s"):
         replace(anti_sway(), delay_s=delay_s)
 
@@ -360,6 +360,6 @@ def test_a_reward_that_is_one_number_for_all_is_refused() -> None:
         episodes.step(np.zeros((3, len(task.actions))))
 
 
-def test_options_that_do_nothing_are_refused() -> None:
+def test_unknown_options_of_reset_are_refused() -> None:
     with pytest.raises(KingpostError, match="options: found 'load_t', allowed: none; randomised"):
         ShipCraneEnv(anti_sway()).reset(options={"load_t": 3})

@@ -103,7 +103,7 @@ def test_the_native_vector_lands_as_gymnasium_s_over_single_environments(mode: s
     assert same(lowered(native, 125, speeds), lowered(peer, 125, speeds))
 
 
-def test_the_load_that_leaves_the_deck_again_costs(landed) -> None:
+def test_a_load_that_leaves_the_deck_again_lowers_the_reward(landed) -> None:
     env = ShipCraneEnv(landing())
     env.reset(seed=SEED)
     touch = next(k for k, row in enumerate(landed[0]) if row[IMPULSE] > 0)

@@ -38,7 +38,7 @@ def test_a_column_by_its_name_is_that_of_the_flat_table(recorded) -> None:
     np.testing.assert_array_equal(parts.values, flat["arm.tip.point_position.z"])
 
 
-def test_a_column_that_is_not_there_is_refused_with_those_near_it(recorded) -> None:
+def test_an_unknown_column_is_refused_with_similar_names(recorded) -> None:
     with pytest.raises(kingpost.KingpostError, match=r"found 'ship\.rol', allowed: .*ship\.roll"):
         recorded.kingpost["ship.rol"]
 
@@ -116,7 +116,7 @@ def test_a_wrong_edit_is_refused_with_its_place_and_changes_nothing() -> None:
 
 
 @pytest.mark.parametrize("first", ["kingpost", "xarray"])
-def test_the_accessor_is_there_however_a_file_is_opened_first(first, recorded, tmp_path) -> None:
+def test_the_accessor_is_available_however_a_file_is_opened_first(first, recorded, tmp_path) -> None:
     path = results.write(recorded, tmp_path / "run.nc")
     program = {
         "kingpost": f"import kingpost; ds = kingpost.results.read({str(path)!r})",

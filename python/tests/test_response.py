@@ -90,7 +90,7 @@ def test_velocities_and_accelerations_are_those_of_the_displacement() -> None:
     assert np.allclose(by_phase, expected.transpose(*by_phase.dims))
 
 
-def test_the_crane_is_taken_as_it_stands() -> None:
+def test_the_present_position_of_the_crane_is_used() -> None:
     """Source: the load's moment about the middle line changes as the crane swings out."""
     simulation = kingpost.Simulation("barge")
     before = kingpost.rao(simulation, [np.pi], [0.9])

@@ -44,7 +44,7 @@ def apart():
 
 
 @pytest.mark.parametrize("kind", CASES)
-def test_what_has_something_wrong_is_taken_or_refused_in_words(kind, apart):
+def test_a_mutated_input_is_accepted_or_refused_with_a_message(kind, apart):
     """Source: the public contract: `contract` says what is allowed."""
     drawn = importlib.import_module(f"fuzz.kinds.{kind}").drawn
 
@@ -64,7 +64,7 @@ def test_what_has_something_wrong_is_taken_or_refused_in_words(kind, apart):
     holds()
 
 
-def test_what_was_found_once_holds(apart):
+def test_every_saved_failure_now_meets_the_contract(apart):
     """Source: the corpus: each of its cases came to what must not be."""
     paths = sorted(FOLDER.glob("*/*.json"))
     said = {path.relative_to(FOLDER).as_posix(): apart.ask(load(path)).says for path in paths}
