@@ -88,7 +88,7 @@ class StudyFile:
 
     def scenario(self) -> Scenario:
         """Load the scenario with the overrides and limits of the study that hold for all runs. Limits count
-        from `after_s` on, or from their own later time.
+        from `after_s` on, or from a later `from_s`.
 
         Raises
         ------
