@@ -1,4 +1,4 @@
-"""Mooring lines: catenaries by their own equations, and a published mooring."""
+"""Checks of mooring lines: the catenary equations, and a published mooring."""
 
 from __future__ import annotations
 

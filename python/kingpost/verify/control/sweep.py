@@ -1,8 +1,8 @@
-"""Every controller and device in seas from small to well beyond the limits of its drives.
-
-Beyond a limit more of the motion must be left. What must not happen is instability: that a drive at its
-limit makes the motion larger than it is without, or that a little more sea makes much more of it. Each
-quantity below is over the same seas without the controller: the realisation is the same, only higher.
+"""Performance of every controller and device in seas from small to well beyond the limits of its drives.
+Beyond a limit the residual must grow. Instability must not occur: a drive at its limit must not increase the
+motion above the uncontrolled one, and a small increase of the sea must not cause a large increase of the
+motion. Each quantity is compared with that in the same sea without the controller; all heights have the same
+realisation, scaled.
 """
 
 from __future__ import annotations
@@ -104,16 +104,17 @@ def _runs(
     heights_m: tuple[float, ...],
     length_s: float,
 ) -> xarray.Dataset:
-    """The runs of all heights once they have settled; two are kept, since sweeps follow that share them."""
+    """Runs of all heights after the start-up; the last two are cached, because consecutive sweeps share
+    them."""
     settings = dict(given) | {"simulation.duration_s": length_s}
     with warnings.catch_warnings(action="ignore", category=KingpostWarning):
-        # Decks go under in the higher seas, and stops are met: the table shows the result.
+        # Ignore warnings of submerged decks and of stops in the higher seas: the table shows the result.
         found = Batch(scenario, {height: list(heights_m)}, settings).run()
     return found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
 
 
 def _motion(runs: xarray.Dataset, sweep: Sweep) -> tuple[np.ndarray, np.ndarray]:
-    """Standard deviations and largest motions from the mean, of all columns together, for each run."""
+    """Standard deviation and largest distance from the mean, over all columns together, for each run."""
     columns = np.stack([runs.kingpost[name].values for name in sweep.moves])
     off = columns - columns.mean(axis=-1, keepdims=True)
     squares = sweep.factor**2 * (off**2).sum(axis=0)
@@ -121,7 +122,7 @@ def _motion(runs: xarray.Dataset, sweep: Sweep) -> tuple[np.ndarray, np.ndarray]
 
 
 def measure(name: str, length_s: float | None = None, heights_m: Sequence[float] | None = None) -> Degraded:
-    """Run one of `SWEEPS`, in fewer seas or shorter if given."""
+    """Run one of `SWEEPS`, optionally with other heights or a shorter length."""
     sweep = SWEEPS[name]
     heights = tuple(sweep.heights_m if heights_m is None else heights_m)
     sizes = (sweep.height, heights, sweep.length_s if length_s is None else length_s)
@@ -157,7 +158,7 @@ STATEMENTS = ("degrades smoothly", "left, at most", "largest, at most", "growth,
 
 
 def text(rows: Sequence[Degraded]) -> str:
-    """The table of all seas, and that of the statements with their limits."""
+    """Table of all seas, and table of the statements with their limits."""
     seas = [
         (
             row.name,
