@@ -1,4 +1,4 @@
-"""The contract itself: what it lets through, and what it finds."""
+"""Tests of the contract: accepted results and detected violations."""
 
 from __future__ import annotations
 
