@@ -26,7 +26,7 @@ def cells(html: str) -> list[str]:
     return ["".join(cell.itertext()) for cell in ElementTree.fromstring(f"<p>{html}</p>").iter("td")]
 
 
-def test_a_column_by_its_name_is_that_of_the_flat_table(recorded) -> None:
+def test_a_column_by_name_equals_that_of_the_flat_table(recorded) -> None:
     """Source: the table that CSV files hold."""
     flat = results.frame(recorded)
     assert recorded.kingpost.columns == [name for name in flat if name != "time"]
@@ -134,7 +134,7 @@ def test_a_run_that_ends_before_the_ramp_is_shown_too() -> None:
     assert "Columns" in kingpost.run("barge", {"simulation.duration_s": 5}).kingpost._repr_html_()
 
 
-def test_a_scenario_says_which_names_it_has() -> None:
+def test_membership_in_a_scenario_is_by_parameter_or_path() -> None:
     scenario = kingpost.load("barge")
     assert "waves" in scenario
     assert "bodies.ship.mass_t" not in scenario

@@ -35,7 +35,7 @@ def test_the_matrices_of_a_model_without_free_coordinates_have_no_rows(
     assert matrices["N_star"].shape == (0, 0)
 
 
-def test_it_is_at_equilibrium_and_its_modes_are_those_of_the_waters_memory(
+def test_a_model_without_free_coordinates_has_only_modes_of_the_waters_memory(
     simulation: kingpost.Simulation,
 ) -> None:
     assert simulation.settle().iterations == 0

@@ -33,7 +33,7 @@ def _names(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_a_block_that_fails_leaves_the_file_as_it_stood(tmp_path):
+def test_a_failing_block_leaves_the_old_file(tmp_path):
     """Source: what a person would lose: the good file of the run before."""
     target = tmp_path / "good.csv"
     target.write_text("good")
@@ -79,14 +79,14 @@ def test_a_disk_that_is_full_is_one_clear_error_and_the_old_file_stays(tmp_path,
     assert _names(tmp_path) == [target.name]
 
 
-def test_a_folder_that_takes_no_file_is_refused_with_its_reason(tmp_path):
+def test_an_unwritable_folder_is_refused_with_the_reason(tmp_path):
     """Source: the operating system's words."""
     with pytest.raises(OutputError, match="No such file or directory") as refused:
         output.write_text(tmp_path / "nowhere" / "x.csv", "1")
     assert refused.value.path == tmp_path / "nowhere" / "x.csv"
 
 
-def test_two_that_write_one_file_leave_one_of_both_and_no_mixture(tmp_path):
+def test_two_processes_that_write_one_file_leave_one_complete_result(tmp_path):
     """Source: rename(2): at any moment a reader finds the one or the other, whole."""
     target = tmp_path / "run.csv"
     texts = [f"{letter}\n" * length for letter, length in (("a", 20_000), ("b", 50_000))]

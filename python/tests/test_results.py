@@ -78,7 +78,7 @@ def test_a_model_without_joints_or_points_writes_every_format(tmp_path):
         assert write(results, tmp_path / f"box.{ending}").stat().st_size > 0
 
 
-def test_events_are_a_table_that_every_file_carries(tmp_path):
+def test_every_file_contains_the_table_of_events(tmp_path):
     """Source: the round trip; the value that was set, when it was set."""
     text = kingpost.load("paper").text.replace("parameters:\n", f"parameters:\n  - {DRAG}\n", 1)
     (tmp_path / "live.yaml").write_text(text)
@@ -102,7 +102,7 @@ def test_events_are_a_table_that_every_file_carries(tmp_path):
     assert beside["event_what"].tolist() == ["was set"]
 
 
-def test_a_run_in_which_nothing_happened_has_an_empty_table_and_no_file_of_events(results, tmp_path):
+def test_a_run_without_events_has_an_empty_table_and_no_file_of_events(results, tmp_path):
     """Source: the contract; a file of an earlier run must not be taken for this one's."""
     assert events(results).sizes["event"] == 0
     write(results, tmp_path / "run.csv")

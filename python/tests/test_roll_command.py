@@ -37,7 +37,7 @@ def test_the_commands_and_examples_of_the_page_run(tmp_path, monkeypatch, capsys
     assert "B1 " in capsys.readouterr().out
 
 
-def test_the_forces_of_a_hull_stand_in_a_scenario(tmp_path, capsys):
+def test_the_printed_forces_of_a_hull_are_valid_in_a_scenario(tmp_path, capsys):
     output = tmp_path / "forces.yaml"
     keels = ["--bilge-keels", "breadth_m=0.4,length_m=30", "--body", "rod"]
     assert cli.main([*SECTIONS, *keels, "-o", str(output)]) == 0
@@ -91,7 +91,7 @@ def test_a_decay_test_prints_its_period_and_without_inertia_no_forces(capsys):
         (["roll-damping", "decay", "none.csv"], "none.csv: found No such file"),
     ],
 )
-def test_a_mistake_is_answered_in_one_line(words, message, capsys):
+def test_an_error_of_the_command_is_one_line(words, message, capsys):
     assert cli.main(words) == 2
     error = capsys.readouterr().err
     assert error.startswith("error: ")

@@ -88,7 +88,7 @@ def test_the_damping_is_predicted_from_sections_and_loading(predicted, measured)
     np.testing.assert_allclose(ratio[1:-1], 1, rtol=0.35)
 
 
-def test_the_printed_formula_makes_its_eddies_too_large_as_was_found_before(predicted, measured):
+def test_the_printed_formula_overestimates_the_eddies_as_published(predicted, measured):
     """A known miss: with sharpness by the area Ikeda's eddies are three to five times those measured, which
     are what friction and waves leave; by the radius 1.2 to 1.7 times. Alexandersson et al. found the
     printed formula too large for this ship, too."""

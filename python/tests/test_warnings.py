@@ -150,7 +150,7 @@ def test_a_step_that_is_too_long_also_gives_a_warning_in_python(capsys) -> None:
     assert capsys.readouterr().err.splitlines() == [f"warning: {text}" for text in told]
 
 
-def test_many_runs_tell_of_each_warning_once(tmp_path) -> None:
+def test_each_warning_of_many_runs_is_emitted_once(tmp_path) -> None:
     """Source: a pendulum that goes over the top in two of three runs."""
     path = tmp_path / "pendulum.yaml"
     path.write_text(PENDULUM.format(angle=60))

@@ -107,7 +107,7 @@ def test_documentation_begins_with_a_verb_or_a_noun_of_the_field() -> None:
     assert not wrong, "\n".join(wrong)
 
 
-def test_an_opening_that_leans_is_found(tmp_path: Path) -> None:
+def test_an_opening_of_a_docstring_that_depends_on_its_neighbours_is_found(tmp_path: Path) -> None:
     one = tmp_path / "one.rs"
     one.write_text(
         "/// The same, mutable.\n/// What follows is free.\nfn f() {}\n/// Ends.\n", encoding="utf-8"
