@@ -1,4 +1,4 @@
-"""What `kingpost run` prints of a ship afloat."""
+"""Report of `kingpost run` on a floating ship."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Files and numbers of the app beside ours: its own tests hold web/tests/golden to what it writes."""
+"""Comparison of the app's files and numbers with those of the package; the app's tests compare
+web/tests/golden with its output."""
 
 from __future__ import annotations
 

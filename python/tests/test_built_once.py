@@ -1,4 +1,4 @@
-"""A scenario is read and built once: all that is made of it shares its setup, and nothing else."""
+"""A scenario is read and built once: its simulations and analyses share this setup, and nothing else."""
 
 from __future__ import annotations
 

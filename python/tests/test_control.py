@@ -1,4 +1,4 @@
-"""What a user sees of sensors and controllers."""
+"""Sensors and controllers from a user's view."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ DRAGLINK = "dual_draglink_heave_compensation"
 
 
 def left_by_draglink(over: dict, after_s: float = 50) -> float:
-    """Share of the tip's heave that the hook keeps."""
+    """Heave of the hook over that of the tip."""
     recorded = kingpost.run(DRAGLINK, over)
     after = recorded.time.values > after_s
     hook, tip = (recorded.kingpost[f"{point}.point_position.z"].values for point in ("lift.hook", "jib.tip"))

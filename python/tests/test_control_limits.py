@@ -1,4 +1,4 @@
-"""What compensation leaves over the frequency of the waves, and in seas beyond the limits of its drives."""
+"""Residual of compensation over the wave frequency, and in seas beyond the limits of its drives."""
 
 from __future__ import annotations
 

@@ -1,6 +1,5 @@
-"""Every public function says what it takes, what it gives, what it raises, and shows itself at work.
-
-The examples run as doctests.
+"""Every public function documents its parameters, results and exceptions, and has an example, which runs as a
+doctest.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ ENGINE = Path(__file__).resolve().parents[2] / "crates" / "kingpost" / "src"
 
 
 def shown(*events: tuple[float, str, str]) -> list[str]:
-    """The lines of a run's events, with single blanks."""
+    """Lines of a run's events, with single blanks."""
     found = [{"time_s": time_s, "element": element, "what": what} for time_s, element, what in events]
     lines = event_report.events(xarray.Dataset(attrs={"events": json.dumps(found)}))
     return [" ".join(line.split()) for line in lines]

@@ -1,6 +1,5 @@
-"""Largest values: Gaussian processes of a known spectrum, samples of the distributions themselves.
-
-The true quantile of the process comes from a million records: `python python/tests/test_extremes.py`.
+"""Extremes of Gaussian processes with a known spectrum, and of samples of the fitted distributions. The true
+quantile of the process is from a million records: `python python/tests/test_extremes.py`.
 """
 
 from __future__ import annotations

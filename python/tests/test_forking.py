@@ -1,4 +1,4 @@
-"""A process that is forked beside a running thread goes on."""
+"""A process that is forked while a thread runs does not hang."""
 
 from __future__ import annotations
 

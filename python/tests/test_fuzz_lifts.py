@@ -1,7 +1,6 @@
-"""Lifts with something wrong: each is refused with a place, or runs in numbers, or ends with a reason.
-
-Nothing panics, hangs or goes on without numbers. The cases are drawn from a seed, so that a failure can be
-repeated. More of them, one of them:
+"""Wrong scenarios of lifts: each is refused with a place, runs with finite results, or ends with a reason. No
+case panics, hangs or continues with NaN. The cases are drawn from a seed, so that a failure can be repeated.
+More of them, one of them:
 
     KINGPOST_FUZZ_SEED=7000 KINGPOST_FUZZ_CASES=5000 pytest python/tests/test_fuzz_lifts.py
     KINGPOST_FUZZ_SEED=7123 KINGPOST_FUZZ_CASES=1 pytest python/tests/test_fuzz_lifts.py
@@ -59,7 +58,7 @@ def bases() -> dict[str, Document]:
 
 @pytest.fixture(scope="module")
 def apart():
-    """A panic, a stack that overflows or a loop without end must not take the tests along."""
+    """Separate process, so that a panic, a stack overflow or an endless loop does not end the tests."""
     process = Apart()
 
     def ask(text: str, *, thorough: bool = False) -> str:

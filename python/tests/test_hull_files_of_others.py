@@ -1,4 +1,4 @@
-"""Mesh files as other programs write them: nothing of a file is lost, and what is wrong is named.
+"""Mesh files of other programs: they are read completely, and errors are named.
 
 Source: the same box of 20 x 8 x 3 m at a draught of 1.5 m, 240 m3, in each way of writing.
 """

@@ -1,4 +1,4 @@
-"""Hulls that list or trim: their meshes, coefficients, files, and what is refused."""
+"""Inclined hulls: their meshes, coefficients and files, and refused input."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The hydrodynamic database's file: what it keeps, what it refuses, and that it is whole or not there."""
+"""File of the hydrodynamic database: round trips, refused input, and atomic writing."""
 
 import json
 import os

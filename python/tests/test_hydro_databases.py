@@ -1,4 +1,4 @@
-"""What real databases showed: listings, motions beside them, first frequencies that fail, deep hulls."""
+"""Cases from real databases: listings, files with motions, wrong first frequencies, deep hulls."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mean drift and the ring waves it stands on: energy, momentum, and what does not depend on the origin."""
+"""Mean drift and the ring waves from which it follows: energy, momentum, and independence of the origin."""
 
 from dataclasses import replace
 

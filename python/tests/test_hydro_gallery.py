@@ -1,4 +1,4 @@
-"""The stored databases of the gallery are what the commands of their README give with the code of today."""
+"""The stored databases of the gallery equal the present results of the commands in their README."""
 
 import re
 import shlex

@@ -1,4 +1,5 @@
-"""Influence matrices of like parts: against the whole matrix, Capytaine, and the memory they take."""
+"""Influence matrices of mirrored parts: compared with the whole matrix and with Capytaine, and their
+memory."""
 
 import tracemalloc
 from dataclasses import replace

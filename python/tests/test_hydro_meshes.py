@@ -1,4 +1,4 @@
-"""Hulls as meshes: closed forms of their particulars, and what is refused of a file."""
+"""Meshes of hulls: closed forms of their particulars, and refused files."""
 
 import itertools
 

@@ -1,4 +1,4 @@
-"""OrcaFlex's vessel types: one database in many conventions, chosen by name, refused with what is amiss."""
+"""OrcaFlex's vessel types: one database in many conventions, choice by name, and refused files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Partial results: a panel method that was stopped goes on from what it had, and keeps no matrices."""
+"""Partial results: a stopped run of the panel method resumes from its solved frequencies, and keeps no
+matrices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Databases as WAMIT, ShipX, AQWA and Nemoh deliver them: read with what they say, repaired with a word."""
+"""Databases of WAMIT, ShipX, AQWA and Nemoh: reading with the values in the files, and repairs with notes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fitted memory of the water: exact recovery, the laws that it keeps, the decay of a sphere."""
+"""The fitted memory of the water: exact recovery, its physical properties, the decay of a sphere."""
 
 from __future__ import annotations
 

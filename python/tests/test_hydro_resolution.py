@@ -1,4 +1,4 @@
-"""How many wave directions and panels a hull wants, and what is said where there are too few."""
+"""Number of wave directions and panels that a hull needs, and messages if there are too few."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the gallery's ships float, as numbers and as `kingpost check` prints them."""
+"""Hydrostatics of the gallery's ships, as numbers and as printed by `kingpost check`."""
 
 from __future__ import annotations
 

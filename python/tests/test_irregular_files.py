@@ -1,4 +1,4 @@
-"""Files that are no regular ones, and links: as a scenario, as an output and within the gallery."""
+"""Irregular files and links: as a scenario, as an output and within the gallery."""
 
 from __future__ import annotations
 

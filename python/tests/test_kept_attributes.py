@@ -1,4 +1,4 @@
-"""Attributes of a file of results: those of a run are taken, those that no run has are not."""
+"""Attributes of a file of results: those of a run are accepted, others are refused."""
 
 from __future__ import annotations
 

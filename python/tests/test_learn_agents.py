@@ -1,4 +1,5 @@
-"""Several agents that share a task: PettingZoo's own checks, the single environment, mistakes of a split."""
+"""Several agents that share a task: PettingZoo's checks, the single environment, invalid distributions of
+actions."""
 
 from __future__ import annotations
 

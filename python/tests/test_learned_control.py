@@ -1,4 +1,5 @@
-"""The trained policy as a controller of a scenario: the numbers of NumPy, and the choice between four."""
+"""The trained policy as a controller of a scenario: agreement with NumPy, and the choice of four
+controllers."""
 
 from __future__ import annotations
 

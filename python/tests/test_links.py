@@ -1,4 +1,4 @@
-"""Links of every page lead to a file that is there, and to a heading that is there; the web is not asked."""
+"""Links of every page lead to an existing file and heading; web addresses are not checked."""
 
 from __future__ import annotations
 

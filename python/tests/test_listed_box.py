@@ -1,4 +1,4 @@
-"""A box that lists by its ballast, beside Capytaine on the heeled hull."""
+"""A box that lists by its ballast, compared with Capytaine on the heeled hull."""
 
 from __future__ import annotations
 

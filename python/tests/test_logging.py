@@ -1,4 +1,4 @@
-"""The logger `kingpost`, and that those of others are left alone."""
+"""The logger `kingpost`; other loggers are unchanged."""
 
 from __future__ import annotations
 

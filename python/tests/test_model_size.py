@@ -1,4 +1,5 @@
-"""Models of many bodies: what grows with the square of their number is limited before memory is."""
+"""Models of many bodies: quantities that grow with the square of their number are limited before memory is
+exhausted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `kingpost modes` prints: names that differ, shapes of places and angles."""
+"""Report of `kingpost modes`: unique names, shapes of positions and angles."""
 
 import kingpost
 import pytest

@@ -1,4 +1,4 @@
-"""The oscillations that the browser finds are those of `kingpost.modes`."""
+"""The oscillations found in the app are those of `kingpost.modes`."""
 
 import json
 import re

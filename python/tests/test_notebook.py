@@ -1,4 +1,4 @@
-"""What a notebook's user meets: `ds.kingpost`, tables of what a cell returns, editing, time histories."""
+"""Use in notebooks: `ds.kingpost`, tables for the value of a cell, editing, time histories."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers that look like another unit's are named where they are written."""
+"""Numbers that seem to be in another unit are reported with their place."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Limiting heights from a study's results, and the share of a place's seas below them."""
+"""Limiting heights from a study's results, and the share of a site's sea states below them."""
 
 from __future__ import annotations
 

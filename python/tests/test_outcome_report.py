@@ -1,4 +1,4 @@
-"""What is printed of how limits held and what the engine warned of, over one run or many."""
+"""Report of the results of limits and of the engine's warnings, for one run or many."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files that are written: whole, or as they stood before."""
+"""Written files are complete, or unchanged."""
 
 from __future__ import annotations
 

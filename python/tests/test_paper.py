@@ -1,4 +1,4 @@
-"""`kingpost paper`: complete, from our engine, and true to what the page says."""
+"""`kingpost paper`: its output is complete, computed by the engine, and agrees with its text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of recorded runs: what they show, in which units, and what is refused."""
+"""Pictures of recorded runs: content, units, and refused input."""
 
 from __future__ import annotations
 

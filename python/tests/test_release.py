@@ -1,4 +1,4 @@
-"""The release workflow reads, its commands are there, and a tag must be the version."""
+"""The release workflow is valid, its commands exist, and a tag must equal the version."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the command line prints of a model and of a run, read back against the numbers it stands for."""
+"""Reports of the command line on a model and on a run, compared with the numbers that they show."""
 
 from __future__ import annotations
 

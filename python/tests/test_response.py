@@ -153,7 +153,9 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
         (["barge", "-o", "rao.txt"], "rao.txt: unknown ending, allowed: .nc, .csv, .png"),
     ],
 )
-def test_unknown_points_are_refused_with_the_known_ones(arguments: list[str], message: str, capsys) -> None:
+def test_wrong_input_of_the_command_rao_is_refused_with_the_allowed_values(
+    arguments: list[str], message: str, capsys
+) -> None:
     assert main(["rao", *arguments]) == 2
     assert message in capsys.readouterr().err
 

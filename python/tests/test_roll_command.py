@@ -1,4 +1,4 @@
-"""`kingpost roll-damping`: both ways, what is printed and written, mistakes, and the commands of the page."""
+"""`kingpost roll-damping`: both methods, printed and written output, errors, and the commands of the page."""
 
 import math
 import re

@@ -1,4 +1,4 @@
-"""Damping from records of decaying roll: known coefficients are found again, and what is no record is
+"""Damping from records of decaying roll: known coefficients are recovered, and invalid records are
 refused."""
 
 import math

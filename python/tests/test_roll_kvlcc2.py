@@ -1,5 +1,4 @@
-"""KVLCC2 at 1:68 without bilge keels: its measured decay, published coefficients, and what is predicted of
-it."""
+"""KVLCC2 at 1:68 without bilge keels: its measured decay, published coefficients, and predictions."""
 
 import math
 
@@ -51,8 +50,8 @@ def test_a_measured_decay_fed_back_gives_its_own_damping_and_amplitudes(run, mea
 
 @pytest.fixture(scope="module")
 def predicted():
-    """Of the sections and the loading alone: the natural period and the radiated damping, by the panel method
-    about Lewis forms, and Ikeda's components."""
+    """Predictions from the sections and the loading only: natural period and radiation damping, by the panel
+    method on Lewis forms, and Ikeda's components."""
     pytest.importorskip("capytaine")
     sections, kg = samples.kvlcc2_sections(), samples.KG_M / samples.SCALE
     hull = samples.lewis_hull(sections, 25, 9)

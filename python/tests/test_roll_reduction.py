@@ -1,4 +1,4 @@
-"""Gyros against closed forms, and what a user sees of the scenarios that reduce roll."""
+"""Gyros compared with closed forms, and the scenarios of roll reduction from a user's view."""
 
 from __future__ import annotations
 

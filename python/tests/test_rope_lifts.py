@@ -1,4 +1,4 @@
-"""Ropes beside Exudyn and MuJoCo: what their kept runs are, and why a drum's differs."""
+"""Ropes compared with Exudyn and MuJoCo: their stored runs, and the reason why that of a drum differs."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What people stumble over: meshes and records that are not whole, titles that steer a terminal, fields in
-braces, pages whose lines do not run."""
+"""Typical difficulties of users: incomplete meshes and records, titles with terminal codes, fields in braces,
+pages whose lines do not run."""
 
 import re
 import signal

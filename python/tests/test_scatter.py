@@ -1,4 +1,4 @@
-"""Scatter tables: what is read of them, and what is said of a wrong one."""
+"""Scatter tables: reading, and errors for wrong ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The screen of a study: each case by itself, the limiting sea, axes of every kind."""
+"""Screening of a study: single cases, the limiting sea, axes of every kind."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`kingpost run --seeds`: one scenario in many seas, each in a file of its own."""
+"""`kingpost run --seeds`: runs of one scenario with many seeds, each in a separate file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Series of sea states: what is read of them, and what is said of wrong ones."""
+"""Series of sea states: reading, and errors for wrong ones."""
 
 from __future__ import annotations
 

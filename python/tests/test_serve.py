@@ -1,4 +1,4 @@
-"""`kingpost serve`, the command: on which address, what it says, and how it ends.
+"""The command `kingpost serve`: its address, its output, and its end.
 
 The app's folder is a small stand-in where the real one is not needed, so that these tests do not
 wait for a web build; the browser tests drive the real one.

@@ -1,4 +1,4 @@
-"""`kingpost serve`: which files it has, with which types, and how they are packed on the way."""
+"""`kingpost serve`: served files, their types, and their compression."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`kingpost serve`: what it does not answer: other names and files, bodies, connections that say nothing."""
+"""`kingpost serve`: refused requests: foreign host names, other files, bodies, idle connections."""
 
 from __future__ import annotations
 

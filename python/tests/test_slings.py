@@ -1,4 +1,4 @@
-"""Slings and spreader bars of the gallery's parts at rest, beside statics."""
+"""Slings and spreader bars of the gallery's parts at rest, compared with statics."""
 
 from __future__ import annotations
 

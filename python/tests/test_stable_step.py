@@ -1,4 +1,4 @@
-"""The longest stable step beside what runs do."""
+"""The longest stable step compared with runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`kingpost statistics`: what it reads, pools, prints, warns of and refuses."""
+"""`kingpost statistics`: reading, pooling, printing, warnings and refused input."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`kingpost.Study`: what a study runs, what it keeps, and what it refuses."""
+"""`kingpost.Study`: runs, stored results, and refused input."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Damaged folders of a study: each is named or repaired, and none is read as numbers."""
+"""Damaged folders of a study: damage is reported or repaired, and damaged numbers are never returned."""
 
 from __future__ import annotations
 

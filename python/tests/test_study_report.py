@@ -1,4 +1,4 @@
-"""The report of a study: its numbers are those of the store, and a browser shows it without a network."""
+"""Report of a study: its numbers equal those of the store, and a browser shows it without a network."""
 
 from __future__ import annotations
 

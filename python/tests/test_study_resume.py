@@ -1,4 +1,4 @@
-"""A study's folder lasts: whatever ends the process, the resumed study equals an uninterrupted one."""
+"""Resumption of studies: however the process ended, the resumed study equals an uninterrupted one."""
 
 from __future__ import annotations
 
@@ -150,7 +150,7 @@ def test_two_studies_into_one_folder_are_refused(whole, tmp_path) -> None:
             with pytest.raises(kingpost.KingpostError, match="found another process at work there"):
                 study.run(tmp_path, workers=1, part=part)
         study.run(tmp_path, workers=1, part=(2, 2))
-    # Nobody is left.
+    # No process holds the lock any more.
     study.run(tmp_path, workers=1, resume=True)
 
 

@@ -1,4 +1,4 @@
-"""`kingpost.teach`: what it shows is so, and where it should fail it says why."""
+"""`kingpost.teach`: its results are right, and wrong input is refused with a reason."""
 
 from __future__ import annotations
 

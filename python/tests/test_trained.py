@@ -1,4 +1,4 @@
-"""Trained policies: the same bits for a seed, the stored score, better than what does not learn, mistakes."""
+"""Trained policies: reproducible bits, stored scores, comparison with classical controllers, errors."""
 
 from __future__ import annotations
 

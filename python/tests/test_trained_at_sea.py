@@ -1,4 +1,4 @@
-"""The policy that was trained on a ship in seas: its score, seas that nobody used, and what it sees."""
+"""The policy trained on a ship in waves: its score, unused seas, and its observations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""U-tanks against closed forms: period, coupled modes, mass, pump, energy, and what a user gets wrong."""
+"""U-tanks compared with closed forms: period, coupled modes, mass, pump, energy; and errors of users."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every column of results has one unit, and it is a unit."""
+"""Every column of results has one valid unit."""
 
 from __future__ import annotations
 

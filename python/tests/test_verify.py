@@ -1,4 +1,4 @@
-"""`kingpost verify`: its rows hold, one that does not is told, every format has every row."""
+"""`kingpost verify`: its rows pass, a failing row is reported, every format contains every row."""
 
 from __future__ import annotations
 

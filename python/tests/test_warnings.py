@@ -1,4 +1,4 @@
-"""What the engine warns of in a run, in the data set, in a batch and in what `kingpost run` prints."""
+"""Warnings of the engine in a run, in the data set, in a batch and in the output of `kingpost run`."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ LIFT = {"waves": True, "significant_height_m": 4, "wave_direction_deg": 90, "pea
 
 
 def told_by(work) -> list[str]:
-    """What Python warns of, as a notebook shows it."""
+    """Python warnings as shown in a notebook."""
     with python_warnings.catch_warnings(record=True) as caught:
         python_warnings.simplefilter("always")
         work()

@@ -40,7 +40,7 @@ def files() -> list[Path]:
 
 
 def text_of(path: Path) -> list[tuple[int, str]]:
-    """The lines that a person reads: all of a page, of a program its comments and its texts."""
+    """Lines that a person reads: all lines of a page; comments and texts of a program."""
     lines = enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
     if path.suffix not in (".ts", ".py", ".rs"):
         return list(lines)
@@ -79,7 +79,7 @@ def test_a_word_of_the_list_is_found_and_code_is_not() -> None:
 
 
 LEANS = re.compile(r"(The same|As|These|What|Which|Of)\b")
-"""Words with which a docstring leans on its neighbours: it stands alone where an editor shows it."""
+"""First words of a docstring that depends on its neighbours; an editor shows each docstring alone."""
 
 
 def openings(path: Path) -> list[tuple[int, str]]:

@@ -51,7 +51,10 @@ def open_results(folder: Path) -> xarray.Dataset:
         fills = {name: raw[name].fill_value for name in arrays}
         frame = frame_digest({str(name): raw[str(name)][...] for name in found.coords}, dict(group.attrs))
     if about.get("frame", frame) != frame:
-        raise KingpostError(f"{path}: found a damaged frame of the results, allowed: whole; {AGAIN}")
+        raise KingpostError(
+            f"{path}: found coordinates or attributes that do not match their digest, "
+            f"allowed: unchanged ones; {AGAIN}"
+        )
     for runs in _not_done(folder, about, arrays):
         for name in arrays:
             found[name].values[runs] = fills[name]
