@@ -94,7 +94,7 @@ class OutputError(KingpostError):
 
 
 class RunError(KingpostError):
-    """A run that could not go on: most often because it diverged, or because its integrator cannot
+    """A run that could not continue: most often because it diverged, or because its integrator cannot
     make a step.
 
     Attributes
@@ -108,7 +108,7 @@ class RunError(KingpostError):
         The coordinate, its rate and `simulation.rate_limit`, m/s or rad/s. For a closed loop: the constraint,
         its error (m or rad) or its pivot, and the allowed value. Otherwise `None`.
     results
-        What was recorded until then; `None` if nothing was recorded.
+        Results recorded until then; `None` if nothing was recorded.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""Scenarios: descriptions of one run, read and validated by the engine."""
+"""Scenarios: descriptions of runs, read and validated by the engine."""
 
 from __future__ import annotations
 

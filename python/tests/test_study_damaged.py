@@ -98,7 +98,7 @@ def test_a_resumed_study_repairs_what_an_error_names(whole: tuple[Path, Path], t
     chunk = next(path for path in sorted(held.rglob("*")) if path.is_file() and path.name != "zarr.json")
     chunk.unlink()
     with pytest.raises(
-        KingpostError, match=r"found damaged numbers in unit \d+.*--resume. computes what is damaged anew"
+        KingpostError, match=r"found damaged numbers in unit \d+.*--resume. computes the damaged parts again"
     ):
         kingpost.open_study(damaged)
     assert main(["study", str(study), "-o", str(damaged), "--resume", "-q"]) == 0

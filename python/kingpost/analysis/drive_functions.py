@@ -79,7 +79,8 @@ def drive_functions(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to run, as in `run`. The functions are found for the base motion or the sea of this scenario.
+        Scenario and overrides, as in `run`. The functions are found for the base motion or the sea of this
+        scenario.
     controllers
         The controllers ``drive_function`` whose commands are found. Their times stay.
     wanted

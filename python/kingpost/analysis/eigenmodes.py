@@ -192,7 +192,7 @@ def zero_levels(a: NDArray, smallest: float) -> tuple[list[NDArray], NDArray]:
 def zero_modes(system: Scaled, levels: Sequence[NDArray]) -> list[Mode]:
     """One mode for each motion without a restoring force, named after its coordinate.
 
-    A mode that keeps its rate, because nothing damps it, stands for two eigenvalues.
+    A mode that keeps its rate, because nothing damps it, represents two eigenvalues.
     """
     if not levels:
         return []

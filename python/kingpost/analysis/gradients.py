@@ -42,7 +42,7 @@ def gradient(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to run, as in `run`.
+        Scenario and overrides, as in `run`.
     names
         Parameters, or dotted paths of numbers, with respect to which to differentiate. The derivative is per
         the parameter's own unit: per degree for an angle in degrees.
@@ -52,7 +52,7 @@ def gradient(
     Returns
     -------
     xarray.Dataset
-        The variables of `run`, and beside each, such as ``roll``, its derivatives, here
+        The variables of `run`, and for each variable, such as ``roll``, its derivatives, here
         ``roll_derivative``, with ``parameter`` as the first dimension.
 
     Raises

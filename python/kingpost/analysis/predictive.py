@@ -233,7 +233,7 @@ def mpc(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to regulate, as in `run`. Its controllers do not act.
+        Scenario and overrides, as in `run`. Its controllers do not act.
     inputs
         Names of the inputs u that the regulator sets.
     states

@@ -55,7 +55,8 @@ def rao(
     Parameters
     ----------
     scenario_or_simulation
-        A scenario, with the crane at the start of a run; or a simulation, with the crane as it stands.
+        A scenario, with the crane at the start of a run; or a simulation, with the crane in its present
+        state.
     directions_rad
         Directions that the waves travel towards, rad, counter-clockwise from the world's x: at heading 0, pi
         is a head sea. Default: every 45 degrees.
@@ -72,7 +73,7 @@ def rao(
     xarray.Dataset
         By ``direction`` (rad) and ``omega`` (rad/s): amplitudes for each metre of wave amplitude of
         ``displacement``, ``velocity`` and ``acceleration`` (of ``point``, along ``axis``), ``rotation`` (of
-        ``body``, by ``angle``) and ``joint_position`` (of ``coordinate``); beside each its phase, such as
+        ``body``, by ``angle``) and ``joint_position`` (of ``coordinate``); for each its phase, such as
         ``displacement_phase``: the lag behind the crest at the origin of the first hull's data, rad.
         ``place`` of each point at rest, and as attributes the hull's ``reference_m`` and ``heading_rad``.
 

@@ -23,7 +23,8 @@ def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> f
     Parameters
     ----------
     scenario_or_simulation
-        A scenario, a file or a name of the gallery, at the start of its run; or a simulation as it stands.
+        A scenario, a file or a name of the gallery, at the start of its run; or a simulation in its present
+        state.
 
     Returns
     -------

@@ -103,7 +103,7 @@ def modes(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to analyse, as in `run`.
+        Scenario and overrides, as in `run`.
     sweep
         One parameter, or path of a field, and its values: a further dimension of the result. The equilibrium
         is found at each value separately, and modes are tracked from value to value by their shapes.
@@ -131,7 +131,7 @@ def modes(
         ``eigenvalue_real``, ``eigenvalue_imaginary``, ``multiplicity``
             The eigenvalues of A.
         ``shape``, ``shape_imaginary``
-            By ``coordinate``: amplitudes, the largest 1, each in the unit that ``shape_unit`` says. ``moves``
+            By ``coordinate``: amplitudes, the largest 1, each in the unit given by ``shape_unit``. ``moves``
             is true for positions and angles, false for states of a control or of the water. With eigenvalue s
             + i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
 
@@ -195,7 +195,7 @@ def parse_sweep(text: str) -> dict[str, list[float]]:
 
 class _Point(NamedTuple):
     """Modes of one scenario, its mass matrix, the names and units of a shape's entries, which entries are
-    memory states, and the state of the linearisation in words."""
+    memory states, and a description of the state of the linearisation."""
 
     modes: list[Mode]
     mass_matrix: np.ndarray
@@ -216,7 +216,7 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
     linear, mass = simulation.linearize(), simulation.mass_matrix()
     free = len(linear.coordinates)
     if not linear.states:
-        raise KingpostError("modes: found nothing that is free to move, allowed: a free coordinate")
+        raise KingpostError("modes: found no free coordinate, allowed: one or more")
     of_shape = [*range(free), *range(2 * free, len(linear.states))]
     names, units = ([of[i] for i in of_shape] for of in (linear.states, linear.units))
     found = eigenmodes(linear, mass, simulation.constraint_matrix())

@@ -29,23 +29,23 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
     command.add_argument("study", metavar="FILE", help="the file of a study")
     command.add_argument("-o", "--output", metavar="DIR",
-                         help="folder of the results (default: say what would run)")  # fmt: skip
-    command.add_argument("--resume", action="store_true", help="go on with the study in the folder")
+                         help="folder of the results (default: only print the planned runs)")  # fmt: skip
+    command.add_argument("--resume", action="store_true", help="continue the study in the folder")
     command.add_argument("--workers", type=int, metavar="N",
                          help="processes (default: as many as there are processors)")  # fmt: skip
     command.add_argument("--scheduler", metavar="ADDRESS",
-                         help="of a Dask cluster that computes instead, as tcp://host:8786")  # fmt: skip
+                         help="Dask cluster that computes, as tcp://host:8786")  # fmt: skip
     command.add_argument("--part", metavar="K/N",
                          help="every Nth unit from the Kth on: one task of an array of N")  # fmt: skip
     command.add_argument("--screen", action="store_true",
-                         help="the limits by linear response instead of runs, in seconds")  # fmt: skip
+                         help="limits by linear response instead of runs; takes seconds")  # fmt: skip
     command.add_argument(
-        "--report", metavar="FILE", help="write the report: .html, or .pdf by a browser at hand"
+        "--report", metavar="FILE", help="write the report: .html, or .pdf by an installed browser"
     )
     command.add_argument("--app", metavar="ADDRESS",
-                         help="of an app, for the report's links (default: kingpost serve's)")  # fmt: skip
+                         help="app of the report's links (default: kingpost serve's)")  # fmt: skip
     command.add_argument("--repeat", type=int, metavar="RUN",
-                         help="run one run again and write it whole, as run_RUN.nc, in -o")  # fmt: skip
+                         help="repeat one run and write all of it to run_RUN.nc in -o")  # fmt: skip
     add_output(command)
 
 

@@ -158,7 +158,7 @@ def _wetted(corners: NDArray[np.float64], height: float) -> tuple[float, float]:
 
 
 def described(attitude: Attitude) -> str:
-    """An attitude in words.
+    """Describe an attitude as text.
 
     >>> described(Attitude(np.radians(-4.7), 0.0, -0.125))
     'heel 4.7 deg to port, no trim, its origin 0.125 m under the water'

@@ -27,9 +27,9 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
     """A task on any scenario as an environment.
 
     Actions from -1 to 1 are the scenario's inputs between their bounds; observations are columns of its
-    results over their scales. An episode is terminated when the simulation fails, when the task is done, or
-    at a limit of the scenario if the task says so; ``info["ended_by"]`` says why. It is truncated at the
-    task's duration.
+    results over their scales. An episode is terminated when the simulation fails, when the task is done, or,
+    if the task has `limits`, when a limit of the scenario is exceeded; ``info["ended_by"]`` gives the reason.
+    It is truncated at the task's duration.
 
     Parameters
     ----------

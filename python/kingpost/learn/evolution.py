@@ -69,7 +69,7 @@ def train(
     Parameters
     ----------
     task
-        What to learn.
+        Task to learn.
     environment
         The name of the task's environment, for the file.
     training

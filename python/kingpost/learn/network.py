@@ -33,7 +33,7 @@ class NeuralPolicy:
     Attributes
     ----------
     environment
-        Name of the environment that it is for.
+        Name of the environment of the policy.
     observations
         Names of the observations.
     units
@@ -51,7 +51,7 @@ class NeuralPolicy:
     layers
         Weights and biases of each layer, as W (outputs x inputs) and b.
     about
-        How it was trained and what it scored, by name.
+        Settings of the training and the score, by name.
 
     Examples
     --------

@@ -25,7 +25,7 @@ class Application:
     pages
         The scenarios: contents by URL path; they take precedence over files.
     named
-        The host that the server was told to listen on.
+        Given host on which the server listens.
     """
 
     folder: Path

@@ -67,7 +67,7 @@ def content_type(path: str) -> str:
 def accepts_gzip(accept_encoding: str | None) -> bool:
     """Whether a request with this `Accept-Encoding` takes gzip (RFC 9110, section 12.5.3).
 
-    A weight of 0 refuses; `*` stands for every coding that is not named; without the header only the plain
+    A weight of 0 refuses; `*` matches every coding that is not named; without the header only the plain
     bytes are safe.
 
     >>> [accepts_gzip(header) for header in ("gzip, deflate, br", "gzip;q=0, *", "br;q=1, *;q=0.5", None)]

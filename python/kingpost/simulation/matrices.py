@@ -94,7 +94,7 @@ class MovingFrame(dict[str, "xarray.DataArray"]):
         return latex(self[name], environment, digits)
 
     def write_csv(self, folder: str | Path) -> list[Path]:
-        """Write each matrix to a file of its own, see `write_csv`; returns the files.
+        """Write each matrix to a separate file, see `write_csv`; return the files.
 
         ``E_tower/ship`` is written to ``E_tower-ship.csv``.
         """

@@ -152,7 +152,7 @@ def _table(found: xarray.Dataset, what: str) -> Table:
     head = (*names, "limiting Hs, m", "interval, m", "governs")
     origin = BY_RUNS if what == "by runs" else BY_SCREEN
     if "confidence" in found.attrs:
-        origin += f" Intervals hold {100 * found.attrs['confidence']:g} % of what other seeds would give."
+        origin += f" Confidence of the intervals over the seeds: {100 * found.attrs['confidence']:g} %."
     accepted = f"accepted probability {found.attrs['acceptance']:g} in {found.attrs['operation_s']:g} s"
     numbers = range(len(names) + 2)
     return Table(f"Limiting significant height {what}, {accepted}", head, rows, origin, tuple(numbers))

@@ -87,7 +87,8 @@ RECORDS = {
 }
 """Motions measured by Sundsdal et al. (series 3PPH over 1PPH), for each metre of the calibrated wave's
 amplitude, by rad/s: heave by the camera and by the accelerometers, m, sway, m, and roll, rad; sines fitted
-between the ramp and what is reflected. The waves were 12 mm high to each side, the longest 20 mm."""
+between the end of the ramp and the arrival of reflected waves. The waves were 12 mm high to each side, the
+longest 20 mm."""
 IN_WAVES = (4.143, 5.425, 7.004)
 
 

@@ -72,7 +72,7 @@ class Check:
     Attributes
     ----------
     id, area, what, unit
-        Its name, one of `AREAS`, what is compared, and the unit of both numbers.
+        Name of the row, one of `AREAS`, the compared quantity, and the unit of both numbers.
     source
         Source of the other number: a law, a book, a paper, a program.
     tolerance, why

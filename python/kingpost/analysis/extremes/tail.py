@@ -36,7 +36,7 @@ class TailExtreme:
     distribution
         One of `DISTRIBUTIONS`.
     threshold, mean
-        u, and m; NaN where there is none.
+        u, and m; NaN if there is none.
     duration_s
         Duration in which the value is the largest, s.
     runs, count

@@ -185,7 +185,7 @@ def _advice(lowest: NDArray[np.float64], omega: NDArray[np.float64]) -> list[str
 
 
 def positive(matrix: NDArray[np.float64], name: str, notes: list[str]) -> NDArray[np.float64]:
-    """The nearest symmetric matrix with no negative eigenvalue, measured by its own diagonal."""
+    """Nearest symmetric matrix without a negative eigenvalue, in the norm scaled by its diagonal."""
     root = np.sqrt(scale_of(matrix[None]))
     values, vectors = np.linalg.eigh(matrix / np.outer(root, root))
     if values[0] >= 0.0:

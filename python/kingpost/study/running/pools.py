@@ -127,7 +127,7 @@ class _Spread:
     def _begin_again(self, jobs: list[Job], error: BaseException) -> None:
         """Replace a broken executor and submit its units again."""
         if self.another is None:
-            raise RunError(f"executor: found {error}, allowed: an executor that goes on") from error
+            raise RunError(f"executor: found {error}, allowed: a working executor") from error
         for job in [*jobs, *self.waiting.values()]:
             self._try_again(job, error)
         self.waiting.clear()
@@ -137,7 +137,7 @@ class _Spread:
         if self.tries[job.unit] >= TRIES:
             hint = f": {error}" if str(error) else ""
             raise RunError(
-                f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that go on. "
+                f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that keep running. "
                 'A script that starts a study needs the line `if __name__ == "__main__":` above it'
             ) from error
         self.again.append(job)

@@ -8,8 +8,7 @@ Known names, in upper or lower case, optionally followed by a unit, such as ``Hs
   ``VTM02`` (zero up-crossing), ``mwp``, ``te``, ``tm10``, ``VTM10`` (energy, T(-1, 0)), ``tm01``,
   ``mp1``; the peak period counts if there are both;
 - direction that waves come from, in degrees clockwise from north: ``mwd``, ``dp``, ``VMDR``,
-  ``direction_from_deg``; that they go to: ``direction_to_deg``. Another name has to be given with what it
-  means.
+  ``direction_from_deg``; that they go to: ``direction_to_deg``. For any other name the meaning must be given.
 
 ERA5 has swh, pp1d, mwp and mwd (ECMWF parameters 140229, 140231, 140232, 140230), mwd as waves come from.
 """

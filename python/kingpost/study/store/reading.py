@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 MOST_NAMED = 5
 """Largest number of damaged units that an error names."""
-AGAIN = "`kingpost study FILE --resume` computes what is damaged anew"
+AGAIN = "`kingpost study FILE --resume` computes the damaged parts again"
 
 
 def open_results(folder: Path) -> xarray.Dataset:
@@ -84,7 +84,7 @@ def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generi
         named = ", ".join(str(unit) for unit in damaged[:MOST_NAMED])
         more = f" and {len(damaged) - MOST_NAMED} more" if len(damaged) > MOST_NAMED else ""
         raise KingpostError(
-            f"{folder}: found damaged numbers in unit {named}{more}, allowed: those written; {AGAIN}"
+            f"{folder}: found damaged numbers in unit {named}{more}, allowed: the written numbers; {AGAIN}"
         )
     return missing
 
@@ -108,4 +108,4 @@ def _named(path: Path) -> Iterator[None]:
             yield
     except Exception as error:
         reason = shortened(" ".join(str(error).split()) or type(error).__name__)
-        raise KingpostError(f"{path}: found damaged results ({reason}), allowed: whole; {AGAIN}") from None
+        raise KingpostError(f"{path}: found damaged results ({reason}), allowed: undamaged ones; {AGAIN}") from None

@@ -198,7 +198,7 @@ PANELS = {
 
 
 def picture(pyplot: Any) -> Any:
-    """Draw the residual over the period of the waves: beside closed forms, and with prediction."""
+    """Draw the residual over the wave period: compared with closed forms, and with prediction."""
     figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.2), sharey=True)
     periods = 2 * np.pi / OMEGA
     fine = np.linspace(OMEGA[0], OMEGA[-1], 200)
