@@ -145,7 +145,9 @@ def spectral_response(
     chosen = None if columns is None else matching(simulation, [*columns, *(one.column for one in bounds)])
     (systems,) = simulation.sea_spectra([], SPREAD)
     if not systems:
-        raise KingpostError("sea.waves: found no enabled wave system, allowed: a wave system with enabled: true")
+        raise KingpostError(
+            "sea.waves: found no enabled wave system, allowed: a wave system with enabled: true"
+        )
     found = transfer(simulation, chosen, directions_of(systems), nodes_of(systems), lines_of(systems))
     (systems,) = simulation.sea_spectra(found.omega_rad_s, SPREAD)
     m0, m2, halved = moments_in(found, systems)

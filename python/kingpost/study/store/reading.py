@@ -108,4 +108,6 @@ def _named(path: Path) -> Iterator[None]:
             yield
     except Exception as error:
         reason = shortened(" ".join(str(error).split()) or type(error).__name__)
-        raise KingpostError(f"{path}: found damaged results ({reason}), allowed: undamaged ones; {AGAIN}") from None
+        raise KingpostError(
+            f"{path}: found damaged results ({reason}), allowed: undamaged ones; {AGAIN}"
+        ) from None
