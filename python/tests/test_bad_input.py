@@ -132,7 +132,7 @@ def test_an_output_that_cannot_be_written_is_refused_before_the_run(output, tmp_
 @pytest.mark.parametrize(
     "arguments", [[], ["fly"], ["run"], ["run", "paper", "--fast"], ["serve", "--port", "x"]]
 )
-def test_a_wrong_command_line_is_one_line_and_exit_code_2(arguments, capsys):
+def test_a_wrong_command_line_gives_one_error_line_and_exit_code_2(arguments, capsys):
     """Source: the public contract."""
     with pytest.raises(SystemExit) as ended:
         main(arguments)

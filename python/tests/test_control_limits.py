@@ -88,8 +88,8 @@ CALM = sweep.Degraded(
     ("change", "told"),
     [
         ({"left": np.array([0.1, 0.3, 1.4])}, "grows 1.10 times as fast"),
-        ({"left": np.array([0.1, 1.0, 0.9])}, "what is left falls with Hs"),
-        ({"largest": np.array([0.2, 1.3, 0.5])}, "the largest is 1.30 of that without"),
+        ({"left": np.array([0.1, 1.0, 0.9])}, "the residual falls with Hs"),
+        ({"largest": np.array([0.2, 1.3, 0.5])}, "the largest motion is 1.30 times the uncontrolled one"),
         ({"at_a_limit": np.array([0.0, 0.3, 0.1])}, "the time at a limit falls with Hs"),
         ({"finished": False}, "a run ended early"),
     ],

@@ -48,7 +48,7 @@ def test_the_asterisk_of_a_symbol_is_kept_on_the_page() -> None:
         assert re.findall(r"(?<!\w)[MNF]\*(?!\*).*", text) == [], path
 
 
-def test_every_field_of_a_study_stands_on_its_page_with_links_to_headings() -> None:
+def test_every_field_of_a_study_is_on_its_page_with_links_to_headings() -> None:
     schema = json.loads(STUDY.read_text(encoding="utf-8"))
     page = docs_schema.page(STUDY)
     assert page.startswith("# Fields of a study\n")
@@ -86,7 +86,7 @@ def test_a_range_and_a_default_are_written_as_a_reader_expects() -> None:
     assert docs_schema.value(field) == "list of 3 numbers ≥ 0"
 
 
-def test_every_scenario_of_the_gallery_stands_on_its_page_with_its_picture() -> None:
+def test_every_scenario_of_the_gallery_is_on_its_page_with_a_picture() -> None:
     page = docs_gallery.page(ROOT)
     groups = json.loads((ROOT / "scenarios" / "gallery.json").read_text(encoding="utf-8"))["groups"]
     for name in (name for group in groups for name in group["scenarios"]):

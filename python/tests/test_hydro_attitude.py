@@ -218,7 +218,7 @@ def test_a_database_stores_the_upright_hull_and_its_attitude(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["barge", "sphere", "offshore_vessel"])
-def test_a_file_without_attitude_is_written_as_it_was(name, tmp_path):
+def test_a_file_without_attitude_is_rewritten_unchanged(name, tmp_path):
     source = GALLERY / f"{name}.hydro.json"
     target = database_file.write(database_file.read(source), tmp_path / source.name)
     assert target.read_bytes() == source.read_bytes()

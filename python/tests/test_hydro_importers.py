@@ -102,7 +102,7 @@ def test_wamit_files_give_the_database_back(tmp_path, form) -> None:
     same(importers.load(path, Options(**given)), base, apart=form.apart)
 
 
-def test_wamit_units_and_signs_are_those_of_its_manual(tmp_path) -> None:
+def test_units_and_signs_of_wamit_files_follow_its_manual(tmp_path) -> None:
     # By hand, rho = 1000, g = 10, L = 2, w = 1: A33 = 0.5 * 1000 * 2^3, B33 = 0.1 * that / 0.5 * w,
     # A55 = 0.25 * 1000 * 2^5, A15 = 0.2 * 1000 * 2^4; X1 = i * 1000 * 10 * 2^2 of exp(+i w t),
     # X5 = 2 * 1000 * 10 * 2^3; C33 = 3 * 1000 * 10 * 2^2, C44 = 5 * 1000 * 10 * 2^4.
@@ -273,7 +273,7 @@ def test_a_truncated_or_foreign_file_gives_one_clear_error(tmp_path) -> None:
         path.write_bytes(whole)
 
 
-def test_hdf5_of_another_kind_names_what_is_missing(tmp_path) -> None:
+def test_the_error_for_another_hdf5_file_names_the_missing_field(tmp_path) -> None:
     import h5py
 
     for ending in (".h5", ".nc"):

@@ -26,7 +26,7 @@ def hull(description: str, panels: int):
 
 
 @pytest.mark.parametrize("parts", [1, 2, 4, 8])
-def test_products_and_solutions_by_blocks_are_those_of_the_whole_matrix(parts) -> None:
+def test_products_and_solutions_by_blocks_equal_those_of_the_whole_matrix(parts) -> None:
     rng, n = np.random.default_rng(parts), 7
     blocks = rng.normal(size=(parts, n, n)) + 1j * rng.normal(size=(parts, n, n))
     full = np.block([[blocks[i ^ j] for j in range(parts)] for i in range(parts)])

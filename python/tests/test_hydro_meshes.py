@@ -206,7 +206,7 @@ def test_a_gdf_file_in_feet_or_beside_a_wall_is_refused(tmp_path, line, change, 
         hull_files.read(path)
 
 
-def test_a_gdf_file_without_symmetry_is_read_as_it_stands(tmp_path):
+def test_a_gdf_file_without_symmetry_is_read_as_the_whole_hull(tmp_path):
     path = tmp_path / "box.gdf"
     lines = GDF.splitlines()
     whole = hull_files.read(_written(path, lines)).area

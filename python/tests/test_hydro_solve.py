@@ -78,7 +78,7 @@ def test_the_coefficients_of_the_barge_pass_every_check_and_its_file_keeps_them(
 
 
 @pytest.mark.thorough
-def test_half_of_a_hull_mirrored_gives_what_the_whole_hull_gives():
+def test_a_mirrored_half_gives_the_coefficients_of_the_whole_hull():
     water, frequencies = Water(), np.array([0.5, 1.0])
     half = hull(VESSEL, 220)
     full = replace(half, reflections=(), panels=of_triangles(whole(half.panels.surface, (1,))))
@@ -212,7 +212,7 @@ def test_the_command_writes_a_database_that_can_be_read(tmp_path, capsys):
         ([BARGE, "--draught-m", "3"], "--draught-m: found a parametric hull"),
     ],
 )
-def test_a_wrong_command_line_is_one_line_and_writes_nothing(tmp_path, capsys, monkeypatch, words, message):
+def test_a_wrong_command_line_gives_one_error_line_and_no_file(tmp_path, capsys, monkeypatch, words, message):
     monkeypatch.chdir(tmp_path)
     status, _, err = command(capsys, *words, "-o", "hull.hydro.json")
     assert status == cli.WRONG_INPUT

@@ -109,7 +109,7 @@ def test_the_registered_name_makes_the_native_vector() -> None:
     assert isinstance(envs.metadata["autoreset_mode"], AutoresetMode)
 
 
-def test_an_environment_that_is_reset_alone_leaves_the_others_as_they_are() -> None:
+def test_resetting_one_environment_does_not_change_the_others() -> None:
     given = actions(20, 6)
     one, other = (ShipCraneVectorEnv(anti_sway(), 6, 1) for _ in range(2))
     one.reset(seed=SEED), other.reset(seed=SEED)
@@ -132,7 +132,7 @@ def reach(mode: str, scenario: kingpost.Scenario | Path, limits: bool = False) -
 
 
 @pytest.mark.parametrize("mode", ["SameStep", "NextStep"])
-def test_an_environment_that_fails_says_why_and_begins_anew_while_the_others_go_on(mode: str) -> None:
+def test_a_failed_environment_gives_the_reason_and_restarts_while_the_others_continue(mode: str) -> None:
     scenario = anti_sway().based_on.with_overrides({"simulation.rate_limit": 0.06})
     envs = reach(mode, scenario)
     envs.reset(seed=SEED)
@@ -181,7 +181,7 @@ def test_an_action_outside_the_box_is_refused_by_name(bad: float, found: str) ->
         envs.step(given)
 
 
-def test_mistakes_are_named_with_what_is_allowed() -> None:
+def test_errors_name_the_wrong_value_and_the_allowed_ones() -> None:
     reward = lambda columns, goal, actions: columns["time"]  # noqa: E731
     with pytest.raises(KingpostError, match="action hoist: no such input, allowed: slewing, luffing"):
         Task(anti_sway().based_on, ["hoist"], ["time"], reward)
@@ -265,7 +265,7 @@ def test_feedback_halves_the_cost_of_doing_nothing(name: str) -> None:
     assert 0.5 * nothing < acting < 0
 
 
-def test_the_pushes_of_an_environment_are_those_of_the_scenario_s_controller() -> None:
+def test_the_torques_of_the_baseline_equal_those_of_the_scenario_s_controller() -> None:
     """The gallery's `state_feedback` has the gains of this baseline, which sees single precision."""
     task = replace(roll_reduction(randomised=False), seeded=False, control_period_s=0.05)
     envs = ShipCraneVectorEnv(task, 1, 1)
@@ -350,7 +350,7 @@ def test_an_impossible_delay_is_refused(delay_s: tuple[float, float]) -> None:
         replace(anti_sway(), delay_s=delay_s)
 
 
-def test_a_reward_that_is_one_number_for_all_is_refused() -> None:
+def test_a_single_reward_for_all_environments_is_refused() -> None:
     task = replace(anti_sway(), reward=lambda columns, goal, actions: -1.0)
     episodes = Episodes(task, 3)
     episodes.begin({k: np.random.default_rng(k) for k in range(3)})

@@ -85,7 +85,7 @@ def test_lessons_are_numbered_from_one_in_their_titles():
 
 
 @pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
-def test_a_lesson_is_stored_without_outputs_and_uses_what_is_public(path):
+def test_a_lesson_is_stored_without_outputs_and_uses_only_public_names(path):
     """Source: outputs are made, not kept; a lesson is an example of the public interface."""
     notebook = json.loads(path.read_text(encoding="utf-8"))
     for cell in notebook["cells"]:

@@ -13,7 +13,7 @@ from samples import rod
 G = 9.80665
 
 
-def test_each_state_has_its_unit_and_says_whether_it_only_remembers():
+def test_each_state_has_its_unit_and_a_mark_for_memory_states():
     """Source: docs/conventions.md: coordinates and their rates in m and rad; Cummins' memory of the water."""
     simulation = kingpost.Simulation("offshore_vessel_on_dp")
     linear = simulation.linearize()
@@ -111,7 +111,7 @@ def test_zero_modes_of_a_free_ship_are_named_after_its_coordinates():
     assert np.array_equal(found["shape"].values, np.eye(8))
 
 
-def test_a_free_motion_that_is_damped_is_a_zero_mode_and_a_decay():
+def test_a_damped_free_motion_gives_a_zero_mode_and_a_decaying_mode():
     """Source: M* v' = -C v: the rates of decay are the eigenvalues of M*^-1 C."""
     scenario = kingpost.load("paper", hold_centre=False, motor_1=False, damping=True)
     found = kingpost.modes(scenario)

@@ -90,7 +90,7 @@ def true_height(limit: str, period: float, direction: float) -> float:
     return bound / slope(limit, period, direction) / (1 + 0.15 * (np.log(3) - np.log(-np.log1p(-ACCEPTANCE))))
 
 
-def test_limiting_heights_are_those_of_the_distribution_that_the_runs_were_drawn_from() -> None:
+def test_limiting_heights_equal_those_of_the_sampled_distribution() -> None:
     """Gumbel extremes in proportion to the height: a closed form. The standard error of 2000 seeds is
     0.7 % of the height; of 18 heights none is off by three of them."""
     found = limiting_heights(results(2000))

@@ -38,7 +38,7 @@ def ship(tmp_path: Path) -> Path:
     return tmp_path / "ship.yaml"
 
 
-def test_a_scenario_finds_its_parts_beside_it_and_in_the_gallery(ship):
+def test_parts_are_found_beside_the_scenario_and_in_the_gallery(ship):
     """Source: the files' own numbers."""
     scenario = kingpost.load(ship, crane_mass_t=3)
     assert list(scenario.files) == ["cranes/post.yaml", "gallery:parts/paper_crane.yaml"]

@@ -134,7 +134,7 @@ def test_a_state_that_no_input_can_hold_exceeds_its_limit_as_little_as_possible(
         ({"states": ["heave"]}, "states: found 'heave'"),
     ],
 )
-def test_mistakes_are_reported_with_what_is_allowed(given, expected) -> None:
+def test_errors_name_the_wrong_input_and_the_allowed_ones(given, expected) -> None:
     with pytest.raises(KingpostError) as caught:
         kingpost.mpc(scenario(trolley()), **{**WEIGHTS, "horizon": 5, **given})
     assert expected in str(caught.value)

@@ -138,7 +138,7 @@ def word(text: str, label: str, number: int) -> float:
     return float(line[len(label) :].split()[number - 1])
 
 
-def test_a_summary_says_that_dormand_prince_chooses_its_steps():
+def test_a_summary_states_that_dormand_prince_chooses_its_steps():
     """Source: Scheme::dormand_prince; largest_step_s of the file."""
     settings = {"simulation.integrator": "dormand_prince", "simulation.dormand_prince.largest_step_s": 0.05}
     scenario = kingpost.load("paper", {**SHORT, **settings})

@@ -51,7 +51,7 @@ def test_parquet_reads_back_to_the_same_bits_with_units(results, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["nc", "csv", "parquet"])
-def test_the_command_writes_what_python_returns(ending, tmp_path, capsys):
+def test_the_file_of_the_command_equals_the_data_set_in_python(ending, tmp_path, capsys):
     """Source: one engine behind both."""
     output = tmp_path / f"run.{ending}"
     arguments = ["run", "paper", "--set", "simulation.duration_s=0.05", "-o", str(output)]

@@ -204,7 +204,7 @@ def test_a_record_without_decaying_roll_is_refused_by_name(time, roll, words):
         ("", "an empty file"),
     ],
 )
-def test_a_file_that_is_no_record_is_refused_with_its_name(text, words, tmp_path):
+def test_a_file_that_is_not_a_record_is_refused_with_its_name(text, words, tmp_path):
     path = tmp_path / "decay.csv"
     path.write_text(text)
     with pytest.raises(RollDampingError) as refused:
@@ -221,7 +221,7 @@ def test_a_file_that_is_no_record_is_refused_with_its_name(text, words, tmp_path
         (lambda found: found.coefficients(0.0), "inertia_kg_m2: found 0"),
     ],
 )
-def test_an_inertia_that_is_not_a_number_is_refused(call, words):
+def test_a_nan_inertia_is_refused(call, words):
     found = from_decay(known_record(KNOWN["linear"]), "linear")
     with pytest.raises(RollDampingError, match=words):
         call(found)

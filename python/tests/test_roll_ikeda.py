@@ -77,7 +77,7 @@ WITHIN = {"H": (0.2, 0.4), "I": (1.0, 1.7)}
 
 
 @pytest.mark.parametrize("by", SHARPNESS)
-def test_eddies_of_ikedas_cylinders_are_those_he_measured(by):
+def test_eddies_of_ikedas_cylinders_agree_with_his_measurements(by):
     """Boxes with sharp and round bilges (A to D), sections of Series 60 (G to L): within 25 % but for two,
     whether sharpness is read from the radius of the bilge or from the area."""
     for row in ikeda_cylinders():
@@ -182,7 +182,7 @@ def test_the_regression_of_kawahara_reproduces_his_figure(depth):
 
 
 @pytest.mark.parametrize("depth", list(FIGURE))
-def test_bilge_keels_are_those_of_ikedas_own_program(depth):
+def test_bilge_keel_damping_agrees_with_ikedas_program(depth):
     """The same ship: keels amidships, where its sections are those of the midship."""
     beam = 20.0
     length, draught = 6 * beam, beam / 4
@@ -242,7 +242,7 @@ def test_keels_without_breadth_are_refused(breadth):
         BilgeKeels(breadth, 40)
 
 
-def test_a_scenario_takes_no_cubic_and_no_negative_damping():
+def test_cubic_and_negative_damping_are_refused_for_a_scenario():
     with pytest.raises(RollDampingError, match="cubic: found 3"):
         fragment(Coefficients(1.0, 2.0, 3.0), "ship", "x")
     with pytest.raises(RollDampingError, match="quadratic: found -2, allowed: 0 or more"):

@@ -35,7 +35,7 @@ def test_a_measured_decay_gives_the_published_period_and_damping(run, measured):
     np.testing.assert_allclose(ours, theirs, rtol=0.05)
 
 
-def test_a_measured_decay_fed_back_gives_its_own_damping_and_amplitudes(run, measured):
+def test_a_record_simulated_with_fitted_coefficients_gives_the_same_damping_and_amplitudes(run, measured):
     """The record that the coefficients make, from the first angle on, is read again."""
     record = samples.kvlcc2_decay(run)
     first = float(record.time_s[np.abs(record.roll_rad).argmax()])

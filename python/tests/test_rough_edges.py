@@ -129,7 +129,7 @@ def test_the_error_for_a_column_in_place_of_a_file_names_the_option(capsys) -> N
     assert capsys.readouterr().err.endswith("writes them; columns follow --channels\n")
 
 
-def test_an_interrupt_while_libraries_are_imported_is_one_line(monkeypatch, capsys) -> None:
+def test_an_interrupt_during_imports_gives_one_line(monkeypatch, capsys) -> None:
     class Interrupt:
         def find_spec(self, name: str, *_: object) -> None:
             if name == "kingpost.cli":

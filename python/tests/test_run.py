@@ -110,7 +110,7 @@ def test_a_run_with_gravity_has_it_in_the_attributes():
     assert results.attrs["gravity_m_s2"] == 9.80665
 
 
-def test_a_parameter_and_the_path_that_it_writes_do_the_same():
+def test_setting_a_parameter_equals_setting_the_path_that_it_writes():
     """Source: the parameter mechanism, one meaning for every way to set a value."""
     by_name = kingpost.load("paper", crane_x_m=3, motor_2=True)
     path = "bodies.tower.joint.revolute.position_m.0"

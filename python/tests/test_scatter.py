@@ -62,7 +62,7 @@ Sum;15,75;20,25;64;100
 """
 
 
-def test_a_table_as_a_spreadsheet_writes_it_is_read(tmp_path: Path) -> None:
+def test_a_table_exported_from_a_spreadsheet_is_read(tmp_path: Path) -> None:
     """Source: arithmetic. A byte order mark, titles, units, decimal commas, open classes as wide as their
     neighbours, sums, an empty cell."""
     (tmp_path / "climate.csv").write_text(CLIMATE, encoding="utf-8")
@@ -103,7 +103,7 @@ def test_every_sea_counts_once_without_a_column_of_occurrences() -> None:
 
 
 @pytest.mark.parametrize("gamma", [1.0, 2.0, 3.3, 5.0, 6.9])
-def test_zero_up_crossing_periods_of_jonswap_are_those_of_the_recommended_practice(gamma: float) -> None:
+def test_zero_up_crossing_periods_of_jonswap_agree_with_the_recommended_practice(gamma: float) -> None:
     """DNV-RP-C205 (2010), 3.5.5.4: Tz / Tp = 0.6673 + 0.05037 g - 0.006230 g^2 + 0.0003341 g^3, a fit to
     half a per cent."""
     published = 0.6673 + 0.05037 * gamma - 0.006230 * gamma**2 + 0.0003341 * gamma**3

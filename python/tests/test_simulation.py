@@ -113,7 +113,7 @@ def test_a_broken_snapshot_is_refused_and_changes_nothing(moving):
     assert np.array_equal(moving.row(), before)
 
 
-def test_a_state_that_is_set_is_the_state_that_is_read(moving):
+def test_a_set_state_reads_back_equal(moving):
     """Source: the round trip; accelerations depend on q and v alone."""
     state, acceleration = moving.state, moving.acceleration()
     other = Simulation(moving.scenario)

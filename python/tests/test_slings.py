@@ -170,7 +170,7 @@ def test_slings_under_a_spreader_bar_carry_a_quarter_over_the_sine() -> None:
     np.testing.assert_allclose(found, even_tension(4, 30e3 * G, 4, 2.4, 6.4e7)[0], rtol=REST)
 
 
-def test_a_short_sling_under_a_spreader_bar_tilts_the_load_and_one_of_four_legs_takes_it() -> None:
+def test_a_short_sling_under_a_spreader_bar_tilts_the_load_and_a_short_leg_of_four_takes_more_load() -> None:
     """Source: six slings and a bar are statically determinate: their tensions follow from places alone,
     whatever gives way. 20 mm turn them by some 20 mm in 2.4 m. Four legs from one point are not."""
     under_a_bar = hung("spreader_bar", 17.64, 0.8, sling_forward_port_m=3.98).rope_tension

@@ -75,7 +75,7 @@ def test_several_objects_on_a_body_have_no_margin_against_slack(box) -> None:
     assert np.isnan(found.slack_utilisation.values).all()
 
 
-def test_without_an_object_or_with_a_negative_speed_it_is_refused(box) -> None:
+def test_splash_zone_without_an_object_or_with_a_negative_speed_is_refused(box) -> None:
     with pytest.raises(kingpost.KingpostError, match="found no object that is lowered"):
         kingpost.splash_zone("paper")
     with pytest.raises(kingpost.KingpostError, match="tip_speed_m_s: found -1"):

@@ -69,7 +69,7 @@ def test_the_command_prints_statistics_after_the_ramp(tmp_path, capsys) -> None:
         assert abs(float(row[f"extreme_{side}"]) - sign * rayleigh) < 3 * error
 
 
-def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
+def test_the_command_statistics_reads_files_of_the_command_run(tmp_path, capsys) -> None:
     file = str(tmp_path / "run.nc")
     settings = ["--set", "waves=on", "--set", "simulation.duration_s=3"]
     assert main(["run", "barge", "-o", file, *settings]) == 0

@@ -73,10 +73,11 @@ class Degraded:
         instability."""
         statements = {
             "a run ended early": self.finished,
-            f"leaves {self.share.max():.2f} of the motion": self.share.max() <= LARGEST_SHARE,
-            f"the largest is {self.largest.max():.2f} of that without": self.largest.max() <= LARGEST_SHARE,
+            f"the residual is {self.share.max():.2f} of the motion": self.share.max() <= LARGEST_SHARE,
+            f"the largest motion is {self.largest.max():.2f} times the uncontrolled one": self.largest.max()
+            <= LARGEST_SHARE,
             f"grows {self.growth:.2f} times as fast": self.growth <= LARGEST_GROWTH,
-            "what is left falls with Hs": bool((np.diff(self.left) >= 0).all()),
+            "the residual falls with Hs": bool((np.diff(self.left) >= 0).all()),
             "the time at a limit falls with Hs": bool((np.diff(self.at_a_limit) >= -ROUNDING).all()),
         }
         return [what for what, holds in statements.items() if not holds]
