@@ -111,7 +111,7 @@ def _run(arguments: Sequence[str] | None) -> int:
         options.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
     try:
         with ended_as_interrupted(), warnings.catch_warnings():
-            # The commands print the warnings of a run themselves.
+            # The commands themselves print the warnings of a run.
             warnings.simplefilter("ignore", KingpostWarning)
             return options.command(options)
     except RunError as error:

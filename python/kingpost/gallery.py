@@ -122,7 +122,7 @@ def place(file: str | Path, name: str) -> Path:
     """
     in_gallery = name.removeprefix(GALLERY)
     if in_gallery == name:
-        # Files lie beside a scenario, not beside a link to it.
+        # Files are beside the scenario, not beside a symbolic link to it.
         beside = os.path.realpath(file) if os.path.islink(file) else file
         return Path(beside).parent / name
     if Path(in_gallery).is_absolute() or ".." in Path(in_gallery).parts:

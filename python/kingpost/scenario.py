@@ -49,7 +49,7 @@ class Scenario:
     overrides: tuple[tuple[str, Json], ...] = ()
 
     def __post_init__(self) -> None:
-        # Validates: a scenario that exists is one that can run.
+        # Validate on creation: every existing scenario can run.
         try:
             _ = self._built
         except ScenarioError as error:

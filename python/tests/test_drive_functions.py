@@ -63,7 +63,7 @@ def test_the_found_commands_equal_those_of_inverse_dynamics():
 @pytest.mark.parametrize(
     ("held_by", "ropes", "axes"), [("winch", False, "z"), ("boom", False, "xyz"), ("ropes", True, "xyz")]
 )
-def test_the_functions_of_the_gallery_hold_the_load(held_by: str, ropes: bool, axes: str):
+def test_the_drive_functions_of_the_gallery_keep_the_load_in_place(held_by: str, ropes: bool, axes: str):
     def deviations(held: str) -> dict[str, float]:
         found = kingpost.run(GALLERY, {"simulation.duration_s": 90}, held_by=held, auxiliary_ropes=ropes)
         columns = {axis: found.kingpost[f"lift.position.{axis}"].values for axis in axes}

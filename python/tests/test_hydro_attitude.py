@@ -65,7 +65,7 @@ def test_heel_to_starboard_puts_the_starboard_side_down_and_trim_by_the_bow_the_
 
 
 @pytest.mark.parametrize("heel_deg", [5.0, -5.0, 15.0])
-def test_a_listed_box_displaces_as_before_and_turns_about_the_middle_of_its_waterplane(heel_deg):
+def test_a_listed_box_keeps_its_displacement_and_turns_about_the_middle_of_its_waterplane(heel_deg):
     """Source: the wall-sided formulas, while neither deck nor bottom is at the water: 30.96 and 21.8 deg."""
     hull, heel = standing(BARGE, 300, heel_deg), np.radians(heel_deg)
     assert hull.attitude.height_m == pytest.approx(0.0, abs=1e-12)
@@ -78,7 +78,7 @@ def test_a_listed_box_displaces_as_before_and_turns_about_the_middle_of_its_wate
     assert hull.remarks == ()
 
 
-def test_a_box_whose_bottom_comes_out_rises_until_its_wedge_displaces_as_before():
+def test_a_box_whose_bottom_emerges_keeps_its_displacement():
     """Source: a wedge of depth d at its edge has the section d^2 / (2 sin cos)."""
     heel, draught = np.radians(20.0), 0.5
     hull = standing(f"box:length_m=20,beam_m=10,draught_m={draught},depth_m=5", 200, 20.0)
@@ -91,7 +91,7 @@ def test_a_box_whose_bottom_comes_out_rises_until_its_wedge_displaces_as_before(
 
 
 @pytest.mark.parametrize(("heel_deg", "trim_deg"), [(12.0, 0.0), (0.0, 2.0), (-7.0, 1.5)])
-def test_a_vessel_that_lists_and_trims_displaces_as_before_on_its_panels_too(heel_deg, trim_deg):
+def test_the_panels_of_a_listed_and_trimmed_vessel_keep_its_displacement(heel_deg, trim_deg):
     hull = standing(VESSEL, 300, heel_deg, trim_deg)
     volume = hull.upright.particulars.volume_m3
     assert hull.particulars.volume_m3 == pytest.approx(volume, rel=1e-9)
@@ -142,7 +142,7 @@ def coefficients(hull: HullMeshes, omega: tuple[float, ...], directions: int) ->
 
 
 @pytest.mark.thorough
-def test_a_sphere_that_lists_has_the_coefficients_of_one_that_does_not():
+def test_a_listed_sphere_has_the_coefficients_of_the_upright_one():
     """Source: symmetry. Panels that are turned and cut at the water are others: with 200, added mass differs
     by 0.9 %, damping by 2.6 %, excitation by 1.3 %, with 400 by half of that; limits are twice that."""
     upright, listed = (coefficients(standing(SPHERE, 200, heel), (0.8, 1.4), 4) for heel in (0, 20))
@@ -278,7 +278,7 @@ def test_a_loading_that_would_capsize_a_listed_hull_is_refused():
         small_database(standing(BARGE, 80, 5), Loading(6.0, 3.0, 6.0, 6.0))
 
 
-def test_the_attitude_of_a_scenario_is_the_one_that_check_prints():
+def test_the_attitude_by_a_scenario_equals_the_one_printed_by_check():
     scenario = kingpost.load("barge", {"forces.water.hydrodynamics.hydrostatics": "mesh"})
     (afloat,) = scenario.hydrostatics["hulls"]
     upright = upright_hull(BARGE, 80)

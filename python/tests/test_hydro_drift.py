@@ -84,7 +84,7 @@ def test_a_free_hull_without_viscosity_absorbs_no_energy(found, database):
 
 
 @pytest.mark.thorough
-def test_long_waves_move_the_barge_as_they_move_the_water(database):
+def test_in_long_waves_the_barge_moves_with_the_water(database):
     k = wave_number(0.5, WATER)
     long = np.abs(drift.motions(database, LOADING)[0, 6])
     # Head waves 40 m long and more: heave of 1 m and pitch of the slope k, less what sin x / x says of
@@ -93,7 +93,7 @@ def test_long_waves_move_the_barge_as_they_move_the_water(database):
     assert long[4] == pytest.approx(k, rel=0.2)
 
 
-def test_short_head_waves_that_are_reflected_push_with_their_momentum():
+def test_reflected_short_head_waves_give_the_drift_force_by_momentum():
     # M. S. Longuet-Higgins, The mean forces exerted by waves on floating or submerged bodies, Proc. R.
     # Soc. A 352, 1977: rho g a^2 c_g / c for each metre of a wall that reflects all. A deep box,
     # held: its edges diffract what is within a wave length of them.

@@ -58,20 +58,20 @@ def same(found, base, *, apart: bool = True) -> None:
 
 
 @pytest.mark.parametrize(("scaled", "apart"), [(False, True), (True, True), (False, False)])
-def test_a_bemio_file_gives_the_database_back(tmp_path, scaled, apart) -> None:
+def test_a_bemio_file_is_imported_as_the_original_database(tmp_path, scaled, apart) -> None:
     base, path = writers.database(), tmp_path / "hull.h5"
     writers.write_bemio(path, base, scaled=scaled, apart=apart)
     same(importers.load(path, Options(**BEMIO)), base, apart=apart)
 
 
 @pytest.mark.parametrize("version", sampled([2, 3], keep=[3]))
-def test_a_capytaine_file_gives_the_database_back(tmp_path, version) -> None:
+def test_a_capytaine_file_is_imported_as_the_original_database(tmp_path, version) -> None:
     base, path = writers.database(), tmp_path / "hull.nc"
     writers.capytaine_dataset(base, version).to_netcdf(path, engine="h5netcdf")
     same(importers.load(path, Options(**(CAPYTAINE_2 if version == 2 else CAPYTAINE_3))), base)
 
 
-def test_a_capytaine_file_of_the_classic_format_gives_the_database_back(tmp_path) -> None:
+def test_a_capytaine_file_of_the_classic_format_is_imported_as_the_original_database(tmp_path) -> None:
     base, path = writers.database(), tmp_path / "hull.nc"
     writers.capytaine_dataset(base, 2).to_netcdf(path, engine="scipy")
     same(importers.load(path, Options(**CAPYTAINE_2)), base)
@@ -94,7 +94,7 @@ def test_a_capytaine_file_by_period_is_read_by_frequency(tmp_path) -> None:
     ],
     ids=["plain", "scaled by a length", "by frequency with a header", "other sign of time"],
 )
-def test_wamit_files_give_the_database_back(tmp_path, form) -> None:
+def test_wamit_files_are_imported_as_the_original_database(tmp_path, form) -> None:
     base = writers.database()
     path = form.write(tmp_path / "hull", base)
     first = "period_s" if form.by_period else "frequency_rad_s"

@@ -51,7 +51,7 @@ def test_wamit_files_of_six_digits_need_only_values_that_no_other_file_has(tmp_p
 
 
 @pytest.mark.parametrize(("column", "said"), [(0, "period_s"), (1, "frequency_rad_s"), (2, None)])
-def test_the_first_column_is_known_by_the_heave_force_of_long_waves(column, said) -> None:
+def test_the_first_column_is_recognised_by_the_heave_force_of_long_waves(column, said) -> None:
     omega = np.linspace(0.2, 3.0, 20)
     # exp(-k T) of a wall-sided hull of unit draught; a file of long waves alone does not tell.
     heave = 10.0 * np.exp(-(omega**2)) if column < 2 else np.full(20, 10.0)
@@ -71,7 +71,7 @@ def test_parts_that_do_not_add_up_to_the_excitation_give_a_note(tmp_path) -> Non
     assert any("miss .3 by up to 3.00%" in note for note in found.provenance.notes)
 
 
-def test_a_wamit_listing_alone_is_read_to_its_degrees(tmp_path) -> None:
+def test_a_wamit_listing_alone_is_read_with_phases_to_one_degree(tmp_path) -> None:
     base = writers.database()
     found = importers.load(programs.wamit_listing(tmp_path / "hull", base), Options(**LISTED))
     near(replace(found, froude_krylov=base.froude_krylov, diffraction=base.diffraction), base, 1e-5)
@@ -98,7 +98,7 @@ def test_motions_beyond_six_are_skipped_with_a_note(tmp_path) -> None:
     assert any("motions 7 to 7 are left out" in note for note in found.provenance.notes)
 
 
-def test_shipx_files_give_the_database_back(tmp_path) -> None:
+def test_shipx_files_are_imported_as_the_original_database(tmp_path) -> None:
     base = writers.database()
     given = {"water_depth_m": np.inf, "added_mass_infinite": "from_damping"}
     found = importers.load(programs.shipx(tmp_path / "input", base), Options(**given))
@@ -134,7 +134,7 @@ def test_strip_theory_without_surge_is_accepted_with_a_note(tmp_path) -> None:
     assert any("strip theory" in note for note in found.provenance.notes)
 
 
-def test_an_aqwa_file_gives_the_database_back(tmp_path) -> None:
+def test_an_aqwa_file_is_imported_as_the_original_database(tmp_path) -> None:
     base = writers.database()
     found = importers.load(programs.aqwa(tmp_path / "hull", base), Options(**SIZE))
     near(found, base, 1e-5)
@@ -152,7 +152,7 @@ def test_the_first_of_several_structures_of_aqwa_is_read_with_a_note(tmp_path, s
     assert f"structures 2 to {structures} are left out: they are held still" in found.provenance.notes
 
 
-def test_a_folder_of_nemoh_gives_the_database_back(tmp_path) -> None:
+def test_a_folder_of_nemoh_is_imported_as_the_original_database(tmp_path) -> None:
     base = writers.database()
     given = {**HEADER_SAYS_NOT, "added_mass_infinite": "from_damping"}
     found = importers.load(programs.nemoh(tmp_path / "case", base), Options(**given))

@@ -241,7 +241,7 @@ def test_another_seed_is_another_sea_and_the_same_seed_the_same() -> None:
 
 
 @pytest.mark.thorough
-def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None:
+def test_feedback_of_the_swing_beats_a_controller_without_it() -> None:
     by_name = {
         label: score(anti_sway(), policy, 8).mean()
         for label, policy in BASELINES["Kingpost/AntiSway-v0"].items()

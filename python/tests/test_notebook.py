@@ -130,7 +130,7 @@ def test_the_accessor_is_available_however_a_file_is_opened_first(first, recorde
     assert done.stdout == "101\n"
 
 
-def test_a_run_that_ends_before_the_ramp_is_shown_too() -> None:
+def test_a_notebook_shows_a_run_that_ends_before_the_ramp() -> None:
     assert "Columns" in kingpost.run("barge", {"simulation.duration_s": 5}).kingpost._repr_html_()
 
 

@@ -295,7 +295,7 @@ def test_runs_with_different_input_files_are_not_pooled(tmp_path, capsys) -> Non
     assert "found the file hydro/ship.hydro.json with SHA-256 bbbbbbbbbbbb" in capsys.readouterr().err
 
 
-def test_tables_are_in_the_units_of_engineers_with_heights_of_points_and_forces_of_lines() -> None:
+def test_tables_are_in_engineering_units_with_heights_of_points_and_forces_of_lines() -> None:
     run = kingpost.run("lowering_by_winch", {"simulation.duration_s": 2})
     found = statistics_report.frame([run], 0.0).set_index("channel")
     rope = next(name for name in found.index if name.endswith(".rope_tension"))

@@ -119,7 +119,7 @@ class Scaled:
         independent = null_space(constraints @ inverse)
         inward, outward = independent.T @ root, inverse @ independent
         stiffness = inward @ a[n : 2 * n, :n] @ outward
-        # Without stiffness any frequency would do: take 1 rad/s.
+        # Without stiffness the frequency is arbitrary: take 1 rad/s.
         square = max(np.linalg.norm(stiffness, 2) if stiffness.size else 0.0, 1.0)
         frequency = np.sqrt(square)
         names = linear.coordinates + linear.states[2 * n :]
@@ -322,5 +322,5 @@ def normalised(shape: NDArray, coordinates: int | None = None) -> NDArray[np.com
     if not among.size or np.abs(among).max() <= ALIKE * np.abs(shape).max():
         among = shape
     shape = shape / among[np.argmax(np.abs(among))]
-    # Rounding errors of zeros.
+    # Set rounding errors to zero.
     return np.where(np.abs(shape) < 1e-14, 0.0, shape).astype(complex)

@@ -169,7 +169,7 @@ class PredictiveRegulator:
         q, cross, r, p = self._cost
         (n, m), size = self.moved.shape, self.horizon
         free, forced = self._prediction
-        # The states at the beginnings of the periods, and the last one, each with its weight.
+        # States at the beginnings of the periods and at the end of the last one, each with its weight.
         at_first = np.vstack([np.eye(n), free])
         by_inputs = np.vstack([np.zeros((n, size * m)), forced])
         weights = np.zeros((n * (size + 1), n * (size + 1)))

@@ -136,7 +136,7 @@ class Regulator:
         lead = f"controllers.{controller}.{kind}"
         columns = [read["column"] for read in given["reads"]]
         targets = [steer["to"] for steer in given["steers"]]
-        # A drive's state is read by its own name, so it is among the columns as it is.
+        # The name of a drive's state is also the name of its column.
         states = self.gains["state"].values.tolist()
         wanted = {state if state in columns else column_of(state): state for state in states}
         _all_there(f"{lead}.reads", wanted, columns)

@@ -158,7 +158,7 @@ def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str
     chosen = [_place(places, point) for point in points] if points is not None else range(len(places))
     displacement = displacement[..., chosen, :]
     rate = -1j * omega[:, None, None]
-    # A floating body has its position and angles instead.
+    # A floating body has position and angles instead of joint coordinates.
     unit_of = _joint_units(simulation)
     joints = [i for i, name in enumerate(found["coordinates"]) if name in unit_of]
     names = [found["coordinates"][i] for i in joints]
@@ -242,7 +242,7 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
 
     directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
     columns: dict[str, NDArray] = {
-        # Degrees by way of radians end in rounding: 210.00000000000003.
+        # Round degrees that were converted to radians and back: 210.00000000000003.
         "direction_deg": np.round(np.rad2deg(directions), 9).ravel(),
         "frequency_rad_s": frequencies.ravel(),
     }

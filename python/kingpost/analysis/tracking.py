@@ -63,7 +63,7 @@ def correlation(one: Mode, other: Mode, mass: NDArray[np.float64], slowest: floa
     Assurance Criterion, Sound and Vibration, 2003, p. 14). So two modes of the same shape, such as those of a
     heavily damped coordinate, are distinguished by their eigenvalues.
     """
-    # A state without mass, such as that of a drive, counts by its square.
+    # A state without mass, such as that of a drive, has the weight 1.
     metric = np.eye(len(one.shape))
     metric[: len(mass), : len(mass)] = mass
 

@@ -287,7 +287,7 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
     """
     import pandas
 
-    rows = found.stack(row=[*found["kind"].dims])  # the sweep's parameter stands first
+    rows = found.stack(row=[*found["kind"].dims])  # the first column is the sweep's parameter
     columns = {dim: rows[dim].values for dim in found["kind"].dims}
     columns |= {name: rows[name].values for name in VARIABLES}
     for name in ("shape", "shape_imaginary"):

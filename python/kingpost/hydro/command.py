@@ -90,7 +90,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Database:
     """Run with the options, print a summary and return the database."""
-    # Quick checks come before the computation of minutes.
+    # Quick checks come before the computation, which takes minutes.
     target = check_output(options.output)
     if not _is_parametric(options.hull) and importers.recognise(options.hull) is not None:
         _refuse_for_a_file(options)

@@ -71,7 +71,7 @@ def to_dataset(database: Database) -> xarray.Dataset:
 
 def _units(name: str, dims: tuple[str, ...]) -> tuple[tuple[str, ...], NDArray[np.str_], dict[str, str]]:
     """Units of a variable by its motions; not a coordinate, because Capytaine would carry it along."""
-    # Power of a length in the unit of an entry, relative to translations.
+    # Exponent of the length in the unit of an entry, relative to translations.
     lever = np.repeat([0, 1], 3)
     kept, units = {
         "added_mass": (dims[-2:], np.array(["kg", "kg m", "kg m^2"])[lever[:, None] + lever]),

@@ -129,7 +129,7 @@ def file_panels(wetted: Surface, panels: int, axes: tuple[int, ...]) -> tuple[tu
     part = wetted
     for axis in reflections:
         part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
-    # Triangles with this side have approximately the wanted area.
+    # Side of triangles with approximately the wanted area.
     return reflections, of_triangles(part.refined(2 * (wetted.area / panels) ** 0.5))
 
 

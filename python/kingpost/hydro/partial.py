@@ -89,7 +89,7 @@ class Partial:
         if self.path is None:
             return
         named = {f"{name}/{k}": value for name, some in self.arrays.items() for k, value in enumerate(some)}
-        # If the file cannot be written, the computation still goes on.
+        # If the file cannot be written, the computation continues.
         with suppress(OutputError), output.whole(self.path) as beside:
             np.savez(beside, settings=np.array(self.settings), **named)
 
@@ -97,6 +97,6 @@ class Partial:
         """Remove the file once the database is written."""
         if self.path is not None:
             self.path.unlink(missing_ok=True)
-            # The temporary file of a run that was killed while writing.
+            # Also remove the temporary file of a run that was killed while writing.
             for left in self.path.parent.glob(f".{glob.escape(self.path.name)}.*.npz"):
                 left.unlink(missing_ok=True)

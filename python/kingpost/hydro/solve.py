@@ -233,6 +233,6 @@ def froude_krylov(
     x, y, z = points.T
     height, _ = decay(k, z, water)
     pressure = water.density_kg_m3 * water.gravity_m_s2 * height
-    # One direction at a time: all at once would need more memory than the matrices of a small hull.
+    # One direction at a time: all directions together need more memory than the matrices of a small hull.
     forces = [-(pressure * np.exp(1j * k * (np.cos(a) * x + np.sin(a) * y))) @ weights for a in angles]
     return np.array(forces)

@@ -74,7 +74,7 @@ class NeuralPolicy:
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
         """Actions from observations over their scales, a row for each environment."""
-        # In the order of C, on which the order of the sums below depends.
+        # In C order, on which the order of summation below depends.
         given = np.ascontiguousarray(seen, np.float64)
         signal = np.clip(given, -LARGEST_OBSERVATION, LARGEST_OBSERVATION)
         for weights, biases in self.layers:

@@ -88,7 +88,7 @@ class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
         """Begin an episode; the same seed gives the same episode to the last bit. There are no options."""
-        # PettingZoo's own checker gives one of this name.
+        # PettingZoo's checker passes an option named `options`.
         check_options(options, "options")
         if seed is not None or self._random is None:
             self._random = seeding.np_random(seed)[0]

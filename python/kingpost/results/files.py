@@ -279,7 +279,7 @@ def is_whole(path: str | Path, time_limit_s: float = TIME_LIMIT_S) -> bool:
 def _probe(paths: Sequence[str], time_limit_s: float) -> None:
     command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py"))]
     try:
-        # The HDF5 library's own messages about damage do not help a user.
+        # Suppress the HDF5 library's messages about damage, which do not help a user.
         done = subprocess.run(
             command,
             input=json.dumps(paths).encode(),

@@ -20,7 +20,7 @@ from ..results.entries import (
 )
 from .records import PARTS
 
-# Not the digits in a name such as leg_2.
+# Pattern of a number; digits in a name such as leg_2 do not match.
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 PARTED = "parted at"
 ENERGY, OFF_BALANCE = "energy", "is off its balance by"

@@ -40,7 +40,7 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
     # Leave out motions slower than an hour: they set no limit, and zero eigenvalues are rounded to such
     # values.
     values = values[np.abs(values) > 1 / LONGEST_S]
-    # One of each conjugate pair.
+    # Keep one eigenvalue of each conjugate pair.
     values = values[values.imag >= 0].astype(complex)
     return float(_limits(growth, values).min()) if values.size else None
 

@@ -45,7 +45,7 @@ def _rocker(crank: np.ndarray) -> np.ndarray:
     across, up = GROUND - CRANK * np.cos(crank), -CRANK * np.sin(crank)
     way = np.hypot(across, up)
     inner = np.arccos((way**2 + ROCKER**2 - COUPLER**2) / (2 * way * ROCKER))
-    # Within half a turn of the angle that it begins at, 1.8 rad.
+    # Wrap to within half a turn of the initial angle, 1.8 rad.
     return 1.8 + np.remainder(np.arctan2(-up, -across) - inner - 1.8 + np.pi, 2 * np.pi) - np.pi
 
 

@@ -48,7 +48,7 @@ def _stretching(method: str) -> Compared:
         found = run(scenario({"probe": probe}, acting, sea=sea, simulation=settings(0.05, PERIOD)))
         phase = OMEGA * found.time.values
         elevation = AMPLITUDE * np.cos(phase)
-        # Wholly under water, also with the slope of the surface.
+        # Fully submerged, also with the slope of the surface.
         under = elevation > z + 1.5 * RADIUS
         size = RHO * ADDED * volume * AMPLITUDE * OMEGA**2 * _stretched(method, z, elevation)
         expected = size * np.array([-np.sin(phase), -np.cos(phase)])

@@ -46,7 +46,7 @@ def wobbling_plate() -> Compared:
     momentum = np.array([1.0 * 0.05, 0.0, 2.0 * 5.0])
     across = across - momentum[:2] / np.linalg.norm(momentum)
     wobble = np.unwrap(np.arctan2(across[:, 1], across[:, 0]))
-    # The spin seen in the world is the precession less the body's own drift.
+    # The spin in world axes is the precession rate minus the drift in body axes.
     spin = np.unwrap(2 * np.arctan2(z, w))
     return Compared((wobble[-1] - wobble[0]) / (spin[-1] - spin[0]), 2.0)
 

@@ -189,7 +189,8 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
             raise KingpostError(f"{name}: found {value:g}, allowed: finite and greater than 0")
     shift = np.log(duration_s / record_s)
     location, scale = _fitted(l_moments(x), shift)
-    # Of (mean, beta), times n: the mean difference is a U-statistic (Hoeffding, Ann. Math. Stat. 19, 1948).
+    # Covariance of (mean, beta) times n: the mean difference is a U-statistic (Hoeffding, Ann. Math. Stat.
+    # 19, 1948).
     n = len(x)
     of_both = np.array([[np.pi**2 / 6, np.log(2)], [np.log(2), (0.804623 * n - 0.185532) / (n - 1)]])
     moved = np.array([[1.0, shift - EULER], [0.0, 1.0]])

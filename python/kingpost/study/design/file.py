@@ -78,7 +78,7 @@ class StudyFile:
             return error
         path = where[name]
         if error.found == UNKNOWN:
-            # The name is wrong, not its value.
+            # The name of the override is wrong, not its value.
             path = path[: path.index(name) + len(name)]
         return self.error(path, error.found, error.allowed)
 

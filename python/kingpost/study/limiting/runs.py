@@ -90,7 +90,7 @@ def limiting_heights(
     if missing:
         raise KingpostError(f"runs: found {missing} that have not run, allowed: all, as with --resume")
     reduced = _reduced(beyond, status, record_s, operation_s, confidence)
-    # Height last, from low to high.
+    # The height is the last axis, in increasing order.
     at = axes.index(height)
     order = np.argsort(values[height])
     heights = np.asarray(values[height], float)[order]
