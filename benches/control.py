@@ -1,9 +1,9 @@
-"""Control steps a second of the environments, beside MuJoCo's rollout on an equal crane.
+"""Control steps per second of the environments, compared with MuJoCo's rollout of an equal crane.
 
 Prints ``engine|model|threads|steps_per_wall_s|steps_per_cpu_s``: the best of many short repetitions, because
 a machine may be shared. A control step of ``anti_sway`` is 50 ms: 5 steps of semi-implicit Euler of 10 ms,
 inputs set and all columns of the task read; MuJoCo's is 5 steps of its Euler, which is semi-implicit too.
-``environment`` lines go through the whole interface of Gymnasium, the reward in NumPy included.
+``environment`` lines measure the whole interface of Gymnasium, including the reward in NumPy.
 """
 
 from __future__ import annotations
@@ -34,11 +34,12 @@ CRANE = """
 </body></body></body></body></worldbody>
 <actuator><velocity joint="slew" kv="6e7"/><velocity joint="luff" kv="3e8"/></actuator></mujoco>
 """
-"""The crane of `anti_sway`: the same bodies and joints; servos of speed without limits or a reference."""
+"""The crane of `anti_sway` in MuJoCo: the same bodies and joints, with speed servos without limits or a
+reference."""
 
 
 def best(work: Callable[[], object], steps: int, repetitions: int) -> tuple[float, float]:
-    """Steps a second of the wall clock and of the processor's time, the best of some repetitions."""
+    """Steps per second of wall-clock time and of processor time, the best of some repetitions."""
     wall, processor = [], []
     work()
     for _ in range(repetitions):
@@ -50,7 +51,7 @@ def best(work: Callable[[], object], steps: int, repetitions: int) -> tuple[floa
 
 
 def kingpost_engine(task: Task, copies: int, threads: int, repetitions: int) -> tuple[float, float]:
-    """The engine's copies alone."""
+    """Measures the copies of the engine alone."""
     envs = ShipCraneVectorEnv(task, copies, threads)
     envs.reset(seed=0)
     episodes = envs.episodes
@@ -61,7 +62,7 @@ def kingpost_engine(task: Task, copies: int, threads: int, repetitions: int) -> 
 
 
 def kingpost_environment(task: Task, copies: int, threads: int, repetitions: int) -> tuple[float, float]:
-    """The same through Gymnasium's interface."""
+    """Measures the environments through Gymnasium's interface."""
     envs = ShipCraneVectorEnv(task, copies, threads)
     envs.reset(seed=0)
     actions = np.zeros((copies, len(task.set)), dtype=np.float32)
@@ -69,7 +70,7 @@ def kingpost_environment(task: Task, copies: int, threads: int, repetitions: int
 
 
 def mujoco_rollout(copies: int, threads: int, repetitions: int) -> tuple[float, float]:
-    """MuJoCo's rollout of ten control steps in one call."""
+    """Measures MuJoCo's rollout of ten control steps in one call."""
     import mujoco
     from mujoco.rollout import Rollout
 
@@ -87,7 +88,7 @@ def mujoco_rollout(copies: int, threads: int, repetitions: int) -> tuple[float, 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line and returns its exit code."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="a few seconds: does it run, not how fast")
+    parser.add_argument("--quick", action="store_true", help="run for a few seconds, only as a test")
     quick = parser.parse_args(arguments).quick
     copies, times = (16, 2) if quick else (COPIES, 60)
     print(f"# processors: {os.cpu_count()}, load: {' '.join(f'{load:.1f}' for load in os.getloadavg())}")

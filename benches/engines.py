@@ -1,4 +1,4 @@
-"""The benchmark programs: how each engine's is built and started, and why one is left out."""
+"""Benchmark programs: build and start of each engine's program, and the reason if one is left out."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ import models
 BENCHES = Path(__file__).resolve().parent
 BUILD = models.REPOSITORY / "target" / "bench"
 FLAGS = ("-std=c++17", "-O3", "-DNDEBUG", "-w")
-# as Pinocchio's own CMake target defines them, for its list of joints to fit
+# as defined by Pinocchio's CMake target, so that its list of joints compiles
 PINOCCHIO_DEFINITIONS = (
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
     "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
@@ -28,18 +28,19 @@ PINOCCHIO_DEFINITIONS = (
 )
 # many runs at once: scheme and threads
 BATCHES = ("batch_euler_1", "batch_euler_2", "batch_rk4_1", "batch_rk4_2")
-# of a ship in the water and of a lift: the step as it ships
+# for a ship in the water and for a lift: the step of the released engine
 AFLOAT = ("rk4_step_ledger",)
 WASM_PACKAGE = models.REPOSITORY / "web" / "src" / "engine" / "pkg"
 
 
 class NotHereError(Exception):
-    """An engine cannot be measured on this machine; the message says why."""
+    """Error of an engine that cannot be measured on this machine; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class Engine:
-    """A program that runs ``OPERATION MODE NUMBERS`` on one model, and how to read its values as ours."""
+    """A program that runs ``OPERATION MODE NUMBERS`` on one model, and the conversion of its values to
+    Kingpost's layout."""
 
     name: str
     case: models.Case
@@ -57,8 +58,9 @@ def same(values: models.tree.Array) -> models.tree.Array:
 
 
 def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
-    """The engine crate, called from a small Rust program; a quick run takes the library of the tests."""
-    # The same features as theirs: with others cargo would build the engine once more.
+    """The engine crate, called from a small Rust program; a quick run uses the library built for the
+    tests."""
+    # The features of the tests: with others cargo would build the engine once more.
     packages = ("kingpost", "kingpost-bench", "kingpost-py")
     tested = (*(word for name in packages for word in ("--package", name)), "--all-features")
     chosen = (*tested, "--bin", "kingpost-bench") if quick else ("--package", "kingpost-bench", "--release")
@@ -74,7 +76,7 @@ def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
 
 
 def kingpost_avx2(case: models.Case, folder: Path, quick: bool) -> Engine:
-    """Many runs with wider lanes, as the wheel's second build has them where the processor can."""
+    """Many runs with the wider lanes of the wheel's second build, if the processor supports them."""
     if quick:
         raise NotHereError("a quick run leaves out the second build")
     information = Path("/proc/cpuinfo")
@@ -91,7 +93,8 @@ def kingpost_avx2(case: models.Case, folder: Path, quick: bool) -> Engine:
 
 
 def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
-    """WASM under node: the step with its ledger from the app's module, the rest from the benchmark's."""
+    """WASM under node: the step with its ledger in the app's module, other operations in the benchmark's
+    module."""
     node = _tool("node")
     packed = (WASM_PACKAGE / "kingpost_wasm_bg.wasm").exists()
     bare = None if quick else _wasm_program()
@@ -108,7 +111,7 @@ def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
 
 
 def _wasm_program() -> Path | None:
-    """The benchmark program compiled for WASM, or nothing where the compiler cannot."""
+    """The benchmark program compiled for WASM; nothing if the compiler cannot build it."""
     triple = "wasm32-unknown-unknown"
     arguments = ["build", "--quiet", "--locked", "--package", "kingpost-bench", "--profile", "wasm"]
     try:
@@ -119,7 +122,7 @@ def _wasm_program() -> Path | None:
 
 
 def _target() -> Path:
-    """Where cargo builds."""
+    """Target folder of cargo."""
     return Path(os.environ.get("CARGO_TARGET_DIR", models.REPOSITORY / "target"))
 
 
@@ -143,7 +146,7 @@ def mujoco(case: models.Case, folder: Path, quick: bool) -> Engine:
 
 
 def mujoco_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
-    """MuJoCo's official WASM build under node, a call of JavaScript for each evaluation."""
+    """MuJoCo's official WASM build under node, with one JavaScript call for each evaluation."""
     node, installed = _tool("node"), BENCHES / "node_modules" / "@mujoco" / "mujoco"
     if not installed.exists():
         if quick:
@@ -209,7 +212,7 @@ BUILDERS: dict[str, Builder] = {
     "mujoco-rollout": mujoco_rollout,
     "exudyn": exudyn,
 }
-# these run other models than the paper's: chains, a ship in the water, a lift
+# engines that also run other models than the paper's: chains, a ship in the water, a lift
 ON_CHAINS = ("kingpost", "pinocchio", "mujoco")
 ON_WATER = ("kingpost", "kingpost-wasm")
 ON_A_ROPE = ("kingpost", "kingpost-wasm", "mujoco", "exudyn")
@@ -241,9 +244,8 @@ def _package(name: str) -> Path:
 
 
 def _compile(name: str, source: Path, options: Sequence[str], *, quick: bool) -> Path:
-    """Compiles a peer's program, unless it stands from the same command and sources.
-
-    Pinocchio's takes a minute or two; a quick run leaves it out where it does not stand already.
+    """Compiles a peer's program, unless it was already built with the same command and sources. Pinocchio's
+    takes a minute or two; a quick run leaves it out if it is not built.
     """
     compiler = _tool("g++")
     program, stamp = BUILD / name, BUILD / f"{name}.stamp"
@@ -261,7 +263,7 @@ def _compile(name: str, source: Path, options: Sequence[str], *, quick: bool) ->
 
 
 def _run(command: Sequence[str], environment: Mapping[str, str] | None = None) -> None:
-    """Runs a build command; its last error line is the reason where it fails."""
+    """Runs a build command; if it fails, its last error line is the reason."""
     done = subprocess.run(
         command,
         cwd=models.REPOSITORY,
@@ -276,5 +278,5 @@ def _run(command: Sequence[str], environment: Mapping[str, str] | None = None) -
 
 
 def _output(command: Sequence[str]) -> str:
-    """What a command prints, in one line."""
+    """Output of a command in one line."""
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()

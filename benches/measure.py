@@ -32,7 +32,7 @@ PAPER_VELOCITIES = 8
 COMPARED = ("forward", "rk4_step", "rk4_step_ledger")
 CHECK_STEPS = 1000
 COUNTED = (100, 1100)
-# of the ship, in q and v one after another
+# entries of the ship in q and v concatenated
 ORIENTATION = slice(3, 7)
 
 
@@ -65,19 +65,19 @@ class Figure:
 
 
 def repetitions(engine: Engine, operation: str) -> int:
-    """Repetitions in a batch: fewer the larger the model."""
+    """Repetitions in a batch, fewer for a larger model."""
     if operation.startswith("batch_"):
         return BATCH_STEPS
     return _fewer(engine, REPETITIONS[operation])
 
 
 def _fewer(engine: Engine, count: int) -> int:
-    """A count for the paper's model, for a larger one."""
+    """Scales a count for the paper's model to a larger one."""
     return max(1, count * PAPER_VELOCITIES // (engine.case.v.size * engine.case.weight))
 
 
 def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str], list[float]]:
-    """Nanoseconds per operation of every batch; each round goes once through all engines."""
+    """Nanoseconds per operation in every batch; each round measures all engines once."""
     found: dict[tuple[str, str, str], list[float]] = {}
     for turn in range(effort.rounds):
         for engine in engines:
@@ -96,7 +96,7 @@ def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str
 def instructions(engine: Engine, operation: str, effort: Effort) -> float | None:
     """Instructions of one operation: callgrind's difference between two repetition counts.
 
-    A quick run counts accelerations alone: callgrind takes a second for each operation to start.
+    A quick run counts only accelerations: callgrind takes a second to start for each operation.
     """
     if not engine.countable or operation.startswith("batch_") or shutil.which("valgrind") is None:
         return None
@@ -108,7 +108,7 @@ def instructions(engine: Engine, operation: str, effort: Effort) -> float | None
 
 
 def _collected(engine: Engine, operation: str, count: int) -> int | None:
-    """Instructions of a whole process under callgrind; none where callgrind cannot run it."""
+    """Instructions of a whole process under callgrind; None if callgrind cannot run it."""
     tool = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
     command = [*tool, *engine.command, operation, "count", str(count)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -117,8 +117,8 @@ def _collected(engine: Engine, operation: str, count: int) -> int | None:
 
 
 def counts(engines: Sequence[Engine]) -> dict[str, dict[str, int]]:
-    """Instructions of every operation that can be counted, by model and operation: no clock, so any machine
-    will do."""
+    """Instructions of every countable operation, by model and operation: independent of the machine's
+    load."""
     rows = [(engine, operation) for engine in engines for operation in engine.operations]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         counted = list(pool.map(lambda row: instructions(*row, FULL), rows))
@@ -130,7 +130,8 @@ def counts(engines: Sequence[Engine]) -> dict[str, dict[str, int]]:
 
 
 def figures(engines: Sequence[Engine], effort: Effort) -> list[Figure]:
-    """Everything that is printed of all engines; counting needs no quiet machine, so it runs on all cores."""
+    """All printed figures of all engines; instructions are counted on all cores, because counting does not
+    need an idle machine."""
     measured = times(engines, effort)
     rows = [(engine, operation) for engine in engines for operation in engine.operations]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -159,8 +160,8 @@ def check_values(engine: Engine, operation: str) -> tree.Array:
 def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:
     """Largest difference of every engine from the first, relative to the first's largest entry.
 
-    The accelerations agree to rounding; the steps to what each engine's RK4 does with the rotation; WASM
-    to the bit.
+    Accelerations agree to rounding, steps to the difference in the engines' RK4 for rotations, WASM to the
+    bit.
     """
     rows = []
     for case in dict.fromkeys(engine.case.name for engine in engines):
@@ -174,7 +175,8 @@ def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:
 
 
 def _able(engines: Sequence[Engine], operation: str) -> list[tuple[Engine, str]]:
-    """The engines with an operation, and by what name: of a lift ours has only the step with its ledger."""
+    """Engines with an operation, and its name in each: for a lift Kingpost has only the step with its
+    ledger."""
     if not any(operation in engine.operations for engine in engines):
         return []
     names = (operation, f"{operation}_ledger")
@@ -183,7 +185,7 @@ def _able(engines: Sequence[Engine], operation: str) -> list[tuple[Engine, str]]
 
 
 def _lines(engine: Engine, arguments: Sequence[str]) -> list[str]:
-    """The lines that a program prints."""
+    """Lines printed by a program."""
     command = [*engine.command, *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:

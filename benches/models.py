@@ -1,4 +1,4 @@
-"""The models that are measured, each at one fixed state, written for every engine from the resolved scenario.
+"""Measured models, each at one fixed state, written for every engine from the resolved scenario.
 
 All numbers go through Kingpost's reader and the translators of the peer tests, so the engines run the same
 model: the paper's free one with load, from ``scenarios/paper.yaml``, chains of several lengths, and the lift
@@ -28,7 +28,7 @@ PAPER = "paper_free_load"
 LIFT = "lift_over_sheave"
 OVERRIDES: dict[str, Any] = {"hold_centre": False, "load": True, "motor_1": True, "motor_2": True}
 CHAIN_LINKS = (2, 4, 8, 16, 32, 64)
-# a ship in a sea of 200 waves, by how the water carries it
+# a ship in a sea of 200 waves, by its kind of hydrostatics
 AFLOAT: dict[str, dict[str, Any]] = {
     "linear": {"hydrostatics": "linear"},
     "mesh": {"hydrostatics": "mesh"},
@@ -45,10 +45,10 @@ STEP_S = 0.001
 class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
-    ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for
+    ``files`` are the files that the scenario reads, ``snapshot`` is Kingpost's own form of the state, for
     the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree, nor has the
-    lift, whose numbers are in ``lift``. By ``weight`` a case is repeated less often than its number of
-    velocities says.
+    lift, whose numbers are in ``lift``. ``weight`` reduces the repetitions of a case beyond the effect of its
+    number of velocities.
     """
 
     name: str
@@ -174,7 +174,7 @@ def write_mujoco(case: Case, folder: Path) -> Path:
 
 
 def _write_mujoco_lift(case: Case, folder: Path) -> Path:
-    """The same of the lift: carriage and load on slides from where they start."""
+    """Writes MJCF of the lift: carriage and load on slides from their initial positions."""
     text = importlib.import_module("peers.mujoco_lift").mjcf(case.lift, STEP_S)
     path = folder / f"{case.name}_mujoco"
     path.with_suffix(".xml").write_text(text)
@@ -185,7 +185,7 @@ def _write_mujoco_lift(case: Case, folder: Path) -> Path:
 
 
 def mujoco_lift_as_ours(case: Case, values: tree.Array) -> tree.Array:
-    """Kingpost's q and v of the lift of MuJoCo's: the load, its held orientation, the carriage."""
+    """Converts MuJoCo's q and v of the lift to Kingpost's: the load, its held orientation, the carriage."""
     travel, speed = values[0], values[4]
     place = np.array(case.lift["load_m"]) + values[1:4]
     return np.concatenate([place, [1, 0, 0, 0, travel], values[5:8], [0, 0, 0, speed]])
@@ -236,12 +236,13 @@ _KINDS = {
 
 
 def _lines(rows: Iterable[tuple[str, Any]]) -> str:
-    """Lines of a name and numbers with every digit."""
+    """Formats a line of a name and numbers with all digits."""
     return "".join(f"{name} {' '.join(repr(float(x)) for x in numbers)}\n" for name, numbers in rows)
 
 
 def pinocchio_as_ours(case: Case, values: tree.Array) -> tree.Array:
-    """Kingpost's q and v of Pinocchio's: quaternion order, and the base's velocity turned to the world."""
+    """Converts Pinocchio's q and v to Kingpost's: quaternion order, and the base's velocity rotated to world
+    axes."""
     q, v = values[: case.tree.q_size].copy(), values[case.tree.q_size :].copy()
     q[3:7] = q[[6, 3, 4, 5]]
     v[:3] = states.rotation_of_quaternion(q[3:7]) @ v[:3]
@@ -249,6 +250,6 @@ def pinocchio_as_ours(case: Case, values: tree.Array) -> tree.Array:
 
 
 def pinocchio_acceleration_as_ours(case: Case, values: tree.Array) -> tree.Array:
-    """Kingpost's acceleration of Pinocchio's spatial one."""
+    """Converts Pinocchio's spatial acceleration to Kingpost's."""
     peer = importlib.import_module("peers.pinocchio_peer").PinocchioPeer(case.tree)
     return np.asarray(peer.classical(case.q, case.v, values))

@@ -1,4 +1,4 @@
-"""What a run's figures come to: ratios, speeds, growth along chains, and the sections of README.md."""
+"""Evaluation of a run's figures: ratios, speeds, growth along chains, and the sections of README.md."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ README = Path(__file__).resolve().parent / "README.md"
 
 
 def ratios(figures: Sequence[Figure]) -> Iterator[str]:
-    """Each of Kingpost's figures over each peer's for the same work on the same model."""
+    """Ratio of each of Kingpost's figures to each peer's for the same work on the same model."""
     for ours in figures:
         if not ours.engine.startswith("kingpost"):
             continue
@@ -29,7 +29,8 @@ def ratios(figures: Sequence[Figure]) -> Iterator[str]:
 
 
 def _same_work(operation: str) -> tuple[str, ...]:
-    """The peers' operations that stand against one of ours: a step in lanes is one of many runs, too."""
+    """The peers' operations to compare with one of Kingpost's: a step in lanes also counts as a step of many
+    runs."""
     if operation.startswith("lanes_"):
         scheme = operation.removeprefix("lanes_")
         return (f"{scheme}_step", f"batch_{scheme}_1")
@@ -37,7 +38,7 @@ def _same_work(operation: str) -> tuple[str, ...]:
 
 
 def _ratio(ours: Figure, peer: Figure) -> str:
-    """Times, and instructions where both are counted."""
+    """Ratio of times, and of instructions if both are counted."""
     text = f"time {ours.median_ns / peer.median_ns:.2f}"
     if ours.instructions and peer.instructions:
         text += f", instructions {ours.instructions / peer.instructions:.2f}"
@@ -45,7 +46,7 @@ def _ratio(ours: Figure, peer: Figure) -> str:
 
 
 def speeds(figures: Sequence[Figure]) -> Iterator[str]:
-    """How much faster than real time a ship in the water is, and what WASM takes of it."""
+    """Speed of a ship in the water relative to real time, and the share of WASM."""
     afloat = [figure for figure in figures if figure.model in map(models.afloat_name, models.AFLOAT)]
     for figure in afloat:
         native = next((f for f in afloat if (f.engine, f.model) == ("kingpost", figure.model)), figure)
@@ -58,7 +59,7 @@ def speeds(figures: Sequence[Figure]) -> Iterator[str]:
 
 
 def growth(figures: Sequence[Figure]) -> Iterator[str]:
-    """Instructions of one more link, from each length of chain to the next: equal where growth is linear."""
+    """Instructions per additional link between successive lengths of chain: equal if the growth is linear."""
     for engine in dict.fromkeys(figure.engine for figure in figures):
         counts = {
             links: figure.instructions
@@ -72,7 +73,7 @@ def growth(figures: Sequence[Figure]) -> Iterator[str]:
 
 
 def tables(figures: Sequence[Figure], head: str) -> dict[str, str]:
-    """The figures, ratios and growth as Markdown: a text by each section of README.md that was measured."""
+    """Figures, ratios and growth as Markdown, by the measured section of README.md."""
     measured = {
         "paper": [figure for figure in figures if figure.model == models.PAPER],
         "lift": [figure for figure in figures if figure.model == models.LIFT],
@@ -120,7 +121,7 @@ def _chains(figures: Sequence[Figure]) -> Iterator[str]:
 
 
 def _count(figure: Figure) -> str:
-    """Instructions, or a dash where they are not counted."""
+    """Formats instructions, or a dash if they are not counted."""
     return "-" if figure.instructions is None else f"{figure.instructions:,.0f}"
 
 

@@ -1,4 +1,5 @@
-"""Kingpost beside Pinocchio, MuJoCo and Exudyn: the paper's model, chains, many runs, a lift; a ship afloat.
+"""Benchmarks of Kingpost against Pinocchio, MuJoCo and Exudyn: the paper's model, chains, many runs, a lift;
+a floating ship.
 
 Prints ``engine|model|operation|median_ns|instructions``, a line for each; lines that start with ``#`` are
 for people. See README.md beside this file.
@@ -60,10 +61,10 @@ def _parser() -> argparse.ArgumentParser:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("-o", "--output", type=Path, help="also write the lines to this file")
-    parser.add_argument("--quick", action="store_true", help="a few seconds: does it run, not how fast")
-    parser.add_argument("--readme", action="store_true", help="write what was measured into README.md")
+    parser.add_argument("--quick", action="store_true", help="run for a few seconds, only as a test")
+    parser.add_argument("--readme", action="store_true", help="write the measured figures into README.md")
     parser.add_argument(
-        "--counts", type=Path, metavar="FILE", help="only write our instructions to this file"
+        "--counts", type=Path, metavar="FILE", help="only write Kingpost's instruction counts to this file"
     )
     names = ",".join(programs.BUILDERS)
     parser.add_argument("--engines", default=names, help="comma-separated (default: %(default)s)")
@@ -88,7 +89,8 @@ class _Lines:
 
 
 def _engines(options: argparse.Namespace, folder: Path, lines: _Lines) -> list[programs.Engine]:
-    """The engines that can be measured here, on each model; a line says why another is left out."""
+    """Engines that can be measured here, on each model; prints the reason for each engine that is left
+    out."""
     names = ["kingpost"] if options.counts else _known("engine", options.engines, programs.BUILDERS)
     left_out = [models.chain_name(links) for links in models.CHAIN_LINKS[1::2]] if options.quick else []
     usual = ",".join(name for name in models.CASES if name not in left_out)
@@ -108,7 +110,7 @@ def _engines(options: argparse.Namespace, folder: Path, lines: _Lines) -> list[p
 
 
 def _known(what: str, given: str, known: Collection[str]) -> list[str]:
-    """The names between commas, each of which is known."""
+    """Splits names at commas; refuses unknown names."""
     names = given.split(",")
     unknown = [name for name in names if name not in known]
     if unknown:
@@ -133,7 +135,7 @@ def describe() -> Iterator[str]:
 
 
 def machine() -> str:
-    """The machine's kind: processor, cores, system."""
+    """Description of the machine: processor, cores, system."""
     name = platform.processor() or platform.machine()
     information = Path("/proc/cpuinfo")
     if information.exists():
@@ -143,7 +145,7 @@ def machine() -> str:
 
 
 def _version(tool: str) -> str:
-    """First line of ``tool --version``, or a word where it is absent."""
+    """First line of ``tool --version``, or a placeholder if the tool is absent."""
     if shutil.which(tool) is None:
         return "absent"
     done = subprocess.run([tool, "--version"], capture_output=True, text=True, check=False)
@@ -157,7 +159,7 @@ def versions() -> str:
 
 
 def _package_version(name: str) -> str:
-    """Version of an installed package, or a word where it is absent."""
+    """Version of an installed package, or a placeholder if it is absent."""
     try:
         return importlib.metadata.version(name)
     except importlib.metadata.PackageNotFoundError:

@@ -1,8 +1,8 @@
-"""Inputs with something wrong, of every kind, for as long as one has: `python tools/attack.py --minutes 60`.
+"""Fuzzing with wrong inputs of every kind, for a given time: `python tools/attack.py --minutes 60`.
 
-The generators and the contract are those of `python/tests/fuzz`. The first case that breaks the
-contract in its way is saved with what was wrong. Moved to `python/tests/fuzz/corpus/KIND`, it is replayed by
-the tests. Exit code 1 if there was any.
+The generators and the contract are those of `python/tests/fuzz`. The first case of each kind of violation is
+saved with a description. The tests replay cases in `python/tests/fuzz/corpus/KIND`. Exit code 1 if there was
+any violation.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from fuzz.contract import Case  # noqa: E402
 from fuzz.corpus import save  # noqa: E402
 
 TURN_S = 15.0
-"""Wall-clock time of one turn, s, before the next kind has its turn."""
+"""Wall-clock time for one kind before the next one, s."""
 SHARES = {
     "scenario_text": 3.0,
     "command_line": 1.0,
@@ -38,7 +38,7 @@ SHARES = {
     "foreign": 1.0,
     "requests": 2.0,
 }
-"""Turns of each kind, by what there is to find."""
+"""Number of turns of each kind, by the expected number of failures."""
 VARIES = re.compile(r"/tmp/\S+|\d+|'[^']*'|\"[^\"]*\"")
 
 
@@ -56,7 +56,7 @@ class Tally:
     failures: dict[str, tuple[int, Path]] = field(default_factory=dict)
 
     def add(self, case: Case, verdict: Verdict, folder: Path) -> None:
-        """Count a case, and save it where it is the first of its failure."""
+        """Count a case, and save it if it is the first with its failure."""
         self.inputs += 1
         self.distinct.add(hash((case.arguments, tuple(case.files.items()))))
         self.refused += verdict.says.startswith(("refused", "exit 2", "answered 4"))
@@ -70,7 +70,7 @@ class Tally:
         self.failures[alike] = (times + 1, path)
 
     def row(self, kind: str) -> str:
-        """Its line of the table."""
+        """Row of the table."""
         taken = self.inputs - self.refused - self.wrong
         return (
             f"{kind:15}{self.inputs:9}{len(self.distinct):10}{self.refused:9}{taken:9}{self.wrong:7}"
@@ -84,7 +84,7 @@ HEADS = f"{'kind':15}{'inputs':>9}{'distinct':>10}{'refused':>9}{'taken':>9}{'wr
 
 
 def attack(kinds: list[str], minutes: float, seed: int, folder: Path) -> dict[str, Tally]:
-    """Cases of all kinds in turn, until the time is over."""
+    """Run cases of all kinds in turn until the time is over."""
     tallies = {kind: Tally() for kind in kinds}
     ends, apart = time.monotonic() + 60 * minutes, Apart()
     while time.monotonic() < ends:
@@ -106,7 +106,7 @@ def _turn(kind: str, tally: Tally, apart: Apart, until: float, seed: int, folder
 
 
 def main() -> int:
-    """Attack, and print the results."""
+    """Run the cases and print the results."""
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     options.add_argument("--minutes", type=float, default=60.0)
     options.add_argument("--kinds", nargs="+", choices=SHARES, default=list(SHARES))

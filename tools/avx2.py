@@ -21,7 +21,7 @@ BUILT = {"Linux": ("lib_engine.so", "_engine.abi3.so"), "Windows": ("_engine.dll
 
 
 def main() -> int:
-    """Builds and copies; does nothing on processors of another family."""
+    """Builds and copies the engine; does nothing on other processor families."""
     if platform.machine().lower() not in ("x86_64", "amd64") or platform.system() not in BUILT:
         return 0
     flags = f"{os.environ.get('RUSTFLAGS', '')} -C target-feature=+avx2".strip()

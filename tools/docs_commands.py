@@ -1,4 +1,4 @@
-"""The page of the site about the command line: the help of each command."""
+"""Generates the site's page on the command line: the help of each command."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of the site that shows the gallery: cards, titles and descriptions, from the files themselves."""
+"""Generates the site's page of the gallery: cards with titles and descriptions from the scenario files."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def card(root: Path, name: str) -> list[str]:
 
 
 def plots(root: Path) -> list[str]:
-    """The plots of the page of measurements, with a link to their explanation."""
+    """Plots of the validation page, with a link to their explanation."""
     page = (root / "docs" / "validation.md").read_text(encoding="utf-8")
     lines = ["## Compared with measurements", "", "Explanations: [Validation](validation.md).", ""]
     for caption, picture in re.findall(r"!\[([^\]]+)\]\((validation/[^)]+)\)", page):

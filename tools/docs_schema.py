@@ -1,5 +1,5 @@
-"""The pages of the site about the fields of a scenario and of a study: name, unit, range, meaning, from the
-JSON Schema."""
+"""Generates the site's pages on the fields of a scenario and of a study from the JSON Schema: name, unit,
+range, meaning."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def fields(schema: Schema) -> list[str]:
 
 
 def in_rows(table: list[str]) -> list[str]:
-    """A table of which each row becomes a paragraph on a phone."""
+    """Wraps a table so that each row becomes a paragraph on a phone."""
     return ['<div class="rows" markdown>', "", *table, "", "</div>", ""]
 
 
@@ -88,13 +88,13 @@ def row(names: list[str], one: Schema, required: bool) -> str:
 
 
 def needed(schema: Schema) -> set[str]:
-    """Required fields, under one of their names."""
+    """Required fields, each under one of its names."""
     one_of = (choice for rule in schema.get("allOf", []) for choice in rule.get("oneOf", []))
     return {*schema.get("required", []), *(name for choice in one_of for name in choice.get("required", []))}
 
 
 def choices(schema: Schema) -> list[str]:
-    """A table of the alternatives: one keyword, or one field."""
+    """A table of alternatives, each a keyword or a single field."""
     rows = ["| one of | meaning |", "| --- | --- |"]
     for one in schema["oneOf"]:
         if "const" in one:

@@ -1,8 +1,6 @@
-"""Further content of the documentation site: MkDocs calls these functions as its hooks.
-
-Pages that are made at every build, so that they are never outdated: the gallery, the fields of a scenario
-and of a study, the command line.
-Links of a page to files elsewhere in the repository lead to copies of them on the site.
+"""Hooks of MkDocs that generate further content of the documentation site. The pages on the gallery, on the
+fields of a scenario and of a study, and on the command line are made at every build, so that they are never
+outdated. Links of a page to other files of the repository lead to copies of these files on the site.
 """
 
 from __future__ import annotations
@@ -22,7 +20,7 @@ from mkdocs.structure.files import File, Files
 
 ROOT = Path(__file__).resolve().parents[1]
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
-# A link to a folder leads to the page about its content.
+# A link to a folder leads to the page on its content.
 FOLDERS = {
     "scenarios": "gallery.md",
     "scenarios/parts": "parts.md",
@@ -56,7 +54,7 @@ def on_files(files: Files, config: Any) -> Files:
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
-    """The page with its links changed to addresses on the site."""
+    """Changes the links of a page to addresses on the site."""
     here = page.file.src_uri
     origin = here.removeprefix("source/") if here.startswith("source/") else f"docs/{here}"
 
@@ -94,7 +92,7 @@ def links(origin: str, text: str) -> list[str]:
 
 
 def inside(origin: str, target: str) -> str | None:
-    """The path in the repository that a link of a page means; None for an address of the web."""
+    """Path in the repository to which a link of a page points; None for a web address."""
     if re.match(r"[a-z]+:", target):
         return None
     return posixpath.normpath(posixpath.join(posixpath.dirname(origin), target))
@@ -107,6 +105,6 @@ def place_of(path: str) -> str:
 
 
 def outside_code(markdown: str, change: Any) -> str:
-    """The text with a change to everything outside fenced blocks."""
+    """Applies a change to the text outside fenced blocks."""
     parts = re.split(r"(^```.*?^```[ ]*$)", markdown, flags=re.MULTILINE | re.DOTALL)
     return "".join(part if part.startswith("```") else change(part) for part in parts)

@@ -1,8 +1,8 @@
 """Writes the notices of third parties: authors and licences of the code in the built app and the compiled
 module.
 
-Crates by `cargo metadata`, packages of the app by its `node_modules`: only linked ones, not those for
-building or testing. Each licence text appears once, with the names of all packages under it.
+Crates are found by `cargo metadata`, packages of the app by its `node_modules`: only linked ones, not those
+for building or testing. Each licence text appears once, with the names of all packages under it.
 """
 
 from __future__ import annotations

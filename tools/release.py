@@ -1,7 +1,6 @@
-"""Checks of a release: `release.py version v0.1.0` the tag, `release.py try dist` the wheel.
-
-`try` installs the one wheel of a folder into a new environment, away from the repository, and uses it as a
-user with nothing else would.
+"""Checks of a release: `release.py version v0.1.0` checks the tag, `release.py try dist` the wheel. `try`
+installs the only wheel of a folder into a new environment outside the repository, and uses it as a user
+without other files.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ TRIED = [
 
 
 def main(words: list[str]) -> int:
-    """Runs one check; 1 and a line with the reason if it fails, 2 if there is no such check."""
+    """Runs one check; returns 1 and prints the reason if it fails, returns 2 if the check is unknown."""
     checks = {"version": check_version, "try": try_wheel}
     if len(words) != 2 or words[0] not in checks:
         print(
@@ -41,7 +40,7 @@ def main(words: list[str]) -> int:
 
 
 def check_version(tag: str) -> str | None:
-    """The error of a tag, if any."""
+    """Returns the error of a tag, if any."""
     cargo = tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))
     version = cargo["workspace"]["package"]["version"]
     return (
@@ -50,7 +49,7 @@ def check_version(tag: str) -> str | None:
 
 
 def try_wheel(folder: str) -> str | None:
-    """The first failure of a wheel, if any."""
+    """Returns the first failure of a wheel, if any."""
     wheels = sorted(Path(folder).glob("*.whl"))
     if len(wheels) != 1:
         return f"{folder}: found {len(wheels)} wheels, allowed: one"

@@ -1,4 +1,4 @@
-"""Draws texts of the project at random, to be read as a stranger would read them.
+"""Draws a random sample of the project's texts for review by a reader who does not know the code.
 
 `sample_words.py --seed 2` prints 80 comments, messages, labels, names of tests and subjects of commits, each
 with its file and line. The same seed and the same files give the same lines. `--root` reads another checkout.
@@ -37,7 +37,7 @@ TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 
 
 class Found(NamedTuple):
-    """A text and where it stands."""
+    """A text with its file and line."""
 
     path: Path
     line: int
@@ -47,8 +47,8 @@ class Found(NamedTuple):
 def main() -> None:
     """Prints the sample."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=1, help="which sample (default: %(default)s)")
-    parser.add_argument("--root", type=Path, default=ROOT, help="the checkout to read")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the sample (default: %(default)s)")
+    parser.add_argument("--root", type=Path, default=ROOT, help="checkout to read")
     options = parser.parse_args()
     drawn = random.Random(options.seed)
     pools = {"comments": comments(options.root), "messages": messages(options.root)}
@@ -61,19 +61,19 @@ def main() -> None:
 
 
 def needed(name: str) -> int:
-    """The fewest words of a text that is drawn: a label may be one."""
+    """Smallest number of words of a drawn text; a label may have one."""
     return 1 if name == "labels" else LEAST_WORDS
 
 
 def files(root: Path, ending: str) -> Iterator[Path]:
-    """The files of a language, tests and generated ones left out."""
+    """Files of a language without tests and generated files."""
     for path in sorted({path for pattern in SOURCES[ending] for path in root.glob(pattern)}):
         if not {"generated", "tests", "node_modules", "pkg"} & set(path.relative_to(root).parts):
             yield path
 
 
 def comments(root: Path) -> Iterator[Found]:
-    """Comments and docstrings; lines that follow each other are one."""
+    """Comments and docstrings; consecutive comment lines are one text."""
     for path in files(root, ".py"):
         yield from python_comments(path)
     for ending, mark in (
@@ -86,7 +86,7 @@ def comments(root: Path) -> Iterator[Found]:
 
 
 def python_comments(path: Path) -> Iterator[Found]:
-    """Comments by the tokens, docstrings by the tree."""
+    """Comments from the tokens, docstrings from the syntax tree."""
     text = path.read_text(encoding="utf-8")
     tokens = tokenize.generate_tokens(io.StringIO(text).readline)
     marked = [(t.start[0], t.string.lstrip("# ")) for t in tokens if t.type == tokenize.COMMENT]
@@ -97,7 +97,7 @@ def python_comments(path: Path) -> Iterator[Found]:
 
 
 def blocks(path: Path, lines: list[tuple[int, str]]) -> Iterator[Found]:
-    """Lines that follow each other, joined."""
+    """Joins consecutive lines."""
     start, end, joined = 0, -2, ""
     for number, line in [*lines, (-1, "")]:
         if number == end + 1:
@@ -109,7 +109,8 @@ def blocks(path: Path, lines: list[tuple[int, str]]) -> Iterator[Found]:
 
 
 def messages(root: Path) -> Iterator[Found]:
-    """Texts of errors and warnings: what Python raises and warns of, and the engine's texts of some words."""
+    """Texts of errors and warnings: of Python's exceptions and warnings, and the engine's texts of several
+    words."""
     for path in files(root, ".py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             said = isinstance(node, ast.Raise) or (

@@ -1,8 +1,8 @@
 """Runs the tests of every part, in the lane of KINGPOST_LANE: the last line reads `N passed, N failed`.
 
-Two parts run at a time: one that waits, for pages and servers, beside one that computes. What a part
-prints comes whole when it has ended. A part whose tests fail, or which breaks before it has any,
-makes the exit code 1; the others still run. `make test` calls this.
+Two parts run at a time: one that mostly waits, for pages and servers, and one that computes. The output of a
+part is printed when it has ended. If the tests of a part fail, or it breaks before its first test, the exit
+code is 1; the other parts still run. `make test` calls this script.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ MAKE = os.environ.get("MAKE", "make")
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 COUNT = re.compile(r"(\d+) (passed|failed|errors?)\b")
 AT_ONCE = 2
-# A make that called this has jobs of its own, which the makes below cannot share.
+# Remove the job server of a calling make, which the makes below cannot share.
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "MAKEFLAGS"}
 
 
@@ -32,9 +32,9 @@ class Part:
     summary: str | None = None
 
 
-# What the parts share is built first, in one make: two at once would build the same.
+# Common targets are built first, in one make: two makes at once would both build them.
 BUILD = Part("build", "compile web")
-# In the order in which they begin. Each uses all cores; the last are short, so that no core is idle for long.
+# In the order of their start. Each uses all cores; the last are short, so that no core is idle for long.
 PARTS = [
     Part("browser", "test-browser", summary=r"browser: "),
     Part("Python", "test-python", summary=r"=+ .* in [\d.]+s"),
@@ -55,7 +55,7 @@ class Result:
     output: str = ""
 
     def add(self, line: str) -> None:
-        """Adds the counts that a runner's summary line gives."""
+        """Adds the counts in a runner's summary line."""
         for count, what in COUNT.findall(line):
             if what == "passed":
                 self.passed += int(count)
@@ -64,7 +64,7 @@ class Result:
 
 
 def run(part: Part) -> Result:
-    """Runs a part. One that breaks counts as one failure."""
+    """Runs a part, which counts as one failure if it breaks."""
     print(f"{part.name} begins", flush=True)
     start = time.monotonic()
     process = subprocess.Popen(
@@ -97,7 +97,7 @@ def show(part: Part, result: Result) -> None:
 
 
 def run_together(parts: list[Part]) -> dict[str, Result]:
-    """Runs parts, some at a time, and shows each when it has ended."""
+    """Runs some parts at a time, and prints the output of each when it has ended."""
     results = {}
     with ThreadPoolExecutor(AT_ONCE) as pool:
         running = {pool.submit(run, part): part for part in parts}

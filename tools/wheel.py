@@ -1,6 +1,6 @@
 """Builds the wheel into dist/, with the app, the gallery and the schema next to the Python files.
 
-maturin packs the package's folder, so they are copied there while it runs.
+maturin packs the package's folder, so these files are copied there for the build.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Exudyn's explicit RK4 on the lift, in the manner of the other programs.
 
 ``exudyn_lift.py CASE.json rk4_step MODE NUMBERS``: the numbers of the lift as JSON. Each call of the solver
-starts from the fixed state and prepares itself, which is not in the figure: it is the time of fifty times
-STEPS and one less that of one. Nothing is recorded, nothing written.
+starts from the fixed state with a preparation that is not part of the figure: the figure is the time of 50
+STEPS + 1 steps less that of one step. Nothing is recorded or written.
 
     time BATCHES STEPS   a line per batch: nanoseconds per step
     check STEPS          q and v in Kingpost's layout after that many steps, one number per line
@@ -23,12 +23,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python" / "tests")
 from peers import exudyn_ropes
 
 STEP_S = 1e-3
-# Steps in a batch: the solver takes a millisecond or two to begin.
+# Factor on the steps of a batch: the solver takes a millisecond or two to start.
 LONGER = 50
 
 
 class Lift:
-    """The lift, run from its start as often as wanted."""
+    """The lift, which can be run repeatedly from its start."""
 
     def __init__(self, path: str) -> None:
         """Makes the model."""
@@ -37,7 +37,7 @@ class Lift:
         self.settings.solution.file.write = False
 
     def run(self, steps: int) -> float:
-        """So many steps from the start; the time that they took, ns."""
+        """Runs a number of steps from the start; returns their time, ns."""
         self.settings.timeIntegration.numberOfSteps = steps
         self.settings.timeIntegration.endTime = steps * STEP_S
         start = time.perf_counter_ns()
@@ -45,7 +45,8 @@ class Lift:
         return time.perf_counter_ns() - start
 
     def state(self) -> list[float]:
-        """Place, orientation, travel; velocity, angular velocity, speed: the load's, last the carriage's."""
+        """Position and orientation of the load, travel of the carriage; velocity and angular velocity of the
+        load, speed of the carriage."""
         load, winch = self.model.nodes
         node = self.model.mbs.GetNodeOutput
         out = exu.OutputVariableType

@@ -2,8 +2,8 @@
 
 ``mujoco_rollout.py MODEL OPERATION MODE NUMBERS`` with the operations ``batch_euler_1``, ``batch_rk4_2`` and
 so on: scheme and threads. MODEL.xml and MODEL.txt are those of ``mujoco_bench``, and the same stages are
-switched off. All arrays are made before the clock starts and the checks are skipped, so that the call from
-Python costs next to nothing beside the steps in it.
+switched off. All arrays are made before the clock starts and the checks are skipped, so that the cost of the
+Python call is negligible.
 
     time BATCHES STEPS   a line per batch: nanoseconds per step and run
     check STEPS          qpos and qvel of the first run after that many steps, one number per line
@@ -20,13 +20,13 @@ import numpy as np
 from mujoco.rollout import Rollout
 
 RUNS = 128
-# run k starts with k thousandths more velocity, so that no two runs are one
+# run k starts with a velocity larger by k thousandths, so that all runs differ
 SPREAD = 1e-3
 INTEGRATORS = {"euler": mujoco.mjtIntegrator.mjINT_EULER, "rk4": mujoco.mjtIntegrator.mjINT_RK4}
 
 
 class Runs:
-    """So many runs from their fixed states, under a constant generalized force."""
+    """A number of runs from fixed states, under a constant generalized force."""
 
     def __init__(self, path: str, operation: str, steps: int) -> None:
         """Makes model, threads and arrays."""
@@ -43,7 +43,7 @@ class Runs:
         self._make_arrays(path)
 
     def _make_arrays(self, path: str) -> None:
-        """Initial states, forces, and room for what comes out."""
+        """Makes arrays of initial states, forces and results."""
         lines = (line.split() for line in Path(f"{path}.txt").read_text().splitlines())
         start = {name: np.array([float(x) for x in numbers]) for name, *numbers in lines}
         spec = mujoco.mjtState.mjSTATE_FULLPHYSICS
@@ -58,7 +58,7 @@ class Runs:
         self.sensors = np.empty((RUNS, self.steps, self.model.nsensordata))
 
     def run(self) -> None:
-        """All steps of all runs."""
+        """Runs all steps of all runs."""
         self.pool.rollout(
             [self.model] * RUNS,
             self.data,
@@ -77,7 +77,7 @@ def main(path: str, operation: str, mode: str, *numbers: str) -> None:
     runs = Runs(path, operation, int(numbers[-1]))
     runs.run()  # warm-up
     if mode == "check":
-        # the time stands before qpos and qvel
+        # the time precedes qpos and qvel
         print("\n".join(repr(float(x)) for x in runs.state[0, -1, 1:]))
         return
     for _ in range(int(numbers[0])):

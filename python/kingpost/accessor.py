@@ -1,7 +1,7 @@
 """`ds.kingpost`: columns, statistics and pictures of the data set of a run.
 
-Every data set that Kingpost makes or reads has it. A file that xarray opens by itself has it if xarray was
-imported before Kingpost, or if `register` was called.
+Every data set that Kingpost makes or reads has this accessor. A data set that xarray itself opens has it if
+xarray was imported before Kingpost, or if `register` was called.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class Accessor:
     Parameters
     ----------
     results
-        A data set of `kingpost.run`, or of a file that it was written to.
+        A data set of `kingpost.run`, or read from its results file.
 
     >>> import kingpost
     >>> ds = kingpost.run("paper", {"simulation.duration_s": 0.5})
@@ -150,8 +150,8 @@ class Accessor:
 
     @property
     def limits(self) -> list[LimitEntry] | list[list[LimitEntry]]:
-        """How the scenario's limits held: ``name``, ``column``, ``unit``, ``held``, ``worst``, its time; for
-        a `Batch`, a list for each run."""
+        """Evaluation of the scenario's limits: ``name``, ``column``, ``unit``, ``held``, ``worst`` and the
+        time of the worst value; for a `Batch`, a list for each run."""
         attributes = self._results.attrs
         return limits_of_runs(attributes) if "run" in self._results.sizes else limits_of(attributes)
 

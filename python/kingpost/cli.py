@@ -1,7 +1,7 @@
 """The command `kingpost`.
 
-Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong; 130 it was
-interrupted (Ctrl-C, or the system asked it to end), what was computed is kept.
+Exit codes: 0: success; 1: the run failed, results so far are kept; 2: the input is wrong; 130: interrupted
+(Ctrl-C, or a signal of the system), results so far are kept.
 """
 
 from __future__ import annotations
@@ -58,14 +58,14 @@ COMMANDS = {
 
 
 LONGEST_MESSAGE = 2000
-"""Characters of what is said of a wrong command line, which repeats what stands there."""
+"""Longest message on a wrong command line, characters: the message repeats the user's text."""
 FILES = ("FILE", "SCENARIO")
 """Metavars of the options and arguments that take a file."""
 
 
 class Parser(argparse.ArgumentParser):
-    """Reports a wrong command line in one line. An option is spelled in full: `--seed` is not taken for
-    `--seeds`. Underscores count as hyphens."""
+    """Argument parser that reports a wrong command line in one line. Options must be spelled in full:
+    `--seed` does not stand for `--seeds`. Underscores count as hyphens."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**{"allow_abbrev": False} | settings)
@@ -78,7 +78,7 @@ class Parser(argparse.ArgumentParser):
         self.exit(WRONG_INPUT, f"error: {said} (see {self.prog} --help)\n")
 
     def _hint(self, unknown: list[str]) -> str:
-        """Suggest what an unknown argument was probably meant to be."""
+        """Suggest the nearest valid argument for an unknown one."""
         first = unknown[0].partition("=")[0] if unknown else ""
         own = [option for option in self._option_string_actions if option.startswith("--")]
         near = difflib.get_close_matches(first, own, n=1) if first.startswith("--") else []
@@ -97,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with watched_output():
             return _run(arguments)
     except LostOutputError as lost:
-        # A reader that has seen enough closes its pipe.
+        # A reader such as `head` may close its pipe early.
         if isinstance(lost.__cause__, BrokenPipeError):
             return DONE
         why = getattr(lost.__cause__, "strerror", lost.__cause__)
@@ -111,7 +111,7 @@ def _run(arguments: Sequence[str] | None) -> int:
         options.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
     try:
         with ended_as_interrupted(), warnings.catch_warnings():
-            # The commands print the warnings of a run themselves.
+            # The commands themselves print the warnings of a run.
             warnings.simplefilter("ignore", KingpostWarning)
             return options.command(options)
     except RunError as error:
@@ -123,7 +123,7 @@ def _run(arguments: Sequence[str] | None) -> int:
 
 
 def hyphened(argument: str) -> str:
-    """A command-line argument; in the name of an option each underscore becomes a hyphen.
+    """Replace each underscore in the name of an option by a hyphen; leave other arguments unchanged.
 
     >>> hyphened("--after_s=3"), hyphened("--set=crane_x_m=0"), hyphened("crane_x_m=0")
     ('--after-s=3', '--set=crane_x_m=0', 'crane_x_m=0')
@@ -142,7 +142,7 @@ def _complete_files(command: argparse.ArgumentParser) -> None:
 
 
 def parser() -> argparse.ArgumentParser:
-    """The command line's options."""
+    """Build the parser of the command line."""
     top = Parser(prog="kingpost", description="Ships with cranes at sea by the moving frame method.")
     top.add_argument("--version", action="version", version=f"kingpost {__version__}")
     shtab.add_argument_to(

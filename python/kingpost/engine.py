@@ -1,4 +1,4 @@
-"""The compiled engine, in the build that fits this processor.
+"""The compiled engine, in the build for this processor.
 
 A wheel carries a second build for AVX2, which is used if the processor has AVX2. A build from source has one
 module, for the processor that it was built on. All builds give the same bits: AVX2 only makes the registers
@@ -31,7 +31,7 @@ if not TYPE_CHECKING:
 
 
 def source_digest() -> str:
-    """SHA-256 of the engine's sources: builds for any processor have one digest, and give the same bits.
+    """SHA-256 of the engine's sources: the same for the builds for all processors, which give the same bits.
 
     >>> len(source_digest())
     64

@@ -11,11 +11,12 @@ if TYPE_CHECKING:
 
 
 class KingpostWarning(UserWarning):
-    """A warning about a run that goes on; use this category in `warnings.filterwarnings`."""
+    """Category of all warnings of Kingpost, for `warnings.filterwarnings`; the run continues after a
+    warning."""
 
 
 def shortened(text: str, longest: int = 200) -> str:
-    """A found text for a message: a file may hold one of any length.
+    """Shorten a text from the input for a message.
 
     >>> shortened("barge" * 100, longest=8)
     'bargebar...'
@@ -24,7 +25,7 @@ def shortened(text: str, longest: int = 200) -> str:
 
 
 def printable(text: str) -> str:
-    """A text without terminal control characters: titles and names come from files.
+    """Remove terminal control characters from a text: titles and names come from files.
 
     >>> printable("a\\x1b[31mred\\nline")
     'a?[31mred\\nline'
@@ -93,7 +94,7 @@ class OutputError(KingpostError):
 
 
 class RunError(KingpostError):
-    """A run that could not go on: most often because it diverged, or because its integrator cannot
+    """A run that could not continue: most often because it diverged, or because its integrator cannot
     make a step.
 
     Attributes
@@ -107,7 +108,7 @@ class RunError(KingpostError):
         The coordinate, its rate and `simulation.rate_limit`, m/s or rad/s. For a closed loop: the constraint,
         its error (m or rad) or its pivot, and the allowed value. Otherwise `None`.
     results
-        What was recorded until then; `None` if nothing was recorded.
+        Results recorded until then; `None` if nothing was recorded.
     """
 
     def __init__(

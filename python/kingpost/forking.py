@@ -1,7 +1,7 @@
 """Locks of cached properties in a forked process, on Python 3.11.
 
-There `functools.cached_property` holds a lock of its class while it computes. A thread that holds it when a
-program forks is not there in the child, where the lock would stay taken for ever.
+There `functools.cached_property` holds a lock while it computes. If another thread holds this lock when the
+program forks, the lock stays locked in the child for ever.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ import threading
 from functools import cached_property
 
 LOCKED = sys.version_info < (3, 12)
-"""Tells whether cached properties of this version of Python have a lock; from 3.12 on they have none."""
+"""Whether cached properties of this version of Python have a lock; from 3.12 on they have none."""
 
 
 def renew_locks() -> None:
-    """Give each cached property of this package a lock that nobody holds."""
+    """Give each cached property of this package a new, free lock."""
     package = __name__.partition(".")[0]
     for name, module in list(sys.modules.items()):
         if name.partition(".")[0] != package:

@@ -1,4 +1,4 @@
-"""Where scenarios come from: a file, or a name of the gallery."""
+"""Sources of scenarios: files, and names of the gallery."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def _title(path: Path) -> str:
 
 
 def find(path_or_name: str | Path) -> Path:
-    """Return the file that a path or a gallery name stands for.
+    """Return the file of a path or of a gallery name.
 
     Raises
     ------
@@ -93,7 +93,8 @@ def find(path_or_name: str | Path) -> Path:
 
 
 def _like(path: Path) -> str:
-    """The scenario file in the same folder whose name is most like a misspelt one, as a question."""
+    """Suggest, as a question, the scenario file in the same folder with the name nearest to a misspelt
+    one."""
     try:
         beside = [one.name for one in path.parent.iterdir() if one.suffix.lower() in ENDINGS]
     except OSError:
@@ -121,7 +122,7 @@ def place(file: str | Path, name: str) -> Path:
     """
     in_gallery = name.removeprefix(GALLERY)
     if in_gallery == name:
-        # Files lie beside a scenario, not beside a link to it.
+        # Files are beside the scenario, not beside a symbolic link to it.
         beside = os.path.realpath(file) if os.path.islink(file) else file
         return Path(beside).parent / name
     if Path(in_gallery).is_absolute() or ".." in Path(in_gallery).parts:
@@ -147,7 +148,7 @@ def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
 
 
 def read_text(path: Path) -> str:
-    """Text of a scenario file, or a `ScenarioError` that says why it cannot be read."""
+    """Read the text of a scenario file; raise a `ScenarioError` with the reason if it cannot be read."""
     kind = irregular(path)
     if kind is not None:
         raise ScenarioError(f"{path}: found {kind}, allowed: a regular file", file=str(path))

@@ -1,4 +1,4 @@
-"""Checks of what a caller gives: a value of a wrong kind is named in an error of Kingpost's."""
+"""Checks of a caller's arguments: a `KingpostError` names a value of a wrong type."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def number(field: str, value: Any) -> float:
     Raises
     ------
     KingpostError
-        If the value is nothing, text, complex or a list.
+        If the value is None, text, complex or a list.
 
     >>> number("threads", np.int64(3))
     3.0
@@ -55,12 +55,12 @@ def not_negative(field: str, value: Any) -> float:
 
 
 def numbers(field: str, values: ArrayLike) -> NDArray[np.float64]:
-    """Real numbers in one row, as the engine takes them.
+    """Real numbers as a one-dimensional array for the engine.
 
     Raises
     ------
     KingpostError
-        If one of them is nothing, text or complex.
+        If one of them is None, text or complex.
 
     >>> numbers("q", [[0, 1], [2, 3]])
     array([0., 1., 2., 3.])
@@ -84,7 +84,7 @@ def lists(field: str, values: Any) -> dict[str, list[Any]]:
     Raises
     ------
     KingpostError
-        If it is no mapping, or a name has one value instead of a list.
+        If the argument is not a mapping, or a name has a single value instead of a list.
 
     >>> lists("parameters", {"crane_x_m": np.array([-10, 0])})
     {'crane_x_m': [-10, 0]}

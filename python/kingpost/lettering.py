@@ -1,4 +1,4 @@
-"""Words in pictures."""
+"""Text in pictures."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def as_written(drawn: Figure) -> None:
-    """Draw titles and names of a file as they are: control characters have no glyph, $ begins no mathematics.
+    """Draw the texts of a figure literally: replace control characters, and draw $ as a character.
 
     >>> from matplotlib.figure import Figure
     >>> drawn = Figure()

@@ -1,4 +1,4 @@
-"""A run as an address that opens it in the app: the scenario is in it, nothing is on a server."""
+"""Links that open a run in the app; the address itself contains the scenario."""
 
 from __future__ import annotations
 
@@ -13,17 +13,18 @@ if TYPE_CHECKING:
     from .scenario import Scenario
 
 VERSION = 1
-"""Version of the format of links: the number behind the ``#k`` of an address."""
+"""Version of the link format: the number after ``#k`` in an address."""
 LONGEST = 64_000
-"""Characters of a link: browsers take more, messengers and mails cut."""
+"""Largest number of characters of a link: browsers accept more, but messengers and mail programs cut longer
+ones."""
 LARGEST = 2_000_000
-"""Bytes that a link may unfold to: the app reads no more."""
+"""Largest size of a link after decompression, bytes: the limit of the app."""
 GALLERY = "gallery:"
 FNV_OFFSET, FNV_PRIME = 0x811C9DC5, 0x01000193
 
 
 def fragment(scenario: Scenario) -> str:
-    """Return the fragment of the app's address that opens a scenario as it is resolved, with its seed.
+    """Return the fragment of the app's address that opens a scenario with its overrides, parameters and seed.
 
     The form is that of the app's *Share*: JSON, deflated, in base64url, then a point and the FNV-1a digest of
     the JSON (docs/decisions/links.md). Files of the gallery are named, others are in the link.
@@ -31,17 +32,17 @@ def fragment(scenario: Scenario) -> str:
     Parameters
     ----------
     scenario
-        With all that is set over it.
+        Scenario with its overrides and parameters.
 
     Returns
     -------
     str
-        ``#k1=`` and what follows.
+        ``#k1=`` and the encoded scenario.
 
     Raises
     ------
     KingpostError
-        When the link would be longer than 64,000 characters.
+        If the link would be longer than 64,000 characters.
 
     >>> from kingpost import load
     >>> fragment(load("paper"))[:4]
@@ -54,7 +55,7 @@ def fragment(scenario: Scenario) -> str:
 
 
 def packed(run: dict[str, Any]) -> str:
-    """A run, as the app's `SharedRun` has it, in the form of a link.
+    """Encode a run, in the form of the app's `SharedRun`, as the fragment of a link.
 
     >>> packed({"moment": None})[-8:]
     '82665658'

@@ -23,10 +23,10 @@ KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a pipe"), (stat.S_ISSOCK, 
 
 @contextmanager
 def whole(path: str | Path) -> Iterator[Path]:
-    """A file beside `path` for the block to write, with the same ending.
+    """Yield a temporary file beside `path`, with the same ending, for the block to write.
 
-    When the block has ended and the data is on the disk, the new file replaces `path` in one step; of a link,
-    the file that it leads to. If the block fails or is stopped, the old file stays.
+    When the block has ended and the data is on the disk, the new file replaces `path` in one step; for a
+    symbolic link, the file that it points to. If the block fails or is stopped, the old file stays.
 
     >>> import tempfile
     >>> target = Path(tempfile.mkdtemp()) / "numbers.csv"
@@ -89,7 +89,7 @@ def check(path: str | Path, endings: Sequence[str]) -> Path:
     Raises
     ------
     KingpostError
-        If the file has another ending; `OutputError` if its folder does not exist or cannot be written to.
+        If the ending is not allowed; `OutputError` if the folder does not exist or cannot be written to.
     """
     path = Path(path)
     if path.suffix.lower() not in endings:
@@ -107,12 +107,13 @@ def check(path: str | Path, endings: Sequence[str]) -> Path:
 
 
 def check_regular(path: str | Path) -> None:
-    """Refuse what is there and is no regular file: a pipe waits for ever, and a device would be replaced.
+    """Refuse an existing path that is not a regular file: writing a pipe may block for ever, and a device
+    would be replaced.
 
     Raises
     ------
     KingpostError
-        If it is a folder, a pipe, a socket or a device.
+        If the path is a folder, a pipe, a socket or a device.
 
     >>> check_regular(os.devnull)
     Traceback (most recent call last):
@@ -125,7 +126,7 @@ def check_regular(path: str | Path) -> None:
 
 
 def irregular(path: str | Path) -> str | None:
-    """The kind of a file that is no regular one, in words; `None` of a regular one, and where nothing is.
+    """Name the kind of an irregular file; `None` for a regular file or a free path.
 
     >>> irregular(os.curdir), irregular("no/such/file")
     ('a folder', None)

@@ -1,4 +1,4 @@
-"""A progress bar on a terminal, and none in a pipe."""
+"""Progress bar on a terminal; no bar in a pipe."""
 
 from __future__ import annotations
 

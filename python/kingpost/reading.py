@@ -10,18 +10,18 @@ from pathlib import Path
 from .output import irregular
 
 CSV_TEXT = "CSV in UTF-8 (in Excel: save as CSV UTF-8)"
-"""Words for the encoding of a table, which a spreadsheet chooses unless it is told."""
+"""Description of the allowed encoding of a table, with the choice to make in a spreadsheet."""
 GROUPED = re.compile(r"[+-]?\d{1,3}(,\d{3})+")
 """A number whose commas may group thousands."""
 
 
 def check_ends(path: str | Path) -> None:
-    """Refuse what is there and is no regular file.
+    """Refuse an existing path that is not a regular file.
 
     Raises
     ------
     OSError
-        If it is a folder, a pipe, a socket or a device; the reason is its `strerror`.
+        If the path is a folder, a pipe, a socket or a device; `strerror` gives the reason.
 
     >>> import os
     >>> check_ends(os.devnull)
@@ -35,14 +35,14 @@ def check_ends(path: str | Path) -> None:
 
 
 def text_of(path: str | Path, encoding: str = "utf-8-sig", errors: str = "strict") -> str:
-    """Text of a file. UTF-16 is known by its byte-order mark: spreadsheets write it as *Unicode text*.
+    """Text of a file. UTF-16 is recognised by its byte-order mark: spreadsheets write it as *Unicode text*.
 
     Raises
     ------
     OSError
-        If the file cannot be read, or is no regular file.
+        If the file cannot be read, or is not a regular file.
     UnicodeDecodeError
-        If its bytes are no text in this encoding.
+        If its bytes are not valid in this encoding.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -60,8 +60,8 @@ def text_of(path: str | Path, encoding: str = "utf-8-sig", errors: str = "strict
 
 
 def decimal(cell: str, separator: str) -> float:
-    """Number of a table's cell, with a decimal point, or with a decimal comma where the cell is quoted or
-    commas do not separate the columns.
+    """Parse the number in a table's cell, with a decimal point, or with a decimal comma if the cell is quoted
+    or commas do not separate the columns.
 
     Raises
     ------

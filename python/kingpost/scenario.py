@@ -1,4 +1,4 @@
-"""Scenarios: what one run is, read and validated by the engine."""
+"""Scenarios: descriptions of runs, read and validated by the engine."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Overrides = Mapping[str, object]
 ParameterValue: TypeAlias = bool | float | str
 Json: TypeAlias = "bool | float | str | list[Json] | dict[str, Json] | None"
 DEEPEST = 64
-"""Levels of a value that is set, as of a file."""
+"""Largest nesting depth of an override, equal to that of a file."""
 
 
 @dataclass
@@ -49,7 +49,7 @@ class Scenario:
     overrides: tuple[tuple[str, Json], ...] = ()
 
     def __post_init__(self) -> None:
-        # Validates: a scenario that exists is one that can run.
+        # Validate on creation: every existing scenario can run.
         try:
             _ = self._built
         except ScenarioError as error:
@@ -61,7 +61,7 @@ class Scenario:
 
     @cached_property
     def _built(self) -> engine.Scenario:
-        """The engine's scenario, built once: simulations, descriptions and analyses use its setup."""
+        """The engine's scenario, built once and shared by simulations, descriptions and analyses."""
         return engine.Scenario(self.text, self.file, self._overrides_json, self.files)
 
     def __copy__(self) -> Scenario:
@@ -70,7 +70,7 @@ class Scenario:
         return copied
 
     def __getstate__(self) -> dict[str, object]:
-        # The engine's scenario stays in its process; another one builds its own.
+        # The engine's scenario is not pickled: another process builds it again.
         return {name: value for name, value in vars(self).items() if name != "_built"}
 
     @cached_property
@@ -124,9 +124,9 @@ class Scenario:
 
     @cached_property
     def hydrostatics(self) -> dict[str, Any]:
-        """How the hulls float at rest in still water, with the crane at the start of a run: ``hulls``, one
-        for each force `hydrodynamics`, and ``warnings``. It is a property, without brackets. In a
-        `Simulation`, where the crane moves, it is a method: ``simulation.hydrostatics()``.
+        """Hydrostatics of the hulls at rest in still water, with the crane at the start of a run: ``hulls``,
+        one for each force `hydrodynamics`, and ``warnings``. This is a property; for the present crane
+        position of a `Simulation` use the method ``simulation.hydrostatics()``.
 
         For each hull, with units in the names (docs/afloat.md): displacement, draught, heel to starboard,
         trim by the bow, KB, BM, KM and KG; GM with each hanging load at its suspension point and reduced by
@@ -275,14 +275,14 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
 def as_scenario(
     scenario_or_path: Scenario | str | Path, overrides: Overrides | None, parameters: Overrides
 ) -> Scenario:
-    """A given scenario, or one read from its file, with further overrides."""
+    """Return a given scenario, or one read from its file, with further overrides."""
     if isinstance(scenario_or_path, Scenario):
         return scenario_or_path.with_overrides(overrides, **parameters)
     return load(scenario_or_path, overrides, **parameters)
 
 
 def _with_place(error: ScenarioError, file: str) -> ScenarioError:
-    """The error of a missing file, with the places that were searched: the engine does not know them."""
+    """Add the searched places, which the engine does not know, to the error for a missing file."""
     name = (error.found or "").removeprefix("no file ")
     if name == error.found or not name:
         return error
@@ -304,7 +304,7 @@ def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[st
 
 
 def _plain(value: object, name: str, level: int = 0) -> Json:
-    """The value of an override as JSON; the engine's reader validates it."""
+    """Convert the value of an override to JSON; the engine's reader validates it."""
     if level > DEEPEST:
         raise KingpostError(f"{name}: found fields that are too deep, allowed: at most {DEEPEST} levels")
     if isinstance(value, np.generic | np.ndarray):

@@ -1,4 +1,4 @@
-"""What several tests share: one run of the paper's case, one small scenario, a server of the app."""
+"""Fixtures of several tests: one run of the paper's case, one small scenario, a server of the app."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LONG = (
     "test_gradients.py",
     "test_peers_bench.py",
 )
-"""Files that take longest begin first: begun last, one would run on when the other processes have ended."""
+"""Slowest files, which begin first: otherwise one would still run when the other processes have ended."""
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -41,7 +41,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    # Tests of what is warned of ask for it.
+    # Tests of warnings enable them.
     config.addinivalue_line("filterwarnings", "ignore::kingpost.KingpostWarning")
 
 
@@ -55,13 +55,13 @@ def small(tmp_path: Path) -> Path:
 
 @pytest.fixture(scope="session")
 def calibration():
-    """Results of the run that three independent codes agree on."""
+    """Results of the run on which three independent codes agree."""
     return kingpost.run("paper", CALIBRATION)
 
 
 @pytest.fixture(scope="session")
 def shown(tmp_path_factory: pytest.TempPathFactory) -> Gallery:
-    """What one pass over the gallery found, by scenario; pytest-xdist's processes share it."""
+    """Results of one pass over the gallery, by scenario, shared by the processes of pytest-xdist."""
     folder = tmp_path_factory.getbasetemp()
     folder = (folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder) / "gallery"
     folder.mkdir(exist_ok=True)
@@ -86,7 +86,7 @@ def hang(tmp_path):
 
 @pytest.fixture
 def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with the kinds of file that a built app has, in the place of one."""
+    """A stand-in for the folder of a built app, with the same kinds of files."""
     folder = made_app(tmp_path)
     monkeypatch.setattr(serve, "app_folder", lambda: folder)
     return folder
@@ -94,7 +94,8 @@ def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture(scope="session")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """A server of an app with the gallery and one more scenario, which all tests of a process ask."""
+    """Address of a server of the app with the gallery and one more scenario, common to all tests of a
+    process."""
     folder = tmp_path_factory.mktemp("served")
     given = folder / "small.yaml"
     given.write_text(SMALL, encoding="utf-8")
@@ -106,5 +107,5 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture
 def own_address(app: Path) -> Iterator[str]:
-    """A server without scenarios, of an app that the test may change."""
+    """Address of a server without scenarios, for an app that the test may change."""
     yield from running(serve.open_server(app, {}, serve.LOOPBACK, 0))

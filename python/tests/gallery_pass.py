@@ -1,4 +1,4 @@
-"""One pass over the gallery: each scenario is read, built and run once, for all tests that ask about it."""
+"""One pass over the gallery: each scenario is read, built and run once for all tests that need it."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from kingpost import results
 
 @dataclass
 class Gallery:
-    """What the pass found of each scenario, in a folder that all processes of the tests share."""
+    """Results of the pass by scenario, in a folder that all test processes share."""
 
     folder: Path
     known: dict[str, dict[str, Any]] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> dict[str, Any]:
-        """What was found of a scenario; the first that asks runs it."""
+        """Return the results of a scenario; the first request runs it."""
         if name not in self.known:
             kept = self.folder / f"{name}.json"
             with FileLock(kept.with_suffix(".lock")):
@@ -32,7 +32,7 @@ class Gallery:
 
 
 def seen(name: str) -> dict[str, Any]:
-    """What there is to see of a scenario, and of its run over two steps."""
+    """Read a scenario and its run over two steps."""
     scenario = kingpost.load(name)
     step_s = scenario.model["step_s"]
     short = {"simulation.duration_s": 2 * step_s, "simulation.record_every_s": step_s}

@@ -14,8 +14,8 @@ def density(omega: np.ndarray) -> np.ndarray:
 def gaussian_process(
     rng: np.random.Generator, duration_s: float = 10800.0, step_s: float = 0.25
 ) -> xarray.DataArray:
-    """A record of the spectrum above with normal amplitudes at the lines of the whole record, so that
-    it is Gaussian and of the exact variance on average."""
+    """Draw a record of the spectrum above with normally distributed amplitudes at the lines of the whole
+    record: it is Gaussian, with the exact variance on average."""
     count = int(duration_s / step_s)
     omega = 2 * np.pi * np.fft.rfftfreq(count, step_s)
     size = np.sqrt(density(omega) * (omega[1] - omega[0]))

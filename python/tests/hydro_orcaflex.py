@@ -21,7 +21,7 @@ SIGNS = {"SurgePositive": ("forward", "aft"), "SwayPositive": ("port", "starboar
          "HeavePositive": ("up", "down"), "RollPositiveStarboard": ("down", "up"),
          "PitchPositiveBow": ("down", "up"), "YawPositiveBow": ("port", "starboard")}  # fmt: skip
 PERIOD_PART = {"crest": 0.0, "zero down-crossing": 0.25, "trough": 0.5, "zero up-crossing": 0.75}
-"""Of a period, after which each passes a point that the crest has passed."""
+"""Share of a period by which each phase reference passes a point after the crest."""
 
 
 @dataclass(frozen=True)
@@ -33,16 +33,16 @@ class Form:
     units: str = "degrees"
     after: str = "crest"
     turned: tuple[str, ...] = ()
-    """Motions of `SIGNS` whose other way is positive."""
+    """Motions of `SIGNS` with the opposite positive direction."""
     symmetry: str = "None"
     degrees: tuple[float, ...] = (0.0, 90.0, 180.0, 270.0)
     phase_origin: tuple[float, float, float] | None = None
     """From the database's origin; `None` writes ~, which stands for the load RAOs' origin."""
     mass: float = 1.0
-    """Of the displaced mass."""
+    """Mass over the displaced mass."""
     weight: bool = True
     others: dict[str, str] = field(default_factory=dict)
-    """Lines to be put in place of others, by their key, of the vessel type or of its draught."""
+    """Replacement lines of the vessel type or its draught, by their key."""
 
 
 def base() -> Database:

@@ -1,6 +1,7 @@
 """Writers of files as WAMIT, ShipX, AQWA and Nemoh write them, with their digits, from one database.
 
-Each writes about a point straight above or below the origin, for their phases are those of the wave there.
+Each writes about a point vertically above or below the origin, because the phases are those of the wave
+there.
 """
 
 from __future__ import annotations
@@ -144,7 +145,8 @@ def shipx(stem: Path, base: Database) -> Path:
 
 def aqwa(stem: Path, base: Database, structures: int = 1) -> Path:
     """STEM.AH1 of structures, all alike, the centre of gravity of the first at `ABOVE`; A at 100 rad/s is
-    that of infinite frequency. Structures act on each other by a hundredth of what they are by themselves."""
+    that of infinite frequency. The coupling between structures is a hundredth of the coefficients of one
+    structure."""
     about, hull, water = About(base, ABOVE), base.hull, base.water
     omega, degrees = base.frequencies_rad_s, np.degrees(base.wave_directions_rad)
     every = range(1, structures + 1)

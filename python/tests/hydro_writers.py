@@ -1,6 +1,6 @@
 """Writers of other programs' hydrodynamic files from one database, for the tests of the importers.
 
-Each does by itself what the program's documentation says: moments about a reference point, units, signs of
+Each follows the program's documentation independently: moments about a reference point, units, signs of
 time, and the weight in the restoring matrix.
 """
 

@@ -1,7 +1,6 @@
-"""The two lanes of the tests: by default one case of each kind, with KINGPOST_LANE=thorough all of them.
-
-A test or a case with the mark `thorough` runs in the thorough lane alone. `sampled` marks the cases of a list
-so, all but those that stand for the others.
+"""The two lanes of the tests: by default one case of each kind, with KINGPOST_LANE=thorough all cases. A test
+or a case with the mark `thorough` runs only in the thorough lane. `sampled` marks all cases of a list except
+the representative ones.
 """
 
 from __future__ import annotations
@@ -20,9 +19,8 @@ THOROUGH = LANE == "thorough"
 
 
 def sampled(cases: Iterable[Any], keep: Iterable[Any] | Callable[[Any], bool]) -> list[Any]:
-    """The cases of a list, in their order; those that are not kept are for the thorough lane.
-
-    What is kept is listed, or told by a function. A kept case that is not in the list is a mistake.
+    """Mark the cases of a list, in their order; cases that are not kept are for the thorough lane. `keep` is
+    a list or a function. A kept case that is not in the list is an error.
     """
     cases = list(cases)
     if callable(keep):

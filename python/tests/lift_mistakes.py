@@ -1,4 +1,4 @@
-"""Mistakes that people make with lifts, each drawn anew: a rope on one body, a winch that never stops."""
+"""Typical mistakes in scenarios of lifts, drawn at random: a rope on one body, a winch that never stops."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scenarios of lifts with something wrong in them, drawn from a seed."""
+"""Wrong scenarios of lifts, drawn from a seed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ OTHERS: list[Any] = [
 ]  # fmt: skip
 FACTORS = [-1, 0.5, 2, 0.1, 10, 0.99, 1.01, 1e-3, 1e3, 1e6, 1e-6]
 NAMES = {"body", "parent", "joint", "input", "column", "unit", "axis", "name", "mode", "pays_out"}
-# What a lift is made of is changed more often than the ship below it.
+# The elements of a lift are changed more often than the ship.
 WEIGHTS = {
     "forces": 5,
     "drives": 5,
@@ -40,7 +40,7 @@ OF_LIFTS = {"rope": 6, "tugger_line": 8, "contact": 5, "submerged": 4}
 
 @dataclass(frozen=True)
 class Lift:
-    """A scenario with something wrong in it, and what that is."""
+    """A wrong scenario and a description of the error."""
 
     seed: int
     base: str
@@ -124,7 +124,7 @@ def some_place(document: Document, draw: random.Random, fits: Callable[[Path, An
 
 
 def at_a_place(document: Document, draw: random.Random) -> str:
-    """One value becomes another."""
+    """Replace one value by another."""
     kinds = [
         number,
         number,
@@ -185,7 +185,7 @@ def misspelt(document: Document, draw: random.Random) -> str:
 
 
 def other_name(document: Document, draw: random.Random) -> str:
-    """A name becomes another name that stands somewhere: of a body, a joint, a column, a unit."""
+    """Replace a name by another one in the scenario: of a body, a joint, a column, a unit."""
     path = some_place(document, draw, lambda path, value: isinstance(value, str) and path[-1] in NAMES)
     if path is None:
         return "no name"
@@ -222,7 +222,7 @@ def list_changed(document: Document, draw: random.Random) -> str:
 
 
 def moved(document: Document, draw: random.Random) -> str:
-    """A part of the scenario stands where another does."""
+    """Copy a part of the scenario to the place of another."""
     source = some_place(document, draw, lambda *_: True)
     target = some_place(document, draw, lambda *_: True)
     assert source is not None
@@ -232,7 +232,7 @@ def moved(document: Document, draw: random.Random) -> str:
 
 
 def all_of_a_kind(document: Document, draw: random.Random) -> str:
-    """Every number of a name takes one value."""
+    """Set every number with the same name to one value."""
     names = sorted(
         {str(path[-1]) for path in places(document) if is_number(at(document, path)) and weight(path) >= 2}
     )

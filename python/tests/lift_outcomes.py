@@ -1,4 +1,4 @@
-"""What a scenario comes to: an error in words, a run in numbers, or something that must not be."""
+"""Judgement of a scenario: an error message, a run with finite numbers, or a violation."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ import numpy as np
 from fuzz.contract import LONGEST_TEXT, NOT_FOR_READERS, WrongError
 
 STEPS = 12
-"""Steps by hand, before and after a snapshot."""
+"""Number of single steps before and after a snapshot."""
 LONGEST_STEPS_S = 2.0
-"""Of the processor, for so many: slower ones are not repeated."""
+"""Processor time for these steps, s, above which they are not repeated."""
 LONGEST_RUN_S = 0.5
-"""Of the processor: a run that takes longer is stopped as by Ctrl-C."""
+"""Processor time after which a run is stopped as by Ctrl-C, s."""
 # file:line:column: field: found ..., allowed: ...
 SAYS = re.compile(r"found .+, allowed: .+", re.DOTALL)
 
 
 class StoppedError(Exception):
-    """A run that takes longer than is waited for."""
+    """A run that exceeds the time limit."""
 
 
 def outcome(text: str, file: str, *, thorough: bool = False, longest_run_s: float = LONGEST_RUN_S) -> str:
@@ -140,7 +140,7 @@ def check_end(error: kingpost.RunError) -> None:
 
 
 def check_the_rest(simulation: kingpost.Simulation, text: str) -> str:
-    """Afloat, at rest, linearised: by hand, as the app asks."""
+    """Check hydrostatics, equilibrium and linearisation, as requested by the app."""
     says = ""
     for ask in (simulation.hydrostatics, simulation.settle, simulation.linearize, simulation.mass_matrix):
         try:

@@ -1,12 +1,10 @@
-"""The commands and examples that stand on a page of Markdown, run as a reader runs them.
+"""The commands and examples on a page of Markdown, run as a reader runs them. A block fenced with `bash` or
+`python` runs; a block whose title begins with "takes" runs only in the thorough lane. A block fenced with
+`text` holds lines of the preceding block's output, in their order, with `...` for omitted lines.
 
-A block that is fenced with `bash` or `python` runs; one whose title begins with "takes" runs in the thorough
-lane. A block that is fenced with `text` holds lines of what the block before it prints, in their order, with
-`...` for lines left out.
-
-The thorough lane runs every page. The default lane runs the shortest of a kind, and those that have changed
-since they last ran well: `pages.json` keeps a digest of what runs on each page. KINGPOST_WRITE_PAGES=1 runs
-every page, and writes the printed lines and the digests anew.
+The thorough lane runs every page. The default lane runs the shortest page of a kind, and pages that have
+changed since their last successful run: `pages.json` stores a digest of each page's blocks.
+KINGPOST_WRITE_PAGES=1 runs every page, and rewrites the printed lines and the digests.
 """
 
 from __future__ import annotations
@@ -38,7 +36,7 @@ DIGESTS = Path(__file__).with_name("pages.json")
 
 @dataclass(frozen=True)
 class Block:
-    """One fenced block, and where its text stands on the page."""
+    """One fenced block and the position of its text on the page."""
 
     language: str
     title: str
@@ -59,7 +57,7 @@ def blocks(page: str) -> list[Block]:
 
 
 def digest(texts: Iterable[str | bytes]) -> str:
-    """A digest of what runs on a page, of files beside it too."""
+    """Digest of a page's blocks and of the files that it uses."""
     found = hashlib.sha256()
     for text in texts:
         content = text if isinstance(text, bytes) else text.encode()
@@ -68,24 +66,24 @@ def digest(texts: Iterable[str | bytes]) -> str:
 
 
 def kept_digests() -> dict[str, str]:
-    """The digests of the pages when they last ran well."""
+    """Digests of the pages at their last successful run."""
     return json.loads(DIGESTS.read_text(encoding="utf-8"))
 
 
 def changed_pages(digests: dict[str, str]) -> list[str]:
-    """Pages that have changed since they last ran well."""
+    """Pages that have changed since their last successful run."""
     kept = kept_digests()
     return [name for name, now in digests.items() if kept.get(name) != now]
 
 
 def to_run(digests: dict[str, str], always: str) -> list[Any]:
-    """Pages as cases of a test: by default those that have changed, and one of them always."""
+    """Pages as cases of a test: by default one page, and those that have changed."""
     changed = changed_pages(digests)
     return sampled(digests, keep=lambda name: WRITE or name == always or name in changed)
 
 
 def ran_well(name: str, now: str) -> None:
-    """Keeps the digest of a page, where pages are written anew."""
+    """Stores the digest of a page if pages are rewritten."""
     if WRITE:
         with FileLock(Path(tempfile.gettempdir()) / "kingpost_pages.lock"):
             text = json.dumps(kept_digests() | {name: now}, indent=1, sort_keys=True)
@@ -93,12 +91,12 @@ def ran_well(name: str, now: str) -> None:
 
 
 def not_kept(digests: dict[str, str]) -> list[str]:
-    """Pages whose digests are outdated; none while they are written anew."""
+    """Pages with outdated digests; none while pages are rewritten."""
     return [] if WRITE else changed_pages(digests)
 
 
 def commands_folder(folder: Path) -> Path:
-    """A folder with the command `kingpost` of the package that is tested."""
+    """Folder with the command `kingpost` of the tested package."""
     folder.mkdir(exist_ok=True)
     command = folder / "kingpost"
     command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m kingpost "$@"\n')
@@ -107,7 +105,7 @@ def commands_folder(folder: Path) -> Path:
 
 
 def run_bash(text: str, folder: Path, commands: Path) -> str:
-    """What a shell prints; the server checks itself and ends."""
+    """Output of a shell; `kingpost serve` runs its check and ends."""
     text = re.sub(r"^(kingpost serve .*)$", r"\1 --check --port 0", text, flags=re.MULTILINE)
     path = f"{commands}{os.pathsep}{os.environ['PATH']}"
     package = os.pathsep.join([str(Path(kingpost.__file__).parents[1]), os.environ.get("PYTHONPATH", "")])
@@ -135,14 +133,15 @@ def words(line: str) -> list[str]:
 
 
 def not_printed(shown: str, printed: str) -> list[str]:
-    """Lines of a page that the program does not print, or not in this order."""
+    """Lines of a page that are missing in the program's output, or in another order."""
     left = iter([words(line) for line in printed.splitlines()])
     lines = [line for line in shown.splitlines() if line.strip() not in ("", "...")]
     return [line for line in lines if words(line) not in left]
 
 
 def anew(shown: str, printed: str) -> str:
-    """The lines of a page as they are printed now: each is the next that begins with the same word."""
+    """Update the lines of a page from the present output: each becomes the next line that begins with the
+    same word."""
     left = printed.splitlines()
     lines = []
     for line in shown.splitlines():
@@ -158,7 +157,7 @@ def anew(shown: str, printed: str) -> str:
 
 
 def run_page(path: Path, folder: Path) -> list[str]:
-    """Runs a page in a folder. Returns what stands on it and is not so."""
+    """Runs a page in a folder. Returns its lines that are not printed."""
     page = path.read_text(encoding="utf-8")
     commands = commands_folder(folder / ".commands")
     names: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""Measured roll of KVLCC2 and of Ikeda's cylinders, and hulls that tests of roll damping share."""
+"""Measured roll of KVLCC2 and of Ikeda's cylinders, and hulls for the tests of roll damping."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ SPEED_M_S = 15.5 * 1852 / 3600 / SCALE**0.5
 
 
 def kvlcc2_sections() -> Sections:
-    """The model's, at 1:68."""
+    """Sections of the model at 1:68."""
     return Sections.read(FOLDER / "kvlcc2_sections.csv").scaled(1 / SCALE)
 
 

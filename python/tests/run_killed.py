@@ -1,11 +1,8 @@
-"""A run that writes over a good file and is killed: run as a script with how many tries at least, how many of
-them killed, and the words of the command line.
-
-Each try is a separate process, forked when all is loaded, so that its whole life is the run and its
-writing. The system ends it after a share of the processor time that the run takes, wherever it is, with
-nothing that it could do about it, as SIGKILL does; a busy machine gives it as much as an idle one.
-
-Prints after each try whether it was killed and a digest of the file's values, which are read as a user would.
+"""Script that kills a run while it overwrites a good file. Arguments: the least number of tries, the least
+number of killed ones, and a command line. Each try is a separate process, forked after all imports, so that
+it consists only of the run and its writing. The system ends it, like SIGKILL, after a share of the run's
+processor time, which does not depend on the machine's load. Prints after each try whether it was killed, and
+a digest of the file's values.
 """
 
 from __future__ import annotations
@@ -23,13 +20,14 @@ import xarray
 from kingpost import cli
 
 LONGEST_SHARE = 0.9
-"""Of the processor time of a whole run, which a few tries take less of and end by themselves."""
+"""Longest try as a share of the processor time of a whole run; a few tries need less and end by
+themselves."""
 MOST = 80
-"""Tries, if too few of them were killed before."""
+"""Largest number of tries, if too few were killed before."""
 
 
 def digest(path: Path) -> str:
-    """Of the values in a file."""
+    """Digest of the values in a file."""
     if path.suffix == ".nc":
         with xarray.open_dataset(path, engine="h5netcdf") as found:
             table = found["kinetic_energy"].to_dataframe()
@@ -52,7 +50,7 @@ def run(words: list[str], moment_s: float | None) -> tuple[bool, float]:
 
 
 def main(tries: int, kills: int, words: list[str]) -> list[tuple[bool, str]]:
-    """Run to the end, here so that all is loaded before the forks, then kill again and again."""
+    """Run to the end in this process, which imports everything before the forks, then kill repeatedly."""
     target, found = Path(words[-1]), []
     assert cli.main(words) == 0
     digest(target)

@@ -5,7 +5,7 @@ from functools import partial
 import pandas
 
 read_csv = partial(pandas.read_csv, float_precision="round_trip")
-"""Numbers as they stand: before its version 3 pandas reads the last digit for speed."""
+"""Read a CSV with exact numbers: before version 3 pandas by default may change the last digit for speed."""
 
 CALIBRATION = {"crane_x_m": 0, "crane_y_m": 0, "simulation.duration_s": 0.5}
 """Crane at the centre, tower motor alone, no damping, no load, half a second."""

@@ -1,4 +1,4 @@
-"""What tests of the server share: a stand-in for the built app, and answers as they come over the line."""
+"""Helpers of the server's tests: a stand-in for the built app, and raw answers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from urllib.parse import urlsplit
 from kingpost.server.listening import Server
 
 PATIENCE_S = 300
-"""How long a test waits for a server on a machine that is busy with other things."""
+"""Longest time that a test waits for a server on a busy machine, s."""
 ENGINE = b"\0asm\1\0\0\0" + bytes(1000)
 
 
@@ -41,7 +41,7 @@ def running(server: Server) -> Iterator[str]:
 
 @dataclass(frozen=True)
 class Answer:
-    """What came over the line, nothing unpacked."""
+    """A raw answer, not decompressed."""
 
     status: int
     headers: HTTPMessage
@@ -52,7 +52,7 @@ def fetch(address: str, path: str, accept: str | None = None, known: str | None 
     """Ask with these `Accept-Encoding` and `If-None-Match`, or without."""
     headers = {"Accept-Encoding": accept, "If-None-Match": known}
     with closing(HTTPConnection(urlsplit(address).netloc, timeout=PATIENCE_S)) as connection:
-        # Else the library adds a header of its own.
+        # Otherwise the library adds its default header.
         connection.putrequest("GET", f"/{path}", skip_accept_encoding=True)
         for name, value in headers.items():
             if value is not None:
@@ -63,7 +63,7 @@ def fetch(address: str, path: str, accept: str | None = None, known: str | None 
 
 
 def ask(address: str, request: bytes) -> bytes:
-    """All that a server says to some bytes until it closes the connection."""
+    """Send bytes and read the whole answer until the server closes the connection."""
     place = urlsplit(address)
     with socket.create_connection((place.hostname, place.port), timeout=PATIENCE_S) as line:
         line.sendall(request)

@@ -1,4 +1,4 @@
-"""Statics of a load on legs, by a stiffness matrix of its own."""
+"""Statics of a load on sling legs by an independent stiffness matrix."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ def leg_tensions(
 ) -> np.ndarray:
     """Tensions, N, of elastic legs without mass from one point to the padeyes of a rigid load at rest.
 
-    The load has six unknowns: small shifts of its centre of gravity and a small turn. Each leg is a spring
-    k = EA / L that only pulls: along it k, across it tension over length. Newton's iteration over the
-    stiffness matrix of all legs begins with the load level, its middle `below_m` under the point. Turning
-    about the vertical has no stiffness; least squares leave it where it is.
+    The load has six unknowns: small shifts of its centre of gravity and a small turn. Each leg is a
+    tension-only spring k = EA / L: its stiffness is k along it, and tension over length across it. Newton's
+    iteration over the stiffness matrix of all legs begins with the load level, its middle `below_m` under the
+    point. Turning about the vertical has no stiffness; least squares leave it where it is.
     """
     arms = np.array(padeyes, float) - centre
     k = axial_stiffness / np.array(lengths, float)
@@ -63,7 +63,7 @@ def leg_tensions(
             force = tension * along
             rest += np.concatenate([force, cross(arm) @ force])
             stiffness += moves.T @ spring @ moves
-            # The arm turns with the load, the force stays.
+            # The lever arm rotates with the load, the force keeps its direction.
             stiffness[3:, 3:] -= cross(force) @ cross(arm)
         if np.abs(rest).max() < 1e-9 * weight:
             return np.array(tensions)

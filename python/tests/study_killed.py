@@ -1,12 +1,8 @@
-"""A study that is killed again and again: run as a script with a folder, the study, how often at least, and
-at how many different numbers of units done.
-
-Each try is a process of its own, forked before anything runs, so that it starts at once. The system ends it
-after a random share of the processor time of a whole study, wherever it is, with nothing that it could do
-about it, as SIGKILL does; a busy machine gives it as much as an idle one. Then the next goes on, and at last
-one to the end.
-
-Prints how many units were done after each kill.
+"""Script that kills a study repeatedly. Arguments: a folder, the study, the least number of kills, and the
+least number of different counts of finished units at a kill. Each try is a separate process, forked before
+anything runs, so that it starts at once. The system ends it, like SIGKILL, after a random share of the
+processor time of a whole study, which does not depend on the machine's load. The next try resumes the study,
+and the last one completes it. Prints the number of finished units after each kill.
 """
 
 from __future__ import annotations
@@ -25,7 +21,7 @@ import zarr  # noqa: F401, loaded before the forks
 SHARES = (0.005, 0.3)
 """Shortest and longest try, as a share of the processor time of a whole study."""
 MOST = 100
-"""Kills, if those moments were not all met before."""
+"""Largest number of kills, if the counts were not all reached before."""
 
 
 def attempt(folder: Path, study: kingpost.Study, moment_s: float | None) -> tuple[bool, float]:
@@ -43,7 +39,8 @@ def attempt(folder: Path, study: kingpost.Study, moment_s: float | None) -> tupl
 
 
 def main(folder: Path, study: kingpost.Study, kills: int, moments: int) -> None:
-    """Kill so often, then finish. A study begins anew once it has ended, or twice had every unit done."""
+    """Kill a number of times, then finish. The study starts again after it has ended, or after two kills with
+    every unit finished."""
     draw, done, units = random.Random(kills), [], study.plan.units
     _, whole_s = attempt(folder, study, None)
     shutil.rmtree(folder)

@@ -1,4 +1,4 @@
-"""What the tests of studies share: a fast study, and how two folders compare."""
+"""Helpers of the tests of studies: a fast study, and the comparison of two folders."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SLEWING: dict[str, Any] = {
 
 
 def numbers(folder: Path) -> dict[str, bytes]:
-    """All that stands in the results of a study, and its markers, by file."""
+    """Content of the results of a study and of its markers, by file."""
     paths = [*(folder / "results.zarr").rglob("*"), *(folder / "units").glob("[0-9]*.json")]
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths if path.is_file()}
 

@@ -1,4 +1,4 @@
-"""What `kingpost run` prints of a ship afloat."""
+"""Report of `kingpost run` on a floating ship."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_a_moored_ship_in_waves_is_reported_with_numbers(moored) -> None:
     assert "warning" not in shown
 
 
-def test_a_load_that_capsizes_the_ship_is_warned_of(tmp_path, capsys) -> None:
+def test_a_load_that_capsizes_the_ship_gives_a_warning(tmp_path, capsys) -> None:
     """Source: 500 t over the side of a ship with a GM of 1.4 m."""
     settings = ["bodies.load.mass_t=500", "simulation.duration_s=40", "simulation.begin_at_equilibrium=false"]
     settings = [f"--set={setting}" for setting in settings]
@@ -75,6 +75,6 @@ def test_a_load_that_capsizes_the_ship_is_warned_of(tmp_path, capsys) -> None:
     assert f"written         {file}, replaces an older file" in shown.out
 
 
-def test_a_run_on_land_has_nothing_of_it() -> None:
+def test_a_run_on_land_has_no_report_of_the_sea() -> None:
     scenario = kingpost.load("chain", {"simulation.duration_s": 0.1})
     assert afloat_report.text(kingpost.run(scenario), scenario) == ""

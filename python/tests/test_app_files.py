@@ -1,4 +1,5 @@
-"""Files and numbers of the app beside ours: its own tests hold web/tests/golden to what it writes."""
+"""Comparison of the app's files and numbers with those of the package; the app's tests compare
+web/tests/golden with its output."""
 
 from __future__ import annotations
 
@@ -22,12 +23,12 @@ def run() -> xarray.Dataset:
     return kingpost.run("paper", {"simulation.duration_s": 0.05})
 
 
-def test_a_table_of_the_app_is_ours_to_the_letter(run, tmp_path):
+def test_a_table_of_the_app_equals_that_of_the_package_in_every_character(run, tmp_path):
     written = results.write(run, tmp_path / "paper.csv")
     assert written.read_text() == (GOLDEN / "paper.csv").read_text()
 
 
-def test_a_parquet_file_of_the_app_has_our_columns_bit_for_bit_and_our_units(run):
+def test_a_parquet_file_of_the_app_has_the_columns_of_the_package_bit_for_bit_and_its_units(run):
     pandas.testing.assert_frame_equal(
         pandas.read_parquet(GOLDEN / "paper.parquet"), results.frame(run), check_exact=True
     )
@@ -37,7 +38,7 @@ def test_a_parquet_file_of_the_app_has_our_columns_bit_for_bit_and_our_units(run
     assert about[b"title"].decode() == run.attrs["title"]
 
 
-def test_the_statistics_and_the_spectrum_of_the_app_are_ours():
+def test_statistics_and_spectrum_of_the_app_equal_those_of_the_package():
     stored = json.loads((GOLDEN / "statistics.json").read_text())
     time = np.arange(stored["records"]) * stored["step_s"]
     parts = [a * np.sin(omega * time + phase) for a, omega, phase in stored["sines"]]

@@ -38,7 +38,7 @@ def measured(name: str) -> dict[str, object]:
 
 
 @pytest.mark.parametrize("name", SCENARIOS)
-def test_the_kept_digests_are_those_of_the_command_lines_rows(name):
+def test_the_stored_digests_match_the_rows_of_the_command_line(name):
     """Source: the run itself; the same file is held against the app's engine."""
     kept = {entry["scenario"]: entry for entry in json.loads(KEPT.read_text())}
     assert measured(name) == kept[name]

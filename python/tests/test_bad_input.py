@@ -37,7 +37,7 @@ def test_a_wrong_value_is_reported_with_its_place(what, tmp_path, capsys):
     assert error.allowed
 
 
-def test_bodies_that_hang_on_each_other_are_refused(tmp_path, capsys):
+def test_bodies_whose_joints_form_a_cycle_are_refused(tmp_path, capsys):
     """Source: a tree has no cycle."""
     error = refused(CYCLE.encode(), tmp_path, capsys)
     assert error.field.startswith("bodies.")
@@ -49,7 +49,7 @@ def test_bodies_that_hang_on_each_other_are_refused(tmp_path, capsys):
     [b"", b"# nothing here\n", b"\x89PNG\r\n\x1a\n\x00\x00\xff", b"[project]\nname = 'x'\n", b"a,b\n1,2\n"],
     ids=["empty", "comments only", "a picture", "another format", "a table"],
 )
-def test_a_file_that_is_no_scenario_is_refused(content, tmp_path, capsys):
+def test_a_file_that_is_not_a_scenario_is_refused(content, tmp_path, capsys):
     """Source: the exit code and the one line of the public contract."""
     refused(content, tmp_path, capsys)
 
@@ -103,7 +103,7 @@ def test_a_wrong_setting_from_python_is_a_scenario_error():
         kingpost.load("paper", crane_x_m=object())
 
 
-def test_a_misspelt_gallery_name_gets_the_nearest(capsys):
+def test_a_misspelt_gallery_name_gets_the_nearest_name_as_a_suggestion(capsys):
     """Source: the gallery has `paper`."""
     assert main(["run", "papre"]) == 2
     assert "did you mean 'paper'" in one_line(capsys.readouterr().err)
@@ -112,7 +112,7 @@ def test_a_misspelt_gallery_name_gets_the_nearest(capsys):
 
 
 @pytest.mark.parametrize("name", ["nowhere.yaml", "no/such/file", "."])
-def test_a_missing_file_is_said_to_be_missing(name, capsys):
+def test_the_error_for_a_missing_file_states_that_it_is_missing(name, capsys):
     """Source: the public contract: exit code 2, one line."""
     assert main(["check", name]) == 2
     assert name in one_line(capsys.readouterr().err)
@@ -132,7 +132,7 @@ def test_an_output_that_cannot_be_written_is_refused_before_the_run(output, tmp_
 @pytest.mark.parametrize(
     "arguments", [[], ["fly"], ["run"], ["run", "paper", "--fast"], ["serve", "--port", "x"]]
 )
-def test_a_wrong_command_line_is_one_line_and_exit_code_2(arguments, capsys):
+def test_a_wrong_command_line_gives_one_error_line_and_exit_code_2(arguments, capsys):
     """Source: the public contract."""
     with pytest.raises(SystemExit) as ended:
         main(arguments)
@@ -140,7 +140,7 @@ def test_a_wrong_command_line_is_one_line_and_exit_code_2(arguments, capsys):
     assert one_line(capsys.readouterr().err).startswith("error: ")
 
 
-def test_overrides_that_are_no_dictionary_are_refused():
+def test_overrides_that_are_not_a_dictionary_are_refused():
     """Source: the signature of `kingpost.run`."""
     with pytest.raises(kingpost.KingpostError, match=r"overrides: found \[1\], allowed: a dictionary"):
         kingpost.run("paper", [1])
@@ -155,7 +155,7 @@ def test_a_count_of_steps_that_is_not_a_number_is_refused(n):
     assert simulation.time_s == 0
 
 
-def test_a_database_of_ones_own_that_is_not_there_is_not_replaced_by_the_gallerys(tmp_path, capsys):
+def test_a_missing_local_database_is_not_replaced_by_the_gallerys(tmp_path, capsys):
     """Source: another hull of the same name is another ship; the error says where the file should be."""
     path = tmp_path / "sphere.yaml"
     text = kingpost.load("sphere_decay").text

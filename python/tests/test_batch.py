@@ -18,7 +18,7 @@ from kingpost.simulation import batch as batches
 SHORT = {"simulation.duration_s": 0.2, "simulation.step_s": 0.002}
 
 
-def test_each_run_of_a_batch_is_the_run_alone_to_the_bit() -> None:
+def test_each_run_of_a_batch_has_the_bits_of_the_run_alone() -> None:
     places = [-10, -5, 0.0, 2.5, 7, 10]
     found = kingpost.Batch("paper", {"crane_x_m": places, "load": [False] * 6}, SHORT).run(threads=2)
     assert found.sizes["run"] == 6
@@ -87,7 +87,7 @@ def test_a_run_that_diverges_is_marked_and_ends_in_nan() -> None:
         ({"nonsense": [1]}, "run 0: --set nonsense"),
     ],
 )
-def test_a_batch_that_cannot_be_is_one_clear_error(parameters: dict[str, list[object]], said: str) -> None:
+def test_an_impossible_batch_gives_one_clear_error(parameters: dict[str, list[object]], said: str) -> None:
     with pytest.raises(kingpost.KingpostError, match=said):
         kingpost.Batch("paper", parameters, SHORT).run()
 
@@ -107,7 +107,7 @@ def test_the_progress_of_a_batch_counts_runs() -> None:
     assert seen[-1] == 12
 
 
-def test_a_batch_that_would_take_too_much_memory_is_refused_with_a_way_on() -> None:
+def test_a_batch_that_needs_too_much_memory_is_refused_with_advice() -> None:
     batch = kingpost.Batch("paper", {"crane_x_m": [0.0] * 100})
     with pytest.raises(
         kingpost.KingpostError,
@@ -148,7 +148,7 @@ def test_ctrl_c_stops_a_batch_within_seconds() -> None:
     assert float(found.stdout.split()[2]) < 5
 
 
-def test_progress_is_told_on_the_thread_that_called() -> None:
+def test_progress_is_reported_on_the_calling_thread() -> None:
     threads = []
     batch = kingpost.Batch("paper", {"crane_x_m": [0.0, 1.0]}, {"simulation.duration_s": 0.1})
     batch.run(progress=lambda done: threads.append(threading.get_ident()))

@@ -1,4 +1,4 @@
-"""A scenario is read and built once: all that is made of it shares its setup, and nothing else."""
+"""A scenario is read and built once: its simulations and analyses share this setup, and nothing else."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return found
 
 
-def test_one_object_of_the_engine_serves_all_that_is_made_of_a_scenario() -> None:
+def test_all_simulations_of_a_scenario_share_one_engine_object() -> None:
     scenario = load("barge", SHORT, waves=True)
     simulation = Simulation(scenario)
     assert simulation.scenario is not scenario
@@ -68,7 +68,7 @@ def test_a_command_builds_once(command: str, counted: list[str], capsys) -> None
     assert len(counted) == 1
 
 
-def test_siblings_that_step_in_turn_run_as_each_does_alone() -> None:
+def test_simulations_of_one_scenario_that_step_in_turn_run_as_each_does_alone() -> None:
     scenario = load("barge", SHORT, waves=True)
     alone = Simulation(load("barge", SHORT, waves=True))
     alone.step(10)
@@ -84,7 +84,7 @@ def test_siblings_that_step_in_turn_run_as_each_does_alone() -> None:
     assert (other.row() == one.row()).all()
 
 
-def test_a_live_parameter_is_set_in_one_simulation_alone() -> None:
+def test_setting_a_live_parameter_changes_only_one_simulation() -> None:
     scenario = load("barge", SHORT, waves=True)
     expected = Simulation(load("barge", SHORT, waves=True)).run()
     one, other = Simulation(scenario), Simulation(scenario)
@@ -99,7 +99,7 @@ def test_a_live_parameter_is_set_in_one_simulation_alone() -> None:
     assert not one.run().equals(expected)
 
 
-def test_a_value_set_in_a_scenario_leaves_its_simulations() -> None:
+def test_setting_a_value_in_a_scenario_does_not_change_its_simulations() -> None:
     scenario = load("paper", SHORT)
     simulation = Simulation(scenario)
     scenario["crane_x_m"] = 5
@@ -118,7 +118,7 @@ def test_another_seed_builds_a_new_sea(counted: list[str]) -> None:
 
 
 @pytest.mark.parametrize("used", [False, True])
-def test_a_pickled_scenario_is_built_again_where_it_is_used(used: bool, counted: list[str]) -> None:
+def test_a_pickled_scenario_is_built_again_after_unpickling(used: bool, counted: list[str]) -> None:
     scenario = load("knuckle_boom_crane", {"simulation.duration_s": 0.1})
     if used:
         assert scenario.model
@@ -150,7 +150,7 @@ def test_threads_share_a_scenario() -> None:
     assert all(run.equals(found[0][2]) for _, _, run in found)
 
 
-def test_an_interrupted_run_leaves_the_scenario() -> None:
+def test_an_interrupted_run_does_not_change_the_scenario() -> None:
     scenario = load("paper", {"simulation.duration_s": 5.0})
 
     def interrupt(time_s: float) -> None:
@@ -161,7 +161,7 @@ def test_an_interrupted_run_leaves_the_scenario() -> None:
     assert kingpost.run(scenario).equals(kingpost.run("paper", {"simulation.duration_s": 5.0}))
 
 
-def test_a_scenario_that_does_not_build_is_refused_as_it_is_read() -> None:
+def test_a_scenario_that_does_not_build_is_refused_on_reading() -> None:
     with pytest.raises(ScenarioError, match="mass_kg: found -1, allowed: a number greater than 0") as refused:
         load("paper", {"bodies.arm.mass_kg": -1})
     assert refused.value.field == "bodies.arm.mass_kg"

@@ -51,7 +51,7 @@ def test_run_prints_time_peaks_energy_and_momentum(capsys):
         assert words in text
 
 
-def test_set_takes_on_and_off(capsys):
+def test_the_option_set_accepts_on_and_off(capsys):
     """Source: the public contract of --set."""
     assert main(["check", "paper", "--set", "motor_1=off", "--set", "motor_2=on"]) == 0
     text = capsys.readouterr().out
@@ -108,7 +108,7 @@ def test_list_has_a_line_for_each_scenario_of_the_gallery(capsys):
     assert f"paper  {kingpost.load('paper').title}" in [re.sub(" {2,}", "  ", line) for line in lines]
 
 
-def test_version_is_the_engines(capsys):
+def test_the_printed_version_is_that_of_the_engine(capsys):
     """Source: one version for engine and package."""
     with pytest.raises(SystemExit) as ended:
         main(["--version"])
@@ -116,7 +116,7 @@ def test_version_is_the_engines(capsys):
     assert capsys.readouterr().out == f"kingpost {kingpost.__version__}\n"
 
 
-def test_the_installed_command_returns_its_exit_codes_and_no_bar_in_a_pipe(tmp_path):
+def test_the_installed_command_returns_its_exit_codes_and_shows_no_progress_bar_in_a_pipe(tmp_path):
     """Source: the public contract."""
     ran = command("run", "paper", "--set", "simulation.duration_s=0.05", "-o", str(tmp_path / "run.csv"))
     assert (ran.returncode, ran.stderr) == (0, "")
@@ -133,9 +133,7 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.parametrize("end", ["SIGINT", "SIGTERM", "SIGHUP"])
-def test_a_long_run_that_is_stopped_says_so_in_one_line_and_keeps_its_results(
-    capsys, tmp_path, monkeypatch, end
-):
+def test_an_interrupted_long_run_reports_one_line_and_keeps_its_results(capsys, tmp_path, monkeypatch, end):
     """Source: the shell's convention, 128 + SIGINT; a run that ends early keeps its results: at Ctrl-C,
     where the system shuts down, and where the terminal closes."""
     output = tmp_path / "run.csv"
@@ -200,7 +198,7 @@ def test_a_long_run_shows_a_progress_bar_on_a_terminal():
     assert b"/60 s" in shown
 
 
-def test_the_command_needs_none_of_the_extras_to_start():
+def test_the_command_starts_without_any_extra():
     """What only an extra brings is loaded where it is used: a run and the app need none of it."""
     extras = ["scipy", "capytaine", "meshio", "mujoco", "pinocchio", "gymnasium", "netCDF4"]
     code = (

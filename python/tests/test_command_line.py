@@ -73,7 +73,7 @@ def test_warnings_are_on_stderr_whatever_is_printed(capsys) -> None:
         assert "warning: " not in shown.replace("warned", "")
 
 
-def test_columns_are_chosen_and_in_the_units_of_engineers(tmp_path) -> None:
+def test_chosen_columns_are_written_in_engineering_units(tmp_path) -> None:
     """Source: the same columns of the whole run; a hundredth of a turn is 3.6 deg."""
     run = ["run", "lowering_by_winch", "--set", "simulation.duration_s=1", "--quiet"]
     chosen = ["--record", "*.roll", "*tension"]
@@ -102,7 +102,7 @@ def test_parquet_and_netcdf_have_the_chosen_columns_too(tmp_path, capsys) -> Non
     assert "allowed: -o with .csv or .parquet" in capsys.readouterr().err
 
 
-def test_a_column_that_is_not_there_is_refused_before_the_run(tmp_path, capsys, monkeypatch) -> None:
+def test_an_unknown_column_is_refused_before_the_run(tmp_path, capsys, monkeypatch) -> None:
     output = tmp_path / "run.csv"
     monkeypatch.delattr(kingpost.Simulation, "run")
     assert main(["run", "paper", "-o", str(output), "--record", "boat.roll"]) == 2
@@ -124,7 +124,7 @@ def test_a_file_is_written_when_the_reader_of_a_pipe_leaves(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("wrong", [TOP_HEAVY, KEEL_UP])
-def test_a_ship_that_capsizes_is_exit_code_1_unless_that_is_allowed(wrong, capsys) -> None:
+def test_a_ship_that_capsizes_gives_exit_code_1_unless_allowed(wrong, capsys) -> None:
     """Source: the metacentric height and the heel that are printed."""
     scenario = kingpost.load("barge", wrong)
     hull = scenario.hydrostatics["hulls"][0]
@@ -174,7 +174,7 @@ def test_a_summary_has_the_motion_of_a_cranes_tip_and_forces_before_the_rest(cap
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh"])
-def test_a_shell_gets_its_completions(shell, capsys) -> None:
+def test_shell_completions_are_printed(shell, capsys) -> None:
     with pytest.raises(SystemExit) as ended:
         main(["--print-completion", shell])
     assert ended.value.code == 0

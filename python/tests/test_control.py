@@ -1,4 +1,4 @@
-"""What a user sees of sensors and controllers."""
+"""Sensors and controllers from a user's view."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_a_case_of_the_standard_seas_is_measured_and_printed():
     assert "off" in heave.text([row])
 
 
-def test_an_inertial_unit_alone_leaves_less_than_five_percent_of_the_tips_heave():
+def test_the_residual_by_an_inertial_unit_alone_is_below_five_percent_of_the_tips_heave():
     row = heave.measure("Hs 2.0 m, Tp 10 s", "30 m", "inertial unit")
     assert row.verdict == "reached", row
 
@@ -49,7 +49,7 @@ DRAGLINK = "dual_draglink_heave_compensation"
 
 
 def left_by_draglink(over: dict, after_s: float = 50) -> float:
-    """Share of the tip's heave that the hook keeps."""
+    """Heave of the hook over that of the tip."""
     recorded = kingpost.run(DRAGLINK, over)
     after = recorded.time.values > after_s
     hook, tip = (recorded.kingpost[f"{point}.point_position.z"].values for point in ("lift.hook", "jib.tip"))
@@ -57,19 +57,19 @@ def left_by_draglink(over: dict, after_s: float = 50) -> float:
 
 
 @pytest.mark.thorough
-def test_a_dual_draglink_crane_leaves_less_than_five_percent_of_its_tips_heave():
+def test_the_residual_of_a_dual_draglink_crane_is_below_five_percent_of_its_tips_heave():
     """Source: measured, 3.2 % over 60 s; the loop of boom, jib and drag links yields with its cylinder."""
     assert left_by_draglink({}) < 0.05
     assert left_by_draglink({"compensation": False, "simulation.duration_s": 80}) > 0.9
 
 
-def test_a_satellite_receiver_leaves_less_of_it():
+def test_a_satellite_receiver_reduces_the_residual_of_the_inertial_unit():
     """Source: measured, 2.2 % over 240 s, once the start is 100 s ago."""
     over = standard.with_inertial_unit("controllers.compensation.heave_compensation", satellites=True)
     assert left_by_draglink(over | {"simulation.duration_s": 180}, after_s=100) < 0.03
 
 
-def test_a_cylinder_that_is_too_soft_lets_winch_and_boom_shake_each_other():
+def test_a_cylinder_that_is_too_soft_makes_winch_and_boom_oscillate():
     """Source: measured, 35 % at 1 Hz."""
     assert left_by_draglink({"cylinder_stiffness": 20e3, "simulation.duration_s": 80}) > 0.2
 
@@ -91,7 +91,7 @@ def test_drop_outs_are_in_the_table_of_events():
     assert "continues without its sensor, which has dropped out" in happened
 
 
-def test_in_three_axes_less_than_eight_percent_of_the_motion_is_left_with_ideal_sensors():
+def test_the_residual_in_three_axes_with_ideal_sensors_is_below_eight_percent():
     sea = "Hs 2.5 m, Tp 8 s"
     off = three_axis.measure(sea, "off", length_s=100.0)
     assert off.residual == pytest.approx(100.0)
@@ -106,7 +106,7 @@ def test_a_case_of_the_platform_is_measured_and_printed():
     assert "off" in platform.text([row])
 
 
-def test_gas_beside_the_drive_of_a_cylinder_leaves_it_a_tenth_of_its_force_and_power():
+def test_gas_in_parallel_with_the_drive_reduces_its_force_and_power_to_a_tenth():
     sea = "Hs 2.5 m, Tp 8 s"
     alone, both, gas = (
         cylinder.measure(sea, control, length_s=100.0)
@@ -121,14 +121,14 @@ def test_gas_beside_the_drive_of_a_cylinder_leaves_it_a_tenth_of_its_force_and_p
     assert "gas alone" in cylinder.text([alone, both, gas])
 
 
-def test_a_gas_that_does_not_carry_the_load_moves_the_carriage_to_its_stop_and_beyond_its_limit():
+def test_a_gas_pressure_too_low_for_the_load_moves_the_carriage_to_its_stop_and_beyond_its_limit():
     given = {"active_cylinder": False, "gas_pressure_bar": 96}
     ds = kingpost.run("hybrid_compensation", given | {"simulation.duration_s": 2})
     assert float(ds.kingpost["slide.joint_position"][0]) == pytest.approx(-1.6, abs=0.01)
     assert "stroke" in ds.attrs["limits"]
 
 
-def test_a_winch_at_its_speed_limit_leaves_more_in_a_higher_sea_and_less_than_without_compensation():
+def test_the_residual_of_a_winch_at_its_speed_limit_grows_with_the_sea_but_never_above_the_motion():
     slow = {"drives.hoist.controlled_drive.speed_limit_rad_s": 1.0, f"{heave.CONTROLLER}.sensor": None}
     left = []
     for height_m in (2.0, 4.0, 6.0):

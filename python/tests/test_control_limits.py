@@ -1,4 +1,4 @@
-"""What compensation leaves over the frequency of the waves, and in seas beyond the limits of its drives."""
+"""Residual of compensation over the wave frequency, and in seas beyond the limits of its drives."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from kingpost.verify.control.sweep_cases import SWEEPS
 from lanes import sampled
 
 
-def test_a_pure_delay_leaves_twice_the_sine_of_half_its_phase():
+def test_the_residual_of_a_pure_delay_is_twice_the_sine_of_half_its_phase():
     omega = np.linspace(0.1, 3.0, 30)
     found = frequency.left_by_delay(omega, 0.3, period_s=0.0, lag_s=0.0, gain_per_s=0.0)
     assert found == pytest.approx(2 * np.sin(0.15 * omega), rel=1e-12)
 
 
-def test_feedback_without_any_delay_leaves_nothing():
+def test_the_residual_of_feedback_without_delay_is_zero():
     assert np.all(frequency.left_by_delay(np.array([0.3, 1.0]), 0.0, 0.0, 0.0, 0.5) == 0.0)
 
 
-def test_a_gain_takes_out_slow_motion_and_no_fast_motion():
+def test_a_gain_removes_slow_motion_but_not_fast_motion():
     slow, fast = (
         frequency.left_by_delay(np.array([omega]), 0.0, 0.02, 0.1, 0.1)
         / frequency.left_by_delay(np.array([omega]), 0.0, 0.02, 0.1, 0.0)
@@ -36,13 +36,13 @@ def test_a_gain_takes_out_slow_motion_and_no_fast_motion():
 @pytest.mark.parametrize(
     "name", sampled(frequency.IN_CLOSED_FORM, keep=[next(iter(frequency.IN_CLOSED_FORM))])
 )
-def test_what_is_left_without_prediction_is_the_closed_form_at_every_period_of_the_waves(name: str):
+def test_the_residual_without_prediction_is_the_closed_form_at_every_wave_period(name: str):
     row = frequency.measure(name)
     assert row.verdict == rows.PASSED, row.distance
     assert name in frequency.text([row])
 
 
-def test_prediction_leaves_less_within_its_band_and_the_real_sensor_more_beyond_it():
+def test_prediction_reduces_the_residual_within_its_band_and_the_real_sensor_increases_it_beyond():
     with_it, without = (frequency.measure(name).ratio for name in ("sensor", "sensor, no prediction"))
     within = 2 * np.pi / frequency.OMEGA < 14.0
     assert np.all(with_it[within] < 0.1 * without[within])
@@ -50,7 +50,7 @@ def test_prediction_leaves_less_within_its_band_and_the_real_sensor_more_beyond_
 
 
 @pytest.mark.thorough
-def test_a_slow_winch_leaves_more_of_higher_seas_but_never_more_than_without():
+def test_a_slow_winch_is_longer_at_its_limit_in_higher_seas_and_never_increases_the_motion():
     name = next(iter(SWEEPS))
     row = sweep.measure(name, length_s=80.0, heights_m=[1.0, 4.0, 6.0])
     assert row.verdict == rows.PASSED, row.shortfalls
@@ -66,7 +66,7 @@ def test_a_slow_winch_leaves_more_of_higher_seas_but_never_more_than_without():
         keep=["U-tank, Tp 11.5 s"],
     ),
 )
-def test_devices_against_roll_are_swept_with_limits_that_their_scenario_has(name: str):
+def test_a_short_sweep_of_an_anti_roll_device_finishes_without_reaching_a_limit(name: str):
     row = sweep.measure(name, length_s=4.0, heights_m=[1.0, 2.0])
     assert row.finished
     assert row.unit == "deg"
@@ -88,20 +88,20 @@ CALM = sweep.Degraded(
     ("change", "told"),
     [
         ({"left": np.array([0.1, 0.3, 1.4])}, "grows 1.10 times as fast"),
-        ({"left": np.array([0.1, 1.0, 0.9])}, "what is left falls with Hs"),
-        ({"largest": np.array([0.2, 1.3, 0.5])}, "the largest is 1.30 of that without"),
+        ({"left": np.array([0.1, 1.0, 0.9])}, "the residual falls with Hs"),
+        ({"largest": np.array([0.2, 1.3, 0.5])}, "the largest motion is 1.30 times the uncontrolled one"),
         ({"at_a_limit": np.array([0.0, 0.3, 0.1])}, "the time at a limit falls with Hs"),
         ({"finished": False}, "a run ended early"),
     ],
 )
-def test_a_jump_a_larger_motion_and_a_run_that_ends_early_are_told_and_fail(change, told: str):
+def test_a_jump_a_larger_motion_and_a_run_that_ends_early_are_reported_and_fail(change, told: str):
     assert CALM.verdict == rows.PASSED
     spoilt = replace(CALM, **change)
     assert spoilt.shortfalls == [told]
     assert f"{rows.FAILED}; {told}" in sweep.text([spoilt])
 
 
-def test_a_motion_that_is_not_a_number_does_not_pass():
+def test_a_nan_motion_does_not_pass():
     assert replace(CALM, left=np.array([0.1, np.nan, 0.3])).verdict == rows.FAILED
 
 

@@ -60,7 +60,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.thorough
-def test_it_moves_as_the_ship_that_floats(folder: Path) -> None:
+def test_a_body_moved_by_displacement_raos_moves_as_the_floating_ship(folder: Path) -> None:
     """Source: the engine in time on the linear model, in the same irregular sea, so low that it is linear.
     The table is linear between directions 10 degrees apart, over which responses turn by some per cent."""
     sea = {"sea.waves": {"wind_sea": {"jonswap": SEA}}}
@@ -82,7 +82,9 @@ def test_it_moves_as_the_ship_that_floats(folder: Path) -> None:
     assert np.std((free - free.mean()) - (moved - moved.mean())) < 0.03 * np.std(free)
 
 
-def test_its_heave_is_told_in_metres(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_heave_of_a_body_moved_by_waves_is_in_metres(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     swell = "waves: {swell: {regular: {height_m: 2, period_s: 9, direction_deg: 150}}}"
     (folder / "swell.yaml").write_text(MOVED.replace("waves: {}", swell).replace("600", "10"))
     assert main(["run", str(folder / "swell.yaml")]) == 0
@@ -92,7 +94,7 @@ def test_its_heave_is_told_in_metres(folder: Path, capsys: pytest.CaptureFixture
     assert units == lengths | {f"hull.{turn}": "deg" for turn in turns}
 
 
-def test_a_table_says_where_its_waves_go_and_of_which_body(folder: Path) -> None:
+def test_a_table_of_raos_states_the_wave_directions_and_the_body(folder: Path) -> None:
     text = (folder / "ship.csv").read_text()
     assert text.startswith("# Offshore vessel with a pedestal crane: displacement RAOs")
     assert "direction_to_deg,frequency_rad_s,surge_forward_m_per_m,surge_lag_deg" in text

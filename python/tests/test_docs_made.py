@@ -26,7 +26,7 @@ def objects(schema: dict[str, Any]) -> list[dict[str, Any]]:
     return [one for one in (schema, *schema["$defs"].values()) if "properties" in one]
 
 
-def test_every_field_of_the_schema_stands_on_its_page(schema) -> None:
+def test_every_field_of_the_schema_is_on_its_page(schema) -> None:
     page = docs_schema.page(SCHEMA)
     names = {name for one in objects(schema) for name in one["properties"]}
     assert len(names) > 300
@@ -40,7 +40,7 @@ def test_every_link_of_the_page_of_fields_leads_to_a_heading(schema) -> None:
     assert set(re.findall(r"\(#(\w+)\)", page)) <= headings
 
 
-def test_the_star_of_a_symbol_stays_on_the_page() -> None:
+def test_the_asterisk_of_a_symbol_is_kept_on_the_page() -> None:
     """Source: two stars of a paragraph, as in M* q'' = F*, mean italics in Markdown and are gone."""
     code = re.compile(r"^```.*?^```|^    .*?$|`[^`\n]*`", re.DOTALL | re.MULTILINE)
     for path in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
@@ -48,7 +48,7 @@ def test_the_star_of_a_symbol_stays_on_the_page() -> None:
         assert re.findall(r"(?<!\w)[MNF]\*(?!\*).*", text) == [], path
 
 
-def test_every_field_of_a_study_stands_on_its_page_with_links_to_headings() -> None:
+def test_every_field_of_a_study_is_on_its_page_with_links_to_headings() -> None:
     schema = json.loads(STUDY.read_text(encoding="utf-8"))
     page = docs_schema.page(STUDY)
     assert page.startswith("# Fields of a study\n")
@@ -86,7 +86,7 @@ def test_a_range_and_a_default_are_written_as_a_reader_expects() -> None:
     assert docs_schema.value(field) == "list of 3 numbers ≥ 0"
 
 
-def test_every_scenario_of_the_gallery_stands_on_its_page_with_its_picture() -> None:
+def test_every_scenario_of_the_gallery_is_on_its_page_with_a_picture() -> None:
     page = docs_gallery.page(ROOT)
     groups = json.loads((ROOT / "scenarios" / "gallery.json").read_text(encoding="utf-8"))["groups"]
     for name in (name for group in groups for name in group["scenarios"]):

@@ -1,6 +1,5 @@
-"""Every public function says what it takes, what it gives, what it raises, and shows itself at work.
-
-The examples run as doctests.
+"""Every public function documents its parameters, results and exceptions, and has an example, which runs as a
+doctest.
 """
 
 from __future__ import annotations
@@ -67,7 +66,7 @@ def test_a_public_function_is_documented(name: str, function: Callable[..., Any]
     assert missing == [], name
 
 
-def test_every_public_name_has_words() -> None:
+def test_every_public_name_has_a_docstring() -> None:
     bare = [
         name for name in kingpost.__all__ if name != "__version__" and not getattr(kingpost, name).__doc__
     ]

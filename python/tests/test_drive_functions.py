@@ -40,7 +40,7 @@ def cage(commands: int = 16, period_s: float = 4.0, **changes: object) -> kingpo
     return kingpost.Scenario(json.dumps(given), "cage.json")
 
 
-def test_the_commands_found_are_those_of_inverse_dynamics():
+def test_the_found_commands_equal_those_of_inverse_dynamics():
     # x = a sin(w t) needs the force m x'' + c x' + k x. The transient is 1e-5 after 16 s.
     # The spline through 16 commands errs by at most 5/384 (w h)^4 of the force, 3e-4 (Hall & Meyer,
     # J. Approx. Theory 16, 1976), and its values may differ from the force by as much.
@@ -63,7 +63,7 @@ def test_the_commands_found_are_those_of_inverse_dynamics():
 @pytest.mark.parametrize(
     ("held_by", "ropes", "axes"), [("winch", False, "z"), ("boom", False, "xyz"), ("ropes", True, "xyz")]
 )
-def test_the_functions_of_the_gallery_hold_the_load(held_by: str, ropes: bool, axes: str):
+def test_the_drive_functions_of_the_gallery_keep_the_load_in_place(held_by: str, ropes: bool, axes: str):
     def deviations(held: str) -> dict[str, float]:
         found = kingpost.run(GALLERY, {"simulation.duration_s": 90}, held_by=held, auxiliary_ropes=ropes)
         columns = {axis: found.kingpost[f"lift.position.{axis}"].values for axis in axes}
@@ -92,7 +92,7 @@ def test_a_search_from_zero_finds_the_winch_of_the_gallery():
     assert np.abs(np.subtract(found.commands["winch_hoists"], kept)).max() < 0.01 * max(kept)
 
 
-def test_mistakes_are_named_with_what_is_allowed():
+def test_errors_name_the_wrong_value_and_the_allowed_ones():
     position = {"slide.joint_position": 0.1}
     short = {"simulation.duration_s": 0.1}
     for name, given, expected in [

@@ -37,7 +37,7 @@ def energy_warnings(tmp_path: Path, integrator: str, step_s: float, height_m: fl
 
 
 @pytest.mark.parametrize("height_m", [0.0, 400.0, -3000.0])
-def test_an_error_of_the_energy_in_play_is_warned_of_at_any_height(height_m: float, tmp_path: Path) -> None:
+def test_an_energy_error_gives_a_warning_at_any_height(height_m: float, tmp_path: Path) -> None:
     """Source: forward Euler adds energy to a pendulum: (1 + h^2 g / L) each step, 8 % here."""
     (text,) = energy_warnings(tmp_path, "forward_euler", 0.01, height_m)
     (at_origin,) = energy_warnings(tmp_path, "forward_euler", 0.01, 0.0)
@@ -45,7 +45,9 @@ def test_an_error_of_the_energy_in_play_is_warned_of_at_any_height(height_m: flo
 
 
 @pytest.mark.parametrize("height_m", [0.0, 3000.0])
-def test_rounding_is_no_error_however_far_the_origin_is(height_m: float, tmp_path: Path) -> None:
+def test_rounding_gives_no_energy_warning_at_any_distance_of_the_origin(
+    height_m: float, tmp_path: Path
+) -> None:
     assert energy_warnings(tmp_path, "rk4", 0.01, height_m) == []
 
 

@@ -15,7 +15,7 @@ ENGINE = Path(__file__).resolve().parents[2] / "crates" / "kingpost" / "src"
 
 
 def shown(*events: tuple[float, str, str]) -> list[str]:
-    """The lines of a run's events, with single blanks."""
+    """Lines of a run's events, with single blanks."""
     found = [{"time_s": time_s, "element": element, "what": what} for time_s, element, what in events]
     lines = event_report.events(xarray.Dataset(attrs={"events": json.dumps(found)}))
     return [" ".join(line.split()) for line in lines]
@@ -42,13 +42,13 @@ def test_important_events_come_first_in_order_of_time_and_repeating_ones_are_cou
     ]
 
 
-def test_whatever_happens_to_one_thing_with_every_wave_is_counted():
+def test_events_of_one_element_that_repeat_with_every_wave_are_counted():
     waves = [(float(k), "module", "meets the water") for k in range(5)]
     assert shown(*waves)[1:] == ["module meets the water 5 times 0.00 4.00"]
     assert shown(*waves[:4])[1:] == [f"{k}.00 module meets the water" for k in range(4)]
 
 
-def test_a_run_that_a_step_of_its_operation_ends_says_so_as_the_last_thing(capsys):
+def test_a_run_ended_by_a_step_of_its_operation_reports_this_last(capsys):
     """Source: a load that is to be 9 m high after a second of its step, which begins at 30 s."""
     settings = {"simulation.duration_s": 40, "operation.steps.1.time_out_s": 1}
     assert (
@@ -62,11 +62,11 @@ def test_a_run_that_a_step_of_its_operation_ends_says_so_as_the_last_thing(capsy
     assert "did not end within 1 s" in printed.err
 
 
-def test_a_run_in_which_nothing_happened_prints_no_table():
+def test_a_run_without_events_prints_no_table():
     assert shown() == []
 
 
-def test_the_events_that_are_told_apart_are_events_of_the_engine():
+def test_the_repeating_events_of_the_report_are_events_of_the_engine():
     """Source: the words of the engine's elements."""
     text = "\n".join(path.read_text(encoding="utf-8") for path in ENGINE.glob("elements/**/*.rs"))
     assert set(re.findall(r'"([a-z ]+)"', text)) >= {*REPEATING, PARTS}

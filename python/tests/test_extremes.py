@@ -1,6 +1,5 @@
-"""Largest values: Gaussian processes of a known spectrum, samples of the distributions themselves.
-
-The true quantile of the process comes from a million records: `python python/tests/test_extremes.py`.
+"""Extremes of Gaussian processes with a known spectrum, and of samples of the fitted distributions. The true
+quantile of the process is from a million records: `python python/tests/test_extremes.py`.
 """
 
 from __future__ import annotations
@@ -125,7 +124,7 @@ def test_exponential_peaks_give_their_scale_and_cover_their_quantile() -> None:
     )
 
 
-def test_a_generalised_pareto_tail_comes_back() -> None:
+def test_the_parameters_of_a_generalised_pareto_tail_are_recovered() -> None:
     rng = np.random.default_rng(8)
     runs = stats.genpareto(-0.2, 3.0, 0.5).rvs((200, 100), random_state=rng)
     found = extremes.over_threshold(runs, 600.0, 600.0, threshold=3.0)
@@ -140,7 +139,7 @@ def test_a_generalised_pareto_tail_comes_back() -> None:
 
 
 @pytest.mark.parametrize("threshold", [0.0, 1.0])
-def test_rayleigh_peaks_are_weibull_peaks_of_shape_two_wherever_they_are_cut(threshold: float) -> None:
+def test_rayleigh_peaks_give_a_weibull_shape_of_two_at_any_threshold(threshold: float) -> None:
     rng = np.random.default_rng(9)
     runs = 5.0 + rng.rayleigh(1.5, (100, 200))
     found = extremes.weibull(runs, 600.0, 600.0, mean=5.0, threshold=5.0 + threshold)
@@ -151,7 +150,7 @@ def test_rayleigh_peaks_are_weibull_peaks_of_shape_two_wherever_they_are_cut(thr
     assert found.exceedance(11.0) == pytest.approx(-np.expm1(-200 * np.exp(-0.5 * (6 / 1.5) ** 2)), rel=0.15)
 
 
-def test_the_largest_peaks_of_each_run_do_where_the_count_of_all_is_given() -> None:
+def test_the_largest_peaks_of_each_run_are_enough_if_the_count_of_all_is_given() -> None:
     rng = np.random.default_rng(10)
     runs = [rng.rayleigh(1.0, 75) for _ in range(10)]
     largest = [np.sort(run)[-48:] for run in runs]
@@ -170,7 +169,7 @@ def test_peaks_are_one_for_each_cycle_about_the_mean() -> None:
     assert len(extremes.peaks(np.ones(50))) == 0
 
 
-def test_statistics_has_the_names_that_it_had() -> None:
+def test_the_module_statistics_keeps_its_public_names() -> None:
     assert statistics.extreme is extremes.extreme
     assert statistics.THREE_HOURS_S == extremes.THREE_HOURS_S
 
@@ -192,7 +191,7 @@ def test_statistics_has_the_names_that_it_had() -> None:
         (lambda: extremes.weibull(ranks(), 600.0).exceedance(1.0), "level: found 1, allowed: the threshold"),
     ],
 )
-def test_what_cannot_be_fitted_is_said(call: Callable[[], object], message: str) -> None:
+def test_samples_that_cannot_be_fitted_are_refused(call: Callable[[], object], message: str) -> None:
     with pytest.raises(KingpostError, match=message):
         call()
 

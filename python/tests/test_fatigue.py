@@ -83,7 +83,7 @@ def test_rayleigh_ranges_have_the_closed_form_to_their_sampling_error() -> None:
         assert cycles.damage(slope) == pytest.approx(closed, rel=4 * deviation / math.sqrt(len(peaks)))
 
 
-def test_runs_are_summed_each_by_itself_and_a_stopped_one_is_nan() -> None:
+def test_the_damage_of_each_run_is_summed_separately_and_is_nan_for_a_stopped_run() -> None:
     time = np.arange(0.0, 101.0)
     rows = np.stack([np.cos(np.pi * time), 2 * np.cos(np.pi * time), np.where(time < 50, 1.0, np.nan)])
     series = xarray.DataArray(
@@ -110,6 +110,6 @@ def test_runs_are_summed_each_by_itself_and_a_stopped_one_is_nan() -> None:
         (lambda: fatigue.expected([1.0, 2.0], 0.0, 1.0), "record_s: found 0, allowed"),
     ],
 )
-def test_what_cannot_be_counted_is_said(call, message: str) -> None:
+def test_records_that_cannot_be_counted_are_refused_with_the_reason(call, message: str) -> None:
     with pytest.raises(KingpostError, match=message):
         call()

@@ -1,4 +1,4 @@
-"""A process that is forked beside a running thread goes on."""
+"""A process that is forked while a thread runs does not hang."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ WAIT_S = 60
 
 
 @pytest.mark.skipif(not (forking.LOCKED and hasattr(os, "fork")), reason="no lock, or no fork")
-def test_a_child_computes_what_a_thread_was_computing_when_it_was_forked() -> None:
+def test_a_forked_child_can_compute_a_property_that_a_thread_was_computing() -> None:
     scenario = kingpost.load("chain")
     held, done = threading.Event(), threading.Event()
 

@@ -160,7 +160,7 @@ def test_the_response_to_regular_waves_is_that_of_a_run():
 
 
 @pytest.mark.parametrize("one_side", [False, True])
-def test_a_shifted_weight_heels_a_ship_by_what_is_left_of_her_waterplane(one_side: bool):
+def test_a_shifted_weight_heels_a_ship_by_her_waterplane_without_the_open_tanks(one_side: bool):
     """Source: lost waterplane (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on bilging);
     tan(heel) = m y / (M GM). With one tank alone the centre of flotation moves too."""
     weight = {
@@ -234,7 +234,7 @@ def test_the_energy_closes_with_losses_pump_and_waves_at_large_angles():
     assert errors[1] < 1e-5 * 0.5 * ROLL_STIFFNESS * 0.15**2
 
 
-def test_a_tank_out_of_the_water_drains_and_is_warned_of():
+def test_a_tank_out_of_the_water_drains_and_gives_a_warning():
     given = scenario(position_m=[0, 7, 0.5], damping_ratio=0.3, loss_coefficient=2.6)
     with pytest.warns(kingpost.KingpostWarning, match="air reached its opening"):
         ds = kingpost.run(given)
@@ -242,7 +242,7 @@ def test_a_tank_out_of_the_water_drains_and_is_warned_of():
     assert float(ds.kingpost["tank.water_level"][-1]) == pytest.approx(0.0, abs=0.15)
 
 
-def test_a_level_that_reaches_the_top_is_warned_of():
+def test_a_level_that_reaches_the_top_gives_a_warning():
     pump = {"pressure_limit_Pa": 6.0e4, "flow_limit_m3_s": 60.0}
     simulation = kingpost.Simulation(scenario(loss_coefficient=2.6, air_pump=pump))
     simulation.set_input("tank", -1.0)
@@ -261,14 +261,14 @@ def test_a_level_that_reaches_the_top_is_warned_of():
         ("air_pump", PUMP | {"pressure_limit_Pa": 2e5}, "less than the pressure of the atmosphere"),
     ],
 )
-def test_a_tank_that_cannot_be_is_refused_with_its_field(field: str, value: Any, said: str):
+def test_an_impossible_tank_is_refused_with_its_field(field: str, value: Any, said: str):
     with pytest.raises(kingpost.ScenarioError, match=said) as caught:
         kingpost.Simulation(scenario(**{field: value}))
     assert f"forces.tank.free_flooding_tank.{field}" in str(caught.value)
 
 
 @pytest.mark.thorough
-def test_the_pumped_tanks_of_the_gallery_take_more_than_half_of_the_roll_at_resonance():
+def test_the_pumped_tanks_of_the_gallery_reduce_roll_at_resonance_by_more_than_half():
     def roll(**given: Any) -> float:
         ds = kingpost.run(kingpost.load("roll_reduction_flooded_tanks", given))
         return float(np.degrees(ds.kingpost["hull.roll"].values[500:]).std())

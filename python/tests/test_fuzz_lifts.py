@@ -1,7 +1,6 @@
-"""Lifts with something wrong: each is refused with a place, or runs in numbers, or ends with a reason.
-
-Nothing panics, hangs or goes on without numbers. The cases are drawn from a seed, so that a failure can be
-repeated. More of them, one of them:
+"""Wrong scenarios of lifts: each is refused with a place, runs with finite results, or ends with a reason. No
+case panics, hangs or continues with NaN. The cases are drawn from a seed, so that a failure can be repeated.
+More of them, one of them:
 
     KINGPOST_FUZZ_SEED=7000 KINGPOST_FUZZ_CASES=5000 pytest python/tests/test_fuzz_lifts.py
     KINGPOST_FUZZ_SEED=7123 KINGPOST_FUZZ_CASES=1 pytest python/tests/test_fuzz_lifts.py
@@ -59,7 +58,7 @@ def bases() -> dict[str, Document]:
 
 @pytest.fixture(scope="module")
 def apart():
-    """A panic, a stack that overflows or a loop without end must not take the tests along."""
+    """Separate process, so that a panic, a stack overflow or an endless loop does not end the tests."""
     process = Apart()
 
     def ask(text: str, *, thorough: bool = False) -> str:
@@ -70,12 +69,12 @@ def apart():
     process.end()
 
 
-def test_the_yard_and_the_gallerys_lifts_run_as_they_are(bases, apart):
+def test_the_unmutated_lifts_of_the_tests_and_the_gallery_run(bases, apart):
     """Else the cases below would be refused for something that is wrong in all of them."""
     assert {name: apart(written(base)) for name, base in bases.items()} == dict.fromkeys(bases, "ran")
 
 
-def test_a_lift_with_something_wrong_is_refused_with_its_place_or_runs_in_numbers(bases, apart):
+def test_a_mutated_lift_is_refused_with_its_place_or_runs_with_finite_results(bases, apart):
     """Source: the public contract: `lift_outcomes` says what is allowed."""
     came_to: Counter[str] = Counter()
     wrong = []
@@ -132,7 +131,7 @@ def test_a_number_that_has_a_sign_is_refused_without_it(bases):
 
 
 @pytest.mark.parametrize("depth", [100, 1000, 100_000])
-def test_conditions_that_are_nested_without_end_are_refused_at_their_place(depth, apart):
+def test_conditions_nested_too_deeply_are_refused_at_their_place(depth, apart):
     """Source: a stack ends; the error has the line of the first bracket too many."""
     nested = "{all: [" * depth + "{after_s: 1}" + "]}" * depth
     says = apart(YARD.replace("until: {after_s: 0.1}", f"until: {nested}"))

@@ -19,7 +19,7 @@ GOLDEN = {
 
 
 @pytest.mark.parametrize("case", GOLDEN, ids="-".join)
-def test_gives_the_native_runs_bits(case) -> None:
+def test_the_golden_rows_equal_the_native_run_bit_for_bit(case) -> None:
     """Source: `cargo run -p kingpost --example write_golden`."""
     golden = GOLDEN[case]
     simulation = kingpost.Simulation(kingpost.load(case[0], golden["overrides"]))

@@ -152,7 +152,7 @@ def scale(run: xarray.Dataset, variable: str) -> float:
     return max(energies) if is_wrench or unit in ("J", "N", "N m", "N m s") else 0.0
 
 
-def test_a_gradient_holds_the_run_and_its_derivatives(tmp_path):
+def test_a_gradient_contains_the_run_and_its_derivatives(tmp_path):
     """Source: the public contract."""
     names = ["crane_x_m", "bodies.arm.mass_kg", "crane_y_m", "crane_z_m", "bodies.tower.mass_kg"]
     found = kingpost.gradient("paper", names, SHORT)
@@ -209,7 +209,7 @@ def test_a_run_that_diverges_keeps_its_results(tmp_path):
     assert np.isfinite(caught.value.results.joint_position_derivative).all()
 
 
-def test_progress_is_heard_for_every_four_names():
+def test_progress_is_called_for_every_four_names():
     """Source: the public contract: once through the run for every four names."""
     heard: list[float] = []
     names = [f"bodies.{body}.mass_kg" for body in ("arm", "tower")] + ["crane_x_m", "crane_y_m", "crane_z_m"]

@@ -1,4 +1,4 @@
-"""Mesh files as other programs write them: nothing of a file is lost, and what is wrong is named.
+"""Mesh files of other programs: they are read completely, and errors are named.
 
 Source: the same box of 20 x 8 x 3 m at a draught of 1.5 m, 240 m3, in each way of writing.
 """
@@ -103,14 +103,14 @@ PANELS = [" ".join(f"{x} {y} {z - 1.5}" for x, y, z in (CORNERS[k - 1] for k in 
         ),
     ],
 )
-def test_what_is_wrong_with_a_file_is_named(name: str, text: str, message: str, tmp_path: Path) -> None:
+def test_the_fault_of_a_mesh_file_is_named(name: str, text: str, message: str, tmp_path: Path) -> None:
     path = tmp_path / name
     path.write_text(text)
     with pytest.raises(HydrodynamicsError, match=message):
         read(path)
 
 
-def test_the_hole_that_is_named_is_not_the_one_at_the_water(tmp_path: Path) -> None:
+def test_the_error_names_a_hole_in_the_hull_and_not_the_open_water_plane(tmp_path: Path) -> None:
     """Source: a box without its top, which may be open, and with a hole in its bottom, which may not."""
     path = tmp_path / "open.obj"
     path.write_text(obj([f"v {x} {y} {z - 3}" for x, y, z in CORNERS], FACES[2:]))
@@ -118,14 +118,14 @@ def test_the_hole_that_is_named_is_not_the_one_at_the_water(tmp_path: Path) -> N
         HullFile(path).meshes(100)
 
 
-def test_a_bow_along_y_is_warned_of(tmp_path: Path) -> None:
+def test_a_bow_along_y_gives_a_warning(tmp_path: Path) -> None:
     path = tmp_path / "across.obj"
     path.write_text(obj([f"v {-y} {x} {z}" for x, y, z in CORNERS], FACES))
     (remark,) = HullFile(path, 1.5).meshes(100).remarks
     assert remark.startswith("the hull is 8 m long and 20 m wide: x must point to the bow")
 
 
-def test_a_mesh_of_hydrostar_is_not_taken_for_wamits_hst(
+def test_a_mesh_of_hydrostar_is_not_confused_with_wamits_hst(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "ship.hst"
@@ -134,7 +134,7 @@ def test_a_mesh_of_hydrostar_is_not_taken_for_wamits_hst(
     assert "found a mesh of Hydrostar" in capsys.readouterr().err
 
 
-def test_a_density_in_tonnes_is_asked_about_before_the_computation(
+def test_a_density_in_tonnes_is_refused_before_the_computation(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = ["hydro", "sphere:radius_m=5", "--density-kg-m3", "1.025", "-o", str(tmp_path / "a.hydro.json")]

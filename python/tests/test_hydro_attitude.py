@@ -1,4 +1,4 @@
-"""Hulls that list or trim: their meshes, coefficients, files, and what is refused."""
+"""Inclined hulls: their meshes, coefficients and files, and refused input."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_heel_to_starboard_puts_the_starboard_side_down_and_trim_by_the_bow_the_
 
 
 @pytest.mark.parametrize("heel_deg", [5.0, -5.0, 15.0])
-def test_a_listed_box_displaces_as_before_and_turns_about_the_middle_of_its_waterplane(heel_deg):
+def test_a_listed_box_keeps_its_displacement_and_turns_about_the_middle_of_its_waterplane(heel_deg):
     """Source: the wall-sided formulas, while neither deck nor bottom is at the water: 30.96 and 21.8 deg."""
     hull, heel = standing(BARGE, 300, heel_deg), np.radians(heel_deg)
     assert hull.attitude.height_m == pytest.approx(0.0, abs=1e-12)
@@ -78,7 +78,7 @@ def test_a_listed_box_displaces_as_before_and_turns_about_the_middle_of_its_wate
     assert hull.remarks == ()
 
 
-def test_a_box_whose_bottom_comes_out_rises_until_its_wedge_displaces_as_before():
+def test_a_box_whose_bottom_emerges_keeps_its_displacement():
     """Source: a wedge of depth d at its edge has the section d^2 / (2 sin cos)."""
     heel, draught = np.radians(20.0), 0.5
     hull = standing(f"box:length_m=20,beam_m=10,draught_m={draught},depth_m=5", 200, 20.0)
@@ -91,7 +91,7 @@ def test_a_box_whose_bottom_comes_out_rises_until_its_wedge_displaces_as_before(
 
 
 @pytest.mark.parametrize(("heel_deg", "trim_deg"), [(12.0, 0.0), (0.0, 2.0), (-7.0, 1.5)])
-def test_a_vessel_that_lists_and_trims_displaces_as_before_on_its_panels_too(heel_deg, trim_deg):
+def test_the_panels_of_a_listed_and_trimmed_vessel_keep_its_displacement(heel_deg, trim_deg):
     hull = standing(VESSEL, 300, heel_deg, trim_deg)
     volume = hull.upright.particulars.volume_m3
     assert hull.particulars.volume_m3 == pytest.approx(volume, rel=1e-9)
@@ -100,7 +100,7 @@ def test_a_vessel_that_lists_and_trims_displaces_as_before_on_its_panels_too(hee
     assert hull.upright.panel_count <= hull.panel_count < 1.1 * hull.upright.panel_count
 
 
-def test_planes_of_symmetry_that_heel_and_trim_take_away_are_not_used():
+def test_planes_of_symmetry_lost_by_heel_or_trim_are_not_used():
     assert standing(BARGE, 80, 5).reflections == (0,)
     assert standing(BARGE, 80, 0, 3).reflections == (1,)
     assert standing(BARGE, 80, 3, 3).reflections == ()
@@ -108,7 +108,7 @@ def test_planes_of_symmetry_that_heel_and_trim_take_away_are_not_used():
     assert standing(VESSEL, 300, 0, 2).reflections == (1,)
 
 
-def test_a_mesh_file_stands_as_the_parametric_hull_of_the_same_shape(tmp_path):
+def test_a_mesh_file_gets_the_attitude_of_the_parametric_hull_of_the_same_shape(tmp_path):
     meshio = pytest.importorskip("meshio")
     upright = parametric(parse_shape(BARGE), BARGE, 100).hull
     path = tmp_path / "barge.stl"
@@ -142,7 +142,7 @@ def coefficients(hull: HullMeshes, omega: tuple[float, ...], directions: int) ->
 
 
 @pytest.mark.thorough
-def test_a_sphere_that_lists_has_the_coefficients_of_one_that_does_not():
+def test_a_listed_sphere_has_the_coefficients_of_the_upright_one():
     """Source: symmetry. Panels that are turned and cut at the water are others: with 200, added mass differs
     by 0.9 %, damping by 2.6 %, excitation by 1.3 %, with 400 by half of that; limits are twice that."""
     upright, listed = (coefficients(standing(SPHERE, 200, heel), (0.8, 1.4), 4) for heel in (0, 20))
@@ -178,7 +178,7 @@ def test_lists_to_port_and_to_starboard_are_mirror_images(listed_barges):
 
 
 @pytest.mark.thorough
-def test_symmetry_fore_and_aft_is_left_to_a_box_that_lists(listed_barges):
+def test_a_listed_box_keeps_its_fore_and_aft_symmetry(listed_barges):
     """Head seas give no Froude-Krylov sway, whatever the hull's section: Int dp/dy dV = 0. In long waves the
     water that rises and falls by -w^2 a gives that of the coupling of heave and sway (G. I. Taylor)."""
     found, _ = listed_barges
@@ -198,7 +198,7 @@ def small_database(hull: HullMeshes, loading: Loading | None = None):
     return build.build(hull, Water(), "listed", np.array([0.6, 1.0]), 8, loading=loading)
 
 
-def test_a_database_keeps_the_upright_hull_and_how_it_stands(tmp_path):
+def test_a_database_stores_the_upright_hull_and_its_attitude(tmp_path):
     hull = standing(BARGE, 200, 5)
     made = small_database(hull)
     target = database_file.write(made, tmp_path / "listed.hydro.json")
@@ -218,7 +218,7 @@ def test_a_database_keeps_the_upright_hull_and_how_it_stands(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["barge", "sphere", "offshore_vessel"])
-def test_a_file_without_attitude_is_written_as_it_was(name, tmp_path):
+def test_a_file_without_attitude_is_rewritten_unchanged(name, tmp_path):
     source = GALLERY / f"{name}.hydro.json"
     target = database_file.write(database_file.read(source), tmp_path / source.name)
     assert target.read_bytes() == source.read_bytes()
@@ -260,7 +260,7 @@ def test_frequencies_solved_for_one_attitude_are_not_reused_for_another(tmp_path
 
 
 @pytest.mark.thorough
-def test_a_listed_sphere_that_is_loaded_alike_drifts_as_the_upright_one():
+def test_a_listed_sphere_with_equal_loading_drifts_as_the_upright_one():
     """Source: symmetry. The centre of gravity is 2 m under the water, under the middle, in both."""
     heel, radii = 20.0, (3.0, 3.0, 3.0)
     depths = (2.0, 2.0 * np.cos(np.radians(heel)))
@@ -273,12 +273,12 @@ def test_a_listed_sphere_that_is_loaded_alike_drifts_as_the_upright_one():
     np.testing.assert_allclose(listed.mean_drift[..., :2], upright.mean_drift[..., :2], atol=0.1 * largest)
 
 
-def test_a_loading_of_which_a_listed_hull_would_capsize_is_refused():
+def test_a_loading_that_would_capsize_a_listed_hull_is_refused():
     with pytest.raises(HydrodynamicsError, match=r"--loading kg_m: found 6, .* so that the hull stays as it"):
         small_database(standing(BARGE, 80, 5), Loading(6.0, 3.0, 6.0, 6.0))
 
 
-def test_the_attitude_of_a_scenario_is_the_one_that_check_prints():
+def test_the_attitude_by_a_scenario_equals_the_one_printed_by_check():
     scenario = kingpost.load("barge", {"forces.water.hydrodynamics.hydrostatics": "mesh"})
     (afloat,) = scenario.hydrostatics["hulls"]
     upright = upright_hull(BARGE, 80)
@@ -302,13 +302,13 @@ def test_a_scenario_without_a_hull_afloat_is_refused():
         attitude_command.of_scenario(kingpost.load("paper"), upright_hull(BARGE, 80).particulars)
 
 
-def test_a_hull_that_displaces_something_else_than_its_scenario_says_is_refused():
+def test_a_hull_with_another_displacement_than_in_its_scenario_is_refused():
     asked = Inclination(0.1, 0.0, 0.0, "as ship floats in x.yaml", 500.0)
     with pytest.raises(HydrodynamicsError, match=r"found a hull that displaces 500 m3 as ship floats in x"):
         inclined.of_shape(parse_shape(BARGE), upright_hull(BARGE, 80), 80, asked)
 
 
-def test_the_summary_tells_both_the_upright_hull_and_how_it_stands():
+def test_the_summary_contains_the_upright_hull_and_its_attitude():
     shown = summary(standing(BARGE, 100, -5), Water()).splitlines()
     assert "draught             2 m" in shown
     assert "attitude            heel 5 deg to port, no trim, its origin on the water" in shown
@@ -327,7 +327,7 @@ def test_the_summary_tells_both_the_upright_hull_and_how_it_stands():
         (["x.hst", "--heel-deg", "5"], "--heel-deg: found x.hst, allowed: a hull that is computed"),
     ],
 )
-def test_a_wrong_attitude_is_one_line_and_writes_nothing(tmp_path, capsys, monkeypatch, words, message):
+def test_a_wrong_attitude_gives_one_error_line_and_no_file(tmp_path, capsys, monkeypatch, words, message):
     monkeypatch.chdir(tmp_path)
     status = cli.main(["hydro", *words, "-o", "hull.hydro.json"])
     assert status == cli.WRONG_INPUT
@@ -338,7 +338,7 @@ def test_a_wrong_attitude_is_one_line_and_writes_nothing(tmp_path, capsys, monke
 
 
 @pytest.mark.parametrize("heel_deg", [None, 0.0])
-def test_a_hull_without_heel_stays_the_upright_one(heel_deg):
+def test_a_hull_with_zero_heel_is_the_upright_one(heel_deg):
     options = argparse.Namespace(heel_deg=heel_deg, trim_deg=None, attitude_of=None)
     assert attitude_command.parse(options, upright_hull(BARGE, 80).particulars) is None
 

@@ -1,4 +1,4 @@
-"""The hydrodynamic database's file: what it keeps, what it refuses, and that it is whole or not there."""
+"""File of the hydrodynamic database: round trips, refused input, and atomic writing."""
 
 import json
 import os
@@ -55,7 +55,7 @@ def sample(n: int = 3, m: int = 4, **changes: object) -> Database:
     return Database(**(values | changes))
 
 
-def test_keeps_the_loading_of_the_drift_and_reads_files_without_one(tmp_path):
+def test_a_database_stores_the_loading_of_the_drift_and_files_without_one_are_read(tmp_path):
     loading = DriftLoading(4.1e5, 2.5, np.array([3.23, 5.95, 6.45]), 0.05)
     path = database_file.write(sample(mean_drift_loading=loading), tmp_path / "a.hydro.json")
     read = database_file.read(path).mean_drift_loading
@@ -115,7 +115,7 @@ def test_the_data_set_carries_units_and_names():
     np.testing.assert_array_equal(labelled.excitation_force, expected)
 
 
-def test_capytaine_takes_the_data_set_and_what_it_writes_is_read_back(tmp_path):
+def test_capytaine_accepts_the_data_set_and_its_file_reads_back(tmp_path):
     """Source: Capytaine: its post-processing beside the equation solved here, and its own file."""
     capytaine = pytest.importorskip("capytaine")
     database = database_file.read(gallery.folder() / "hydro" / "barge.hydro.json")
@@ -227,7 +227,7 @@ def test_a_wrong_database_is_never_written(tmp_path):
     assert os.listdir(tmp_path) == []
 
 
-def test_an_interrupted_write_leaves_the_file_that_was_there(tmp_path, monkeypatch):
+def test_an_interrupted_write_leaves_the_old_file(tmp_path, monkeypatch):
     path = database_file.write(sample(), tmp_path / "a.hydro.json")
     before = path.read_bytes()
 
@@ -241,7 +241,7 @@ def test_an_interrupted_write_leaves_the_file_that_was_there(tmp_path, monkeypat
     assert path.read_bytes() == before
 
 
-def test_a_folder_that_is_not_there_and_a_wrong_ending_are_refused(tmp_path):
+def test_a_missing_folder_and_a_wrong_ending_are_refused(tmp_path):
     with pytest.raises(HydrodynamicsError, match="no such folder"):
         database_file.write(sample(), tmp_path / "none" / "a.hydro.json")
     with pytest.raises(HydrodynamicsError, match=r"ends with \.hydro\.json"):

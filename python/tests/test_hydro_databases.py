@@ -1,4 +1,4 @@
-"""What real databases showed: listings, motions beside them, first frequencies that fail, deep hulls."""
+"""Cases from real databases: listings, files with motions, wrong first frequencies, deep hulls."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_a_response_far_below_the_peak_of_damping_is_that_of_the_data() -> None:
     assert off.max() <= 1.05 * 0.5 * radiation_fit.LIMIT
 
 
-def test_noise_of_high_frequencies_is_no_peak_of_the_memory() -> None:
+def test_noise_at_high_frequencies_does_not_count_as_the_peak_of_the_memory() -> None:
     clean = platform()
     # One percent of added mass at 20 times the frequency of the largest damping.
     omega = np.append(clean.frequencies_rad_s, 18.0)
@@ -79,7 +79,7 @@ def test_noise_of_high_frequencies_is_no_peak_of_the_memory() -> None:
     assert peaks[1] == pytest.approx(peaks[0])
 
 
-def test_a_fit_that_misses_in_a_coupling_alone_says_which() -> None:
+def test_a_fit_that_misses_only_in_a_coupling_names_the_coupling() -> None:
     omega = np.geomspace(0.05, 60.0, 160)
     response = samples.memory_of_bandpasses(omega)
     infinite = np.diag([3e5, 3e5, 3e5, 0.0, 7e6, 0.0])
@@ -180,9 +180,7 @@ def test_motions_of_wamit_are_compared_with_motions_from_the_imported_data(tmp_p
     ],
     ids=["one heading", "some headings", "headings apart", "frequencies", "not a number", "cut", "motion 0"],
 )
-def test_a_fault_in_the_motions_that_are_only_compared_is_said_and_refuses_nothing(
-    tmp_path, spoilt, said
-) -> None:
+def test_an_error_in_the_compared_motions_is_reported_and_the_import_succeeds(tmp_path, spoilt, said) -> None:
     base = writers.database()
     path = programs.wamit_six_digits(tmp_path / "hull", base)
     programs.wamit_listing(tmp_path / "hull", base)
@@ -198,7 +196,7 @@ def test_a_fault_in_the_motions_that_are_only_compared_is_said_and_refuses_nothi
     np.testing.assert_array_equal(found.excitation, alone.excitation)
 
 
-def test_a_slender_spar_in_long_waves_is_known_as_one() -> None:
+def test_a_slender_spar_passes_the_check_of_long_waves() -> None:
     """G. I. Taylor's force on a slender body, rho S (1 + c) times the water's acceleration, c = 1 of a
     circle: the moment of a spar of depth T is int 2 rho S z g k exp(k z) dz, and end effects are left out."""
     radius, depth, rho, g = 3.0, 100.0, 1000.0, 9.81

@@ -1,4 +1,4 @@
-"""What `kingpost hydro` says that it takes, what it takes, and that a run that was killed goes on."""
+"""Memory that `kingpost hydro` estimates and uses, and the resumption of a killed run."""
 
 import os
 import re
@@ -53,7 +53,7 @@ def start(folder: Path, *options: str) -> subprocess.Popen:
     ],
     ids=["few panels", "no plane of symmetry"],
 )  # fmt: skip
-def test_the_process_takes_no_more_than_was_said_before_it_began(tmp_path, options) -> None:
+def test_peak_memory_does_not_exceed_the_estimate_printed_before_the_run(tmp_path, options) -> None:
     run = start(tmp_path, *options)
     output, _ = run.communicate(timeout=600)
     assert run.returncode == 0, output
@@ -63,7 +63,7 @@ def test_the_process_takes_no_more_than_was_said_before_it_began(tmp_path, optio
     assert said <= 2.0 * taken
 
 
-def test_the_size_of_a_run_counts_its_lid_and_the_directions_that_are_no_images() -> None:
+def test_the_size_of_a_run_counts_the_lid_panels_and_excludes_mirrored_directions() -> None:
     hull = parametric(parse_shape(PRISM), PRISM, 400)
     omega = np.linspace(1.0, 8.0, 9)
     run = demand.size(hull, True, Water(), omega, 12)
@@ -87,7 +87,7 @@ def solved(file: Path) -> int:
 
 @pytest.mark.skipif(os.name != "posix", reason="a process is killed by a signal")
 @pytest.mark.thorough
-def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> None:
+def test_a_killed_run_is_resumed_and_writes_the_same_file(tmp_path) -> None:
     options = (PRISM, "--water-depth-m", "1", "--panels", "150", "--frequencies-rad-s", "2:5.5:9",
                "--directions", "12")  # fmt: skip
     whole, stopped = tmp_path / "whole", tmp_path / "stopped"

@@ -1,4 +1,4 @@
-"""Mean drift and the ring waves it stands on: energy, momentum, and what does not depend on the origin."""
+"""Mean drift and the ring waves from which it follows: energy, momentum, and independence of the origin."""
 
 from dataclasses import replace
 
@@ -60,7 +60,7 @@ def test_the_ring_waves_of_a_motion_carry_the_energy_of_its_damping(found):
         np.testing.assert_allclose(power, np.diagonal(found.radiation_damping[n]), rtol=0.03)
 
 
-def test_a_hull_that_is_held_scatters_the_energy_that_it_takes(found):
+def test_a_held_hull_scatters_the_energy_that_it_absorbs(found):
     field = found.far_field
     for n, frequency in enumerate(FREQUENCIES):
         k = wave_number(frequency, WATER)
@@ -70,7 +70,7 @@ def test_a_hull_that_is_held_scatters_the_energy_that_it_takes(found):
 
 
 @pytest.mark.thorough
-def test_a_hull_that_floats_free_without_viscosity_takes_no_energy(found, database):
+def test_a_free_hull_without_viscosity_absorbs_no_energy(found, database):
     field = found.far_field
     moved = drift.motions(database, LOADING)[:, field.directions]
     amplitudes = field.scattered + moved @ field.radiated
@@ -84,7 +84,7 @@ def test_a_hull_that_floats_free_without_viscosity_takes_no_energy(found, databa
 
 
 @pytest.mark.thorough
-def test_long_waves_move_the_barge_as_they_move_the_water(database):
+def test_in_long_waves_the_barge_moves_with_the_water(database):
     k = wave_number(0.5, WATER)
     long = np.abs(drift.motions(database, LOADING)[0, 6])
     # Head waves 40 m long and more: heave of 1 m and pitch of the slope k, less what sin x / x says of
@@ -93,7 +93,7 @@ def test_long_waves_move_the_barge_as_they_move_the_water(database):
     assert long[4] == pytest.approx(k, rel=0.2)
 
 
-def test_short_head_waves_that_are_reflected_push_with_their_momentum():
+def test_reflected_short_head_waves_give_the_drift_force_by_momentum():
     # M. S. Longuet-Higgins, The mean forces exerted by waves on floating or submerged bodies, Proc. R.
     # Soc. A 352, 1977: rho g a^2 c_g / c for each metre of a wall that reflects all. A deep box,
     # held: its edges diffract what is within a wave length of them.
@@ -190,7 +190,7 @@ def test_the_stiffness_of_the_barge_is_that_of_a_block(barge):
 
 
 @pytest.mark.thorough
-def test_a_held_hull_drifts_as_capytaines_own_far_field_says():
+def test_the_drift_force_on_a_held_hull_equals_that_of_capytaines_far_field():
     import capytaine
     import xarray
 
@@ -226,7 +226,7 @@ def test_a_held_hull_drifts_as_capytaines_own_far_field_says():
         np.testing.assert_allclose(ours, other, rtol=0.06)
 
 
-def test_a_hull_that_would_not_stay_upright_is_refused_with_the_highest_centre(barge):
+def test_an_unstable_hull_is_refused_with_the_highest_allowed_centre_of_gravity(barge):
     # KB + BM = 1 + 10^2 / (12 * 2) = 5.167 m.
     with pytest.raises(HydrodynamicsError, match=r"--loading kg_m: found 6, allowed: less than 5\.167 m"):
         build.build(barge, WATER, "barge", FREQUENCIES, loading=replace(LOADING, kg_m=6.0))

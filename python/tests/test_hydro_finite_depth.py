@@ -36,7 +36,7 @@ def john(kh: float, distance: float, z: float, source: float) -> complex:
 
 
 @pytest.mark.parametrize("kh", [0.01, 0.06, 0.3, 1.0, 2.0, 5.0, 10.2, 20.0])
-def test_greens_function_is_johns_series(kh) -> None:
+def test_greens_function_equals_johns_series(kh) -> None:
     side, source = 1e-3, -0.03
     x, y = side / 2 * np.array([-1, 1, 1, -1]), side / 2 * np.array([-1, -1, 1, 1])
     corners = np.stack([x, y, np.full(4, source)], axis=1)
@@ -55,7 +55,7 @@ def test_greens_function_is_johns_series(kh) -> None:
 
 
 @pytest.mark.parametrize("kh", [0.005, 0.03, 0.1, 0.4, 1.0, 3.7, 10.0, 19.9999, 20.0, 35.0, 2e5, np.inf])
-def test_the_exponentials_are_the_function_to_a_hundred_thousandth(kh) -> None:
+def test_the_sum_of_exponentials_matches_the_function_to_1e_5(kh) -> None:
     x = np.append(np.geomspace(1e-4, 1.0, 1001), np.linspace(1.0, 20.0, 1900)) * 0.99997
     x = x[np.abs(x - kh) > 1e-3 * min(kh, 1.0)]
     rates, amplitudes = finite_depth.decomposition(kh)

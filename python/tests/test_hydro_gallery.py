@@ -1,4 +1,4 @@
-"""The stored databases of the gallery are what the commands of their README give with the code of today."""
+"""The stored databases of the gallery equal the present results of the commands in their README."""
 
 import re
 import shlex
@@ -106,7 +106,7 @@ def test_a_fit_to_the_stored_coefficients_is_the_stored_memory(name):
     assert (np.abs(first - second) <= 1e-4 * np.sqrt(np.outer(peaks, peaks))).all()
 
 
-def test_the_stored_raos_are_those_of_their_command(tmp_path, monkeypatch):
+def test_the_stored_raos_equal_the_present_results_of_their_command(tmp_path, monkeypatch):
     """A motion that symmetry leaves out has rounding for its amplitude and any lag: amplitudes with their
     phases are compared."""
     (words,) = (words for words in written() if words[0] == "rao")

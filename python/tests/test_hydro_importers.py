@@ -58,20 +58,20 @@ def same(found, base, *, apart: bool = True) -> None:
 
 
 @pytest.mark.parametrize(("scaled", "apart"), [(False, True), (True, True), (False, False)])
-def test_a_bemio_file_gives_the_database_back(tmp_path, scaled, apart) -> None:
+def test_a_bemio_file_is_imported_as_the_original_database(tmp_path, scaled, apart) -> None:
     base, path = writers.database(), tmp_path / "hull.h5"
     writers.write_bemio(path, base, scaled=scaled, apart=apart)
     same(importers.load(path, Options(**BEMIO)), base, apart=apart)
 
 
 @pytest.mark.parametrize("version", sampled([2, 3], keep=[3]))
-def test_a_capytaine_file_gives_the_database_back(tmp_path, version) -> None:
+def test_a_capytaine_file_is_imported_as_the_original_database(tmp_path, version) -> None:
     base, path = writers.database(), tmp_path / "hull.nc"
     writers.capytaine_dataset(base, version).to_netcdf(path, engine="h5netcdf")
     same(importers.load(path, Options(**(CAPYTAINE_2 if version == 2 else CAPYTAINE_3))), base)
 
 
-def test_a_capytaine_file_of_the_classic_format_gives_the_database_back(tmp_path) -> None:
+def test_a_capytaine_file_of_the_classic_format_is_imported_as_the_original_database(tmp_path) -> None:
     base, path = writers.database(), tmp_path / "hull.nc"
     writers.capytaine_dataset(base, 2).to_netcdf(path, engine="scipy")
     same(importers.load(path, Options(**CAPYTAINE_2)), base)
@@ -94,7 +94,7 @@ def test_a_capytaine_file_by_period_is_read_by_frequency(tmp_path) -> None:
     ],
     ids=["plain", "scaled by a length", "by frequency with a header", "other sign of time"],
 )
-def test_wamit_files_give_the_database_back(tmp_path, form) -> None:
+def test_wamit_files_are_imported_as_the_original_database(tmp_path, form) -> None:
     base = writers.database()
     path = form.write(tmp_path / "hull", base)
     first = "period_s" if form.by_period else "frequency_rad_s"
@@ -102,7 +102,7 @@ def test_wamit_files_give_the_database_back(tmp_path, form) -> None:
     same(importers.load(path, Options(**given)), base, apart=form.apart)
 
 
-def test_wamit_units_and_signs_are_those_of_its_manual(tmp_path) -> None:
+def test_units_and_signs_of_wamit_files_follow_its_manual(tmp_path) -> None:
     # By hand, rho = 1000, g = 10, L = 2, w = 1: A33 = 0.5 * 1000 * 2^3, B33 = 0.1 * that / 0.5 * w,
     # A55 = 0.25 * 1000 * 2^5, A15 = 0.2 * 1000 * 2^4; X1 = i * 1000 * 10 * 2^2 of exp(+i w t),
     # X5 = 2 * 1000 * 10 * 2^3; C33 = 3 * 1000 * 10 * 2^2, C44 = 5 * 1000 * 10 * 2^4.
@@ -169,14 +169,14 @@ def test_a_sphere_with_its_weight_in_roll_becomes_buoyancy_alone(tmp_path) -> No
 
 
 @pytest.mark.parametrize("option", [name for name in WAMIT if name != "volume_m3"])
-def test_values_that_a_file_lacks_are_asked_for_by_name(tmp_path, option) -> None:
+def test_the_error_names_a_value_that_a_file_lacks(tmp_path, option) -> None:
     path = writers.Wamit().write(tmp_path / "hull", writers.database())
     given = {name: value for name, value in WAMIT.items() if name != option}
     with pytest.raises(HydrodynamicsError, match=f"{option}: found nothing in the file.*{flag(option)}"):
         importers.load(path, Options(**given))
 
 
-def test_all_that_a_file_does_not_say_is_asked_for_at_once(tmp_path) -> None:
+def test_one_error_names_all_values_that_a_file_lacks(tmp_path) -> None:
     path = writers.Wamit().write(tmp_path / "hull", writers.database())
     with pytest.raises(HydrodynamicsError) as caught:
         importers.load(path, Options(density_kg_m3=1000.0))
@@ -207,7 +207,7 @@ def test_an_option_that_contradicts_the_file_is_an_error(tmp_path) -> None:
         ),
     ],
 )
-def test_a_wrong_answer_shows_in_long_waves(tmp_path, wrong, message) -> None:
+def test_a_wrong_option_is_detected_in_long_waves(tmp_path, wrong, message) -> None:
     path = writers.Wamit().write(tmp_path / "hull", writers.database())
     with pytest.raises(HydrodynamicsError, match=message):
         importers.load(path, Options(**{**WAMIT, **wrong}))
@@ -254,7 +254,7 @@ def test_added_mass_at_infinite_frequency_follows_from_the_damping() -> None:
     assert abs(found[2, 2] / base.added_mass_infinite[2, 2] - 1.0) < 1e-3
 
 
-def test_files_cut_short_or_foreign_are_one_clear_error(tmp_path) -> None:
+def test_a_truncated_or_foreign_file_gives_one_clear_error(tmp_path) -> None:
     base = writers.database()
     writers.write_bemio(tmp_path / "a.h5", base)
     writers.capytaine_dataset(base, 3).to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
@@ -273,7 +273,7 @@ def test_files_cut_short_or_foreign_are_one_clear_error(tmp_path) -> None:
         path.write_bytes(whole)
 
 
-def test_hdf5_of_another_kind_names_what_is_missing(tmp_path) -> None:
+def test_the_error_for_another_hdf5_file_names_the_missing_field(tmp_path) -> None:
     import h5py
 
     for ending in (".h5", ".nc"):
@@ -283,7 +283,7 @@ def test_hdf5_of_another_kind_names_what_is_missing(tmp_path) -> None:
             importers.load(tmp_path / f"a{ending}", Options(**BEMIO))
 
 
-def test_a_file_of_no_known_kind_names_those_that_are(tmp_path) -> None:
+def test_the_error_for_an_unknown_file_lists_the_known_kinds(tmp_path) -> None:
     with pytest.raises(HydrodynamicsError, match=r"unknown format, allowed: Capytaine's .nc"):
         importers.load(tmp_path / "hull.stl")
     with pytest.raises(HydrodynamicsError, match="No such file"):
@@ -331,7 +331,7 @@ def test_an_option_of_a_hull_is_refused_for_a_file(tmp_path, capsys, option) -> 
         ("wamit", "hull.hst", "3 3 ", "3 x "),
     ],
 )
-def test_a_word_that_is_no_number_is_refused_in_one_line(tmp_path, kind, file, old, new) -> None:
+def test_a_word_in_place_of_a_number_is_refused_in_one_line(tmp_path, kind, file, old, new) -> None:
     """Source: found by damaging the files; each ended in a traceback of the library that reads it."""
     sample = foreign.samples()[kind]
     for name, content in sample.files.items():
@@ -346,7 +346,7 @@ def test_a_word_that_is_no_number_is_refused_in_one_line(tmp_path, kind, file, o
 
 
 @pytest.mark.parametrize(("kind", "name"), [("bemio", "hull.h5"), ("capytaine", "hull.nc")])
-def test_a_file_whose_end_is_lost_is_refused_and_says_nothing_else(tmp_path, capfd, kind, name) -> None:
+def test_a_truncated_file_is_refused_without_other_output(tmp_path, capfd, kind, name) -> None:
     """Source: found by damaging the files; the library's own complaints reached the terminal."""
     content = foreign.samples()[kind].files[name]
     path = tmp_path / name

@@ -1,4 +1,5 @@
-"""Influence matrices of like parts: against the whole matrix, Capytaine, and the memory they take."""
+"""Influence matrices of mirrored parts: compared with the whole matrix and with Capytaine, and their
+memory."""
 
 import tracemalloc
 from dataclasses import replace
@@ -25,7 +26,7 @@ def hull(description: str, panels: int):
 
 
 @pytest.mark.parametrize("parts", [1, 2, 4, 8])
-def test_products_and_solutions_by_blocks_are_those_of_the_whole_matrix(parts) -> None:
+def test_products_and_solutions_by_blocks_equal_those_of_the_whole_matrix(parts) -> None:
     rng, n = np.random.default_rng(parts), 7
     blocks = rng.normal(size=(parts, n, n)) + 1j * rng.normal(size=(parts, n, n))
     full = np.block([[blocks[i ^ j] for j in range(parts)] for i in range(parts)])
@@ -46,7 +47,7 @@ def test_the_transform_is_that_of_hadamards_matrix() -> None:
     np.testing.assert_allclose(found, hadamard(8) @ parts, rtol=1e-13, atol=1e-13)
 
 
-def test_factors_stand_where_the_matrix_stood() -> None:
+def test_factors_overwrite_the_matrix() -> None:
     blocks = [np.asfortranarray(np.random.default_rng(k).normal(size=(5, 5)) + 0j) for k in range(4)]
     influence = Influence(list(blocks))
     influence.solve(np.ones(20, complex))
@@ -54,7 +55,7 @@ def test_factors_stand_where_the_matrix_stood() -> None:
 
 
 @pytest.mark.parametrize("description", sampled([BARGE, VESSEL], keep=[BARGE]))
-def test_coefficients_are_those_by_capytaines_own_engine(description, monkeypatch) -> None:
+def test_coefficients_equal_those_of_capytaines_engine(description, monkeypatch) -> None:
     from capytaine.bem.engines import DefaultMatrixEngine
 
     class Theirs(DefaultMatrixEngine):
@@ -85,7 +86,7 @@ def test_panels_without_an_influence_are_refused() -> None:
 
 
 @pytest.mark.parametrize("planes", [0, 2])
-def test_one_frequency_takes_two_matrices_for_each_part_and_little_else(planes) -> None:
+def test_one_frequency_needs_little_more_memory_than_two_matrices_for_each_part(planes) -> None:
     some = hull(BARGE, 250 * 2**planes)
     axes = some.reflections[planes:]
     part = of_triangles(whole(some.panels.surface, axes)) if axes else some.panels

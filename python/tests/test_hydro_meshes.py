@@ -1,4 +1,4 @@
-"""Hulls as meshes: closed forms of their particulars, and what is refused of a file."""
+"""Meshes of hulls: closed forms of their particulars, and refused files."""
 
 import itertools
 
@@ -72,7 +72,7 @@ def test_wigleys_hull_has_its_block_coefficient_of_four_ninths():
 
 
 @pytest.mark.parametrize("wanted", [0.62, 0.68, 0.75, 0.85])
-def test_an_offshore_vessel_has_the_block_coefficient_that_was_asked(wanted):
+def test_an_offshore_vessel_has_the_requested_block_coefficient(wanted):
     found = parametric(OffshoreVessel(80, 18, 5.5, 8, wanted), "vessel", 900).particulars
     assert found.block_coefficient == pytest.approx(wanted, abs=1e-3)
     assert (found.length_m, found.beam_m, found.draught_m) == pytest.approx((80, 18, 5.5), rel=1e-9)
@@ -120,7 +120,7 @@ def test_a_barge_from_a_file_is_the_parametric_barge(tmp_path, ending):
     assert len(meshes.hull.triangles) == len(lifted.triangles)
 
 
-def test_a_symmetric_file_is_solved_in_part_and_another_whole(tmp_path):
+def test_a_symmetric_mesh_is_solved_in_part_and_an_asymmetric_one_whole(tmp_path):
     barge = barge_surface()
     meshes = HullFile(written(tmp_path, barge)).meshes(200)
     assert meshes.reflections == (0, 1)
@@ -206,7 +206,7 @@ def test_a_gdf_file_in_feet_or_beside_a_wall_is_refused(tmp_path, line, change, 
         hull_files.read(path)
 
 
-def test_a_gdf_file_without_symmetry_is_read_as_it_stands(tmp_path):
+def test_a_gdf_file_without_symmetry_is_read_as_the_whole_hull(tmp_path):
     path = tmp_path / "box.gdf"
     lines = GDF.splitlines()
     whole = hull_files.read(_written(path, lines)).area
@@ -225,17 +225,17 @@ def refused(tmp_path, hull: Surface, **options: object) -> str:
     return str(caught.value)
 
 
-def test_a_mesh_with_a_hole_is_refused_with_where_it_is(tmp_path):
+def test_a_mesh_with_a_hole_is_refused_with_the_position_of_the_hole(tmp_path):
     barge = barge_surface()
     message = refused(tmp_path, Surface(barge.vertices, barge.triangles[1:]))
     assert "found a mesh with holes: 3 open edges, one at (" in message
 
 
-def test_half_a_hull_is_refused_with_what_to_do(tmp_path):
+def test_half_a_hull_is_refused_with_advice(tmp_path):
     assert "on y = 0: mirror this half" in refused(tmp_path, barge_surface().below(0.0, 1))
 
 
-def test_inward_normals_are_refused_and_turned_when_asked(tmp_path):
+def test_inward_normals_are_refused_and_reversed_on_request(tmp_path):
     barge = barge_surface()
     inward = Surface(barge.vertices, barge.triangles[:, ::-1])
     assert "found normals that point inwards" in refused(tmp_path, inward)
@@ -244,7 +244,7 @@ def test_inward_normals_are_refused_and_turned_when_asked(tmp_path):
     assert found.volume_m3 == pytest.approx(400, rel=1e-5)
 
 
-def test_one_turned_triangle_is_refused_with_where_it_is(tmp_path):
+def test_one_reversed_triangle_is_refused_with_its_position(tmp_path):
     barge = barge_surface()
     triangles = barge.triangles.copy()
     triangles[7] = triangles[7, ::-1]
@@ -273,7 +273,7 @@ def test_a_hull_that_cannot_float_is_refused(tmp_path):
 
 @pytest.mark.parametrize("content", [b"", b"solid of nothing", b"\x00\x01\x02" * 50, b"v 1 2\nf 9 8 7\n"])
 @pytest.mark.parametrize("ending", ["stl", "obj", "gdf", "vtk", "xyz"])
-def test_a_file_that_is_no_mesh_is_refused(tmp_path, content, ending):
+def test_a_file_that_is_not_a_mesh_is_refused(tmp_path, content, ending):
     path = tmp_path / f"hull.{ending}"
     path.write_bytes(content)
     with pytest.raises(HydrodynamicsError):
@@ -332,7 +332,7 @@ def patches(gap_m: float = 0.0) -> str:
 
 
 @pytest.mark.parametrize("gap_m", [0.0, 0.02])
-def test_panels_that_do_not_meet_edge_to_edge_are_joined_with_a_word(tmp_path, gap_m):
+def test_panels_that_do_not_meet_edge_to_edge_are_joined_with_a_note(tmp_path, gap_m):
     path = tmp_path / "patches.gdf"
     path.write_text(patches(gap_m))
     meshes = HullFile(path).meshes(200)
@@ -343,7 +343,7 @@ def test_panels_that_do_not_meet_edge_to_edge_are_joined_with_a_word(tmp_path, g
     assert "open edges joined, of panels that do not meet edge to edge in patches.gdf" in meshes.remarks[0]
 
 
-def test_a_gap_that_is_no_seam_stays_a_hole(tmp_path):
+def test_a_gap_wider_than_a_seam_stays_a_hole(tmp_path):
     path = tmp_path / "patches.gdf"
     path.write_text(patches(0.5))
     with pytest.raises(HydrodynamicsError, match=r"holes.*give panels side by side the same corners"):
@@ -371,7 +371,7 @@ def plate(heights: tuple[float, ...] = (0.0, -1.0)) -> Surface:
 
 
 @pytest.mark.parametrize("lift_m", [0.0, 3.0])
-def test_a_thin_hull_is_not_sewn_across_its_own_water_plane(lift_m):
+def test_the_sides_of_a_thin_hull_are_not_joined_across_its_water_plane(lift_m):
     """Source: 4 m x 1 m x 0.02 m, wherever the file has its origin."""
     thin = plate()
     assert surface.particulars(thin).volume_m3 == pytest.approx(0.08, rel=1e-12)
@@ -405,7 +405,7 @@ def test_a_deck_is_joined_to_the_sides_though_its_edge_is_the_highest_of_the_hul
 
 
 @pytest.mark.parametrize("ending", ["1", "3", "4", "8", "9", "12"])
-def test_the_last_number_of_a_parametric_hull_makes_no_file_of_it(capsys, ending):
+def test_a_parametric_hull_that_ends_in_a_number_is_not_taken_as_a_file(capsys, ending):
     hull = f"box:length_m=6,beam_m=4,draught_m=0.1,depth_m=0.{ending}"
     assert cli.main(["hydro", hull, "--draught-m", "1", "-o", "hull.hydro.json"]) == 2
     assert "a parametric hull has its own draught" in capsys.readouterr().err

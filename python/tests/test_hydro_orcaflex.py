@@ -1,4 +1,4 @@
-"""OrcaFlex's vessel types: one database in many conventions, chosen by name, refused with what is amiss."""
+"""OrcaFlex's vessel types: one database in many conventions, choice by name, and refused files."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def test_every_convention_gives_the_same_database(tmp_path, form) -> None:
         ("None", (0.0, 90.0, 180.0, 270.0)),
     ],
 )
-def test_every_symmetry_fills_the_circle(tmp_path, symmetry, degrees) -> None:
+def test_every_symmetry_completes_the_circle_of_directions(tmp_path, symmetry, degrees) -> None:
     base = orcaflex.alike_fore_and_aft()
     form = Form(symmetry=symmetry, degrees=degrees)
     same(importers.load(orcaflex.written(tmp_path / "hull.yml", base, form), Options(**DEEP)), base)
@@ -83,7 +83,7 @@ def test_a_force_that_lags_the_crest_by_a_quarter_is_the_imaginary_unit(tmp_path
     assert found == pytest.approx(-1j * 1e3 * surge, rel=1e-12)
 
 
-def test_a_mass_that_is_not_the_displaced_one_leaves_the_weight_to_be_asked_for(tmp_path) -> None:
+def test_a_mass_unequal_to_the_displaced_mass_requires_the_options_of_the_weight(tmp_path) -> None:
     base = orcaflex.base()
     path = orcaflex.written(tmp_path / "hull.yml", base, Form(mass=0.0, weight=False))
     with pytest.raises(HydrodynamicsError, match="restoring_includes_weight"):
@@ -98,7 +98,7 @@ def test_a_mass_that_is_not_the_displaced_one_leaves_the_weight_to_be_asked_for(
     same(importers.load(path, Options(**DEEP, restoring_includes_weight=False)), base)
 
 
-def test_all_values_that_a_file_lacks_are_asked_for_at_once(tmp_path) -> None:
+def test_one_error_names_all_values_that_an_orcaflex_file_lacks(tmp_path) -> None:
     path = orcaflex.written(tmp_path / "hull.yml", orcaflex.base(), Form())
     with pytest.raises(HydrodynamicsError, match="no water_depth_m, draught_m, length_m, beam_m in the file"):
         importers.load(path)
@@ -150,7 +150,7 @@ def test_an_unknown_convention_is_refused_with_its_value(tmp_path, key, value) -
     assert said in str(found.value)
 
 
-def test_frequencies_without_forces_are_left_out_with_a_word(tmp_path) -> None:
+def test_frequencies_without_forces_are_left_out_with_a_note(tmp_path) -> None:
     base = orcaflex.base()
     path = orcaflex.written(tmp_path / "hull.yml", base, Form())
     lines = path.read_text(encoding="utf-8-sig").splitlines()
@@ -164,7 +164,7 @@ def test_frequencies_without_forces_are_left_out_with_a_word(tmp_path) -> None:
     )
 
 
-def test_damping_that_is_not_by_waves_is_left_out_with_a_word(tmp_path) -> None:
+def test_damping_other_than_radiation_damping_is_left_out_with_a_note(tmp_path) -> None:
     form = Form(others={"OtherLinearDamping": "[0, 0, 0, 5, 0, 0]"})
     path = orcaflex.written(tmp_path / "hull.yml", orcaflex.base(), form)
     notes = importers.load(path, Options(**DEEP)).provenance.notes
@@ -222,7 +222,7 @@ def test_rows_that_are_repeated_lists_are_refused_at_once(tmp_path) -> None:
         importers.load(path, Options(**DEEP))
 
 
-def test_orcawaves_binary_results_are_refused_with_the_way_out(tmp_path) -> None:
+def test_orcawaves_binary_results_are_refused_with_advice(tmp_path) -> None:
     path = tmp_path / "hull.owr"
     path.write_bytes(b"\x00OrcaWave")
     with pytest.raises(HydrodynamicsError, match=r"binary.*save the model as \.yml"):

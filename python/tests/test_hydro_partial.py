@@ -1,4 +1,5 @@
-"""Partial results: a panel method that was stopped goes on from what it had, and keeps no matrices."""
+"""Partial results: a stopped run of the panel method resumes from its solved frequencies, and keeps no
+matrices."""
 
 from __future__ import annotations
 
@@ -18,7 +19,7 @@ pytest.importorskip("capytaine")
 BARGE = "box:length_m=20,beam_m=10,draught_m=2,depth_m=5"
 
 
-def test_a_file_of_other_settings_or_one_cut_short_is_not_taken_up(tmp_path) -> None:
+def test_a_partial_file_of_other_settings_or_cut_short_is_ignored(tmp_path) -> None:
     path = tmp_path / "x.partial.npz"
     first = Partial(path)
     first.open("a")
@@ -33,14 +34,14 @@ def test_a_file_of_other_settings_or_one_cut_short_is_not_taken_up(tmp_path) -> 
     assert not path.exists()
 
 
-def test_the_digest_follows_every_number() -> None:
+def test_the_digest_depends_on_every_number() -> None:
     parts = [np.arange(4.0), 1.0, None]
     assert digest(parts) == digest([np.arange(4.0), 1.0, None])
     assert digest(parts) != digest([np.arange(4.0).reshape(2, 2), 1.0, None])
     assert digest(parts) != digest([np.arange(4.0), 1.0, 0.0])
 
 
-def test_a_stopped_run_goes_on_and_ends_with_the_same_bits(tmp_path, monkeypatch) -> None:
+def test_a_resumed_run_gives_the_same_bits(tmp_path, monkeypatch) -> None:
     hull, omega = parametric(parse_shape(BARGE), BARGE, 80), np.array([0.5, 0.8, 1.1])
     whole = solving.solve(hull, Water(), omega, 4, with_lid=False)
     path, solved, at = tmp_path / "x.partial.npz", [], solving._Problem.at
@@ -62,7 +63,7 @@ def test_a_stopped_run_goes_on_and_ends_with_the_same_bits(tmp_path, monkeypatch
     np.testing.assert_array_equal(found.far_field.radiated, whole.far_field.radiated)
 
 
-def test_no_matrix_outlives_its_frequency(monkeypatch) -> None:
+def test_matrices_are_freed_after_each_frequency(monkeypatch) -> None:
     built, build = [], Engine._build
 
     def counted(engine, parts, settings):

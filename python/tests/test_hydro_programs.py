@@ -1,4 +1,4 @@
-"""Databases as WAMIT, ShipX, AQWA and Nemoh deliver them: read with what they say, repaired with a word."""
+"""Databases of WAMIT, ShipX, AQWA and Nemoh: reading with the values in the files, and repairs with notes."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_wamit_files_of_six_digits_need_only_values_that_no_other_file_has(tmp_p
 
 
 @pytest.mark.parametrize(("column", "said"), [(0, "period_s"), (1, "frequency_rad_s"), (2, None)])
-def test_the_first_column_is_known_by_the_heave_force_of_long_waves(column, said) -> None:
+def test_the_first_column_is_recognised_by_the_heave_force_of_long_waves(column, said) -> None:
     omega = np.linspace(0.2, 3.0, 20)
     # exp(-k T) of a wall-sided hull of unit draught; a file of long waves alone does not tell.
     heave = 10.0 * np.exp(-(omega**2)) if column < 2 else np.full(20, 10.0)
@@ -60,7 +60,7 @@ def test_the_first_column_is_known_by_the_heave_force_of_long_waves(column, said
     assert wamit_rows.first_column(np.zeros((0, 5)), waves, 10.0) == said
 
 
-def test_parts_of_the_excitation_that_are_not_its_parts_are_told(tmp_path) -> None:
+def test_parts_that_do_not_add_up_to_the_excitation_give_a_note(tmp_path) -> None:
     base = writers.database()
     path = programs.wamit_six_digits(tmp_path / "hull", base)
     programs.wamit_six_digits(tmp_path / "other", replace(base, diffraction=1.1 * base.diffraction))
@@ -71,7 +71,7 @@ def test_parts_of_the_excitation_that_are_not_its_parts_are_told(tmp_path) -> No
     assert any("miss .3 by up to 3.00%" in note for note in found.provenance.notes)
 
 
-def test_a_wamit_listing_alone_is_read_to_its_degrees(tmp_path) -> None:
+def test_a_wamit_listing_alone_is_read_with_phases_to_one_degree(tmp_path) -> None:
     base = writers.database()
     found = importers.load(programs.wamit_listing(tmp_path / "hull", base), Options(**LISTED))
     near(replace(found, froude_krylov=base.froude_krylov, diffraction=base.diffraction), base, 1e-5)
@@ -82,7 +82,7 @@ def test_a_wamit_listing_alone_is_read_to_its_degrees(tmp_path) -> None:
     assert any("whole degree" in note for note in found.provenance.notes)
 
 
-def test_motions_beyond_six_are_read_over_with_a_word(tmp_path) -> None:
+def test_motions_beyond_six_are_skipped_with_a_note(tmp_path) -> None:
     base = writers.database()
     path = programs.wamit_six_digits(tmp_path / "hull", base)
     programs.wamit_listing(tmp_path / "hull", base)
@@ -98,7 +98,7 @@ def test_motions_beyond_six_are_read_over_with_a_word(tmp_path) -> None:
     assert any("motions 7 to 7 are left out" in note for note in found.provenance.notes)
 
 
-def test_shipx_files_give_the_database_back(tmp_path) -> None:
+def test_shipx_files_are_imported_as_the_original_database(tmp_path) -> None:
     base = writers.database()
     given = {"water_depth_m": np.inf, "added_mass_infinite": "from_damping"}
     found = importers.load(programs.shipx(tmp_path / "input", base), Options(**given))
@@ -108,7 +108,7 @@ def test_shipx_files_give_the_database_back(tmp_path) -> None:
     assert any("2 m aft of Lpp/2" in note for note in found.provenance.notes)
 
 
-def test_strip_theory_without_surge_is_accepted_and_said(tmp_path) -> None:
+def test_strip_theory_without_surge_is_accepted_with_a_note(tmp_path) -> None:
     base = writers.database()
     without = [matrices.copy() for matrices in (base.added_mass, base.radiation_damping)]
     for matrices in without:
@@ -134,7 +134,7 @@ def test_strip_theory_without_surge_is_accepted_and_said(tmp_path) -> None:
     assert any("strip theory" in note for note in found.provenance.notes)
 
 
-def test_an_aqwa_file_gives_the_database_back(tmp_path) -> None:
+def test_an_aqwa_file_is_imported_as_the_original_database(tmp_path) -> None:
     base = writers.database()
     found = importers.load(programs.aqwa(tmp_path / "hull", base), Options(**SIZE))
     near(found, base, 1e-5)
@@ -152,7 +152,7 @@ def test_the_first_of_several_structures_of_aqwa_is_read_with_a_note(tmp_path, s
     assert f"structures 2 to {structures} are left out: they are held still" in found.provenance.notes
 
 
-def test_a_folder_of_nemoh_gives_the_database_back(tmp_path) -> None:
+def test_a_folder_of_nemoh_is_imported_as_the_original_database(tmp_path) -> None:
     base = writers.database()
     given = {**HEADER_SAYS_NOT, "added_mass_infinite": "from_damping"}
     found = importers.load(programs.nemoh(tmp_path / "case", base), Options(**given))
@@ -162,7 +162,7 @@ def test_a_folder_of_nemoh_gives_the_database_back(tmp_path) -> None:
     )
 
 
-def test_frequencies_above_the_limit_are_left_out_before_anything_is_looked_at(tmp_path) -> None:
+def test_frequencies_above_the_limit_are_left_out_before_any_check(tmp_path) -> None:
     base = writers.database()
     spoiled = replace(base, radiation_damping=base.radiation_damping.copy())
     spoiled.radiation_damping[-4:] *= -1.0
@@ -236,7 +236,7 @@ def test_a_roll_moment_of_two_panels_across_names_the_panels_first() -> None:
         check_long_waves(coarse, "coarse.LIS")
 
 
-def test_a_fit_beyond_a_quarter_is_refused_and_the_cut_that_it_proposes_is_taken(tmp_path) -> None:
+def test_a_fit_error_above_a_quarter_is_refused_and_the_proposed_cut_is_accepted(tmp_path) -> None:
     """Source: a hemisphere's data, those above 0.7 of the highest frequency spoiled by noise."""
     base = samples.floating_hemisphere()
     spoiled = replace(base, added_mass=base.added_mass.copy(), radiation=None)
@@ -259,7 +259,7 @@ def test_a_fit_beyond_a_quarter_is_refused_and_the_cut_that_it_proposes_is_taken
     assert target.exists()
 
 
-def test_a_fit_that_misses_is_taken_on_request_and_says_which_motion() -> None:
+def test_a_fit_that_misses_its_limit_is_accepted_on_request_and_names_the_motion() -> None:
     database = samples.floating_hemisphere()
     spoiled = replace(database, added_mass=database.added_mass.copy())
     spoiled.added_mass[-1, 2, 2] *= 2.0

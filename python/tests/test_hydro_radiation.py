@@ -1,4 +1,4 @@
-"""The fitted memory of the water: exact recovery, the laws that it keeps, the decay of a sphere."""
+"""The fitted memory of the water: exact recovery, its physical properties, the decay of a sphere."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def noisy():
 
 
 @pytest.mark.parametrize("make", [samples.floating_hemisphere, bandpasses, noisy])
-def test_the_model_is_stable_passive_and_forgets_a_drift(make) -> None:
+def test_the_model_is_stable_and_passive_and_does_not_resist_a_steady_drift(make) -> None:
     limit = 0.12 if make is noisy else 0.02
     radiation = radiation_fit.fit(make(), limit=limit)
     assert radiation.fit_error <= limit
@@ -97,7 +97,7 @@ def test_the_model_is_stable_passive_and_forgets_a_drift(make) -> None:
     assert still < 1e-13 * np.abs(radiation_fit.evaluate(radiation, np.linspace(0, 5, 100))).max() * 10
 
 
-def test_the_water_never_gives_energy() -> None:
+def test_the_memory_never_generates_energy() -> None:
     # W(t) = integral of nu^T K*nu from rest; exact for velocities constant over a step.
     radiation = radiation_fit.fit(noisy(), limit=0.12)
     random, step, steps = np.random.default_rng(11), 0.05, 4000
@@ -182,7 +182,7 @@ def test_the_decay_of_a_sphere_agrees_with_direct_convolution() -> None:
     assert np.abs(fitted - direct)[extrema].max() < 0.005
 
 
-def test_a_fit_that_misses_its_limit_says_what_to_do() -> None:
+def test_a_fit_that_misses_its_limit_gives_advice() -> None:
     with pytest.raises(HydrodynamicsError, match=r"an error of .* more frequencies or a wider range"):
         radiation_fit.fit(noisy(), limit=1e-4, most_states=8)
     with pytest.raises(HydrodynamicsError, match="at least 8 for a fit"):
@@ -212,5 +212,5 @@ def test_least_distance_meets_the_conditions_of_kuhn_and_tucker() -> None:
         assert np.allclose(touching.T @ weights, x, atol=1e-10)
 
 
-def test_least_distance_says_when_there_is_no_solution() -> None:
+def test_least_distance_returns_none_without_a_solution() -> None:
     assert least_distance(np.array([[1.0], [-1.0]]), np.array([1.0, 1.0])) is None

@@ -1,4 +1,4 @@
-"""How many wave directions and panels a hull wants, and what is said where there are too few."""
+"""Number of wave directions and panels that a hull needs, and messages if there are too few."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_the_directions_by_default_resolve_the_shortest_wave_and_twelve_fewer_do
 
 
 @pytest.mark.parametrize("kr", [6.0, 12.0, 24.0])
-def test_a_wave_round_a_hull_is_lost_by_half_the_rules_directions_and_kept_by_half_as_many_again(kr):
+def test_half_of_the_rules_directions_lose_a_wave_at_a_hull_and_one_and_a_half_times_resolve_it(kr):
     """Source: Jacobi and Anger: exp(i k R cos b) is the sum of i^n J_n(k R) exp(i n b), and J_n falls off
     fast beyond n = k R. Halfway between N directions the values are those of their N / 2 harmonics."""
 
@@ -51,9 +51,7 @@ def test_a_wave_round_a_hull_is_lost_by_half_the_rules_directions_and_kept_by_ha
     assert error(3 * rule // 2) < 0.1
 
 
-def test_the_command_says_how_many_directions_it_takes_but_the_users_number_wins(
-    tmp_path, capsys, monkeypatch
-):
+def test_the_command_prints_its_number_of_directions_and_uses_a_given_number(tmp_path, capsys, monkeypatch):
     """Source: the public contract; two frequencies of a barge of 20 m, the waves of the higher are 3.9 m."""
     taken = []
 
@@ -76,7 +74,7 @@ def test_the_command_says_how_many_directions_it_takes_but_the_users_number_wins
     assert taken == [36, 8]
 
 
-def test_a_file_of_another_program_with_few_directions_is_warned_of(tmp_path, capsys):
+def test_an_imported_file_with_few_directions_gives_a_warning(tmp_path, capsys):
     """Source: the same rule; the sample has four directions about a hull of 12 m, 18.8 m."""
     base, source = writers.database(30.0, 40), tmp_path / "hull.h5"
     writers.write_bemio(source, base)
@@ -94,7 +92,7 @@ def test_a_file_of_another_program_with_few_directions_is_warned_of(tmp_path, ca
 
 
 @pytest.mark.thorough
-def test_a_box_of_too_few_panels_is_told_how_many_to_try_and_passes_with_them():
+def test_the_error_for_too_few_panels_proposes_a_number_that_passes():
     """Source: the advice, taken."""
     pytest.importorskip("capytaine")
     frequencies = np.array([1.0, 1.819, 2.5])
@@ -114,7 +112,7 @@ def test_a_box_of_too_few_panels_is_told_how_many_to_try_and_passes_with_them():
         (20_000, 2.0, True, "keep to lower frequencies"),
     ],
 )
-def test_what_to_do_is_said_by_panels_and_lid(panels, draught_m, has_lid, says):
+def test_the_advice_depends_on_panels_and_lid(panels, draught_m, has_lid, says):
     """Source: twice the panels; a lid wants panels of twice the draught; 6000 are solved for at most."""
     text = f"box:length_m=20,beam_m=10,draught_m={draught_m},depth_m=5"
     assert says in build._remedy(parametric(parse_shape(text), text, panels), has_lid)

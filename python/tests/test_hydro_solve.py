@@ -78,7 +78,7 @@ def test_the_coefficients_of_the_barge_pass_every_check_and_its_file_keeps_them(
 
 
 @pytest.mark.thorough
-def test_half_of_a_hull_mirrored_gives_what_the_whole_hull_gives():
+def test_a_mirrored_half_gives_the_coefficients_of_the_whole_hull():
     water, frequencies = Water(), np.array([0.5, 1.0])
     half = hull(VESSEL, 220)
     full = replace(half, reflections=(), panels=of_triangles(whole(half.panels.surface, (1,))))
@@ -135,7 +135,7 @@ def test_an_added_mass_that_is_not_symmetric_is_refused(barge):
         checks.check(spoilt(barge, "added_mass", change))
 
 
-def test_damping_that_gives_energy_is_refused(barge):
+def test_damping_that_generates_energy_is_refused(barge):
     change = np.zeros((6, 6))
     change[2, 2] = -0.5 * barge.radiation_damping[:, 2, 2].max()
     with pytest.raises(HydrodynamicsError, match=r"radiation_damping: found an eigenvalue of -0\.\d+ of"):
@@ -164,7 +164,7 @@ def test_a_keel_in_the_sea_bed_is_refused():
         build.build(hull(BARGE, 100), Water(depth_m=1.5), "barge")
 
 
-def test_a_shallow_hull_gets_no_lid_and_says_so():
+def test_a_shallow_hull_gets_no_lid_and_a_note():
     shallow = hull("box:length_m=20,beam_m=10,draught_m=0.2,depth_m=3", 300)
     with pytest.raises(HydrodynamicsError, match=r"lid: found a draught of 0.2 m"):
         build.build(shallow, Water(), "barge", np.array([1.0]), with_lid=True)
@@ -212,7 +212,7 @@ def test_the_command_writes_a_database_that_can_be_read(tmp_path, capsys):
         ([BARGE, "--draught-m", "3"], "--draught-m: found a parametric hull"),
     ],
 )
-def test_a_wrong_command_line_is_one_line_and_writes_nothing(tmp_path, capsys, monkeypatch, words, message):
+def test_a_wrong_command_line_gives_one_error_line_and_no_file(tmp_path, capsys, monkeypatch, words, message):
     monkeypatch.chdir(tmp_path)
     status, _, err = command(capsys, *words, "-o", "hull.hydro.json")
     assert status == cli.WRONG_INPUT
@@ -222,14 +222,14 @@ def test_a_wrong_command_line_is_one_line_and_writes_nothing(tmp_path, capsys, m
 
 
 @pytest.mark.parametrize("output", ["hull.json", "none/hull.hydro.json"])
-def test_a_wrong_output_is_refused_before_the_work(tmp_path, capsys, monkeypatch, output):
+def test_a_wrong_output_path_is_refused_before_the_computation(tmp_path, capsys, monkeypatch, output):
     monkeypatch.chdir(tmp_path)
     status, out, err = command(capsys, BARGE, "-o", output)
     assert (status, out) == (cli.WRONG_INPUT, "")
     assert err.count("\n") == 1
 
 
-def test_a_missing_capytaine_is_one_error_with_the_command_that_installs_it(tmp_path, capsys, monkeypatch):
+def test_missing_capytaine_gives_one_error_with_the_install_command(tmp_path, capsys, monkeypatch):
     monkeypatch.setitem(sys.modules, "capytaine", None)
     status, _, err = command(capsys, BARGE, "-o", str(tmp_path / "a.hydro.json"))
     assert status == cli.WRONG_INPUT

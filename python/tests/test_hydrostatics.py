@@ -1,4 +1,4 @@
-"""How the gallery's ships float, as numbers and as `kingpost check` prints them."""
+"""Hydrostatics of the gallery's ships, as numbers and as printed by `kingpost check`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kingpost.cli import main
 from kingpost.reports import model as model_report
 
 
-def test_the_barge_floats_as_closed_forms_of_a_box_say() -> None:
+def test_the_hydrostatics_of_the_barge_are_the_closed_forms_of_a_box() -> None:
     """Source: 410 t on 20 x 10 m; KB = T / 2, BM = B^2 / (12 T), KG by the masses of the file."""
     found = kingpost.load("barge").hydrostatics
     (hull,) = found["hulls"]
@@ -28,7 +28,7 @@ def test_the_barge_floats_as_closed_forms_of_a_box_say() -> None:
     assert found["warnings"] == []
 
 
-def test_the_crane_is_taken_as_it_stands() -> None:
+def test_the_present_position_of_the_crane_is_used() -> None:
     """Source: the moment of the load about the middle line; the crane swings from astern to port."""
     simulation = kingpost.Simulation("barge")
     before = simulation.hydrostatics()["hulls"][0]
@@ -120,7 +120,7 @@ def test_check_warns_that_the_ship_of_the_paper_floats_at_5_85_cm(capsys) -> Non
     assert "the database's draught, upright" not in shown + warned, "nothing of its loads is linear"
 
 
-def test_check_says_where_a_ship_leaves_its_database_and_that_one_sinks(capsys) -> None:
+def test_check_reports_where_a_ship_leaves_its_database_and_that_a_ship_sinks(capsys) -> None:
     assert main(["check", "barge", "--set", "load_t=5", "--set", "bodies.ship.mass_t=380"]) == 0
     assert "% apart: linear hydrodynamics hold near the database's draught" in capsys.readouterr().err
     assert main(["check", "barge", "--set", "bodies.ship.mass_t=1100"]) == 2

@@ -1,4 +1,4 @@
-"""Instructions of the engine's operations beside the stored ones: speed that is lost is seen."""
+"""Instruction counts of the engine's operations compared with stored ones, to detect a loss of speed."""
 
 from __future__ import annotations
 

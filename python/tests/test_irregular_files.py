@@ -1,4 +1,4 @@
-"""Files that are no regular ones, and links: as a scenario, as an output and within the gallery."""
+"""Irregular files and links: as a scenario, as an output and within the gallery."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_an_output_onto_a_pipe_is_refused_at_once(tmp_path: Path, capsys: pytest
     assert pipe.is_fifo()
 
 
-def test_an_output_onto_a_link_is_written_to_the_file_that_it_leads_to(tmp_path: Path) -> None:
+def test_an_output_onto_a_symbolic_link_is_written_to_its_target(tmp_path: Path) -> None:
     kept, link = tmp_path / "kept.csv", tmp_path / "link.csv"
     kept.write_text("old")
     link.symlink_to(kept)
@@ -38,7 +38,7 @@ def test_an_output_onto_a_link_is_written_to_the_file_that_it_leads_to(tmp_path:
 
 
 @pytest.mark.parametrize("make", [os.mkfifo, os.mkdir])
-def test_a_scenario_that_is_no_regular_file_is_refused(make, tmp_path: Path, capsys) -> None:
+def test_a_scenario_in_an_irregular_file_is_refused(make, tmp_path: Path, capsys) -> None:
     path = tmp_path / "odd.yaml"
     make(path)
     assert main(["check", str(path)]) == 2

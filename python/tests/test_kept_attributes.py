@@ -1,4 +1,4 @@
-"""Attributes of a file of results: those of a run are taken, those that no run has are not."""
+"""Attributes of a file of results: those of a run are accepted, others are refused."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def stored(tree: dict[str, Any]) -> dict[str, Any]:
     return {name: json.dumps(value) for name, value in tree.items()}
 
 
-def test_those_of_a_run_and_of_a_batch_are_taken():
+def test_attributes_of_a_run_and_of_a_batch_are_accepted():
     """Source: what the program itself writes."""
     short = {"simulation.duration_s": 0.02}
     assert are_of_a_run(kingpost.run("paper", short).attrs, None)
@@ -54,13 +54,13 @@ def test_those_of_a_run_and_of_a_batch_are_taken():
         lambda tree: tree.update(floating_bodies=[1]),
     ],
 )
-def test_those_that_no_run_has_are_not(damage: Callable[[dict[str, Any]], object]):
+def test_attributes_that_no_run_has_are_refused(damage: Callable[[dict[str, Any]], object]):
     """Source: found by damaging files; each led to a traceback of the command `statistics` or `plot`."""
     tree = json.loads(json.dumps(OF_A_RUN))
     damage(tree)
     assert not are_of_a_run(stored(tree), None)
 
 
-def test_text_that_is_no_json_is_not():
+def test_attributes_that_are_not_json_are_refused():
     for text in ("{", "[" * 100_000, 7):
         assert not are_of_a_run({"events": text}, None)

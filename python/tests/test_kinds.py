@@ -1,4 +1,4 @@
-"""No kind of force or drive is named in the package: what there is to show the engine says."""
+"""The package names no kind of force or drive: the engine describes what to show."""
 
 from __future__ import annotations
 

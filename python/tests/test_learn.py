@@ -87,7 +87,7 @@ def test_bits_do_not_depend_on_threads_and_on_the_number_of_environments(mode: s
 
 
 @pytest.mark.parametrize("mode", [AutoresetMode.SAME_STEP, AutoresetMode.NEXT_STEP])
-def test_the_native_vector_does_what_gymnasium_s_does_with_single_environments(mode: AutoresetMode) -> None:
+def test_the_native_vector_equals_gymnasium_s_vector_of_single_environments(mode: AutoresetMode) -> None:
     given = actions(25, 3)
     native = ShipCraneVectorEnv(anti_sway(), 3, 1, mode, max_episode_steps=10)
     makers = [lambda: ShipCraneEnv(anti_sway(), max_episode_steps=10)] * 3
@@ -103,13 +103,13 @@ def test_the_native_vector_does_what_gymnasium_s_does_with_single_environments(m
         assert ours == theirs == {}
 
 
-def test_the_name_makes_the_native_vector() -> None:
+def test_the_registered_name_makes_the_native_vector() -> None:
     envs = gymnasium.make_vec("Kingpost/AntiSway-v0", 4, vectorization_mode="vector_entry_point")
     assert isinstance(envs, ShipCraneVectorEnv)
     assert isinstance(envs.metadata["autoreset_mode"], AutoresetMode)
 
 
-def test_an_environment_that_is_reset_alone_leaves_the_others_as_they_are() -> None:
+def test_resetting_one_environment_does_not_change_the_others() -> None:
     given = actions(20, 6)
     one, other = (ShipCraneVectorEnv(anti_sway(), 6, 1) for _ in range(2))
     one.reset(seed=SEED), other.reset(seed=SEED)
@@ -132,7 +132,7 @@ def reach(mode: str, scenario: kingpost.Scenario | Path, limits: bool = False) -
 
 
 @pytest.mark.parametrize("mode", ["SameStep", "NextStep"])
-def test_an_environment_that_fails_says_why_and_begins_anew_while_the_others_go_on(mode: str) -> None:
+def test_a_failed_environment_gives_the_reason_and_restarts_while_the_others_continue(mode: str) -> None:
     scenario = anti_sway().based_on.with_overrides({"simulation.rate_limit": 0.06})
     envs = reach(mode, scenario)
     envs.reset(seed=SEED)
@@ -181,7 +181,7 @@ def test_an_action_outside_the_box_is_refused_by_name(bad: float, found: str) ->
         envs.step(given)
 
 
-def test_mistakes_are_named_with_what_is_allowed() -> None:
+def test_errors_name_the_wrong_value_and_the_allowed_ones() -> None:
     reward = lambda columns, goal, actions: columns["time"]  # noqa: E731
     with pytest.raises(KingpostError, match="action hoist: no such input, allowed: slewing, luffing"):
         Task(anti_sway().based_on, ["hoist"], ["time"], reward)
@@ -213,7 +213,7 @@ def test_mistakes_are_named_with_what_is_allowed() -> None:
         ),
     ],
 )
-def test_a_range_that_some_episode_would_fail_in_is_refused_with_the_task(randomised, message) -> None:
+def test_a_range_with_an_invalid_end_is_refused_when_the_task_is_made(randomised, message) -> None:
     with pytest.raises(KingpostError, match=message):
         replace(anti_sway(), randomised=randomised)
 
@@ -241,7 +241,7 @@ def test_another_seed_is_another_sea_and_the_same_seed_the_same() -> None:
 
 
 @pytest.mark.thorough
-def test_feedback_of_the_swing_beats_a_controller_that_does_not_see_it() -> None:
+def test_feedback_of_the_swing_beats_a_controller_without_it() -> None:
     by_name = {
         label: score(anti_sway(), policy, 8).mean()
         for label, policy in BASELINES["Kingpost/AntiSway-v0"].items()
@@ -265,7 +265,7 @@ def test_feedback_halves_the_cost_of_doing_nothing(name: str) -> None:
     assert 0.5 * nothing < acting < 0
 
 
-def test_the_pushes_of_an_environment_are_those_of_the_scenario_s_controller() -> None:
+def test_the_torques_of_the_baseline_equal_those_of_the_scenario_s_controller() -> None:
     """The gallery's `state_feedback` has the gains of this baseline, which sees single precision."""
     task = replace(roll_reduction(randomised=False), seeded=False, control_period_s=0.05)
     envs = ShipCraneVectorEnv(task, 1, 1)
@@ -310,7 +310,7 @@ def test_the_examples_of_the_page_run() -> None:
 
 
 @pytest.mark.parametrize("name", ["Kingpost/AntiSway-v0", "Kingpost/HeaveCompensation-v0"])
-def test_each_episode_draws_how_late_its_observations_are(name: str) -> None:
+def test_each_episode_draws_the_delay_of_its_observations(name: str) -> None:
     """Source: the same episodes without delay, whose actions do not depend on what is seen."""
     made = {"vectorization_mode": "vector_entry_point", "threads": 2}
     prompt = gymnasium.make_vec(name, 6, **made)
@@ -329,7 +329,7 @@ def test_each_episode_draws_how_late_its_observations_are(name: str) -> None:
         assert np.array_equal(row, expected)
 
 
-def test_copies_that_resume_see_what_the_marked_one_had_seen() -> None:
+def test_resumed_copies_have_the_delayed_observations_of_the_marked_one() -> None:
     task = replace(anti_sway(), delay_s=(0.1, 0.3))
     episodes = Episodes(task, 3, 1)
     episodes.begin({copy: np.random.default_rng(copy) for copy in range(3)})
@@ -345,12 +345,12 @@ def test_copies_that_resume_see_what_the_marked_one_had_seen() -> None:
 
 
 @pytest.mark.parametrize("delay_s", [(-0.1, 0.1), (0.2, 0.1), (0.0, 100.0), (0.0, float("nan"))])
-def test_a_delay_that_cannot_be_is_refused(delay_s: tuple[float, float]) -> None:
+def test_an_impossible_delay_is_refused(delay_s: tuple[float, float]) -> None:
     with pytest.raises(KingpostError, match=r"delay_s: found .* allowed: from 0 to duration_s"):
         replace(anti_sway(), delay_s=delay_s)
 
 
-def test_a_reward_that_is_one_number_for_all_is_refused() -> None:
+def test_a_single_reward_for_all_environments_is_refused() -> None:
     task = replace(anti_sway(), reward=lambda columns, goal, actions: -1.0)
     episodes = Episodes(task, 3)
     episodes.begin({k: np.random.default_rng(k) for k in range(3)})
@@ -360,6 +360,6 @@ def test_a_reward_that_is_one_number_for_all_is_refused() -> None:
         episodes.step(np.zeros((3, len(task.actions))))
 
 
-def test_options_that_do_nothing_are_refused() -> None:
+def test_unknown_options_of_reset_are_refused() -> None:
     with pytest.raises(KingpostError, match="options: found 'load_t', allowed: none; randomised"):
         ShipCraneEnv(anti_sway()).reset(options={"load_t": 3})

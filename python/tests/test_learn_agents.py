@@ -1,4 +1,5 @@
-"""Several agents that share a task: PettingZoo's own checks, the single environment, mistakes of a split."""
+"""Several agents that share a task: PettingZoo's checks, the single environment, invalid distributions of
+actions."""
 
 from __future__ import annotations
 
@@ -183,7 +184,9 @@ def test_an_episode_that_fails_ends_for_all_agents_with_the_failure_s_reward() -
         ({"boom": Agent(["slewing"], [])}, "agent boom, observations: found [], allowed: a list of at least"),
     ],
 )
-def test_a_split_that_is_none_is_refused_with_what_is_allowed(agents: dict, message: str) -> None:
+def test_an_invalid_distribution_of_actions_is_refused_with_the_allowed_ones(
+    agents: dict, message: str
+) -> None:
     with pytest.raises(KingpostError, match=re.escape(message)):
         ShipCraneParallelEnv(three_axis(), agents)
 
@@ -202,7 +205,7 @@ def test_actions_that_are_missing_or_of_another_shape_are_refused_by_agent() -> 
         env.step({port: np.zeros(1), starboard: np.full(1, np.nan)})
 
 
-def test_without_pettingzoo_the_name_says_which_extra_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_pettingzoo_the_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(sys.modules, "kingpost.learn.parallel")
     monkeypatch.setitem(sys.modules, "pettingzoo", None)
     with pytest.raises(KingpostError, match=r'found no PettingZoo, allowed: with pip install "kingpost\[pet'):

@@ -53,7 +53,7 @@ def test_a_landing_ends_on_the_deck_with_half_a_metre_of_slack_on_each_fall(land
     assert rows[-1][IMPULSE] > rows[-2][IMPULSE] > 0.0 == rows[0][IMPULSE]
 
 
-def test_columns_before_a_step_are_those_after_the_last_one(landed) -> None:
+def test_columns_before_a_step_equal_those_after_the_previous_step(landed) -> None:
     rows, _, _ = landed
     for earlier, later in pairwise(rows):
         assert all(later[f"before.{name}"] == earlier[name] for name in (GAP, IMPULSE, STRETCH, LOAD_RATE))
@@ -103,7 +103,7 @@ def test_the_native_vector_lands_as_gymnasium_s_over_single_environments(mode: s
     assert same(lowered(native, 125, speeds), lowered(peer, 125, speeds))
 
 
-def test_the_load_that_leaves_the_deck_again_costs(landed) -> None:
+def test_a_load_that_leaves_the_deck_again_lowers_the_reward(landed) -> None:
     env = ShipCraneEnv(landing())
     env.reset(seed=SEED)
     touch = next(k for k, row in enumerate(landed[0]) if row[IMPULSE] > 0)

@@ -1,4 +1,5 @@
-"""The trained policy as a controller of a scenario: the numbers of NumPy, and the choice between four."""
+"""The trained policy as a controller of a scenario: agreement with NumPy, and the choice of four
+controllers."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ def controllers(**parameters: object) -> dict:
     return kingpost.load(GALLERY, **parameters).resolved["controllers"]
 
 
-def test_the_gallerys_weights_are_those_of_the_trained_policy(policy) -> None:
+def test_the_weights_in_the_gallery_equal_those_of_the_trained_policy(policy) -> None:
     given = controllers()["learned"]["policy"]
     for layer, (weights, biases) in zip(given["layers"], policy.layers, strict=True):
         assert np.array_equal(layer["weights"], weights)
@@ -55,7 +56,7 @@ def test_the_element_acts_as_the_policy_in_numpy_does(policy) -> None:
             assert simulation.inputs[drive].value == row[f"learned.choice.policy.{drive}.commanded_rate"]
 
 
-def test_the_gains_in_the_gallery_are_those_of_the_regulator() -> None:
+def test_the_gains_in_the_gallery_equal_those_of_the_regulator() -> None:
     """Source: `lqr` with the weights of the environment's regulator; the file has four decimals."""
     crane = kingpost.load(SCENARIOS / "anti_sway.yaml", {LUFF: -55.0})
     names = kingpost.Simulation(crane).linearize().states

@@ -56,7 +56,7 @@ NOW = {path.stem: digest(cells(path, "code")) for path in LESSONS}
 
 
 @pytest.mark.parametrize("name", to_run(NOW, always=LESSONS[0].stem))
-def test_a_lesson_runs_and_what_it_asserts_holds(name, pyplot):
+def test_a_lesson_runs_and_its_assertions_hold(name, pyplot):
     """Source: the lessons' own asserts; any warning is an error."""
     path = FOLDER / f"{name}.ipynb"
     code, namespace = cells(path, "code"), {"__name__": "__main__"}
@@ -76,7 +76,7 @@ def test_the_lessons_are_as_they_last_ran():
     assert not_kept(NOW) == [], "KINGPOST_WRITE_PAGES=1 pytest python/tests/test_lessons.py keeps them"
 
 
-def test_lessons_are_numbered_from_one_and_say_so():
+def test_lessons_are_numbered_from_one_in_their_titles():
     """Source: their order is the order of the theory."""
     assert len(LESSONS) == 8
     for number, path in enumerate(LESSONS, start=1):
@@ -85,7 +85,7 @@ def test_lessons_are_numbered_from_one_and_say_so():
 
 
 @pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
-def test_a_lesson_is_stored_without_outputs_and_uses_what_is_public(path):
+def test_a_lesson_is_stored_without_outputs_and_uses_only_public_names(path):
     """Source: outputs are made, not kept; a lesson is an example of the public interface."""
     notebook = json.loads(path.read_text(encoding="utf-8"))
     for cell in notebook["cells"]:

@@ -13,7 +13,7 @@ from kingpost.errors import KingpostError
 
 
 @pytest.mark.parametrize(("height_m", "printed_m_s"), [(1.4, 0.45), (2.7, 0.76), (3.6, 0.93)])
-def test_the_hoisting_speed_is_the_one_that_others_print(height_m: float, printed_m_s: float) -> None:
+def test_the_hoisting_speed_equals_published_values(height_m: float, printed_m_s: float) -> None:
     # Two figures: half of the last, and 0.005 for a table that cuts where it should round.
     assert lift_rules.hoisting_speed_m_s(height_m) == pytest.approx(printed_m_s, abs=0.005)
 
@@ -29,7 +29,7 @@ def test_sidelead_is_half_of_offlead() -> None:
 
 
 @pytest.mark.parametrize("wrong", [-1.0, math.nan, math.inf])
-def test_a_wave_height_that_is_not_a_number_is_refused(wrong: float) -> None:
+def test_a_nan_wave_height_is_refused(wrong: float) -> None:
     with pytest.raises(KingpostError, match=r"significant_height_m: found .*"):
         lift_rules.offlead_m(wrong)
 
@@ -39,7 +39,7 @@ def _loss() -> tuple[kingpost.Scenario, kingpost.Scenario]:
     return before, before.with_overrides({"bodies.lift.enabled": False, "operation.enabled": False})
 
 
-def test_the_area_that_drives_a_ship_back_is_that_of_a_straight_righting_arm() -> None:
+def test_area_1_after_loss_of_the_hook_load_is_that_of_a_linear_gz_curve() -> None:
     """GM (phi_2 - phi_1)^2 / 2: to 5 degrees the arms are straight to phi^2 BM / (2 GM), 1.3 %, and each
     trapezium is within its own bend."""
     before, after = _loss()
@@ -52,7 +52,7 @@ def test_the_area_that_drives_a_ship_back_is_that_of_a_straight_righting_arm() -
     assert found.held
 
 
-def test_a_ship_that_floods_soon_does_not_hold() -> None:
+def test_a_ship_with_an_early_flooding_angle_fails_the_rule() -> None:
     found = lift_rules.hook_load_loss(*_loss(), flooding_deg=9.0)
     assert found.end_deg == pytest.approx(9.0)
     assert not found.held
@@ -77,7 +77,7 @@ def test_a_ship_that_still_lists_to_the_side_of_the_load_is_judged_on_the_other_
     assert found.area_1_m_rad > 0.0
 
 
-def test_the_rules_are_there_when_the_package_is_imported() -> None:
+def test_the_rules_are_available_from_the_imported_package() -> None:
     words = "import kingpost; print(kingpost.lift_rules.offlead_m(1.0))"
     found = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
     assert (found.stdout.strip(), found.stderr) == ("4.0", "")

@@ -13,7 +13,7 @@ from samples import rod
 G = 9.80665
 
 
-def test_each_state_has_its_unit_and_says_whether_it_only_remembers():
+def test_each_state_has_its_unit_and_a_mark_for_memory_states():
     """Source: docs/conventions.md: coordinates and their rates in m and rad; Cummins' memory of the water."""
     simulation = kingpost.Simulation("offshore_vessel_on_dp")
     linear = simulation.linearize()
@@ -85,7 +85,7 @@ def test_a_double_pendulum_has_its_textbook_modes(hang):
     assert np.abs(shape).max(axis=1) == pytest.approx([1, 1])
 
 
-def test_a_pendulum_upside_down_is_said_to_be_unstable(hang):
+def test_an_inverted_pendulum_has_an_unstable_mode(hang):
     """Source: x'' = (m g l / J) x."""
     scenario = hang(rod())
     standing = kingpost.Simulation(scenario)
@@ -111,7 +111,7 @@ def test_zero_modes_of_a_free_ship_are_named_after_its_coordinates():
     assert np.array_equal(found["shape"].values, np.eye(8))
 
 
-def test_a_free_motion_that_is_damped_is_a_zero_mode_and_a_decay():
+def test_a_damped_free_motion_gives_a_zero_mode_and_a_decaying_mode():
     """Source: M* v' = -C v: the rates of decay are the eigenvalues of M*^-1 C."""
     scenario = kingpost.load("paper", hold_centre=False, motor_1=False, damping=True)
     found = kingpost.modes(scenario)
@@ -176,7 +176,7 @@ def test_a_closed_loop_has_the_modes_of_its_independent_coordinates(tmp_path):
     assert found["shape"].values[0] == pytest.approx([1, -1, 1], abs=1e-10)
 
 
-def test_a_lever_is_a_zero_mode_of_the_length_that_its_cylinder_wants(tmp_path):
+def test_a_lever_gives_a_zero_mode_of_its_cylinders_set_length(tmp_path):
     """Source: J x'' + c r^2 x' + k r^2 x = k r z and z' = 0: a boom of J on a cylinder with the lever r
     about the hinge; x = z / r is free. Without weight the geometry adds nothing."""
     text = """\
@@ -331,7 +331,7 @@ def test_a_light_load_on_a_rope_changes_no_mode_of_the_barge_that_carries_it(tmp
     np.testing.assert_allclose(-bare[:3].real / np.abs(bare[:3]), 0.2, rtol=0.01)
 
 
-def test_linearize_names_what_it_gives(hang):
+def test_linearize_names_its_states_and_inputs(hang):
     """Source: A = [0 1; -k/J -c/J]; B = 1/J for the lever of a motor of 1 N m."""
     scenario = hang(rod(damping=0.4))
     simulation = kingpost.Simulation(scenario)

@@ -13,7 +13,7 @@ from samples import DAMPING, read_csv, rod
 G = 9.80665
 
 
-def test_a_sweep_follows_a_mode_past_another(hang):
+def test_a_sweep_tracks_a_mode_that_crosses_another(hang):
     """Source: two rods that do not meet; the frequency of one passes the other's, sqrt(3 g / 2 L)."""
     scenario = hang(rod("left", "left", 1.0), rod("right", "right", 1.2))
     heights = np.linspace(0.2, 0.9, 8)
@@ -59,7 +59,7 @@ def test_a_sweep_has_one_name_and_some_values(hang, sweep):
         kingpost.modes(hang(rod(), parameters=DAMPING), sweep=sweep)
 
 
-def test_a_sweep_says_at_which_value_it_failed(hang):
+def test_the_error_of_a_sweep_names_the_value_at_which_it_failed(hang):
     """Source: the public contract."""
     with pytest.raises(kingpost.KingpostError, match="damping = -1: "):
         kingpost.modes(hang(rod(), parameters=DAMPING), sweep={"damping": [1, -1]})

@@ -31,7 +31,7 @@ def test_the_link_that_the_app_reads_is_the_form_that_python_writes() -> None:
     assert unpacked(link.packed(golden["run"])) == golden["run"]
 
 
-def test_a_link_holds_the_scenario_with_all_that_is_set_over_it() -> None:
+def test_a_link_contains_the_scenario_with_its_overrides_and_parameters_applied() -> None:
     scenario = kingpost.load("offshore_vessel", {"simulation.seed": 7}, waves=True, peak_period_s=9)
     given = unpacked(link.fragment(scenario))["scenario"]
     again = kingpost.scenario.Scenario(given["text"], given["file"])
@@ -40,7 +40,7 @@ def test_a_link_holds_the_scenario_with_all_that_is_set_over_it() -> None:
     assert given["opened"] == {}
 
 
-def test_files_of_ones_own_go_along(tmp_path: Path) -> None:
+def test_a_link_contains_the_local_files_that_its_scenario_names(tmp_path: Path) -> None:
     crane = kingpost.load("offshore_vessel").files["gallery:parts/pedestal_crane.yaml"]
     (tmp_path / "crane.yaml").write_text(crane, encoding="utf-8")
     text = kingpost.load("offshore_vessel").text.replace("part: pedestal_crane", "part: crane.yaml")

@@ -1,4 +1,4 @@
-"""Links of every page lead to a file that is there, and to a heading that is there; the web is not asked."""
+"""Links of every page lead to an existing file and heading; web addresses are not checked."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_a_link_to_nothing_is_found(tmp_path: Path) -> None:
     assert broken(page) == ["other.md#none", "gone.md"]
 
 
-def test_what_pages_link_to_is_under_version_control() -> None:
+def test_files_to_which_pages_link_are_under_version_control() -> None:
     kept = subprocess.run(
         ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=False
     ).stdout.splitlines()

@@ -1,4 +1,4 @@
-"""A box that lists by its ballast, beside Capytaine on the heeled hull."""
+"""A box that lists by its ballast, compared with Capytaine on the heeled hull."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def listing(tmp_path_factory: pytest.TempPathFactory, truth: dict, case: dict) -
     return path
 
 
-def test_a_listed_box_answers_waves_as_capytaine_on_its_heeled_hull_says(listing, truth, case) -> None:
+def test_the_response_of_a_listed_box_equals_capytaines_for_the_heeled_hull(listing, truth, case) -> None:
     """Within 5 % of the largest response to head or beam seas, most of it the panels of the database."""
     directions = truth["directions_deg"]
     found = kingpost.rao(listing, np.radians(directions), truth["frequencies_rad_s"])
@@ -70,14 +70,14 @@ def test_a_listed_box_answers_waves_as_capytaine_on_its_heeled_hull_says(listing
         assert np.abs(ours - theirs).max() < 0.05 * theirs.max(), motion
 
 
-def test_it_is_not_warned_of_in_the_attitude_that_its_coefficients_are_of(listing) -> None:
+def test_a_hull_in_the_attitude_of_its_coefficients_gives_no_warning(listing) -> None:
     run = kingpost.run(listing)
     assert json.loads(run.attrs["warnings"]) == []
     roll = np.degrees(run["roll"].sel(body="hull").to_numpy())
     assert np.abs(roll - LIST_DEG).max() < 0.01
 
 
-def test_a_list_off_the_attitude_of_its_coefficients_is_warned_of(listing) -> None:
+def test_a_hull_in_another_attitude_than_its_coefficients_gives_a_warning(listing) -> None:
     """Source: the ballast put back amidships lets it come upright, 5 degrees off."""
     run = kingpost.run(listing, overrides={"bodies.hull.centre_of_mass_m": [0, 0, 1]})
     warnings = json.loads(run.attrs["warnings"])

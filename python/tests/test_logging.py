@@ -1,4 +1,4 @@
-"""The logger `kingpost`, and that those of others are left alone."""
+"""The logger `kingpost`; other loggers are unchanged."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_a_run_and_a_file_are_logged_below_kingpost(caplog, tmp_path) -> None:
     assert all(record.name.startswith("kingpost.") for record in caplog.records)
 
 
-def test_a_program_that_does_not_listen_sees_nothing(capfd) -> None:
+def test_a_program_without_a_log_handler_prints_no_log(capfd) -> None:
     """Source: the contract of a library's logger: a handler of its own that does nothing."""
     assert any(isinstance(handler, logging.NullHandler) for handler in logging.getLogger("kingpost").handlers)
     logging.getLogger("kingpost").error("not to be seen")

@@ -1,4 +1,5 @@
-"""Models of many bodies: what grows with the square of their number is limited before memory is."""
+"""Models of many bodies: quantities that grow with the square of their number are limited before memory is
+exhausted."""
 
 from __future__ import annotations
 
@@ -42,7 +43,7 @@ def many(tmp_path_factory: pytest.TempPathFactory) -> kingpost.Scenario:
     return kingpost.load(path)
 
 
-def test_a_run_of_many_free_bodies_leaves_the_estimate_of_its_step_out(many: kingpost.Scenario) -> None:
+def test_a_run_of_many_free_bodies_skips_the_estimate_of_the_stable_step(many: kingpost.Scenario) -> None:
     simulation = kingpost.Simulation(many)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     *_, of_the_others, left_out = simulation.model_warnings
@@ -70,7 +71,7 @@ def test_matrices_of_many_coordinates_are_refused_by_name(many: kingpost.Scenari
             many.with_overrides({f"simulation.{field}": value})
 
 
-def test_a_list_of_fixed_weights_costs_no_more_than_its_length(tmp_path: Path) -> None:
+def test_the_cost_of_fixed_weights_is_linear_in_their_number(tmp_path: Path) -> None:
     """Source: a ship's list of weights has hundreds of items; three hundred took 23 s to check."""
     weights = "".join(
         f"  b{i}: {{parent: hull, mass_t: 0.01, shape: {{box: {{length_m: 1, width_m: 1, height_m: 1}}}}, "

@@ -1,4 +1,4 @@
-"""What `kingpost modes` prints: names that differ, shapes of places and angles."""
+"""Report of `kingpost modes`: unique names, shapes of positions and angles."""
 
 import kingpost
 import pytest
@@ -31,6 +31,6 @@ def test_all_modes_have_amplitudes_of_at_most_one(kept_in_place) -> None:
     assert all("e+" not in line.split(" s  ")[-1] for line in table(shown))
 
 
-def test_two_modes_have_no_name_in_common(kept_in_place) -> None:
+def test_names_of_modes_are_unique(kept_in_place) -> None:
     names = [line[5:].split("  ")[0] for line in table(modes_report.text(kept_in_place))]
     assert len(names) == len(set(names)) > 5

@@ -26,7 +26,7 @@ def units(matrices, name: str, row: str, column: str) -> str:
     return matrices[name].sel(row=row, column=column)["unit"].item()
 
 
-def test_units_stand_by_row_and_column(moving):
+def test_a_matrix_has_units_by_row_and_column(moving):
     """Source: dimensions of K = 1/2 X'^T M X' (paper eq. 49) and X' = B q' (eq. 45)."""
     matrices = moving.moving_frame()
     assert units(matrices, "B", "arm.x_dot", "ship.x") == "1"
@@ -45,7 +45,7 @@ def test_units_stand_by_row_and_column(moving):
     assert units(matrices, "Omega_arm", "x", "1") == "m/s"
 
 
-def test_energy_comes_out_in_joules_from_the_entries_units(moving):
+def test_the_units_of_the_entries_give_energy_in_joules(moving):
     """Source: each entry's unit times those of its two rates is that of a load times a rate, W s."""
     mass = moving.moving_frame()["M_star"]
     for i, row in enumerate(mass["row_unit"].values):
@@ -73,7 +73,7 @@ def _read(cell: str) -> float:
     return float(mantissa) * 10.0 ** int(exponent.rstrip("}") or 0)
 
 
-def test_labels_and_braces_are_latex(moving):
+def test_labels_are_valid_latex(moving):
     """Source: names of coordinates in upright letters; underscores escaped; a converter reads it."""
     matrices = moving.moving_frame()
     labelled = matrices.latex("B", "array")
@@ -133,7 +133,7 @@ def test_csv_files_hold_every_bit_with_labels_and_units(moving, tmp_path):
         assert [column[1] for column in table.columns] == list(matrix["column_unit"].values)
 
 
-def test_bad_requests_are_answered_with_what_is_allowed(moving, tmp_path):
+def test_a_wrong_request_is_refused_with_the_allowed_values(moving, tmp_path):
     """Source: the public contract: one base exception, found and allowed."""
     matrices = moving.moving_frame()
     with pytest.raises(kingpost.KingpostError, match="vmatrix, allowed: bmatrix"):
@@ -151,7 +151,7 @@ def test_bad_requests_are_answered_with_what_is_allowed(moving, tmp_path):
         matrices.write_csv(tmp_path / "file")
 
 
-def test_a_body_with_two_joints_has_them_apart():
+def test_the_formulas_of_a_body_with_two_joints_distinguish_them():
     """Source: joints are numbered by the body they stand on; two on one need the body carried, too."""
     text = """
 version: 1

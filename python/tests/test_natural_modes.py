@@ -1,4 +1,4 @@
-"""The oscillations that the browser finds are those of `kingpost.modes`."""
+"""The oscillations found in the app are those of `kingpost.modes`."""
 
 import json
 import re
@@ -44,7 +44,7 @@ def simulation_has_controllers(modes: xarray.Dataset) -> bool:
 
 
 @pytest.mark.parametrize("name", sampled(gallery.names(), keep=KEPT))
-def test_the_oscillations_of_the_browser_are_those_of_the_package(name: str) -> None:
+def test_the_oscillations_in_the_app_equal_those_of_the_package(name: str) -> None:
     try:
         expected = kingpost.modes(name)
     except KingpostError as error:

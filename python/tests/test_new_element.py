@@ -41,7 +41,7 @@ def place(channels, column: str) -> int:
     return [name for channel in channels for name in channel["columns"]].index(column)
 
 
-def test_its_variables_are_in_the_data_set_with_their_units_and_labels(channels, rows, found) -> None:
+def test_variables_of_a_new_element_are_in_the_data_set_with_units_and_labels(channels, rows, found) -> None:
     """Source: the table of channels."""
     rate, moment = found["governor_rate"], found["governor_moment"]
     assert (rate.dims, moment.dims) == (("time", "governor"), ("time", "governor", "axis"))
@@ -52,7 +52,7 @@ def test_its_variables_are_in_the_data_set_with_their_units_and_labels(channels,
         assert np.array_equal(moment.sel(governor="governor", axis=axis), rows[:, place(channels, column)])
 
 
-def test_its_columns_are_in_every_file(channels, rows, found, tmp_path) -> None:
+def test_columns_of_a_new_element_are_in_every_file(channels, rows, found, tmp_path) -> None:
     """Source: the names of the table's columns, in its order."""
     names = [name for channel in channels for name in channel["columns"]]
     for ending, read in ((".csv", read_csv), (".parquet", pandas.read_parquet)):
@@ -65,7 +65,7 @@ def test_its_columns_are_in_every_file(channels, rows, found, tmp_path) -> None:
     assert [fields.field(name).metadata[b"units"] for name in MOMENT] == [b"N m"] * 3
 
 
-def test_a_summary_has_its_numbers(found, channels, rows) -> None:
+def test_a_summary_contains_the_numbers_of_a_new_element(found, channels, rows) -> None:
     """Source: the rows; of three numbers in a row none is a single number. A rate stands in degrees."""
     column = np.degrees(rows[:, place(channels, "governor.governor_rate")])
     (line,) = (line for line in report._elements(found) if line.startswith("governor"))

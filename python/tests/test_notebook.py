@@ -1,4 +1,4 @@
-"""What a notebook's user meets: `ds.kingpost`, tables of what a cell returns, editing, time histories."""
+"""Use in notebooks: `ds.kingpost`, tables for the value of a cell, editing, time histories."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def cells(html: str) -> list[str]:
     return ["".join(cell.itertext()) for cell in ElementTree.fromstring(f"<p>{html}</p>").iter("td")]
 
 
-def test_a_column_by_its_name_is_that_of_the_flat_table(recorded) -> None:
+def test_a_column_by_name_equals_that_of_the_flat_table(recorded) -> None:
     """Source: the table that CSV files hold."""
     flat = results.frame(recorded)
     assert recorded.kingpost.columns == [name for name in flat if name != "time"]
@@ -38,7 +38,7 @@ def test_a_column_by_its_name_is_that_of_the_flat_table(recorded) -> None:
     np.testing.assert_array_equal(parts.values, flat["arm.tip.point_position.z"])
 
 
-def test_a_column_that_is_not_there_is_refused_with_those_near_it(recorded) -> None:
+def test_an_unknown_column_is_refused_with_similar_names(recorded) -> None:
     with pytest.raises(kingpost.KingpostError, match=r"found 'ship\.rol', allowed: .*ship\.roll"):
         recorded.kingpost["ship.rol"]
 
@@ -116,7 +116,7 @@ def test_a_wrong_edit_is_refused_with_its_place_and_changes_nothing() -> None:
 
 
 @pytest.mark.parametrize("first", ["kingpost", "xarray"])
-def test_the_accessor_is_there_however_a_file_is_opened_first(first, recorded, tmp_path) -> None:
+def test_the_accessor_is_available_however_a_file_is_opened_first(first, recorded, tmp_path) -> None:
     path = results.write(recorded, tmp_path / "run.nc")
     program = {
         "kingpost": f"import kingpost; ds = kingpost.results.read({str(path)!r})",
@@ -130,11 +130,11 @@ def test_the_accessor_is_there_however_a_file_is_opened_first(first, recorded, t
     assert done.stdout == "101\n"
 
 
-def test_a_run_that_ends_before_the_ramp_is_shown_too() -> None:
+def test_a_notebook_shows_a_run_that_ends_before_the_ramp() -> None:
     assert "Columns" in kingpost.run("barge", {"simulation.duration_s": 5}).kingpost._repr_html_()
 
 
-def test_a_scenario_says_which_names_it_has() -> None:
+def test_membership_in_a_scenario_is_by_parameter_or_path() -> None:
     scenario = kingpost.load("barge")
     assert "waves" in scenario
     assert "bodies.ship.mass_t" not in scenario

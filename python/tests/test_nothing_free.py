@@ -24,7 +24,9 @@ def simulation() -> kingpost.Simulation:
     return kingpost.Simulation(kingpost.load("barge", HELD))
 
 
-def test_its_matrices_have_no_rows(simulation: kingpost.Simulation) -> None:
+def test_the_matrices_of_a_model_without_free_coordinates_have_no_rows(
+    simulation: kingpost.Simulation,
+) -> None:
     assert simulation.coordinates == []
     assert simulation.mass_matrix().shape == (0, 0)
     assert simulation.acceleration().size == 0
@@ -33,7 +35,7 @@ def test_its_matrices_have_no_rows(simulation: kingpost.Simulation) -> None:
     assert matrices["N_star"].shape == (0, 0)
 
 
-def test_it_is_at_equilibrium_and_its_modes_are_those_of_the_waters_memory(
+def test_a_model_without_free_coordinates_has_only_modes_of_the_waters_memory(
     simulation: kingpost.Simulation,
 ) -> None:
     assert simulation.settle().iterations == 0
@@ -41,13 +43,15 @@ def test_it_is_at_equilibrium_and_its_modes_are_those_of_the_waters_memory(
     assert (found["memory_share"] == 1.0).all()
 
 
-def test_waves_move_nothing(simulation: kingpost.Simulation) -> None:
+def test_waves_do_not_move_a_model_without_free_coordinates(simulation: kingpost.Simulation) -> None:
     found = simulation.wave_response([0.0, 1.0], [0.5, 1.0])
     assert np.abs(found["real"]).max() == 0.0
     assert np.abs(found["imaginary"]).max() == 0.0
 
 
 @pytest.mark.parametrize("command", ["check", "modes", "rao", "run"])
-def test_each_command_ends_well(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_each_command_succeeds_without_free_coordinates(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main([command, "barge", *ASSIGNMENTS]) == 0
     assert "the engine failed" not in capsys.readouterr().err

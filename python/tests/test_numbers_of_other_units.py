@@ -1,4 +1,4 @@
-"""Numbers that look like another unit's are named where they are written."""
+"""Numbers that seem to be in another unit are reported with their place."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def warnings_of(overrides: dict[str, object], name: str = "offshore_vessel") -> 
         ),
     ],
 )
-def test_a_number_that_no_ship_or_sea_has_is_warned_of(
+def test_a_number_outside_the_range_of_ships_and_seas_gives_a_warning(
     name: str, overrides: dict[str, object], words: str
 ) -> None:
     settled = overrides | {"simulation.begin_at_equilibrium": False, "waves": True}
@@ -64,7 +64,7 @@ def test_a_number_that_no_ship_or_sea_has_is_warned_of(
 @pytest.mark.parametrize(
     ("length_m", "weight", "stiffness"), [(300, 3323, 1.674e9), (410, 3323, 1674.0), (410, 3323e3, 1.674e9)]
 )
-def test_a_line_stretched_beyond_what_lines_bear_is_refused(
+def test_a_line_stretched_beyond_breaking_is_refused(
     length_m: float, weight: float, stiffness: float, tmp_path: Path
 ) -> None:
     """Source: steel parts at a few percent, polyester at 12 %."""
@@ -77,7 +77,7 @@ def test_a_line_stretched_beyond_what_lines_bear_is_refused(
 
 
 @pytest.mark.parametrize("line", ["\u00a0 \u00a0 mass_t: 410", "    \u2007mass_t: 410"])
-def test_a_blank_that_is_no_space_is_named_with_its_place(line: str, tmp_path: Path) -> None:
+def test_a_non_ascii_blank_is_named_with_its_place(line: str, tmp_path: Path) -> None:
     """Source: text that was copied from a web page or a word processor."""
     path = tmp_path / "a.yaml"
     path.write_text(f"version: 1\ntitle: t\nbodies:\n  hull:\n{line}\n", encoding="utf-8")

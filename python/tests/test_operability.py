@@ -1,4 +1,4 @@
-"""Limiting heights from a study's results, and the share of a place's seas below them."""
+"""Limiting heights from a study's results, and the share of a site's sea states below them."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def true_height(limit: str, period: float, direction: float) -> float:
     return bound / slope(limit, period, direction) / (1 + 0.15 * (np.log(3) - np.log(-np.log1p(-ACCEPTANCE))))
 
 
-def test_limiting_heights_are_those_of_the_distribution_that_the_runs_were_drawn_from() -> None:
+def test_limiting_heights_equal_those_of_the_sampled_distribution() -> None:
     """Gumbel extremes in proportion to the height: a closed form. The standard error of 2000 seeds is
     0.7 % of the height; of 18 heights none is off by three of them."""
     found = limiting_heights(results(2000))
@@ -136,7 +136,7 @@ def test_a_longer_operation_and_a_smaller_probability_lower_the_height() -> None
     assert (limiting_heights(found, acceptance=0.01)["limiting_height_of_all"] < usual).all()
 
 
-def test_what_ended_early_was_not_kept_and_what_stands_still_is_kept_or_not() -> None:
+def test_a_run_that_ended_early_counts_as_exceeded_and_a_constant_column_as_held_or_exceeded() -> None:
     found = results(10)
     found["status"].values[(found["hs"] == 2.0) & (found["seed"] == 3)] = 1
     found["limit_worst"].values[(found["hs"] == 2.0) & (found["seed"] == 3)] = np.nan
@@ -177,7 +177,7 @@ def test_between_periods_and_directions_the_height_is_linear_and_outside_it_is_n
         assert governs == "outside the study"
 
 
-def test_directions_that_go_all_around_have_no_end() -> None:
+def test_directions_over_the_whole_circle_are_interpolated_periodically() -> None:
     directions = np.radians(np.arange(0, 360, 45.0))
     heights = (2 + np.cos(directions))[None, None, :]
     sea = LimitingSea(np.array([8.0]), directions, heights, ("heel",))
@@ -202,7 +202,7 @@ def curve(peak_period_s: float, direction_rad: float) -> tuple[float, str]:
     ), "roll" if 7 < peak_period_s < 11 else "tension"
 
 
-def test_seas_one_by_one_give_what_counting_gives() -> None:
+def test_the_operability_by_single_seas_equals_counting() -> None:
     """Direct counting: exact, as points have no classes."""
     heights, periods = seas(3000)
     text = "hs,tp,month\n" + "\n".join(
@@ -218,7 +218,7 @@ def test_seas_one_by_one_give_what_counting_gives() -> None:
     assert sum(found.by_limit.values()) + found.outside + found.share == pytest.approx(1)
 
 
-def test_classes_give_what_counting_gives_but_for_their_width() -> None:
+def test_the_operability_by_classes_equals_counting_except_for_the_class_width() -> None:
     """Classes of 0.25 m and 0.5 s. Evenly spread heights err by the curvature of the density, the period's
     middle by that of the curve: half a per cent of all seas bounds both."""
     heights, periods = seas(100_000)
@@ -258,12 +258,12 @@ def test_mean_periods_become_peak_periods() -> None:
         (lambda r: r.assign_attrs(acceptance=0.0), "acceptance: found 0, allowed: between"),
     ],
 )
-def test_results_that_do_not_do_are_refused(change, message: str) -> None:
+def test_unsuitable_results_are_refused(change, message: str) -> None:
     with pytest.raises(KingpostError, match=message):
         limiting_heights(change(results(6).assign_coords(run=np.arange(144))))
 
 
-def test_axes_that_are_left_and_a_missing_direction_are_said() -> None:
+def test_missing_values_of_axes_and_a_missing_direction_are_reported() -> None:
     found = limiting_heights(results(6))
     two = xarray.concat([found, found.assign_coords(load_t=[20.0])], "load_t", data_vars="all")
     with pytest.raises(KingpostError, match=r"load_t: found no value, allowed: one of 10\.0, 20\.0"):
@@ -275,7 +275,7 @@ def test_axes_that_are_left_and_a_missing_direction_are_said() -> None:
         operability(scatter.parse("hs,tp\n1,8\n"), curve)
 
 
-def test_the_table_says_which_periods_were_not_studied() -> None:
+def test_the_report_names_the_periods_outside_the_study() -> None:
     """Source: arithmetic: classes 4-6 and 10-12 s, of which the last never occurs, outside of 6 to 9 s."""
     table = scatter.parse("Hs/Tp,4-6,6-8,10-12,12-14\n0-1,30,20,10,0\n1-2,10,30,0,0")
     limits = lambda period_s, _: (2.0, "heel") if 6 <= period_s <= 9 else (np.nan, OUTSIDE)  # noqa: E731

@@ -1,4 +1,4 @@
-"""What is printed of how limits held and what the engine warned of, over one run or many."""
+"""Report of the results of limits and of the engine's warnings, for one run or many."""
 
 from __future__ import annotations
 
@@ -32,7 +32,9 @@ def row(shown: str, name: str) -> list[str]:
     return line.split()
 
 
-def test_runs_of_many_seeds_print_in_how_many_a_limit_held_and_its_worst_value(seas, tmp_path, capsys):
+def test_the_report_of_many_seeds_prints_the_number_of_runs_in_which_a_limit_held_and_its_worst_value(
+    seas, tmp_path, capsys
+):
     """Source: the rows of each run, as its file has them; a limit that does not hold fails no run."""
     assert main(["run", str(seas), "--seeds", "3", "-o", str(tmp_path / "run_*.nc")]) == 0
     shown = capsys.readouterr().out
@@ -49,7 +51,7 @@ def test_runs_of_many_seeds_print_in_how_many_a_limit_held_and_its_worst_value(s
     assert row(capsys.readouterr().out, "trim")[:3] == ["trim", "yes", f"{smallest[0]:.4g}"]
 
 
-def test_a_file_of_a_seed_has_the_limits_of_its_own_run(seas, tmp_path):
+def test_the_file_of_a_seed_has_the_limits_of_that_run(seas, tmp_path):
     """Source: the run alone."""
     assert main(["run", str(seas), "--seeds", "2", "-o", str(tmp_path / "run_*.nc")]) == 0
     alone = kingpost.run(seas, {"simulation.seed": 2})
@@ -72,7 +74,7 @@ def limit(worst: float | None, held: bool | None, at_s: float | None = 1.0) -> d
     return {"name": "heel", "column": "hull.roll", "unit": "deg", **bounds}
 
 
-def test_the_worst_of_a_limit_with_two_bounds_is_farthest_beyond_either():
+def test_the_worst_value_of_a_limit_with_two_bounds_is_farthest_beyond_a_bound():
     """Source: by hand; -5.5 is farther beyond its bound than 5.2 is."""
     runs = [Outcome(1, [limit(4.0, True)], []), Outcome(2, [limit(-5.5, False, at_s=67.3)], [])]
     runs += [Outcome(3, [limit(5.2, False)], []), Outcome(4, [limit(None, None, at_s=None)], [])]
@@ -81,7 +83,7 @@ def test_the_worst_of_a_limit_with_two_bounds_is_farthest_beyond_either():
     assert " ".join(line.split()) == "heel NO 1 of 3 -5.5 deg 2 67.3 -5 to 5 hull.roll"
 
 
-def test_a_limit_that_no_row_of_any_run_counts_for_says_so():
+def test_a_limit_without_evaluated_rows_is_reported_as_such():
     runs = [Outcome(seed, [limit(None, None, at_s=None)], []) for seed in (1, 2)]
     assert (
         " ".join(outcome_report.limits(runs)[1].split()) == "heel no row 0 of 0 - deg - - -5 to 5 hull.roll"
@@ -98,7 +100,7 @@ def came_of(warnings: list[dict[str, str]]) -> list[str]:
     return [line for block in outcome_report.blocks([run]) for line in block]
 
 
-def test_a_rope_that_parted_stands_above_the_limits():
+def test_a_parted_rope_is_reported_above_the_limits():
     shown = came_of([{"name": "hull", "text": "heels"}])
     assert shown[0] == "warning: hoist_rope parted at 67.29 s"
     assert shown[1].startswith("limit")
@@ -116,7 +118,7 @@ def test_a_rope_that_parts_is_reported_once_with_the_time():
     assert shown[3:] == ["warning: hull: heels"]
 
 
-def test_ropes_that_part_in_several_runs_stand_above_the_limits_with_their_times():
+def test_ropes_that_part_in_several_runs_are_reported_above_the_limits_with_times():
     seconds = (64.35, 63.96)
     parts = [json.dumps([{"time_s": at_s, "name": "hoist_rope", "text": "parts"}]) for at_s in seconds]
     runs = [outcome_report.of_run({"warnings": found}, seed) for seed, found in enumerate(parts, 1)]
@@ -135,20 +137,20 @@ def test_other_warnings_of_a_rope_that_parted_do_not_hide_it():
 OFF = [{"name": "energy", "text": "is off its balance by 12 kJ, 3 % of the energy in play, 400 kJ"}]
 
 
-def test_limits_of_a_run_whose_energy_is_off_its_balance_are_headed_as_not_to_be_trusted():
+def test_limits_of_a_run_with_an_energy_error_are_headed_as_unreliable():
     heading, columns, *_ = outcome_report.limits([Outcome(1, [limit(1.0, True)], OFF)])
     assert heading == "limits, NOT reliable: the energy does not balance"
     assert columns.startswith("limit ")
 
 
-def test_limits_of_several_runs_name_the_seeds_whose_energy_is_off_its_balance():
+def test_limits_of_several_runs_name_the_seeds_with_an_energy_error():
     runs = [Outcome(seed, [limit(1.0, True)], OFF if seed > 1 else []) for seed in (1, 2, 3)]
     heading, *_ = outcome_report.limits(runs)
     assert heading.endswith("the energy does not balance in 2 of 3 runs, seeds 2, 3")
     assert outcome_report.limits(runs[:1])[0].startswith("limit ")
 
 
-def test_a_summary_leaves_it_to_the_warning_that_the_energy_is_off():
+def test_a_summary_does_not_repeat_the_warning_of_an_energy_error():
     """Source: one thought, said once; forward Euler gains energy."""
     scenario = kingpost.load(
         "paper", {"simulation.duration_s": 2.0, "simulation.integrator": "forward_euler"}
@@ -163,7 +165,7 @@ def warned(*texts: str) -> list[Outcome]:
     return [Outcome(seed, [], [{"name": "boom", "text": text}]) for seed, text in enumerate(texts, 1)]
 
 
-def test_a_warning_of_several_runs_has_the_smallest_and_the_largest_of_its_first_number():
+def test_a_warning_of_several_runs_has_the_range_of_its_first_number():
     near = "comes as near as {} m to leg_2, at {} s"
     _, lines = outcome_report.warnings(warned(near.format(2.89, 7), near.format(0.4, 9), near.format(12, 1)))
     range_of = "from 0.4 (seed 2) to 12 (seed 3)"
@@ -178,6 +180,6 @@ def test_a_warning_whose_number_is_the_same_in_all_runs_has_no_range():
     ]
 
 
-def test_the_digits_of_a_name_are_no_number_of_a_warning():
+def test_digits_in_a_name_do_not_count_as_the_number_of_a_warning():
     _, lines = outcome_report.warnings(warned("meets leg_2 at 7 s", "meets leg_3 at 7 s"))
     assert [line[:28] for line in lines] == ["warning, in 1 of 2 runs, fir"] * 2

@@ -1,4 +1,4 @@
-"""Files that are written: whole, or as they stood before."""
+"""Written files are complete, or unchanged."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def _names(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_a_block_that_fails_leaves_the_file_as_it_stood(tmp_path):
+def test_a_failing_block_leaves_the_old_file(tmp_path):
     """Source: what a person would lose: the good file of the run before."""
     target = tmp_path / "good.csv"
     target.write_text("good")
@@ -49,7 +49,7 @@ def test_a_block_that_fails_leaves_the_file_as_it_stood(tmp_path):
     assert _names(tmp_path) == ["good.csv"]
 
 
-def test_a_new_file_has_the_permissions_of_new_files_and_an_old_one_keeps_its_own(tmp_path):
+def test_a_new_file_gets_default_permissions_and_a_replaced_file_keeps_its_permissions(tmp_path):
     """Source: umask(2); a temporary file is readable by its owner alone."""
     mask = os.umask(0o027)
     try:
@@ -63,7 +63,7 @@ def test_a_new_file_has_the_permissions_of_new_files_and_an_old_one_keeps_its_ow
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
-def test_a_disk_that_is_full_is_one_clear_error_and_the_old_file_stays(tmp_path, results, ending):
+def test_a_full_disk_gives_one_clear_error_and_keeps_the_old_file(tmp_path, results, ending):
     """Source: setrlimit(2): a file that may not grow fails as on a full disk."""
     target = tmp_path / f"run{ending}"
     kingpost.results.write(results, target)
@@ -79,14 +79,14 @@ def test_a_disk_that_is_full_is_one_clear_error_and_the_old_file_stays(tmp_path,
     assert _names(tmp_path) == [target.name]
 
 
-def test_a_folder_that_takes_no_file_is_refused_with_its_reason(tmp_path):
+def test_an_unwritable_folder_is_refused_with_the_reason(tmp_path):
     """Source: the operating system's words."""
     with pytest.raises(OutputError, match="No such file or directory") as refused:
         output.write_text(tmp_path / "nowhere" / "x.csv", "1")
     assert refused.value.path == tmp_path / "nowhere" / "x.csv"
 
 
-def test_two_that_write_one_file_leave_one_of_both_and_no_mixture(tmp_path):
+def test_two_processes_that_write_one_file_leave_one_complete_result(tmp_path):
     """Source: rename(2): at any moment a reader finds the one or the other, whole."""
     target = tmp_path / "run.csv"
     texts = [f"{letter}\n" * length for letter, length in (("a", 20_000), ("b", 50_000))]
@@ -105,7 +105,7 @@ def test_two_that_write_one_file_leave_one_of_both_and_no_mixture(tmp_path):
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the test forks")
 @pytest.mark.parametrize("ending", sampled(ENDINGS, keep=[".nc"]))
-def test_kill_at_any_moment_leaves_the_old_file_or_the_new_one(tmp_path, ending):
+def test_a_kill_at_any_time_leaves_either_the_old_or_the_new_file(tmp_path, ending):
     """Source: a process that the system ends at moments spread over a run that writes over a good file. Old
     and new are the same run, so that the values are the same."""
     target = tmp_path / f"run{ending}"

@@ -1,4 +1,4 @@
-"""`kingpost paper`: complete, from our engine, and true to what the page says."""
+"""`kingpost paper`: its output is complete, computed by the engine, and agrees with its text."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def folder(command) -> Path:
     return command[0]
 
 
-def test_the_summary_shows_the_largest_rates_and_where_the_page_is(command):
+def test_the_summary_shows_the_largest_rates_and_the_path_of_the_page(command):
     """Source: the figures' own data; four decimals are printed."""
     folder, printed = command
     rates = read_csv(folder / "figure_11.csv")
@@ -42,7 +42,7 @@ def test_the_summary_shows_the_largest_rates_and_where_the_page_is(command):
     assert str(Path("results") / "index.html") in printed
 
 
-def test_every_file_is_there(folder):
+def test_the_command_writes_every_file(folder):
     """Source: the public contract of the command."""
     expected = {"index.html", "table_2.csv", "table_2.md"}
     for name in ("figure_9", "figure_10", "figure_11", "integrators"):
@@ -55,7 +55,7 @@ def test_every_file_is_there(folder):
 
 
 @pytest.mark.parametrize("number", [9, 10, 11])
-def test_the_figures_numbers_are_the_engines(folder, number):
+def test_the_numbers_of_the_figures_are_those_of_the_engine(folder, number):
     """Source: the same run through the public interface."""
     motors = {9: (True, False), 10: (False, True), 11: (True, True)}[number]
     table = read_csv(folder / f"figure_{number}.csv")
@@ -82,7 +82,7 @@ def test_the_arm_motor_alone_only_pitches_the_ship(folder):
     assert table[["yaw_rate_rad_s", "roll_rate_rad_s"]].abs().max().max() < 1e-9
 
 
-def test_table_2_is_the_papers(folder):
+def test_table_2_equals_that_of_the_paper(folder):
     """Source: the paper's Table 2, and the damping of its results section."""
     table = read_csv(folder / "table_2.csv").set_index("symbol")["value"]
     expected = {
@@ -140,7 +140,7 @@ def test_forward_eulers_energy_error_is_the_known_one(folder):
     assert error[0.01] == pytest.approx(0.024, abs=2e-3)
 
 
-def test_the_page_stands_alone_and_names_all_ten_remarks(folder):
+def test_the_page_is_self_contained_and_has_all_ten_remarks(folder):
     """Source: the public contract; a page that loads nothing can be sent by mail."""
     page = Page((folder / "index.html").read_text(encoding="utf-8"))
     assert page.count["li", "remark"] == 10
@@ -150,7 +150,7 @@ def test_the_page_stands_alone_and_names_all_ten_remarks(folder):
     assert not page.problems
 
 
-def test_the_page_says_that_the_arm_goes_down_and_how_it_is_lifted(folder):
+def test_the_page_states_that_the_arm_goes_down_and_how_to_lift_it(folder):
     """Source: eqs. 40 and 59 integrated by an independent code: pitch peaks at 1.292 and 0.905 rad/s with the
     torque of Table 2, at 1.347 and 0.869 rad/s with the opposite one."""
     page = (folder / "index.html").read_text(encoding="utf-8")

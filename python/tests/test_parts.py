@@ -38,7 +38,7 @@ def ship(tmp_path: Path) -> Path:
     return tmp_path / "ship.yaml"
 
 
-def test_a_scenario_finds_its_parts_beside_it_and_in_the_gallery(ship):
+def test_parts_are_found_beside_the_scenario_and_in_the_gallery(ship):
     """Source: the files' own numbers."""
     scenario = kingpost.load(ship, crane_mass_t=3)
     assert list(scenario.files) == ["cranes/post.yaml", "gallery:parts/paper_crane.yaml"]
@@ -47,7 +47,7 @@ def test_a_scenario_finds_its_parts_beside_it_and_in_the_gallery(ship):
     assert masses["stores_tower"] == 500
 
 
-def test_check_lists_the_parts_and_where_they_stand(ship, capsys):
+def test_check_lists_the_parts_and_their_positions(ship, capsys):
     """Source: the mountings in the file."""
     assert main(["check", str(ship)]) == 0
     shown = [line.split() for line in capsys.readouterr().out.splitlines()]
@@ -55,7 +55,7 @@ def test_check_lists_the_parts_and_where_they_stand(ship, capsys):
     assert ["stores", "paper_crane", "ship", "-8,", "2,", "2", "m"] in shown
 
 
-def test_results_say_which_files_stand_behind_them_and_load_without_them(ship, tmp_path):
+def test_results_contain_the_digests_of_their_files_and_load_without_the_files(ship, tmp_path):
     """Source: SHA-256 of the files as they lie there."""
     found = kingpost.run(ship)
     digests = json.loads(found.attrs["files"])
@@ -100,7 +100,7 @@ WRONG_MOUNTINGS = [
 
 
 @pytest.mark.parametrize(("old", "new", "place", "hint"), WRONG_MOUNTINGS)
-def test_a_mounting_that_is_wrong_is_answered_with_its_place(ship, capsys, old, new, place, hint):
+def test_a_wrong_mounting_is_refused_with_its_place(ship, capsys, old, new, place, hint):
     """Source: where the words stand in the file."""
     ship.write_text(SHIP.replace(old, new))
     assert main(["check", str(ship)]) == 2
@@ -109,7 +109,7 @@ def test_a_mounting_that_is_wrong_is_answered_with_its_place(ship, capsys, old, 
     assert hint in answer
 
 
-def test_a_mistake_in_a_part_is_answered_with_the_parts_file(ship, capsys):
+def test_an_error_in_a_part_names_the_parts_file(ship, capsys):
     """Source: where the number stands in the part's file."""
     part = ship.parent / "cranes" / "post.yaml"
     part.write_text(POST.replace("post: {mass_t: 2", "post: {mass_t: -2"))

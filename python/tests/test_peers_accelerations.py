@@ -56,7 +56,7 @@ def test_accelerations_with_every_joint(tmp_path: Path, make_peer: Callable[[Tre
         assert cases.difference(simulation.acceleration(extra), expected) < cases.TOLERANCE
 
 
-def test_the_states_are_many() -> None:
+def test_there_are_enough_random_states() -> None:
     assert len(cases.CASES) * cases.STATES_PER_CASE >= 50
 
 

@@ -49,7 +49,7 @@ def test_translators_agree_on_every_joint() -> None:
 
 
 @pytest.mark.parametrize("more", [{"mode": "held"}, {"friction": {"torque_N_m": 1.0}}])
-def test_what_the_peers_lack_in_an_axis_is_refused_by_name(more: dict[str, Any]) -> None:
+def test_a_feature_of_an_axis_that_the_peers_lack_is_refused_by_name(more: dict[str, Any]) -> None:
     shape = {"sphere": {"radius_m": 1.0}}
     hook = {"universal": {"first_axis": [1, 0, 0], "second_axis": [0, 1, 0], "second": more}}
     with pytest.raises(UnsupportedByPeersError, match=f"joint bob: .*({next(iter(more))}|held)"):
@@ -72,7 +72,7 @@ def assert_truth(rates: Array, angles: Array) -> None:
     np.testing.assert_allclose(angles, TRUTH_ANGLES, atol=5e-5)
 
 
-def test_pinocchio_meets_the_row_of_truth() -> None:
+def test_pinocchio_agrees_with_the_published_row() -> None:
     tree = truth_tree()
     peer = PinocchioPeer(tree)
     start = states.at_rest(tree)
@@ -98,7 +98,7 @@ def test_pinocchio_meets_the_row_of_truth() -> None:
     assert_truth(v, q[-2:])
 
 
-def test_mujoco_meets_the_row_of_truth() -> None:
+def test_mujoco_agrees_with_the_published_row() -> None:
     tree = truth_tree()
     peer = MujocoPeer(tree)
     peer.acceleration(*states.at_rest(tree))

@@ -1,4 +1,4 @@
-"""The benchmark script runs and prints what a script can read; how fast is no matter of a test."""
+"""The benchmark script runs and prints machine-readable lines; speed is not tested."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of recorded runs: what they show, in which units, and what is refused."""
+"""Pictures of recorded runs: content, units, and refused input."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_a_picture_has_a_panel_for_each_unit_with_the_numbers_in_it(lift) -> Non
 
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("title", ["A \x1b[31mred ship", "Costs $\\frac{5$"])
-def test_a_title_of_any_text_is_drawn_as_it_is_written(lift, title: str, tmp_path) -> None:
+def test_a_title_is_drawn_literally(lift, title: str, tmp_path) -> None:
     """Control characters have no glyph, and matplotlib reads text between two $ as mathematics."""
     plot.figure(lift.assign_attrs(title=title), ["hull.roll"]).savefig(tmp_path / "run.svg")
 
@@ -53,7 +53,7 @@ def test_several_runs_share_a_panel() -> None:
     assert len(axes.get_legend().get_texts()) == 1
 
 
-def test_without_channels_the_limits_come_first_and_then_the_main_ones(lift) -> None:
+def test_by_default_columns_with_limits_come_before_the_main_columns(lift) -> None:
     names = [text.get_text() for text in plot.figure(lift).axes[0].get_legend().get_texts()]
     assert names[0] == "hull.roll"
     assert len(names) == plot.MOST_LINES
@@ -65,7 +65,7 @@ def test_without_channels_the_limits_come_first_and_then_the_main_ones(lift) -> 
     (["hull.rol"], "found 'hull.rol', allowed: columns"),
     (["*"], "columns in m, allowed: at most 8 of a unit"),
 ])  # fmt: skip
-def test_a_column_that_is_not_there_and_too_many_are_refused(lift, channels, said) -> None:
+def test_an_unknown_column_and_too_many_columns_are_refused(lift, channels, said) -> None:
     with pytest.raises(kingpost.KingpostError, match=said.replace("*", r"\*")):
         plot.figure(lift, channels)
 

@@ -15,7 +15,7 @@ DRIVEN = ["slewing.target_offset", "luffing.target_offset"]
 
 
 @pytest.mark.parametrize("horizon", [1, 5, 60])
-def test_without_an_active_limit_it_is_the_linear_quadratic_regulator(horizon) -> None:
+def test_without_an_active_limit_the_plan_is_that_of_the_linear_quadratic_regulator(horizon) -> None:
     """Source: Bellman's principle: with the terminal cost x' P x of Riccati's equation the plan of any
     length is that of the infinite one. Tolerance: rounding of the matrices' powers."""
     found = kingpost.mpc(scenario(trolley()), **WEIGHTS, horizon=horizon)
@@ -24,7 +24,9 @@ def test_without_an_active_limit_it_is_the_linear_quadratic_regulator(horizon) -
         assert found.action(x) == pytest.approx(-gains @ x, rel=1e-8, abs=1e-8)
 
 
-def test_the_gallerys_crane_with_all_its_states_is_regulated_as_by_the_linear_quadratic_regulator() -> None:
+def test_without_active_limits_the_gallerys_crane_gets_the_actions_of_the_linear_quadratic_regulator() -> (
+    None
+):
     """Source: as above, with two inputs and the gains that are in the gallery's file."""
     weights = {"slew": 1, "luff": 1, "pendant.first": 20, "pendant.second": 20}
     given = {"inputs": DRIVEN, "Q": weights, "R": [1, 1], "period_s": 0.1}
@@ -48,7 +50,7 @@ def test_the_plan_is_the_models_response_and_its_cost_that_of_the_regulator() ->
     assert cost + x @ p @ x == pytest.approx(kingpost.lqr(scenario(trolley()), **WEIGHTS).cost(start))
 
 
-def test_limits_of_an_input_give_what_bounded_least_squares_gives() -> None:
+def test_a_plan_with_input_limits_equals_bounded_least_squares() -> None:
     """Source: J / 2 = |C u + C^-T F x|^2 / 2 with H = C' C, solved by SciPy's active sets within the same
     bounds. Tolerance: the gap of 1e-9 at which Clarabel stops, over the least eigenvalue of H."""
     limited = {"input_limits": {"push": (-0.5, 0.8)}, "horizon": 25}
@@ -62,7 +64,7 @@ def test_limits_of_an_input_give_what_bounded_least_squares_gives() -> None:
     assert plan.inputs.ravel() == pytest.approx(peer.x, abs=1e-5)
 
 
-def test_changes_of_an_input_keep_their_rate_from_the_last_one_on() -> None:
+def test_rate_limits_of_an_input_hold_from_the_last_input_on() -> None:
     found = kingpost.mpc(scenario(trolley()), **WEIGHTS, horizon=20, input_rates={"push": 0.5})
     plan = found.plan([2.0, 0, 0, 0], before=[0.3])
     changes = np.diff(plan.inputs.ravel(), prepend=0.3)
@@ -132,13 +134,13 @@ def test_a_state_that_no_input_can_hold_exceeds_its_limit_as_little_as_possible(
         ({"states": ["heave"]}, "states: found 'heave'"),
     ],
 )
-def test_mistakes_are_reported_with_what_is_allowed(given, expected) -> None:
+def test_errors_name_the_wrong_input_and_the_allowed_ones(given, expected) -> None:
     with pytest.raises(KingpostError) as caught:
         kingpost.mpc(scenario(trolley()), **{**WEIGHTS, "horizon": 5, **given})
     assert expected in str(caught.value)
 
 
-def test_states_that_are_no_numbers_are_refused() -> None:
+def test_states_that_are_not_numbers_are_refused() -> None:
     found = kingpost.mpc(scenario(trolley()), **WEIGHTS, horizon=5)
     with pytest.raises(KingpostError, match="allowed: 4 finite numbers"):
         found.action([0, np.nan, 0, 0])

@@ -17,7 +17,7 @@ PAPER, VERIFY = "kingpost paper -o results", "kingpost verify"
 EXAMPLES = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
 
 
-def test_the_readme_has_the_commands_of_the_paper_and_of_what_is_verified() -> None:
+def test_the_readme_has_the_commands_paper_and_verify() -> None:
     assert {PAPER, VERIFY} <= set(COMMANDS)
 
 

@@ -113,7 +113,7 @@ def test_the_cost_of_a_simulated_response_is_that_of_the_regulator(period_s) -> 
     assert cost == pytest.approx(found.cost(x0), rel=2e-5 if period_s is None else 1e-5)
 
 
-def test_its_eigenvalues_are_those_of_the_response() -> None:
+def test_the_eigenvalues_of_a_regulator_are_those_of_the_response() -> None:
     """Source: samples of two states obey the characteristic polynomial of the sampled closed loop."""
     start = scenario(cage(0.1), feedback(["trolley", "trolley.rate"]), duration_s=12)
     found = kingpost.lqr(start, inputs=["push"], Q={"trolley": 1}, R=[1], period_s=0.5)
@@ -140,12 +140,12 @@ def test_tugger_lines_leave_at_most_one_percent_of_the_uncontrolled_swing_withou
     assert 1e3 < float(recorded["winch_tension"].min()) < float(recorded["winch_tension"].max()) < 20e3
 
 
-def test_gains_for_a_load_without_tugger_lines_are_warned_of_with_them() -> None:
+def test_gains_for_a_load_without_tugger_lines_give_a_warning_with_them() -> None:
     with pytest.warns(kingpost.KingpostWarning, match="oscillation of luff .* grows"):
         kingpost.run(GALLERY, {"simulation.duration_s": 1}, tugger_lines=True, feedback=True)
 
 
-def test_the_gallerys_slew_leaves_at_most_one_percent_of_the_uncontrolled_swing() -> None:
+def test_the_residual_swing_of_the_gallerys_slew_is_at_most_one_percent() -> None:
     """Source: the target of this project, 1 %; measured 0.85 % with ZVD, 0.53 % with the regulator."""
     free = swing_left()
     assert free > 0.015
@@ -153,7 +153,7 @@ def test_the_gallerys_slew_leaves_at_most_one_percent_of_the_uncontrolled_swing(
     assert swing_left(feedback=True) < 0.01 * free
 
 
-def test_the_gains_in_the_gallery_are_those_of_the_regulator() -> None:
+def test_the_gains_in_the_gallery_equal_those_of_the_regulator() -> None:
     """Source: `lqr` with the weights of docs/anti_sway.md; the file has four decimals."""
     weights = {"slew": 1, "luff": 1, "pendant.first": 20, "pendant.second": 20}
     inputs = ["slewing.target_offset", "luffing.target_offset"]
@@ -169,7 +169,7 @@ def test_the_gains_in_the_gallery_are_those_of_the_regulator() -> None:
     assert steers[f"{GALLERY}_at_sea"][0]["gains"] == pytest.approx(of_slewing, abs=1e-4)
 
 
-def test_gains_for_an_exact_angle_are_named_before_the_run_where_gyroscopes_are_late() -> None:
+def test_unstable_gains_with_delayed_gyroscopes_give_a_warning_before_the_run() -> None:
     """Source: half the sampling frequency of the feedback, 5 Hz, at which a run with these gains shakes."""
     at_sea = kingpost.load(f"{GALLERY}_at_sea", feedback=True)
     assert at_sea.model["warnings"] == []
@@ -181,7 +181,7 @@ def test_gains_for_an_exact_angle_are_named_before_the_run_where_gyroscopes_are_
     assert words.startswith("swing_feedback: an oscillation of slew of period 0.2 s grows")
 
 
-def test_a_feedback_by_gyroscopes_takes_the_swing_out_of_a_load_at_sea() -> None:
+def test_feedback_by_gyroscopes_reduces_the_swing_of_a_load_at_sea() -> None:
     """Source: measured, 0.70 degrees instead of 4.6 at Hs 1 m, 15 %."""
     swing = {}
     for feedback in (False, True):
@@ -199,7 +199,7 @@ def steers_of(scenario: kingpost.Scenario) -> list[dict]:
     return scenario.resolved["controllers"]["swing_feedback"]["state_feedback"]["steers"]
 
 
-def test_gains_that_destabilise_are_named_before_the_run_with_the_mode() -> None:
+def test_destabilising_gains_give_a_warning_with_the_mode_before_the_run() -> None:
     """Source: u = k x' of a mass on a slide, sampled every T: z = 1 + k T grows e-fold in T / ln(1 + k T)."""
     steers = [{"to": "push", "gains": [-0.5]}]
     hold = {
@@ -212,7 +212,7 @@ def test_gains_that_destabilise_are_named_before_the_run_with_the_mode() -> None
     assert scenario(cage(), {"hold": hold}).model["warnings"] == []
 
 
-def test_a_feedback_of_the_wrong_sign_is_named_with_the_period_of_the_swing() -> None:
+def test_feedback_with_the_wrong_sign_gives_a_warning_with_the_period_of_the_swing() -> None:
     """Source: the eigenvalues of `lqr`'s closed loop with the gains' sign changed, by the exact matrices."""
     found = kingpost.lqr(scenario(trolley()), inputs=["push"], Q=[1, 1, 0, 0], R=[1], period_s=0.1)
     start = scenario(trolley(), feedback(TROLLEY))
@@ -241,7 +241,7 @@ def test_a_feedback_of_the_wrong_sign_is_named_with_the_period_of_the_swing() ->
         ({"Q": [0, 1, 0, 0]}, "Q: found weights without a regulator that comes to rest"),
     ],
 )
-def test_mistakes_are_reported_with_what_is_allowed(given, expected) -> None:
+def test_errors_name_the_wrong_input_and_the_allowed_ones(given, expected) -> None:
     arguments = {"inputs": ["push"], "Q": [1, 1, 0, 0], "R": [1], **given}
     with pytest.raises(KingpostError) as caught:
         kingpost.lqr(scenario(trolley()), **arguments)
@@ -268,7 +268,7 @@ def test_a_controller_that_does_not_read_a_state_is_reported() -> None:
         found.scenario(start, "held")
 
 
-def test_a_swing_across_the_boom_that_slewing_alone_moves_not_is_named() -> None:
+def test_a_swing_that_the_chosen_input_cannot_damp_is_named() -> None:
     """Source: luffing swings the load along the boom, slewing across it; each leaves the other as it was."""
     slew = kingpost.load("slew_without_swing")
     with pytest.warns(kingpost.KingpostWarning, match="the inputs do not move the mode of period 9"):

@@ -1,4 +1,4 @@
-"""The release workflow reads, its commands are there, and a tag must be the version."""
+"""The release workflow is valid, its commands exist, and a tag must equal the version."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def commands(jobs: dict) -> list[str]:
     ]
 
 
-def test_every_make_target_and_tool_of_the_workflow_is_there(jobs) -> None:
+def test_every_make_target_and_tool_of_the_workflow_exists(jobs) -> None:
     targets = re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
     asked = [word for line in commands(jobs) for word in re.findall(r"^make (\S+)", line)]
     tools = {word for line in commands(jobs) for word in re.findall(r"tools/\w+\.py", line)}

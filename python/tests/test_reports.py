@@ -1,4 +1,4 @@
-"""What the command line prints of a model and of a run, read back against the numbers it stands for."""
+"""Reports of the command line on a model and on a run, compared with the numbers that they show."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ drives:
 """
 
 
-def test_check_prints_targets_and_prescribed_rates_and_what_nothing_carries(tmp_path, capsys):
+def test_check_prints_targets_prescribed_rates_and_unsupported_bodies(tmp_path, capsys):
     """Source: the fields of the file, as they stand there."""
     text = kingpost.load("paper").text
     servo = "{servo: {joint: luff, target_deg: 90, stiffness_N_m_per_rad: 1, damping_N_m_s_per_rad: 1, "
@@ -114,7 +114,7 @@ def test_a_summary_has_the_largest_loop_reaction_loop_error_and_cylinder_force()
     assert unit == "kN"
 
 
-def test_a_summary_tells_the_tensions_at_the_two_ends_of_a_rope_apart():
+def test_a_summary_distinguishes_the_tensions_at_the_two_ends_of_a_rope():
     """Source: the descriptions of the engine's channels."""
     scenario = kingpost.load("lowering_by_winch", SHORT)
     results = kingpost.run(scenario)
@@ -126,7 +126,7 @@ def test_a_summary_tells_the_tensions_at_the_two_ends_of_a_rope_apart():
 
 
 @pytest.mark.parametrize("name", kingpost.gallery.names())
-def test_what_forces_and_drives_show_has_descriptions_that_differ(name, shown):
+def test_outputs_of_forces_and_drives_have_unique_descriptions(name, shown):
     """Source: a summary falls back on them where two quantities have one short name."""
     descriptions = [channel["description"] for channel in shown[name]["channels"] if channel["of_elements"]]
     assert len(set(descriptions)) == len(descriptions)
@@ -138,7 +138,7 @@ def word(text: str, label: str, number: int) -> float:
     return float(line[len(label) :].split()[number - 1])
 
 
-def test_a_summary_says_that_dormand_prince_chooses_its_steps():
+def test_a_summary_states_that_dormand_prince_chooses_its_steps():
     """Source: Scheme::dormand_prince; largest_step_s of the file."""
     settings = {"simulation.integrator": "dormand_prince", "simulation.dormand_prince.largest_step_s": 0.05}
     scenario = kingpost.load("paper", {**SHORT, **settings})
@@ -149,7 +149,7 @@ def test_a_summary_says_that_dormand_prince_chooses_its_steps():
 
 
 @pytest.mark.parametrize("name", ["dual_draglink_crane", "knuckle_boom_crane"])
-def test_what_is_drawn_of_a_cylinder_is_as_long_as_the_results_measure(name):
+def test_a_drawn_cylinder_has_the_length_in_the_results(name):
     """Source: two ways to one length: the points to draw; the channel of the run."""
     scenario = kingpost.load(name)
     simulation = kingpost.Simulation(scenario)
@@ -207,7 +207,7 @@ def test_the_water_carries_a_ship_and_without_it_a_ship_falls():
     assert kingpost.load("barge").model["warnings"] == []
 
 
-def test_the_modes_of_a_ship_are_its_own_and_the_waters_on_demand(capsys):
+def test_modes_of_the_waters_memory_are_printed_only_on_request(capsys):
     """Source: the barge's natural motions are three rigid ones that the water makes stiff, three that its
     soft hold does, of 120 s, and the load's two swings; frequency times period is 1 by name; participation
     factors of all states add up to 1."""

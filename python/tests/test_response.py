@@ -36,7 +36,7 @@ def test_long_waves_lift_a_ship_by_their_height_and_tilt_it_by_their_slope() -> 
     assert aside == pytest.approx(1j * slope, abs=0.1 * slope)
 
 
-def test_a_sea_from_ahead_leaves_an_even_ship_upright() -> None:
+def test_a_symmetric_ship_does_not_roll_in_a_head_sea() -> None:
     """Source: the vessel and its crane, along the middle line, are alike on both sides."""
     found = kingpost.rao("offshore_vessel", [np.pi])
     heave = found.displacement.sel(point="hull", axis="z")
@@ -90,7 +90,7 @@ def test_velocities_and_accelerations_are_those_of_the_displacement() -> None:
     assert np.allclose(by_phase, expected.transpose(*by_phase.dims))
 
 
-def test_the_crane_is_taken_as_it_stands() -> None:
+def test_the_present_position_of_the_crane_is_used() -> None:
     """Source: the load's moment about the middle line changes as the crane swings out."""
     simulation = kingpost.Simulation("barge")
     before = kingpost.rao(simulation, [np.pi], [0.9])
@@ -104,7 +104,7 @@ def test_the_crane_is_taken_as_it_stands() -> None:
     )
 
 
-def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) -> None:
+def test_files_and_the_picture_contain_the_values_of_the_data_set(tmp_path, capsys) -> None:
     grid = [
         "--directions-deg",
         "180",
@@ -153,13 +153,15 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
         (["barge", "-o", "rao.txt"], "rao.txt: unknown ending, allowed: .nc, .csv, .png"),
     ],
 )
-def test_points_without_a_response_are_named(arguments: list[str], message: str, capsys) -> None:
+def test_wrong_input_of_the_command_rao_is_refused_with_the_allowed_values(
+    arguments: list[str], message: str, capsys
+) -> None:
     assert main(["rao", *arguments]) == 2
     assert message in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", ["two_ships", "lift_off_from_barge"])
-def test_several_hulls_answer_by_default_at_the_frequencies_that_all_of_their_databases_cover(name) -> None:
+def test_default_frequencies_for_several_hulls_are_those_that_all_databases_cover(name) -> None:
     """Source: the databases: of the vessel 0.05984 to 2.618 rad/s, of the barge 0.09229 to 4.038."""
     frequency = kingpost.rao(name, [0.0]).omega.values
     assert (frequency[0], frequency[-1]) == (0.09229, 2.618)
@@ -167,7 +169,7 @@ def test_several_hulls_answer_by_default_at_the_frequencies_that_all_of_their_da
     assert (np.diff(frequency) > 0).all()
 
 
-def test_a_hull_answers_by_default_at_the_frequencies_that_the_engine_takes() -> None:
+def test_default_frequencies_for_a_hull_are_those_of_the_engine() -> None:
     """Source: the engine, which refines a database in the same way."""
     found = kingpost.Simulation("barge").wave_response([0.0], [])
     assert kingpost.rao("barge", [0.0]).omega.values.tolist() == found["frequencies_rad_s"]
@@ -182,7 +184,7 @@ def test_directions_beyond_one_turn_are_refused(capsys) -> None:
     assert main(["rao", "barge", "--directions-deg", "nan"]) == 2
 
 
-def test_the_lowest_and_the_highest_frequency_are_taken_as_messages_print_them(capsys) -> None:
+def test_the_printed_lowest_and_highest_frequencies_are_accepted(capsys) -> None:
     """Source: what a person types after the message that names the range."""
     assert main(["rao", "offshore_vessel", "--frequencies-rad-s", "0.01:1:3"]) == 2
     low, high = re.search(r"allowed: ([\d.]+) to ([\d.]+) rad/s", capsys.readouterr().err).groups()
@@ -193,7 +195,7 @@ def test_the_lowest_and_the_highest_frequency_are_taken_as_messages_print_them(c
     assert main(["rao", "offshore_vessel", "--frequencies-rad-s", f"{float(low) - 0.001}:{high}:2"]) == 2
 
 
-def test_a_resonance_between_two_lines_has_a_line_of_its_own(capsys) -> None:
+def test_a_resonance_between_two_frequencies_gets_a_frequency(capsys) -> None:
     assert main(["rao", "offshore_vessel", "--directions-deg", "90"]) == 0
     lines = capsys.readouterr().out.splitlines()
     rolls = [line.split() for line in lines if re.match(r" +\d\.\d{3} ", line)]

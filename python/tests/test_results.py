@@ -51,7 +51,7 @@ def test_parquet_reads_back_to_the_same_bits_with_units(results, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["nc", "csv", "parquet"])
-def test_the_command_writes_what_python_returns(ending, tmp_path, capsys):
+def test_the_file_of_the_command_equals_the_data_set_in_python(ending, tmp_path, capsys):
     """Source: one engine behind both."""
     output = tmp_path / f"run.{ending}"
     arguments = ["run", "paper", "--set", "simulation.duration_s=0.05", "-o", str(output)]
@@ -78,7 +78,7 @@ def test_a_model_without_joints_or_points_writes_every_format(tmp_path):
         assert write(results, tmp_path / f"box.{ending}").stat().st_size > 0
 
 
-def test_events_are_a_table_that_every_file_carries(tmp_path):
+def test_every_file_contains_the_table_of_events(tmp_path):
     """Source: the round trip; the value that was set, when it was set."""
     text = kingpost.load("paper").text.replace("parameters:\n", f"parameters:\n  - {DRAG}\n", 1)
     (tmp_path / "live.yaml").write_text(text)
@@ -102,7 +102,7 @@ def test_events_are_a_table_that_every_file_carries(tmp_path):
     assert beside["event_what"].tolist() == ["was set"]
 
 
-def test_a_run_in_which_nothing_happened_has_an_empty_table_and_no_file_of_events(results, tmp_path):
+def test_a_run_without_events_has_an_empty_table_and_no_file_of_events(results, tmp_path):
     """Source: the contract; a file of an earlier run must not be taken for this one's."""
     assert events(results).sizes["event"] == 0
     write(results, tmp_path / "run.csv")
@@ -118,12 +118,12 @@ def test_an_unknown_ending_is_refused(results, tmp_path):
         write(results, tmp_path / "run.xlsx")
 
 
-def test_parquet_without_pyarrow_is_refused_before_a_run_with_the_extra_that_brings_it(
+def test_parquet_without_pyarrow_is_refused_before_a_run_and_the_message_names_the_extra(
     tmp_path, capsys, monkeypatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     assert main(["run", "paper", "-o", str(tmp_path / "run.parquet")]) == 2
     shown = capsys.readouterr()
-    assert 'found no pyarrow, allowed: Parquet with pyarrow: pip install "kingpost[parquet]"' in shown.err
+    assert 'Parquet needs pyarrow, which is not installed: pip install "kingpost[parquet]"' in shown.err
     assert shown.out == ""
     assert list(tmp_path.iterdir()) == []

@@ -1,4 +1,4 @@
-"""`kingpost roll-damping`: both ways, what is printed and written, mistakes, and the commands of the page."""
+"""`kingpost roll-damping`: both methods, printed and written output, errors, and the commands of the page."""
 
 import math
 import re
@@ -37,7 +37,7 @@ def test_the_commands_and_examples_of_the_page_run(tmp_path, monkeypatch, capsys
     assert "B1 " in capsys.readouterr().out
 
 
-def test_the_forces_of_a_hull_stand_in_a_scenario(tmp_path, capsys):
+def test_the_printed_forces_of_a_hull_are_valid_in_a_scenario(tmp_path, capsys):
     output = tmp_path / "forces.yaml"
     keels = ["--bilge-keels", "breadth_m=0.4,length_m=30", "--body", "rod"]
     assert cli.main([*SECTIONS, *keels, "-o", str(output)]) == 0
@@ -91,7 +91,7 @@ def test_a_decay_test_prints_its_period_and_without_inertia_no_forces(capsys):
         (["roll-damping", "decay", "none.csv"], "none.csv: found No such file"),
     ],
 )
-def test_a_mistake_is_answered_in_one_line(words, message, capsys):
+def test_wrong_input_of_the_command_roll_damping_gives_one_error_line(words, message, capsys):
     assert cli.main(words) == 2
     error = capsys.readouterr().err
     assert error.startswith("error: ")
@@ -99,7 +99,7 @@ def test_a_mistake_is_answered_in_one_line(words, message, capsys):
     assert error.count("\n") == 1
 
 
-def test_the_forces_leave_out_what_the_hulls_database_radiates(tmp_path, capsys):
+def test_the_forces_exclude_the_radiation_damping_of_the_hulls_database(tmp_path, capsys):
     """A synthetic decay of the gallery's vessel: with its database less damping is left for the forces."""
     path = tmp_path / "decay.csv"
     time = np.arange(0, 150, 0.3)

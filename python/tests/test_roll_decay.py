@@ -1,4 +1,4 @@
-"""Damping from records of decaying roll: known coefficients are found again, and what is no record is
+"""Damping from records of decaying roll: known coefficients are recovered, and invalid records are
 refused."""
 
 import math
@@ -36,7 +36,7 @@ def known_record(damping, noise=0.0, time=TIME) -> DecayRecord:
     return DecayRecord(time, roll + noise * 0.22 * np.random.default_rng(7).standard_normal(len(time)))
 
 
-def test_the_oscillator_is_that_of_closed_form():
+def test_the_oscillator_agrees_with_the_closed_form():
     p1, omega = 0.03, 0.6
     damped = math.sqrt(omega**2 - p1**2 / 4)
     state = np.array([omega, 0.0, 0.0, 0.2, 0.0, p1, 0.0, 0.0])
@@ -55,7 +55,7 @@ def test_quadratic_damping_lets_amplitudes_fall_as_one_over_time():
 
 
 @pytest.mark.parametrize("model", list(KNOWN))
-def test_known_coefficients_are_found_again_without_noise(model):
+def test_known_coefficients_are_recovered_from_a_record_without_noise(model):
     found = from_decay(known_record(KNOWN[model]), model)
     assert found.damping == pytest.approx(KNOWN[model], rel=1e-3)
     assert found.frequency_rad_s == pytest.approx(OMEGA, rel=1e-5)
@@ -115,7 +115,7 @@ def test_a_decay_by_the_engine_gives_back_the_forces_of_its_scenario(tmp_path):
     assert (again.linear, again.quadratic) == pytest.approx((90, 1800), rel=5e-3)
 
 
-def test_what_was_found_put_into_a_scenario_decays_alike(tmp_path):
+def test_a_scenario_with_the_fitted_forces_reproduces_the_decay(tmp_path):
     found = from_decay(
         pendulum(tmp_path, "film: {viscous_damping: {body: ship, angular_N_m_s: [300, 0, 0]}}")
     )
@@ -132,7 +132,7 @@ def test_an_offset_and_a_sign_change_nothing():
     assert other.offset_rad == pytest.approx(0.05 - OFFSET, rel=1e-3)
 
 
-def test_slower_time_scales_what_has_seconds():
+def test_a_slower_record_scales_all_quantities_with_time():
     record = known_record(KNOWN["cubic"])
     one, slow = (
         from_decay(record, "cubic"),
@@ -204,7 +204,7 @@ def test_a_record_without_decaying_roll_is_refused_by_name(time, roll, words):
         ("", "an empty file"),
     ],
 )
-def test_a_file_that_is_no_record_is_refused_with_its_name(text, words, tmp_path):
+def test_a_file_that_is_not_a_record_is_refused_with_its_name(text, words, tmp_path):
     path = tmp_path / "decay.csv"
     path.write_text(text)
     with pytest.raises(RollDampingError) as refused:
@@ -221,7 +221,7 @@ def test_a_file_that_is_no_record_is_refused_with_its_name(text, words, tmp_path
         (lambda found: found.coefficients(0.0), "inertia_kg_m2: found 0"),
     ],
 )
-def test_an_inertia_that_is_not_a_number_is_refused(call, words):
+def test_a_nan_inertia_is_refused(call, words):
     found = from_decay(known_record(KNOWN["linear"]), "linear")
     with pytest.raises(RollDampingError, match=words):
         call(found)

@@ -60,7 +60,7 @@ def levers_by_quadrature(beam, draught, radius, axis_depth, length) -> tuple[flo
 @pytest.mark.parametrize("radius", [0.0, 1.0, 3.0])
 @pytest.mark.parametrize("axis_depth", [-2.0, 0.0, 1.5])
 @pytest.mark.parametrize("length", [0.5, 2.8])
-def test_the_levers_of_the_keels_pressure_are_the_integrals_that_define_them(radius, axis_depth, length):
+def test_the_levers_of_the_keels_pressure_equal_their_defining_integrals(radius, axis_depth, length):
     beam, draught = 20.0, 8.0
     sections = Sections.of_table({"x_m": [0, 1, 2], "beam_m": [beam] * 3, "draught_m": [draught] * 3,
                                   "area_coefficient": [0.9] * 3, "bilge_radius_m": [radius] * 3})  # fmt: skip
@@ -77,7 +77,7 @@ WITHIN = {"H": (0.2, 0.4), "I": (1.0, 1.7)}
 
 
 @pytest.mark.parametrize("by", SHARPNESS)
-def test_eddies_of_ikedas_cylinders_are_those_he_measured(by):
+def test_eddies_of_ikedas_cylinders_agree_with_his_measurements(by):
     """Boxes with sharp and round bilges (A to D), sections of Series 60 (G to L): within 25 % but for two,
     whether sharpness is read from the radius of the bilge or from the area."""
     for row in ikeda_cylinders():
@@ -95,7 +95,7 @@ def test_eddies_are_quadratic_and_a_half_circle_that_rolls_about_its_centre_shed
     assert large == pytest.approx(2 * small, rel=1e-12)
 
 
-def test_models_and_ships_differ_by_the_scale_alone_but_for_friction():
+def test_all_components_except_friction_follow_froudes_scaling():
     """Froude's law: omega as the root of 1 / L, B44 as L^4.5; friction falls behind by L^-3/4, B_F as
     L^3.75."""
     ship, scale = box_sections(), 64.0
@@ -115,7 +115,7 @@ def test_models_and_ships_differ_by_the_scale_alone_but_for_friction():
     )
 
 
-def test_speed_brings_lift_and_washes_eddies_away():
+def test_forward_speed_adds_lift_and_reduces_eddies():
     still, fast, faster = (
         from_sections(box_sections(), 9.0, 12.0, speed_m_s=speed) for speed in (0.0, 5.0, 10.0)
     )
@@ -129,7 +129,7 @@ def test_speed_brings_lift_and_washes_eddies_away():
     )
 
 
-def test_friction_goes_with_the_roots_of_frequency_and_viscosity():
+def test_friction_is_proportional_to_the_roots_of_frequency_and_viscosity():
     hull = box_sections()
     one = friction_damping(hull, -1.0, 0.5, 1025.0, 1e-6)
     assert friction_damping(hull, -1.0, 2.0, 1025.0, 1e-6) == pytest.approx(2 * one, rel=1e-12)
@@ -146,7 +146,7 @@ def test_the_constant_of_friction_is_himenos():
     assert friction_damping(hull, 0.0, 0.5, 1025.0, 1e-6) == pytest.approx(expected, rel=5e-4)
 
 
-def test_where_the_eddies_hang_on_the_sharpness_of_the_bilges_the_user_is_told():
+def test_eddies_that_depend_on_the_sharpness_of_the_bilges_give_a_warning():
     assert "printed" in from_sections(box_sections(area_coefficient=0.998), 8, 10).attrs["warning"]
     assert "warning" not in from_sections(box_sections(area_coefficient=0.98), 8, 10).attrs
     # A sharp corner is one by both readings.
@@ -173,7 +173,7 @@ FIGURE = {-0.2: (0.000854, 0.005284), -1.5: (0.003934, 0.015503)}
 
 
 @pytest.mark.parametrize("depth", list(FIGURE))
-def test_the_regression_of_kawahara_draws_his_figure(depth):
+def test_the_regression_of_kawahara_reproduces_his_figure(depth):
     form, amplitude = HullForm(0.65, 0.98, 4.0, depth), math.radians(10)
     eddies, keels = FIGURE[depth]
     # The regression misses the symbols that it was made from by 8 % for the eddies and 4 % for the keels.
@@ -182,7 +182,7 @@ def test_the_regression_of_kawahara_draws_his_figure(depth):
 
 
 @pytest.mark.parametrize("depth", list(FIGURE))
-def test_bilge_keels_are_those_of_ikedas_own_program(depth):
+def test_bilge_keel_damping_agrees_with_ikedas_program(depth):
     """The same ship: keels amidships, where its sections are those of the midship."""
     beam = 20.0
     length, draught = 6 * beam, beam / 4
@@ -242,7 +242,7 @@ def test_keels_without_breadth_are_refused(breadth):
         BilgeKeels(breadth, 40)
 
 
-def test_a_scenario_takes_no_cubic_and_no_negative_damping():
+def test_cubic_and_negative_damping_are_refused_for_a_scenario():
     with pytest.raises(RollDampingError, match="cubic: found 3"):
         fragment(Coefficients(1.0, 2.0, 3.0), "ship", "x")
     with pytest.raises(RollDampingError, match="quadratic: found -2, allowed: 0 or more"):

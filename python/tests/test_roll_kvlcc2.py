@@ -1,5 +1,4 @@
-"""KVLCC2 at 1:68 without bilge keels: its measured decay, published coefficients, and what is predicted of
-it."""
+"""KVLCC2 at 1:68 without bilge keels: its measured decay, published coefficients, and predictions."""
 
 import math
 
@@ -36,7 +35,7 @@ def test_a_measured_decay_gives_the_published_period_and_damping(run, measured):
     np.testing.assert_allclose(ours, theirs, rtol=0.05)
 
 
-def test_a_measured_decay_fed_back_gives_its_own_damping_and_amplitudes(run, measured):
+def test_a_record_simulated_with_fitted_coefficients_gives_the_same_damping_and_amplitudes(run, measured):
     """The record that the coefficients make, from the first angle on, is read again."""
     record = samples.kvlcc2_decay(run)
     first = float(record.time_s[np.abs(record.roll_rad).argmax()])
@@ -51,8 +50,8 @@ def test_a_measured_decay_fed_back_gives_its_own_damping_and_amplitudes(run, mea
 
 @pytest.fixture(scope="module")
 def predicted():
-    """Of the sections and the loading alone: the natural period and the radiated damping, by the panel method
-    about Lewis forms, and Ikeda's components."""
+    """Predictions from the sections and the loading only: natural period and radiation damping, by the panel
+    method on Lewis forms, and Ikeda's components."""
     pytest.importorskip("capytaine")
     sections, kg = samples.kvlcc2_sections(), samples.KG_M / samples.SCALE
     hull = samples.lewis_hull(sections, 25, 9)
@@ -88,7 +87,7 @@ def test_the_damping_is_predicted_from_sections_and_loading(predicted, measured)
     np.testing.assert_allclose(ratio[1:-1], 1, rtol=0.35)
 
 
-def test_the_printed_formula_makes_its_eddies_too_large_as_was_found_before(predicted, measured):
+def test_the_printed_formula_overestimates_the_eddies_as_published(predicted, measured):
     """A known miss: with sharpness by the area Ikeda's eddies are three to five times those measured, which
     are what friction and waves leave; by the radius 1.2 to 1.7 times. Alexandersson et al. found the
     printed formula too large for this ship, too."""

@@ -1,4 +1,4 @@
-"""Gyros against closed forms, and what a user sees of the scenarios that reduce roll."""
+"""Gyros compared with closed forms, and the scenarios of roll reduction from a user's view."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_a_pair_that_spins_and_precesses_in_opposite_directions_leaves_no_moment
 @pytest.mark.parametrize(
     "device", sampled(["U-tank", "open tanks, pumped", "gyros, driven"], keep=["U-tank"])
 )
-def test_a_device_is_measured_and_printed_with_the_share_of_roll_that_it_leaves(device: str):
+def test_a_device_is_measured_and_printed_with_its_remaining_share_of_roll(device: str):
     row = roll.measure("Hs 2.0 m, Tp 11.5 s", device, without_deg=1.0, length_s=2.0)
     assert row.left is not None
     assert device in roll.text([row])

@@ -79,7 +79,7 @@ def test_a_table_is_read_with_its_remarks_and_in_any_order(tmp_path):
     assert found.volume_m3 == pytest.approx(np.trapezoid(areas, [0, 10, 30]), rel=1e-12)
 
 
-def test_a_hull_of_lewis_forms_displaces_what_its_sections_do():
+def test_a_hull_of_lewis_forms_has_the_displacement_of_its_sections():
     sections = box_sections(area_coefficient=0.9)
     found = lewis_hull(sections, 21, 15).particulars
     # Chords of 14 pieces along the half girth.

@@ -1,4 +1,4 @@
-"""Ropes beside Exudyn and MuJoCo: what their kept runs are, and why a drum's differs."""
+"""Ropes compared with Exudyn and MuJoCo: their stored runs, and the reason why that of a drum differs."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def drum_turns(*, strain_energy: bool) -> float:
     return float(y[2])
 
 
-def test_a_drum_turns_as_the_strain_energy_that_it_winds_on_says_and_exudyns_without_it() -> None:
+def test_a_drum_turns_by_the_strain_energy_of_the_wound_rope_and_exudyns_drum_without_it() -> None:
     """The same law by equations of its own; ten figures of Exudyn's are kept."""
     ours = ropes.track(ropes.lift(drum=True), KEPT["lift"], "load")["winch"][-1]
     assert abs(ours / drum_turns(strain_energy=True) - 1) < 1e-9

@@ -1,5 +1,5 @@
-"""What people stumble over: meshes and records that are not whole, titles that steer a terminal, fields in
-braces, pages whose lines do not run."""
+"""Typical difficulties of users: incomplete meshes and records, titles with terminal codes, fields in braces,
+pages whose lines do not run."""
 
 import re
 import signal
@@ -30,7 +30,7 @@ ESCAPES = 'version: 1\ntitle: "a\\e[31mred\\x07"\nbodies:\n  a: {mass_kg: 1, joi
         ("f 1 1 2\nf 2 2 2\n", "found faces without an area only"),
     ],
 )
-def test_a_mesh_with_faces_of_nothing_is_refused(tmp_path, faces, found) -> None:
+def test_a_mesh_with_empty_faces_is_refused(tmp_path, faces, found) -> None:
     pytest.importorskip("meshio")
     path = tmp_path / "hull.obj"
     path.write_text(POINTS + faces, encoding="utf-8")
@@ -38,7 +38,7 @@ def test_a_mesh_with_faces_of_nothing_is_refused(tmp_path, faces, found) -> None
         hull_files.read(path)
 
 
-def test_a_radius_of_gyration_that_no_body_has_is_named() -> None:
+def test_an_impossible_radius_of_gyration_is_named() -> None:
     """Source: of any body the moments hold to the inequality of a triangle; of a disc they meet it."""
     Loading(5.0, 3.0, 4.0, 5.0)
     with pytest.raises(HydrodynamicsError, match=r"--loading yaw_gyration_m: found 9, allowed: at most 5:"):
@@ -98,12 +98,12 @@ def test_hyphens_and_underscores_of_an_option_are_one(option, capsys) -> None:
         ["modes", "chain", "--sweep", "damping=0:1:99999999999"],
     ],
 )
-def test_counts_that_no_machine_holds_are_refused_at_once(command, capsys) -> None:
+def test_counts_beyond_any_memory_are_refused_at_once(command, capsys) -> None:
     assert main(command) == 2
     assert re.search(r"found .*9999.*, allowed: .* (up )?to 10", capsys.readouterr().err)
 
 
-def test_a_misspelt_file_gets_the_nearest_of_its_folder(tmp_path, capsys) -> None:
+def test_a_misspelt_file_gets_the_nearest_name_in_its_folder(tmp_path, capsys) -> None:
     (tmp_path / "harbour_lift.yaml").write_text("version: 1\n", encoding="utf-8")
     wrong = tmp_path / "harbor_lift.yaml"
     assert main(["run", str(wrong)]) == 2
@@ -112,24 +112,24 @@ def test_a_misspelt_file_gets_the_nearest_of_its_folder(tmp_path, capsys) -> Non
     assert capsys.readouterr().err.endswith("lift.yaml: no such file\n")
 
 
-def test_a_misspelt_option_gets_the_nearest_of_its_command(capsys) -> None:
+def test_a_misspelt_option_gets_the_nearest_option_of_its_command(capsys) -> None:
     with pytest.raises(SystemExit):
         main(["run", "barge", "--outptu", "run.csv"])
     assert "--outptu run.csv; did you mean --output? (see kingpost run --help)" in capsys.readouterr().err
 
 
-def test_a_misspelt_column_gets_the_nearest_of_the_scenario(capsys) -> None:
+def test_a_misspelt_column_gets_the_nearest_column_of_the_scenario(capsys) -> None:
     """Source: a hull that is not named ship, so that no fixed example is right."""
     assert main(["run", "offshore_vessel", "--record", "hull.rol"]) == 2
     assert "--record: found 'hull.rol', allowed: columns such as hull.roll" in capsys.readouterr().err
 
 
-def test_a_column_in_place_of_a_file_of_results_gets_its_option(capsys) -> None:
+def test_the_error_for_a_column_in_place_of_a_file_names_the_option(capsys) -> None:
     assert main(["statistics", "ship.roll"]) == 2
     assert capsys.readouterr().err.endswith("writes them; columns follow --channels\n")
 
 
-def test_an_interrupt_while_libraries_are_imported_is_one_line(monkeypatch, capsys) -> None:
+def test_an_interrupt_during_imports_gives_one_line(monkeypatch, capsys) -> None:
     class Interrupt:
         def find_spec(self, name: str, *_: object) -> None:
             if name == "kingpost.cli":

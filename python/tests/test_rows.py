@@ -1,4 +1,4 @@
-"""Rows of a run: each column has the value at the time of the row, whatever moves the inputs.
+"""Rows of a run: each column has the value at the time of the row, also while inputs move.
 
 Source: in a run of a method of the fourth order, position, velocity and acceleration are a function and its
 derivatives, and the ledger's work is the integral of the powers. Over two steps of length h, Simpson's rule
@@ -44,8 +44,8 @@ operation:
 
 
 def off(f: np.ndarray, rate: np.ndarray, h: float) -> float:
-    """How far a function and its rate are apart in steady rows, as a share of the rate's largest value; what
-    Simpson's rule leaves out, by fourth differences of the rate, is not counted."""
+    """Difference of a function and its rate in steady rows, as a share of the rate's largest value; the error
+    of Simpson's rule, by fourth differences of the rate, is subtracted."""
     count = len(f)
     f, rate = f.reshape(count, -1), rate.reshape(count, -1)
     largest = np.abs(rate).max(axis=0)

@@ -75,7 +75,7 @@ def test_a_dataset_has_the_dimensions_and_variables_of_the_contract(calibration)
     assert calibration["time"].values == pytest.approx(np.linspace(0, 0.5, 51))
 
 
-def test_every_variable_says_its_unit_its_name_and_its_frame(calibration):
+def test_every_variable_has_a_unit_a_name_and_a_frame(calibration):
     """Source: the project's public contract."""
     for name, variable in {**calibration.data_vars, "time": calibration["time"]}.items():
         assert set(variable.attrs) >= {"long_name", "description", "frame", "column"}, name
@@ -94,7 +94,7 @@ def test_a_dataset_stores_the_scenario_that_made_it(calibration, tmp_path):
         assert np.array_equal(again[name], calibration[name]), name
 
 
-def test_a_dataset_says_versions_seed_status_gravity_and_density(calibration):
+def test_a_dataset_contains_versions_seed_status_gravity_and_density(calibration):
     """Source: the project's public contract; this case has neither gravity nor water."""
     attributes = calibration.attrs
     assert json.loads(attributes["versions"])["kingpost"] == kingpost.__version__
@@ -104,13 +104,13 @@ def test_a_dataset_says_versions_seed_status_gravity_and_density(calibration):
     assert attributes["water_density_kg_m3"] == 0
 
 
-def test_gravity_stands_in_the_attributes_where_it_acts():
+def test_a_run_with_gravity_has_it_in_the_attributes():
     """Source: the standard acceleration, 9.80665 m/s2."""
     results = kingpost.run("paper", {"simulation.duration_s": 0.02}, gravity=True)
     assert results.attrs["gravity_m_s2"] == 9.80665
 
 
-def test_a_parameter_and_the_path_that_it_writes_do_the_same():
+def test_setting_a_parameter_equals_setting_the_path_that_it_writes():
     """Source: the parameter mechanism, one meaning for every way to set a value."""
     by_name = kingpost.load("paper", crane_x_m=3, motor_2=True)
     path = "bodies.tower.joint.revolute.position_m.0"
@@ -133,13 +133,13 @@ def test_the_last_value_of_an_override_counts():
     assert scenario.resolved["bodies"]["tower"]["joint"]["revolute"]["position_m"][0] == 2
 
 
-def test_a_run_takes_a_scenario_and_sets_more_over_it():
+def test_a_run_accepts_a_scenario_with_further_overrides():
     """Source: the public contract of `run`."""
     scenario = kingpost.load("paper", {"simulation.duration_s": 0.02})
     assert float(kingpost.run(scenario, {"simulation.duration_s": 0.04}).time[-1]) == pytest.approx(0.04)
 
 
-def test_the_published_default_stands_in_the_stern_corner():
+def test_the_published_default_position_is_the_stern_corner():
     """Source: the paper's Table 2: 10 m aft, 5 m to starboard; both motors' torques."""
     resolved = kingpost.load("paper").resolved
     assert resolved["bodies"]["tower"]["joint"]["revolute"]["position_m"] == [-10, -5, 0]

@@ -1,4 +1,4 @@
-"""Scatter tables: what is read of them, and what is said of a wrong one."""
+"""Scatter tables: reading, and errors for wrong ones."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_a_matrix_has_a_class_for_each_entry_with_its_edges(tmp_path: Path) -> N
         "Hs/Tp;0,0-2,0;2,0-4,0\n0,0-1,0;1,0;2,0\n1,0-2,0;3,0;4,0",
     ],
 )
-def test_edges_and_separators_say_the_same_table(text: str) -> None:
+def test_tables_with_edges_or_other_separators_are_equal(text: str) -> None:
     table = scatter.parse(text)
     assert table.height_from_m.tolist() == [0, 0, 1, 1]
     assert table.height_to_m.tolist() == [1, 1, 2, 2]
@@ -62,7 +62,7 @@ Sum;15,75;20,25;64;100
 """
 
 
-def test_a_table_as_a_spreadsheet_writes_it_is_read(tmp_path: Path) -> None:
+def test_a_table_exported_from_a_spreadsheet_is_read(tmp_path: Path) -> None:
     """Source: arithmetic. A byte order mark, titles, units, decimal commas, open classes as wide as their
     neighbours, sums, an empty cell."""
     (tmp_path / "climate.csv").write_text(CLIMATE, encoding="utf-8")
@@ -98,12 +98,12 @@ def test_the_long_form_has_months_and_directions() -> None:
     assert to.period == "zero_up_crossing"
 
 
-def test_every_sea_counts_once_where_no_occurrences_are_given() -> None:
+def test_every_sea_counts_once_without_a_column_of_occurrences() -> None:
     assert scatter.parse("swh,pp1d\n1,8\n2,9\n").occurrences.tolist() == [1, 1]
 
 
 @pytest.mark.parametrize("gamma", [1.0, 2.0, 3.3, 5.0, 6.9])
-def test_zero_up_crossing_periods_of_jonswap_are_those_of_the_recommended_practice(gamma: float) -> None:
+def test_zero_up_crossing_periods_of_jonswap_agree_with_the_recommended_practice(gamma: float) -> None:
     """DNV-RP-C205 (2010), 3.5.5.4: Tz / Tp = 0.6673 + 0.05037 g - 0.006230 g^2 + 0.0003341 g^3, a fit to
     half a per cent."""
     published = 0.6673 + 0.05037 * gamma - 0.006230 * gamma**2 + 0.0003341 * gamma**3
@@ -157,12 +157,12 @@ def test_periods_of_pierson_and_moskowitz_have_closed_forms() -> None:
         ("Hs/Tp,<2,>3\n1-2,1,2\n", "t.csv:1: period: found '<2', allowed: a number"),
     ],
 )
-def test_a_wrong_table_is_said_with_its_line(text: str, message: str) -> None:
+def test_the_error_for_a_wrong_table_names_the_line(text: str, message: str) -> None:
     with pytest.raises(ScatterError, match=message) as caught:
         scatter.parse(text, "t.csv")
     assert isinstance(caught.value, KingpostError)
 
 
-def test_a_file_that_is_not_there_is_said() -> None:
+def test_a_missing_scatter_table_is_refused() -> None:
     with pytest.raises(ScatterError, match=r"no\.csv: file: found No such file"):
         scatter.read("no.csv")

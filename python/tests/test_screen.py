@@ -1,4 +1,4 @@
-"""The screen of a study: each case by itself, the limiting sea, axes of every kind."""
+"""Screening of a study: single cases, the limiting sea, axes of every kind."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_a_case_is_the_spectral_response_of_its_scenario(found, case) -> None:
     assert here.probability.values == pytest.approx(alone.probability.values, rel=0.02, abs=1e-9)
 
 
-def test_deviations_are_in_proportion_to_the_height(found) -> None:
+def test_standard_deviations_are_proportional_to_the_height(found) -> None:
     """Source: a JONSWAP sea of the same period."""
     first = found.standard_deviation.sel(significant_height_m=1.0)
     for height in (2.0, 3.0):
@@ -69,13 +69,13 @@ def test_at_the_limiting_height_the_limit_is_exceeded_as_accepted(found) -> None
     assert float(found.limiting_height.sel(at).sel(limit=governs)) == float(smallest.sel(at))
 
 
-def test_a_head_sea_never_rolls_an_even_ship_too_far(found) -> None:
+def test_a_roll_limit_of_a_symmetric_ship_is_never_reached_in_head_seas(found) -> None:
     """Source: symmetry."""
     ahead = found.limiting_height.sel(wave_direction_deg=180.0, limit="roll")
     assert (ahead.values > 1e3).all()
 
 
-def test_a_swell_that_stays_leaves_less_height_for_the_wind_sea() -> None:
+def test_a_constant_swell_lowers_the_limiting_height_of_the_wind_sea() -> None:
     """Source: variances add: of the wind sea what the swell leaves."""
     swell = {"jonswap": {"significant_height_m": 0.5, "peak_period_s": 14, "direction_deg": 120}}
     axes = {"significant_height_m": [1.0, 2.0]}
@@ -100,7 +100,7 @@ def test_values_that_are_drawn_together_are_one_axis() -> None:
     assert found.standard_deviation[1, 0].item() == pytest.approx(product.standard_deviation.item(), rel=2e-4)
 
 
-def test_where_the_variance_is_no_sum_the_height_is_found_between_two() -> None:
+def test_a_variance_of_another_form_gives_an_interpolated_height() -> None:
     """Source: a deviation of Hs^1.5 / 4 and a limit of 3: where Rice's probability is 0.1."""
     heights = np.linspace(1.0, 3.0, 41)
     m0 = (heights**1.5 / 4) ** 2
@@ -111,14 +111,16 @@ def test_where_the_variance_is_no_sum_the_height_is_found_between_two() -> None:
     assert np.isnan(beyond), "no height of the study reaches it"
 
 
-def test_a_limit_that_is_reached_without_waves_allows_none_and_one_out_of_reach_any() -> None:
+def test_the_limiting_height_is_0_for_a_limit_reached_without_waves_and_infinite_for_one_out_of_reach() -> (
+    None
+):
     heights, m0 = np.array([1.0, 2.0]), np.array([0.04, 0.16])
     assert limiting_height(heights, (None, 1.0), np.full(2, 1.5), m0, m0, 1800.0, 0.1) == 0.0
     still = 0 * m0
     assert limiting_height(heights, (None, 1.0), still, still, still, 1800.0, 0.1) == np.inf
 
 
-def test_a_limit_without_linear_response_is_not_screened_and_says_why() -> None:
+def test_a_limit_without_linear_response_is_not_screened_and_has_a_reason() -> None:
     limits = {"energy": {"column": "kinetic_energy", "at_most": 1e6}, "roll": LIMITS["roll"]}
     found = screen("offshore_vessel", {"significant_height_m": [1.0, 2.0]}, (), limits, overrides=HELD)
     assert "square of motions" in found.reason.sel(column="kinetic_energy").item()
@@ -137,7 +139,7 @@ def test_a_limit_without_linear_response_is_not_screened_and_says_why() -> None:
         ({"columns": ["hull.rol"]}, "columns: found 'hull.rol', allowed"),
     ],
 )
-def test_what_cannot_be_screened_is_refused(change, message) -> None:
+def test_a_study_that_cannot_be_screened_is_refused(change, message) -> None:
     given = {"axes": {"significant_height_m": [1.0]}, "columns": ["hull.roll"], "overrides": HELD} | change
     with pytest.raises(kingpost.KingpostError, match=message):
         screen("offshore_vessel", **given)

@@ -1,4 +1,4 @@
-"""`kingpost run --seeds`: one scenario in many seas, each in a file of its own."""
+"""`kingpost run --seeds`: runs of one scenario with many seeds, each in a separate file."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def test_a_finished_file_of_the_same_run_is_kept(tmp_path, capsys, monkeypatch) 
     assert "kept            4 existing files" in capsys.readouterr().out
 
 
-def test_runs_that_diverge_are_kept_until_then_and_fail(tmp_path, capsys) -> None:
+def test_runs_that_diverge_keep_their_results_and_fail(tmp_path, capsys) -> None:
     """Source: exit code 1, what was computed is kept."""
     settings = ["--set=simulation.rate_limit=0.03", "--set=simulation.duration_s=5", "--set=waves=on"]
     assert main(["run", "barge", *settings, "--seeds", "2", "-o", str(tmp_path / "run_*.nc")]) == 1
@@ -108,7 +108,9 @@ def test_errors_are_reported_before_a_run(arguments, message, tmp_path, monkeypa
         ),
     ],
 )
-def test_what_a_shell_made_of_a_pattern_and_half_an_option_are_refused(arguments, message, capsys) -> None:
+def test_a_pattern_expanded_by_the_shell_and_an_abbreviated_option_are_refused(
+    arguments, message, capsys
+) -> None:
     """Source: a second use of --seeds, where the shell expands run_*.nc; abbreviations of argparse."""
     with pytest.raises(SystemExit) as ended:
         main(["run", "barge", *arguments])
@@ -122,7 +124,7 @@ def test_files_sort_by_seed() -> None:
 
 
 @pytest.mark.thorough
-def test_runs_that_are_too_long_to_stand_in_memory_together_go_alone(tmp_path, monkeypatch) -> None:
+def test_runs_too_long_for_memory_together_run_one_by_one(tmp_path, monkeypatch) -> None:
     scenario = kingpost.load("barge", {"waves": True, "simulation.duration_s": 2})
     wanted = list(seeds.run(scenario, seeds.files(tmp_path / "together_*.nc", 3)))
     monkeypatch.setattr(seeds, "MOST_MEMORY_GB", 1e-6)

@@ -1,4 +1,4 @@
-"""Series of sea states: what is read of them, and what is said of wrong ones."""
+"""Series of sea states: reading, and errors for wrong ones."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_a_plain_file_is_read_in_utc(tmp_path: Path) -> None:
         "date,swh,mwp,pp1d,direction_to_deg,wind\n2026-05-01,1.5,6,8,170,3\n2026-05-01T03,1.6,6,8.5,190,nan\n",
     ],
 )
-def test_names_units_zones_and_separators_say_the_same(tmp_path: Path, text: str) -> None:
+def test_series_with_other_names_units_zones_or_separators_are_equal(tmp_path: Path, text: str) -> None:
     found, plain = (
         series_file.read(written(tmp_path, text)),
         series_file.read(written(tmp_path, PLAIN, "plain.csv")),
@@ -58,7 +58,7 @@ def test_a_quoted_number_that_may_group_thousands_is_refused(tmp_path: Path) -> 
         series_file.read(written(tmp_path, 'time,hs,tp\n2026-05-01,"1,500",8\n2026-05-02,1,8\n'))
 
 
-def test_gaps_and_uneven_steps_stay(tmp_path: Path) -> None:
+def test_gaps_and_uneven_steps_are_kept(tmp_path: Path) -> None:
     text = "time,hs,tp\n2026-05-01T00,1,8\n2026-05-01T01,,8\n2026-05-01T02,1,nan\n2026-05-01T09,1,0\n"
     found = series_file.read(written(tmp_path, text))
     assert found.hours.tolist() == [0, 1, 2, 9]
@@ -79,7 +79,7 @@ def test_mean_periods_become_peak_periods() -> None:
     ("heading", "came_from", "goes_to"),
     [(0, 0, 180), (0, 180, 0), (0, 90, 90), (0, 270, 270), (90, 90, 180), (30, 75, 135), (350, 10, 160)],
 )
-def test_waves_from_ahead_go_astern_and_from_starboard_to_port(
+def test_waves_from_ahead_travel_astern_and_waves_from_starboard_to_port(
     heading: float, came_from: float, goes_to: float
 ) -> None:
     """Source: geometry. Directions of a scenario go from x, forward, to port; a compass the other way."""
@@ -122,7 +122,7 @@ def test_era5_of_one_point_and_of_the_nearest_of_several(tmp_path: Path) -> None
         series_file.read(tmp_path / "many.nc", at=(40.0, 4.0))
 
 
-def test_other_names_are_given(tmp_path: Path) -> None:
+def test_unknown_names_are_given_by_options(tmp_path: Path) -> None:
     text = PLAIN.replace("hs", "H_sig").replace("mwd", "wave_dir").replace("tp", "T")
     path = written(tmp_path, text)
     with pytest.raises(
@@ -163,18 +163,18 @@ def test_other_names_are_given(tmp_path: Path) -> None:
         ("time,hs,tp\n", "sea.csv: rows: found 0"),
     ],
 )
-def test_a_wrong_series_is_said_with_its_line(tmp_path: Path, text: str, message: str) -> None:
+def test_the_error_for_a_wrong_series_names_the_line(tmp_path: Path, text: str, message: str) -> None:
     with pytest.raises(SeriesError, match=message) as caught:
         series_file.read(written(tmp_path, text))
     assert isinstance(caught.value, KingpostError)
 
 
-def test_a_period_with_its_kind_in_words_needs_no_option(tmp_path: Path) -> None:
+def test_a_period_column_with_its_kind_in_full_needs_no_option(tmp_path: Path) -> None:
     path = written(tmp_path, PLAIN.replace("tp", "Zero-up-crossing period(s)"))
     assert series_file.read(path).period == "zero_up_crossing"
 
 
-def test_directions_that_may_be_radians_are_asked_about(tmp_path: Path) -> None:
+def test_directions_that_may_be_in_radians_require_their_unit(tmp_path: Path) -> None:
     """Source: a hindcast in radians read as degrees, all seas from ahead: GO instead of NO-GO."""
     text = "time,hs,tp,mwd\n2026-05-01T00:00,1.5,8,4.712389\n2026-05-01T03:00,1.6,8.5,0.785398\n"
     with pytest.raises(
@@ -199,12 +199,12 @@ def test_directions_that_may_be_radians_are_asked_about(tmp_path: Path) -> None:
         ("2026-05-01T00:00,1.3,8000,10", "tp: found 8000 at 2026-05-01T00:00:00, allowed: 0 to 40 s"),
     ],
 )
-def test_heights_and_periods_that_no_sea_has_are_refused(tmp_path: Path, row: str, message: str) -> None:
+def test_heights_and_periods_beyond_any_sea_are_refused(tmp_path: Path, row: str, message: str) -> None:
     with pytest.raises(SeriesError, match=message):
         series_file.read(written(tmp_path, f"time,hs,tp,mwd\n{row}\n"))
 
 
-def test_files_that_are_none_are_said(tmp_path: Path) -> None:
+def test_files_that_are_not_series_are_refused(tmp_path: Path) -> None:
     with pytest.raises(SeriesError, match=r"no\.csv: file: found none"):
         series_file.read(tmp_path / "no.csv")
     with pytest.raises(SeriesError, match=r"bad\.nc: file: found what xarray cannot open"):

@@ -1,4 +1,4 @@
-"""`kingpost serve`, the command: on which address, what it says, and how it ends.
+"""The command `kingpost serve`: its address, its output, and its end.
 
 The app's folder is a small stand-in where the real one is not needed, so that these tests do not
 wait for a web build; the browser tests drive the real one.
@@ -27,7 +27,7 @@ def test_the_check_fetches_page_engine_and_scenario(app, small, capsys):
         assert any(words in line for line in lines), words
 
 
-def test_a_busy_port_that_was_asked_for_is_exit_code_2(app, capsys):
+def test_a_busy_requested_port_gives_exit_code_2(app, capsys):
     """Source: the public contract: one line."""
     with socket.create_server((serve.LOOPBACK, 0)) as busy:
         port = busy.getsockname()[1]
@@ -37,7 +37,7 @@ def test_a_busy_port_that_was_asked_for_is_exit_code_2(app, capsys):
     assert f"port {port} is busy" in shown
 
 
-def test_without_a_port_the_next_free_one_is_taken(app, monkeypatch):
+def test_without_a_given_port_the_next_free_one_is_used(app, monkeypatch):
     """Source: the public contract."""
     with socket.create_server((serve.LOOPBACK, 0)) as busy:
         first = busy.getsockname()[1]
@@ -55,7 +55,7 @@ def test_without_a_port_the_next_free_one_is_taken(app, monkeypatch):
         (["--host", "no.such.host.invalid"], "cannot listen"),
     ],
 )
-def test_wrong_arguments_are_one_line_and_exit_code_2(app, arguments, says, capsys):
+def test_wrong_arguments_give_one_line_and_exit_code_2(app, arguments, says, capsys):
     """Source: the public contract."""
     assert main(["serve", *arguments]) == 2
     shown = capsys.readouterr().err
@@ -63,14 +63,14 @@ def test_wrong_arguments_are_one_line_and_exit_code_2(app, arguments, says, caps
     assert says in shown
 
 
-def test_without_a_built_app_it_says_how_to_build_one(monkeypatch, tmp_path, capsys):
+def test_without_a_built_app_the_error_names_the_build_command(monkeypatch, tmp_path, capsys):
     """Source: the public contract."""
     monkeypatch.setattr(serve, "__file__", str(tmp_path / "python" / "kingpost" / "server" / "serve.py"))
     assert main(["serve"]) == 2
     assert "run: make web" in capsys.readouterr().err
 
 
-def test_a_given_host_gets_an_address_for_others_and_a_qr_code(app, monkeypatch, capsys):
+def test_a_given_host_prints_an_address_for_other_machines_and_a_qr_code(app, monkeypatch, capsys):
     """Source: the public contract; the code's modules are drawn with block characters."""
 
     def interrupted(_server: object) -> None:
@@ -114,13 +114,13 @@ def test_ctrl_c_ends_the_server_cleanly(app):
         ("10.0.0.2", "10.0.0.2"),
     ],
 )
-def test_the_address_is_one_that_others_reach(monkeypatch, host, printed):
+def test_the_printed_address_is_reachable_from_other_machines(monkeypatch, host, printed):
     monkeypatch.setattr(listening, "lan_address", lambda: "192.168.7.9")
     monkeypatch.setattr(listening, "lan_address6", lambda: "2001:db8::7")
     assert listening.reachable(host) == printed
 
 
-def test_everywhere_in_ipv6_is_everywhere(app):
+def test_the_ipv6_wildcard_address_also_accepts_ipv4(app):
     """Source: phones without IPv6 reach it by the other address."""
     try:
         server = serve.open_server(app, {}, "::", 0)

@@ -1,4 +1,4 @@
-"""`kingpost serve`: which files it has, with which types, and how they are packed on the way."""
+"""`kingpost serve`: served files, their types, and their compression."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ forces:
         ("scenarios/hydro/barge.hydro.json", "application/json"),
     ],
 )
-def test_files_come_with_the_type_that_browsers_need(address, path, kind):
+def test_files_are_served_with_the_mime_types_that_browsers_need(address, path, kind):
     """Source: the HTML and WebAssembly standards: modules and streamed engines need their types."""
     with urlopen(address + path) as answer:
         assert answer.headers.get_content_type() == kind
@@ -74,7 +74,7 @@ def test_every_scenario_of_the_gallery_is_in_one_group():
     assert sorted(grouped) == kingpost.gallery.names()
 
 
-def test_a_given_scenario_brings_the_database_beside_it(app, tmp_path):
+def test_the_database_beside_a_given_scenario_is_served(app, tmp_path):
     """Source: a user's own hull: its file lies beside the scenario, not in the gallery."""
     database = (kingpost.gallery.folder() / "hydro" / "barge.hydro.json").read_text()
     (tmp_path / "own.hydro.json").write_text(database)
@@ -121,7 +121,7 @@ def test_a_database_with_the_name_of_another_of_the_gallery_is_refused(app, tmp_
         serve.databases(str(tmp_path / "afloat.yaml"))
 
 
-def test_no_browser_keeps_the_app_for_when_the_server_is_gone(app):
+def test_browsers_do_not_cache_the_app_of_a_local_server(app):
     """Source: the next start can serve another scenario, or a newer app, at the same address."""
     (app / "offline.js").write_text("keep()")
     (app / "offline-leave.js").write_text("leave()")
@@ -132,7 +132,7 @@ def test_no_browser_keeps_the_app_for_when_the_server_is_gone(app):
 
 @pytest.mark.parametrize("path", ["", "assets/engine.wasm", "scenarios/index.json", "scenarios/paper.yaml",
                                   "scenarios/hydro/offshore_vessel.hydro.json"])  # fmt: skip
-def test_a_browser_that_takes_gzip_gets_the_same_bytes_in_fewer(address, path):
+def test_a_browser_that_accepts_gzip_gets_the_same_content_compressed(address, path):
     """Source: RFC 9110: the length is that of what is sent, and caches are told what it depends on."""
     plain, small = fetch(address, path), fetch(address, path, accept="gzip, deflate, br")
     assert gzip.decompress(small.body) == plain.body
@@ -145,7 +145,7 @@ def test_a_browser_that_takes_gzip_gets_the_same_bytes_in_fewer(address, path):
     assert len(small.body) < len(plain.body)
 
 
-def test_a_vessels_database_is_a_third_of_its_size_on_the_way(address):
+def test_a_vessels_database_is_compressed_to_a_third(address):
     """Source: measured: 86 kB of 280; a phone on a weak net waits for each."""
     answer = fetch(address, "scenarios/hydro/offshore_vessel.hydro.json", accept="gzip")
     whole = (kingpost.gallery.folder() / "hydro" / "offshore_vessel.hydro.json").stat().st_size
@@ -153,14 +153,14 @@ def test_a_vessels_database_is_a_third_of_its_size_on_the_way(address):
 
 
 @pytest.mark.parametrize("header", [None, "identity", "br", "gzip;q=0", "*;q=0.0", "gzip;q=0, *"])
-def test_a_browser_that_does_not_take_gzip_gets_plain_bytes(address, header):
+def test_a_browser_that_does_not_accept_gzip_gets_plain_bytes(address, header):
     """Source: RFC 9110, section 12.5.3: a weight of 0 means not acceptable."""
     answer = fetch(address, "scenarios/paper.yaml", accept=header)
     assert answer.headers["Content-Encoding"] is None
     assert answer.body == kingpost.gallery.read_text(kingpost.gallery.folder() / "paper.yaml").encode()
 
 
-def test_pictures_and_what_would_grow_go_as_they_are(own_address, app):
+def test_pictures_and_files_that_would_grow_are_not_compressed(own_address, app):
     """Source: a picture is compressed already; gzip's own head and tail take 18 bytes."""
     (app / "icon.png").write_bytes(b"\x89PNG" + bytes(1000))
     assert fetch(own_address, "icon.png", accept="gzip").headers["Content-Encoding"] is None
@@ -168,7 +168,7 @@ def test_pictures_and_what_would_grow_go_as_they_are(own_address, app):
     assert fetch(own_address, "assets/main.js").headers["Vary"] == "Accept-Encoding"
 
 
-def test_what_a_browser_has_is_not_sent_again_until_it_changes(own_address, app):
+def test_a_cached_file_is_not_sent_again_until_it_changes(own_address, app):
     """Source: RFC 9110, section 13.1.2; each coding has a tag of its own."""
     path = "assets/engine.wasm"
     plain, small = fetch(own_address, path), fetch(own_address, path, accept="gzip")

@@ -1,4 +1,4 @@
-"""`kingpost serve`: what it does not answer: other names and files, bodies, connections that say nothing."""
+"""`kingpost serve`: refused requests: foreign host names, other files, bodies, idle connections."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from served import PATIENCE_S, ask, fetch
 
 
 @pytest.mark.parametrize("path", ["assets/", "no/such/file", "../conftest.py", "scenarios/none.yaml"])
-def test_nothing_else_is_served(address, path):
+def test_folders_and_files_outside_the_app_are_not_served(address, path):
     """Source: folders are not listed, and files outside of the app are not reachable."""
     with pytest.raises(HTTPError) as refused:
         urlopen(address + path)
@@ -41,7 +41,7 @@ def test_an_address_with_characters_that_no_file_has_is_not_found(address, path)
         ("", 421),
     ],
 )
-def test_another_name_that_leads_to_this_machine_reads_nothing(address, host, status):
+def test_a_request_with_a_foreign_host_name_is_refused(address, host, status):
     """Source: DNS rebinding: a web page whose name is made to lead here would read a private scenario."""
     with closing(HTTPConnection(urlsplit(address).netloc, timeout=PATIENCE_S)) as connection:
         connection.putrequest("GET", "/scenarios/index.json", skip_host=True)
@@ -58,7 +58,7 @@ def test_every_answer_tells_the_browser_to_load_nothing_from_elsewhere(address):
         assert "default-src 'self'" in headers["Content-Security-Policy"]
 
 
-def test_a_body_is_not_read_as_the_next_request(address):
+def test_the_body_of_a_request_is_not_read_as_the_next_request(address):
     """Source: RFC 9112, section 6: what follows the head of a request with a length is its body."""
     inner = b"GET /scenarios/index.json HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
     outer = b"GET /nonesuch HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: %d\r\n\r\n"
@@ -74,13 +74,13 @@ def test_the_answer_to_head_has_no_body_on_errors_either(address):
     assert answer.endswith(b"\r\n\r\n")
 
 
-def test_nothing_can_be_sent_to_it(address):
+def test_other_methods_than_get_and_head_are_refused(address):
     answer = ask(address, b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 2\r\n\r\n{}")
     assert answer.startswith(b"HTTP/1.1 405 ")
     assert b"Allow: GET, HEAD" in answer
 
 
-def test_an_aborted_download_says_nothing(app, capfd):
+def test_an_aborted_download_prints_nothing(app, capfd):
     """Source: a phone that leaves in the middle of the engine; the next one is served."""
     (app / "assets" / "engine.wasm").write_bytes(bytes(20_000_000))
     with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
@@ -99,7 +99,7 @@ def test_an_aborted_download_says_nothing(app, capfd):
     assert capfd.readouterr().err == ""
 
 
-def test_connections_that_say_nothing_are_limited_in_number(app, monkeypatch):
+def test_the_number_of_idle_connections_is_limited(app, monkeypatch):
     monkeypatch.setattr(listening, "CONNECTIONS", 5)
     with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.01,))
@@ -117,7 +117,7 @@ def test_connections_that_say_nothing_are_limited_in_number(app, monkeypatch):
         thread.join()
 
 
-def test_a_client_that_is_slower_than_the_time_it_has_is_let_go(app, monkeypatch):
+def test_a_client_slower_than_the_time_limit_is_disconnected(app, monkeypatch):
     """Source: RFC 9112, section 9.5: a server may close a connection that is idle; one that has sent half a
     head of a request is idle too."""
     monkeypatch.setattr(listening, "IDLE_S", 0.2)

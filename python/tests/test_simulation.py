@@ -113,7 +113,7 @@ def test_a_broken_snapshot_is_refused_and_changes_nothing(moving):
     assert np.array_equal(moving.row(), before)
 
 
-def test_a_state_that_is_set_is_the_state_that_is_read(moving):
+def test_a_set_state_reads_back_equal(moving):
     """Source: the round trip; accelerations depend on q and v alone."""
     state, acceleration = moving.state, moving.acceleration()
     other = Simulation(moving.scenario)
@@ -197,7 +197,7 @@ def test_an_input_that_a_controller_sets_names_its_signal() -> None:
                 simulation.set_input(name, 0.0)
 
 
-def test_a_run_continues_from_where_it_stands():
+def test_a_run_continues_from_the_present_state():
     """Source: the public contract of `Simulation.run`: records from now to the end."""
     simulation = Simulation(load("paper", {"simulation.duration_s": 0.1}))
     simulation.step(50)

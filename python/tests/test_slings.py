@@ -1,4 +1,4 @@
-"""Slings and spreader bars of the gallery's parts at rest, beside statics."""
+"""Slings and spreader bars of the gallery's parts at rest, compared with statics."""
 
 from __future__ import annotations
 
@@ -170,7 +170,7 @@ def test_slings_under_a_spreader_bar_carry_a_quarter_over_the_sine() -> None:
     np.testing.assert_allclose(found, even_tension(4, 30e3 * G, 4, 2.4, 6.4e7)[0], rtol=REST)
 
 
-def test_a_short_sling_under_a_spreader_bar_tilts_the_load_and_one_of_four_legs_takes_it() -> None:
+def test_a_short_sling_under_a_spreader_bar_tilts_the_load_and_a_short_leg_of_four_takes_more_load() -> None:
     """Source: six slings and a bar are statically determinate: their tensions follow from places alone,
     whatever gives way. 20 mm turn them by some 20 mm in 2.4 m. Four legs from one point are not."""
     under_a_bar = hung("spreader_bar", 17.64, 0.8, sling_forward_port_m=3.98).rope_tension
@@ -181,7 +181,7 @@ def test_a_short_sling_under_a_spreader_bar_tilts_the_load_and_one_of_four_legs_
     assert legs[1] < 0.6
 
 
-def test_a_sling_stands_on_the_world_since_its_load_is_free() -> None:
+def test_a_sling_part_with_a_free_load_must_be_mounted_on_the_world() -> None:
     """Source: what moves freely hangs on no ship; the answer names the place of the mounting."""
     text = """
 version: 1
@@ -195,7 +195,7 @@ parts: {rigging: {part: four_leg_sling, on: ship}}
         kingpost.Scenario(text, "ship.yaml")
 
 
-def test_the_lift_of_the_gallery_hangs_on_its_legs_as_statics_say() -> None:
+def test_the_leg_tensions_of_the_gallerys_lift_agree_with_statics() -> None:
     """Source: the stiffness matrix. In still water, while the winch hoists evenly from 40 to 54 s, what is
     left of the lift-off moves the mean by some 1e-4 of a leg's tension."""
     calm = {"simulation.duration_s": 54, "waves": False}

@@ -43,7 +43,7 @@ def box(tmp_path: Path):
     return written
 
 
-def test_a_random_sea_has_nine_tenths_of_its_height_and_its_own_period(box) -> None:
+def test_the_characteristic_wave_of_a_random_sea_has_0_9_hs_and_the_zero_up_crossing_period(box) -> None:
     """Source: Tz = 0.7104 Tp of a Pierson-Moskowitz sea, whose band from half to five times its peak leaves
     out its tail's second moment: Tz is 4 % longer at most."""
     found = kingpost.splash_zone(
@@ -75,7 +75,7 @@ def test_several_objects_on_a_body_have_no_margin_against_slack(box) -> None:
     assert np.isnan(found.slack_utilisation.values).all()
 
 
-def test_without_an_object_or_with_a_negative_speed_it_is_refused(box) -> None:
+def test_splash_zone_without_an_object_or_with_a_negative_speed_is_refused(box) -> None:
     with pytest.raises(kingpost.KingpostError, match="found no object that is lowered"):
         kingpost.splash_zone("paper")
     with pytest.raises(kingpost.KingpostError, match="tip_speed_m_s: found -1"):

@@ -1,4 +1,4 @@
-"""The longest stable step beside what runs do."""
+"""The longest stable step compared with runs."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_every_scenario_of_the_gallery_has_a_stable_step(shown) -> None:
     assert [name for name in gallery.names() if shown[name]["model_warnings"]] == []
 
 
-def test_check_and_run_warn_of_a_step_that_is_too_long(capsys, tmp_path, monkeypatch) -> None:
+def test_check_and_run_warn_about_a_step_that_is_too_long(capsys, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["check", "vessel_knuckle_boom", "--set", f"{STEP}=0.02"]) == 0
     assert "the step of 0.02 s is too long for rk4" in capsys.readouterr().err

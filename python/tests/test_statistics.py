@@ -35,7 +35,7 @@ def test_sums_beyond_the_largest_number_are_infinite_or_nan_without_a_librarys_w
     assert not np.isfinite(found.sel(statistic="standard_deviation"))
 
 
-def test_the_spectrum_comes_back_with_its_moments() -> None:
+def test_a_known_spectrum_is_recovered_with_its_moments() -> None:
     records = xarray.concat([gaussian_process(np.random.default_rng(seed)) for seed in range(4)], "run")
     found = statistics.spectrum(records, segment_s=400.0)
     assert found.dims == ("run", "omega")
@@ -86,7 +86,7 @@ def test_the_largest_value_of_three_hours_is_that_of_rayleigh_peaks() -> None:
     assert found.expected_error == pytest.approx(np.std(maxima) / np.sqrt(120), rel=0.25)
 
 
-def test_gumbel_samples_come_back_within_their_standard_error() -> None:
+def test_gumbel_parameters_are_recovered_within_their_standard_error() -> None:
     rng = np.random.default_rng(7)
     fits = [statistics.extreme(rng.gumbel(7.0, 0.5, 40), record_s=10800.0) for _ in range(400)]
     location, scale = (np.array([getattr(fit, name) for fit in fits]) for name in ("location", "scale"))
@@ -123,7 +123,7 @@ def test_the_extreme_of_a_longer_time_is_the_largest_of_its_parts() -> None:
     assert by_parts.expected_error > 0
 
 
-def test_the_start_is_left_out_and_the_rest_stays() -> None:
+def test_the_start_of_a_record_is_left_out_and_the_rest_kept() -> None:
     time = np.arange(0.0, 101.0)
     series = xarray.DataArray(np.where(time < 20, 50.0, np.sin(time)), {"time": time}, ("time",), "sway")
     results = xarray.Dataset({"sway": series, "mass": 3.0})

@@ -1,4 +1,4 @@
-"""`kingpost statistics`: what it reads, pools, prints, warns of and refuses."""
+"""`kingpost statistics`: reading, pooling, printing, warnings and refused input."""
 
 import json
 from pathlib import Path
@@ -69,7 +69,7 @@ def test_the_command_prints_statistics_after_the_ramp(tmp_path, capsys) -> None:
         assert abs(float(row[f"extreme_{side}"]) - sign * rayleigh) < 3 * error
 
 
-def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
+def test_the_command_statistics_reads_files_of_the_command_run(tmp_path, capsys) -> None:
     file = str(tmp_path / "run.nc")
     settings = ["--set", "waves=on", "--set", "simulation.duration_s=3"]
     assert main(["run", "barge", "-o", file, *settings]) == 0
@@ -184,7 +184,7 @@ def test_limits_of_one_run_in_a_file_of_several_are_refused() -> None:
         outcomes.of_runs([several])
 
 
-def test_a_number_that_is_a_rounding_error_of_its_channel_is_nought() -> None:
+def test_a_rounding_error_of_a_channel_is_printed_as_0() -> None:
     """Source: the yaw of a ship that turns by a degree and began at 1.5e-27 deg."""
     assert statistics_report._number(1.5e-27, 1.0) == "0.0000"
     assert statistics_report._number(1.5e-27, 1e-20) == "1.5e-27"
@@ -217,7 +217,7 @@ def test_extremes_of_an_operation_are_those_of_doing_it_once(
     assert f"expected extremes of {of} need 10 runs or more" in shown
 
 
-def test_so_are_those_of_a_batch() -> None:
+def test_extremes_of_an_operation_of_a_batch_are_those_of_doing_it_once() -> None:
     each = [[{"time_s": 1.0, "name": "hull", "text": f"it heeled to {angle} deg"}] for angle in (21, 22)]
     attrs = {"warnings": json.dumps(each)}
     coordinates = {"time": [0.0, 1.0], "simulation.seed": ("run", [5, 6])}
@@ -230,7 +230,7 @@ def _text(runs: list[xarray.Dataset]) -> str:
     return statistics_report.text(runs, pandas.DataFrame(), 0.0)
 
 
-def test_a_damaged_file_is_refused_in_one_line_and_none_keeps_the_program(tmp_path, capsys) -> None:
+def test_a_damaged_file_is_refused_in_one_line_and_does_not_hang_the_program(tmp_path, capsys) -> None:
     """Source: a file cut short, bytes of its headers overwritten by others, and a text."""
     whole = Path(recorded(tmp_path, 0, duration_s=60.0)).read_bytes()
     rng = np.random.default_rng(0)
@@ -251,7 +251,7 @@ def test_a_damaged_file_is_refused_in_one_line_and_none_keeps_the_program(tmp_pa
             assert "allowed: results in NetCDF" in said
 
 
-def test_a_file_on_which_the_library_does_not_end_is_refused(tmp_path, monkeypatch) -> None:
+def test_a_file_on_which_the_library_hangs_is_refused(tmp_path, monkeypatch) -> None:
     file = recorded(tmp_path, 0, duration_s=60.0)
     endless = tmp_path / "results" / "probe.py"
     endless.parent.mkdir()
@@ -261,7 +261,7 @@ def test_a_file_on_which_the_library_does_not_end_is_refused(tmp_path, monkeypat
         files.open_all([file], time_limit_s=0.5)
 
 
-def test_all_columns_take_the_time_of_reading_them_once(tmp_path, monkeypatch) -> None:
+def test_all_columns_of_a_variable_are_read_once(tmp_path, monkeypatch) -> None:
     """Each variable is read from a file once for all of its columns, and what is not asked for not at all."""
     file = str(tmp_path / "run.nc")
     kingpost.results.write(kingpost.run("paper", {"simulation.duration_s": 0.1}), file)
@@ -282,7 +282,7 @@ def test_all_columns_take_the_time_of_reading_them_once(tmp_path, monkeypatch) -
     assert read == ["roll"]
 
 
-def test_runs_with_other_files_behind_them_are_not_pooled(tmp_path, capsys) -> None:
+def test_runs_with_different_input_files_are_not_pooled(tmp_path, capsys) -> None:
     """Two databases of one name are two."""
     names = []
     for seed, digest in ((1, "a" * 64), (2, "b" * 64)):
@@ -295,7 +295,7 @@ def test_runs_with_other_files_behind_them_are_not_pooled(tmp_path, capsys) -> N
     assert "found the file hydro/ship.hydro.json with SHA-256 bbbbbbbbbbbb" in capsys.readouterr().err
 
 
-def test_tables_are_in_the_units_of_engineers_with_heights_of_points_and_forces_of_lines() -> None:
+def test_tables_are_in_engineering_units_with_heights_of_points_and_forces_of_lines() -> None:
     run = kingpost.run("lowering_by_winch", {"simulation.duration_s": 2})
     found = statistics_report.frame([run], 0.0).set_index("channel")
     rope = next(name for name in found.index if name.endswith(".rope_tension"))

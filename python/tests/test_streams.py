@@ -23,7 +23,7 @@ def shell(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_closed_output_leaves_the_file_of_a_run_as_it_is(tmp_path: Path) -> None:
+def test_closed_standard_streams_do_not_change_the_file_of_a_run(tmp_path: Path) -> None:
     short = "run paper --set simulation.duration_s=0.1 -q -o"
     done = shell(f"{KINGPOST} {short} a.csv && {KINGPOST} {short} b.csv <&- >&- 2>&-", tmp_path)
     assert done.returncode == 0, done.stderr
@@ -31,7 +31,7 @@ def test_closed_output_leaves_the_file_of_a_run_as_it_is(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("command", ["check barge", "list --json", "--help"])
-def test_full_output_is_named_in_one_line(command: str, tmp_path: Path) -> None:
+def test_a_full_standard_output_gives_one_error_line(command: str, tmp_path: Path) -> None:
     done = shell(f"{KINGPOST} {command} > /dev/full", tmp_path)
     assert done.returncode == 1
     reason = os.strerror(28)

@@ -1,4 +1,4 @@
-"""`kingpost.Study`: what a study runs, what it keeps, and what it refuses."""
+"""`kingpost.Study`: runs, stored results, and refused input."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def test_a_latin_hypercube_has_one_sample_in_each_strip_of_each_axis() -> None:
     assert cases(axes, {"count": 50, "seed": 7}) == found != cases(axes, {"count": 50, "seed": 8})
 
 
-def test_runs_that_diverge_or_are_no_scenario_are_marked_and_the_others_go_on(tmp_path) -> None:
+def test_runs_that_diverge_or_do_not_build_are_marked_and_the_others_continue(tmp_path) -> None:
     """Source: the contract of `status`; a rate above the limit of 0.001 rad/s ends a run."""
     study = kingpost.Study({
         **SLEWING,
@@ -130,7 +130,7 @@ def test_runs_that_diverge_or_are_no_scenario_are_marked_and_the_others_go_on(tm
     assert "diverged at 0.002 s: the rate ship.roll" in marker["ends"]["2"]
 
 
-def test_a_case_between_the_corners_that_is_no_scenario_is_recorded(tmp_path) -> None:
+def test_a_case_between_the_corners_that_does_not_build_is_recorded(tmp_path) -> None:
     """Source: the contract of `status`: single values and corners are tried before, what is between runs.
     The step is longer than the run in one combination of inner values alone."""
     axes = {
@@ -170,7 +170,7 @@ def test_a_case_between_the_corners_that_is_no_scenario_is_recorded(tmp_path) ->
         ({"acceptence": 0.1}, "did you mean acceptance?"),
     ],
 )  # fmt: skip
-def test_what_is_wrong_in_a_study_is_said_with_its_place(change, message, tmp_path) -> None:
+def test_the_error_for_a_wrong_study_names_the_place(change, message, tmp_path) -> None:
     """Source: the contract of errors: file, line, column, field, what was found, what is allowed."""
     path = written({**SLEWING, **change}, tmp_path / "study.yaml")
     with pytest.raises(kingpost.ScenarioError) as caught:
@@ -182,7 +182,7 @@ def test_what_is_wrong_in_a_study_is_said_with_its_place(change, message, tmp_pa
     assert named in line or named.isdigit() or caught.value.found in line or "axes" in caught.value.field
 
 
-def test_a_value_that_the_hulls_database_refuses_is_said_with_the_axis_and_values_that_build() -> None:
+def test_the_error_for_a_value_that_the_hulls_database_refuses_names_the_axis_and_valid_values() -> None:
     """Source: the contract of errors: what is wrong is the study's value, not the database."""
     period = "sea.waves.wind_sea.jonswap.peak_period_s"
     with pytest.raises(kingpost.ScenarioError) as caught:
@@ -197,7 +197,7 @@ def test_a_value_that_the_hulls_database_refuses_is_said_with_the_axis_and_value
     assert "hydrodynamics.database: found frequencies from 0.05984 to 2.618 rad/s, with " in str(error)
 
 
-def test_a_scatter_table_that_is_wrong_is_refused_before_the_runs(tmp_path) -> None:
+def test_a_wrong_scatter_table_is_refused_before_the_runs(tmp_path) -> None:
     """Source: what a user does: hours of runs end in a table that cannot be read."""
     (tmp_path / "climate.csv").write_text("Utsira\n1,2\n", encoding="utf-8")
     path = written({**SLEWING, "scatter": "climate.csv"}, tmp_path / "study.yaml")
@@ -218,7 +218,7 @@ def test_corners_are_cases_also_of_axes_that_are_drawn_together() -> None:
     assert corners == [(0.5, 1, 6.0), (0.5, 3, 6.0), (1.5, 1, 10.0), (1.5, 3, 10.0)]
 
 
-def test_a_corner_that_is_no_scenario_is_said_with_its_values() -> None:
+def test_the_error_for_a_corner_that_does_not_build_names_its_values() -> None:
     """Source: the contract of errors; an inner step longer than the run stands in no single value."""
     axes = {"simulation.step_s": {"values": [0.3, 0.002]}, "simulation.duration_s": {"values": [0.2, 0.5]}}
     with pytest.raises(kingpost.ScenarioError, match=r"at most simulation\.duration_s, 0\.2"):
@@ -228,7 +228,7 @@ def test_a_corner_that_is_no_scenario_is_said_with_its_values() -> None:
         kingpost.Study({**SLEWING, "set": {"simulation.step_s": 1e-5}, "axes": fine})
 
 
-def test_the_axes_of_the_sea_are_found_by_what_their_parameters_write() -> None:
+def test_the_axes_of_the_sea_are_found_by_the_fields_that_their_parameters_set() -> None:
     """Source: docs/studies.md; the parameters of `offshore_vessel`."""
     study = kingpost.Study({
         "version": 1, "title": "x", "scenario": "offshore_vessel", "record": ["hull.roll"],

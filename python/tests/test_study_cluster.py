@@ -99,7 +99,7 @@ def test_the_array_script_of_the_page_runs_the_study_in_parts(whole, tmp_path) -
     assert (again.returncode, "finished        24 of 24 runs" in out) == (0, True), told
 
 
-def test_the_command_says_what_would_run_and_what_came_of_it(tmp_path, capsys) -> None:
+def test_the_command_prints_the_planned_runs_and_their_results(tmp_path, capsys) -> None:
     """Source: what a user does; the numbers are those of `open_study`."""
     path = written(
         {**SLEWING, "limits": {"roll": {"column": "ship.roll", "at_most": 0.1}}}, tmp_path / "s.yaml"
@@ -133,7 +133,7 @@ def test_the_command_says_what_would_run_and_what_came_of_it(tmp_path, capsys) -
         (["-o", "study.yaml"], "study.yaml"),
     ],
 )
-def test_what_is_wrong_is_said_in_one_line(arguments, message, tmp_path, monkeypatch, capsys) -> None:
+def test_an_error_of_the_command_study_is_one_line(arguments, message, tmp_path, monkeypatch, capsys) -> None:
     """Source: the contract of the command line: exit code 2, or 1 where a folder cannot be written."""
     monkeypatch.chdir(tmp_path)
     written(SLEWING, tmp_path / "study.yaml")

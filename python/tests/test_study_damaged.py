@@ -1,4 +1,4 @@
-"""Damaged folders of a study: each is named or repaired, and none is read as numbers."""
+"""Damaged folders of a study: damage is reported or repaired, and damaged numbers are never returned."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def same_where_run(found: xarray.Dataset, expected: xarray.Dataset) -> bool:
     return all(same(str(name)) for name in expected.variables)
 
 
-def test_no_damage_of_a_folder_is_read_as_numbers(whole: tuple[Path, Path], tmp_path: Path) -> None:
+def test_damaged_numbers_of_a_folder_are_never_returned(whole: tuple[Path, Path], tmp_path: Path) -> None:
     """Source: damages of five kinds at any file and place, 120 in the thorough lane. What is read equals what
     was written, or an error names it; a unit whose marker is gone counts as not run."""
     _, folder = whole
@@ -98,14 +98,14 @@ def test_a_resumed_study_repairs_what_an_error_names(whole: tuple[Path, Path], t
     chunk = next(path for path in sorted(held.rglob("*")) if path.is_file() and path.name != "zarr.json")
     chunk.unlink()
     with pytest.raises(
-        KingpostError, match=r"found damaged numbers in unit \d+.*--resume. computes what is damaged anew"
+        KingpostError, match=r"found damaged numbers in unit \d+.*--resume. computes the damaged parts again"
     ):
         kingpost.open_study(damaged)
     assert main(["study", str(study), "-o", str(damaged), "--resume", "-q"]) == 0
     assert kingpost.open_study(damaged).identical(kingpost.open_study(folder))
 
 
-def test_a_unit_whose_marker_is_gone_counts_as_not_run(whole: tuple[Path, Path], tmp_path: Path) -> None:
+def test_a_unit_without_a_marker_counts_as_not_run(whole: tuple[Path, Path], tmp_path: Path) -> None:
     _, folder = whole
     damaged = tmp_path / "out"
     shutil.copytree(folder, damaged)

@@ -1,4 +1,4 @@
-"""The report of a study: its numbers are those of the store, and a browser shows it without a network."""
+"""Report of a study: its numbers equal those of the store, and a browser shows it without a network."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def cells(page: str, caption: str) -> list[list[str]]:
     return [[html.unescape(cell) for cell in re.findall(r"<td[^>]*>(.*?)</td>", row)] for row in rows[1:]]
 
 
-def test_the_limits_of_the_report_are_those_of_the_store(made: tuple[Study, Path, str]) -> None:
+def test_the_limits_of_the_report_equal_those_of_the_store(made: tuple[Study, Path, str]) -> None:
     """Source: the store, counted here once more."""
     _, folder, page = made
     runs = kingpost.open_study(folder / "out")
@@ -83,7 +83,7 @@ def test_the_limits_of_the_report_are_those_of_the_store(made: tuple[Study, Path
         assert where.startswith(f"run {int(margin.argmin())}: ")
 
 
-def test_limiting_heights_of_the_report_are_those_of_both_ways(made: tuple[Study, Path, str]) -> None:
+def test_limiting_heights_of_the_report_equal_those_of_both_methods(made: tuple[Study, Path, str]) -> None:
     study, folder, page = made
     by_runs = limiting_runs.limiting_heights(kingpost.open_study(folder / "out"))
     for period, height, _, governs in cells(page, "Limiting significant height by runs"):
@@ -97,7 +97,7 @@ def test_limiting_heights_of_the_report_are_those_of_both_ways(made: tuple[Study
         assert (height, governs) == (f"{float(one['limiting_height_of_all']):.2f}", one["governs"].item())
 
 
-def test_many_limiting_heights_stand_in_a_table_of_two_axes_and_in_a_panel_each() -> None:
+def test_many_limiting_heights_are_shown_in_a_table_of_two_axes_and_in_panels() -> None:
     """Source: the heights themselves, made up."""
     heights = np.arange(1, 31, dtype=float).reshape(3, 10) / 10
     dims = ("peak_period_s", "wave_direction_deg")
@@ -116,7 +116,7 @@ def test_many_limiting_heights_stand_in_a_table_of_two_axes_and_in_a_panel_each(
     assert len(whole.rows) == 30
 
 
-def test_every_table_and_every_picture_says_where_its_numbers_come_from(
+def test_every_table_and_picture_states_the_origin_of_its_numbers(
     made: tuple[Study, Path, str],
 ) -> None:
     page = made[2]
@@ -125,7 +125,7 @@ def test_every_table_and_every_picture_says_where_its_numbers_come_from(
         assert re.search(r"Files?:|Command:", "".join(text)), text
 
 
-def test_a_worst_run_opens_in_the_app_as_that_very_run(made: tuple[Study, Path, str]) -> None:
+def test_the_link_of_a_worst_run_opens_the_same_run_in_the_app(made: tuple[Study, Path, str]) -> None:
     """Source: the scenario of the run, by its number."""
     study, _, page = made
     number, address = re.findall(r"<p>Run (\d+): .*?<a href=\"([^\"]*)\">Open this run", page, re.DOTALL)[0]
@@ -133,7 +133,7 @@ def test_a_worst_run_opens_in_the_app_as_that_very_run(made: tuple[Study, Path, 
     assert html.unescape(address) == report.APP + link.fragment(scenario)
 
 
-def test_a_run_again_has_the_numbers_of_the_study(
+def test_a_repeated_run_has_the_numbers_of_the_study(
     made: tuple[Study, Path, str], capsys: pytest.CaptureFixture[str]
 ) -> None:
     _, folder, _ = made
@@ -155,7 +155,7 @@ def test_a_run_again_has_the_numbers_of_the_study(
         (["--report", "a.html"], "--report: found no -o, allowed: with -o DIR alone"),
     ],
 )
-def test_options_that_make_no_sense_are_refused(
+def test_incompatible_options_of_a_report_are_refused(
     made: tuple[Study, Path, str],
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
@@ -167,7 +167,7 @@ def test_options_that_make_no_sense_are_refused(
     assert message in capsys.readouterr().err
 
 
-def test_verification_that_was_measured_is_in_the_report(made: tuple[Study, Path, str]) -> None:
+def test_the_report_contains_the_measured_verification(made: tuple[Study, Path, str]) -> None:
     study, folder, page = made
     assert "The checks were not run for this report" in page
     row = {"id": "a", "area": "waves", "what": "b", "verdict": "pass", "message": ""}
@@ -183,7 +183,7 @@ def test_verification_that_was_measured_is_in_the_report(made: tuple[Study, Path
 
 
 @pytest.mark.parametrize("size", [("1280", "900"), pytest.param(("390", "844"), marks=pytest.mark.thorough)])
-def test_a_browser_without_a_network_shows_it_for_everyone(
+def test_the_report_is_accessible_in_a_browser_without_a_network(
     made: tuple[Study, Path, str], size: tuple[str, str]
 ) -> None:
     """Source: axe-core's rules, and that no table is cut on A4."""
@@ -195,7 +195,7 @@ def test_a_browser_without_a_network_shows_it_for_everyone(
 
 
 @pytest.mark.thorough
-def test_it_prints_to_pdf(made: tuple[Study, Path, str]) -> None:
+def test_the_report_prints_to_pdf(made: tuple[Study, Path, str]) -> None:
     if pdf.find_browser() is None:
         pytest.skip("no browser on this machine")
     path = pdf.write(made[1] / "report.html", made[1] / "report.pdf")

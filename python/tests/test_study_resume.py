@@ -1,4 +1,4 @@
-"""A study's folder lasts: whatever ends the process, the resumed study equals an uninterrupted one."""
+"""Resumption of studies: however the process ended, the resumed study equals an uninterrupted one."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def whole(tmp_path_factory) -> tuple[kingpost.Study, Path]:
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the test forks")
-def test_a_study_that_is_killed_again_and_again_equals_an_uninterrupted_one(tmp_path) -> None:
+def test_a_repeatedly_killed_study_equals_an_uninterrupted_one(tmp_path) -> None:
     """Source: the contract: kill -9 at any moment loses the units in flight at most; bits are the same."""
     path = written(KILLED, tmp_path / "study.yaml")
     script = Path(__file__).with_name("study_killed.py")
@@ -83,7 +83,7 @@ def kill_a_child() -> int:
     return child.pid
 
 
-def test_a_unit_that_was_torn_or_altered_is_found_and_runs_again(whole, tmp_path) -> None:
+def test_a_damaged_unit_is_detected_and_runs_again(whole, tmp_path) -> None:
     """Source: the contract: a unit counts where the hash of its numbers is that of its marker."""
     study, folder = whole
     damaged = tmp_path / "damaged"
@@ -107,7 +107,7 @@ def test_a_unit_that_was_torn_or_altered_is_found_and_runs_again(whole, tmp_path
     assert numbers(damaged) == numbers(folder)
 
 
-def test_a_study_is_not_written_over_and_another_one_not_resumed(whole, tmp_path) -> None:
+def test_a_study_is_not_overwritten_and_another_study_is_not_resumed(whole, tmp_path) -> None:
     """Source: the contract of --resume: it says which part differs."""
     study, folder = whole
     with pytest.raises(kingpost.KingpostError, match="found a study, allowed: an empty folder; --resume"):
@@ -150,11 +150,11 @@ def test_two_studies_into_one_folder_are_refused(whole, tmp_path) -> None:
             with pytest.raises(kingpost.KingpostError, match="found another process at work there"):
                 study.run(tmp_path, workers=1, part=part)
         study.run(tmp_path, workers=1, part=(2, 2))
-    # Nobody is left.
+    # No process holds the lock any more.
     study.run(tmp_path, workers=1, resume=True)
 
 
-def test_parts_run_side_by_side_and_make_the_whole(whole, tmp_path) -> None:
+def test_parts_of_a_study_run_in_parallel_and_complete_it(whole, tmp_path) -> None:
     """Source: docs/howto/cluster.md: the tasks of an array are parts; --resume completes them."""
     study, folder = whole
     parts = [
@@ -170,7 +170,7 @@ def test_parts_run_side_by_side_and_make_the_whole(whole, tmp_path) -> None:
     assert numbers(tmp_path) == numbers(folder)
 
 
-def test_ctrl_c_keeps_what_is_finished(tmp_path) -> None:
+def test_ctrl_c_keeps_finished_units(tmp_path) -> None:
     """Source: exit code 130: interrupted, what was computed is kept."""
     path, folder = written(LONGER, tmp_path / "study.yaml"), tmp_path / "results"
     command = [sys.executable, "-m", "kingpost", "study", str(path), "-o", str(folder), "--workers", "2"]
@@ -188,7 +188,9 @@ def test_ctrl_c_keeps_what_is_finished(tmp_path) -> None:
     assert 2 <= done < 64
 
 
-def test_a_full_disk_is_one_error_and_the_study_goes_on_later(whole, tmp_path, monkeypatch, capsys) -> None:
+def test_a_full_disk_gives_one_error_and_the_study_can_be_resumed(
+    whole, tmp_path, monkeypatch, capsys
+) -> None:
     """Source: the contract: exit code 1, what is finished is kept. The disk takes no more after two units."""
     study, folder = whole
     path, full = written(SLEWING, tmp_path / "study.yaml"), tmp_path / "full"
@@ -219,7 +221,7 @@ def test_a_full_disk_is_one_error_and_the_study_goes_on_later(whole, tmp_path, m
     assert study.plan.units == len(found)
 
 
-def test_workers_that_end_again_and_again_are_an_error(whole, tmp_path, monkeypatch) -> None:
+def test_workers_that_end_repeatedly_give_an_error(whole, tmp_path, monkeypatch) -> None:
     """Source: a unit is begun four times at most, and the error says what may be wrong."""
     study, _ = whole
 
@@ -234,7 +236,7 @@ def test_workers_that_end_again_and_again_are_an_error(whole, tmp_path, monkeypa
 
 
 @pytest.mark.parametrize("resume", [False, True])
-def test_a_study_does_not_write_over_a_file_of_another_with_its_name(tmp_path, resume) -> None:
+def test_a_study_does_not_overwrite_a_foreign_file_of_the_same_name(tmp_path, resume) -> None:
     """The study's own file, say, in the folder that it is told to write to."""
     path = written({**SLEWING, "title": "Mine"}, tmp_path / "study.yaml")
     text = path.read_text(encoding="utf-8") + "# my notes\n"

@@ -1,4 +1,4 @@
-"""Lifts off a supply boat: what is stored of twenty seas is what the engine finds, and what the page says."""
+"""Lifts off a supply boat: the stored results in twenty seas agree with the engine and with the page."""
 
 from __future__ import annotations
 

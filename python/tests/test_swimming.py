@@ -19,7 +19,7 @@ def gains(run, *columns: str) -> list[float]:
     return [float(run.kingpost[name].values[-1] - run.kingpost[name].values[-1 - BEATS]) for name in columns]
 
 
-def test_a_robot_at_its_steady_speed_gives_the_water_what_its_drives_do() -> None:
+def test_the_work_of_a_robots_drives_at_steady_speed_is_the_energy_given_to_the_water() -> None:
     """Source: conservation of energy and of momentum over ten beats; each beat has 28 samples, so that means
     of smooth columns have no error beyond that of the steady state, reached within 10 s."""
     run = kingpost.run("caudal_fin_swimmer", {"simulation.duration_s": 28.0})
@@ -52,7 +52,7 @@ def test_a_robot_swims_at_the_strouhal_number_of_fish() -> None:
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_a_tail_set_aside_steers_to_that_side(sign: int) -> None:
+def test_a_tail_offset_to_one_side_steers_to_that_side(sign: int) -> None:
     """Source: symmetry of port and starboard; a tail to starboard turns the bow to starboard."""
     run = kingpost.run("caudal_fin_swimmer", {"simulation.duration_s": 5.0}, rudder_deg=sign * 10)
     other = kingpost.run(
@@ -70,7 +70,7 @@ def test_a_tail_set_aside_steers_to_that_side(sign: int) -> None:
 
 
 @pytest.mark.thorough
-def test_without_its_wake_and_drag_a_robot_swims_by_its_shape_alone_whatever_the_pace() -> None:
+def test_without_wake_and_drag_the_distance_of_a_stroke_is_independent_of_its_speed() -> None:
     """Source: Kanso et al. 2005: the way of a stroke is a geometric phase, whatever its pace."""
 
     def way(pace: float) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""`kingpost.teach`: what it shows is so, and where it should fail it says why."""
+"""`kingpost.teach`: its results are right, and wrong input is refused with a reason."""
 
 from __future__ import annotations
 
@@ -137,7 +137,7 @@ def test_the_load_on_a_body_is_its_weight_and_the_reactions_of_its_joints():
     assert total.values == pytest.approx(np.zeros(3), abs=1e-6)
 
 
-def test_reactions_do_none_where_motions_are_prescribed_and_rotors_turn():
+def test_reactions_do_no_virtual_work_with_prescribed_motions_and_rotors():
     """Source: d'Alembert's principle; F* differs by what the prescribed motions take (paper eq. 60c)."""
     text = (RUST_TESTS / "everything.yaml").read_text(encoding="utf-8")
     rotor = {
@@ -158,7 +158,7 @@ def test_reactions_do_none_where_motions_are_prescribed_and_rotors_turn():
     assert work.work_in_q.item() != pytest.approx(work.work_in_x.item(), rel=1e-3)
 
 
-def test_a_closed_loop_does_none_where_the_displacement_keeps_it_closed():
+def test_a_closed_loop_does_no_virtual_work_if_the_displacement_keeps_it_closed():
     """Source: phi' = J q', so J dq = 0 keeps the loops; any other displacement makes them work."""
     text = (RUST_TESTS / "tied_ships.yaml").read_text(encoding="utf-8")
     simulation = Simulation(Scenario(text, "tied_ships.yaml"))
@@ -188,7 +188,7 @@ def test_without_d_energy_closes_and_momentum_does_not():
     assert last.momentum_error.sel(form="without D").item() == pytest.approx(28_700, abs=50)
 
 
-def test_bad_input_is_answered_with_what_is_allowed(moving):
+def test_wrong_input_is_refused_with_the_allowed_values(moving):
     """Source: the public contract: one base exception, found and allowed."""
     for call, message in (
         (lambda: teach.virtual_work(moving, {"sluice": 1}), "found sluice, allowed: ship.x"),

@@ -1,4 +1,4 @@
-"""Trained policies: the same bits for a seed, the stored score, better than what does not learn, mistakes."""
+"""Trained policies: reproducible bits, stored scores, comparison with classical controllers, errors."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_the_stored_weights_give_the_stored_score(policy) -> None:
 
 
 @pytest.mark.thorough
-def test_the_policy_beats_every_classical_controller_on_seeds_that_nobody_used(policy) -> None:
+def test_the_policy_beats_every_classical_controller_on_unused_seeds(policy) -> None:
     """Source: 16 episodes that are in no training, tuning or table."""
     given = {"episodes": 16, "seed": 70_000}
     learned = score(anti_sway(), lambda task: policy, **given).mean()
@@ -72,7 +72,7 @@ def test_the_policy_is_within_ten_percent_of_predictive_control(policy) -> None:
     )
 
 
-def test_the_file_names_what_the_environment_gives(policy) -> None:
+def test_the_file_of_a_policy_has_the_names_of_its_environment(policy) -> None:
     task = anti_sway()
     assert (policy.observations, policy.units) == (task.observation_names, task.observation_units)
     assert (policy.actions, policy.action_units) == (task.action_names, task.action_units)
@@ -80,7 +80,7 @@ def test_the_file_names_what_the_environment_gives(policy) -> None:
     assert policy.control_period_s == task.control_period_s
 
 
-def test_a_file_is_read_as_it_was_written(policy, tmp_path) -> None:
+def test_the_file_of_a_policy_reads_back_equal(policy, tmp_path) -> None:
     policy.save(tmp_path / "policy.json")
     again = read_policy(tmp_path / "policy.json")
     assert again.json() == policy.json()
@@ -137,7 +137,7 @@ def test_plans_by_sampling_have_the_same_bits_for_any_number_of_threads() -> Non
 
 
 @pytest.mark.thorough
-def test_plans_by_sampling_beat_the_policy_that_they_begin_with_where_the_base_moves() -> None:
+def test_sampled_plans_beat_their_guide_policy_on_a_moving_base() -> None:
     """Source: the plan of zeros, the policy itself, is among the candidates, and the model is the engine."""
     task = replace(anti_sway(on_a_ship=True), duration_s=16.0)
     few = Sampling(horizon_s=4, guided_s=4, candidates=12, elites=4, iterations=2, every_s=1.0)
@@ -146,7 +146,7 @@ def test_plans_by_sampling_beat_the_policy_that_they_begin_with_where_the_base_m
     assert (with_plans > alone + 1.0).all(), f"{with_plans} against {alone}"
 
 
-def test_the_copies_of_a_plan_go_on_as_the_scenario_itself() -> None:
+def test_the_copies_of_a_plan_have_the_bits_of_the_scenario() -> None:
     """Source: the same bits: what the copies took is what an environment takes with the same actions."""
     few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=6, elites=2, iterations=1, every_s=0.25)
     envs = ShipCraneVectorEnv(anti_sway(), 1, 1)
@@ -158,7 +158,7 @@ def test_the_copies_of_a_plan_go_on_as_the_scenario_itself() -> None:
         assert np.array_equal(plan.copies.observations(), np.tile(seen, (6, 1)))
 
 
-def test_plans_that_do_not_know_the_waves_go_on_from_where_the_ship_is() -> None:
+def test_plans_without_knowledge_of_the_waves_start_from_the_true_state() -> None:
     """Source: the same bits. The last copy meets the ship's own sea, the others calm water from her state."""
     few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=6, elites=2, iterations=1, every_s=0.25)
     envs = ShipCraneVectorEnv(anti_sway(at_sea=True), 1, 1)
@@ -175,7 +175,7 @@ def test_plans_that_do_not_know_the_waves_go_on_from_where_the_ship_is() -> None
 
 
 @pytest.mark.thorough
-def test_plans_beat_the_policy_on_a_ship_whose_waves_they_do_not_know() -> None:
+def test_plans_without_knowledge_of_the_waves_beat_the_policy_on_a_ship() -> None:
     """Source: measured over 16 episodes of 40 s (docs/learning.md); here two of 20 s."""
     task = replace(anti_sway(at_sea=True), duration_s=20.0)
     few = Sampling(horizon_s=4, guided_s=4, candidates=12, elites=4, iterations=2, every_s=1.0)
@@ -184,12 +184,12 @@ def test_plans_beat_the_policy_on_a_ship_whose_waves_they_do_not_know() -> None:
     assert with_plans.mean() > alone.mean() + 1.0, f"{with_plans} against {alone}"
 
 
-def test_a_base_that_moves_and_a_ship_at_once_are_refused() -> None:
+def test_a_moving_base_together_with_a_ship_is_refused() -> None:
     with pytest.raises(KingpostError, match="found both, allowed: at most one"):
         anti_sway(on_a_ship=True, at_sea=True)
 
 
-def test_a_mark_is_asked_for_before_copies_resume() -> None:
+def test_resume_before_mark_is_refused() -> None:
     episodes = Episodes(anti_sway(), 2, 1)
     with pytest.raises(KingpostError, match="mark: found no episode, allowed: after reset"):
         episodes.mark()
@@ -214,6 +214,6 @@ def test_an_environment_without_a_policy_is_reported() -> None:
         ({"elites": 40}, "elites: found 40, allowed: 1 to 32, the candidates"),
     ],
 )
-def test_a_plan_that_cannot_be_made_names_its_field(changed: dict, expected: str) -> None:
+def test_the_error_for_impossible_plan_settings_names_the_field(changed: dict, expected: str) -> None:
     with pytest.raises(KingpostError, match=expected):
         CrossEntropy(anti_sway(), [1.0, -0.8, 14.0, 15.0], Sampling(**changed), threads=1)

@@ -1,4 +1,4 @@
-"""The policy that was trained on a ship in seas: its score, seas that nobody used, and what it sees."""
+"""The policy trained on a ship in waves: its score, unused seas, and its observations."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_the_stored_weights_give_the_stored_score(policy) -> None:
 
 
 @pytest.mark.thorough
-def test_on_seas_that_nobody_used_it_beats_what_does_not_learn_and_the_policy_of_the_fixed_base(
+def test_on_unused_seas_the_policy_beats_classical_controllers_and_the_policy_of_the_fixed_base(
     learned,
 ) -> None:
     """Source: docs/learning.md, measured on other seas: PID is 8 behind, the other policy 4 to 5."""
@@ -49,7 +49,7 @@ def test_on_seas_that_nobody_used_it_beats_what_does_not_learn_and_the_policy_of
 
 
 @pytest.mark.thorough
-def test_on_seas_that_nobody_used_it_is_better_than_linear_predictive_control(policy) -> None:
+def test_on_unused_seas_the_policy_beats_linear_predictive_control(policy) -> None:
     """Four episodes, because each plan is a quadratic program."""
     few = {"episodes": 4, "seed": 70_000}
     predictive = benchmarks(ENVIRONMENT)["predictive (`kingpost.mpc`)"]
@@ -71,7 +71,7 @@ def test_each_episode_has_its_own_sea_and_one_seed_always_the_same() -> None:
     assert len(set(rolls[0])) == 3
 
 
-def test_what_it_sees_of_the_load_over_the_ground_is_a_turn_of_its_place_and_speed() -> None:
+def test_the_observations_over_the_ground_are_the_rotated_position_and_velocity_of_the_load() -> None:
     task = anti_sway_at_sea()
     envs = ShipCraneVectorEnv(task, 2, 1)
     envs.reset(seed=5)
@@ -88,7 +88,7 @@ def test_what_it_sees_of_the_load_over_the_ground_is_a_turn_of_its_place_and_spe
     assert np.allclose(now["load_off_along"], off[0] * np.cos(heading) + off[1] * np.sin(heading), rtol=1e-12)
 
 
-def test_a_policy_in_a_task_that_sees_more_acts_as_in_its_own() -> None:
+def test_a_policy_acts_the_same_in_a_task_with_more_observations() -> None:
     few, more = anti_sway(at_sea=True), anti_sway_at_sea()
     policy = trained("Kingpost/AntiSway-v0")
     seen = np.random.default_rng(1).normal(size=(5, len(more.seen)))
@@ -97,6 +97,6 @@ def test_a_policy_in_a_task_that_sees_more_acts_as_in_its_own() -> None:
     assert np.allclose(policy.begun_for(more, ENVIRONMENT)(seen), own, atol=1e-15)
 
 
-def test_a_task_that_does_not_see_what_a_policy_needs_is_reported(policy) -> None:
+def test_a_task_without_the_observations_of_a_policy_is_refused(policy) -> None:
     with pytest.raises(KingpostError, match="allowed: a task with load_off_along, load_off_across"):
         policy.of(anti_sway())

@@ -1,4 +1,4 @@
-"""U-tanks against closed forms: period, coupled modes, mass, pump, energy, and what a user gets wrong."""
+"""U-tanks compared with closed forms: period, coupled modes, mass, pump, energy; and errors of users."""
 
 from __future__ import annotations
 
@@ -182,7 +182,7 @@ def test_a_level_that_reaches_the_top_of_a_column_is_warned_of():
         ("body", "barge", "one of ship"),
     ],
 )
-def test_a_tank_that_cannot_be_is_refused_with_its_field(field: str, value: Any, said: str):
+def test_an_impossible_tank_is_refused_with_its_field(field: str, value: Any, said: str):
     with pytest.raises(kingpost.ScenarioError, match=said) as caught:
         kingpost.Simulation(scenario(**{field: value}))
     assert f"forces.tank.u_tank.{field}" in str(caught.value)

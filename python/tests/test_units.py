@@ -1,4 +1,4 @@
-"""Every column of results has one unit, and it is a unit."""
+"""Every column of results has one valid unit."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_every_column_of_the_gallery_has_one_unit_that_pint_parses(name, shown) 
 
 
 @pytest.mark.parametrize("name", gallery.names())
-def test_what_is_given_of_elements_has_units_that_pint_parses(name, shown) -> None:
+def test_fields_of_elements_have_units_that_pint_parses(name, shown) -> None:
     """Source: pint; the fields of the resolved scenario, whose names end in their units."""
     described = shown[name]["model"]["elements"]
     given = {}
@@ -115,7 +115,7 @@ def test_names_of_the_cf_conventions_have_their_signs_and_dimensions() -> None:
     assert said["yaw"].endswith("positive bow to port")
 
 
-def test_lengths_are_told_from_angles_by_the_engine_not_by_the_names_of_axes(joints) -> None:
+def test_the_unit_of_an_axis_comes_from_the_engine_and_not_from_its_name(joints) -> None:
     """Source: docs/conventions.md: the x of a planar joint is a length, that of a spherical one an angle."""
     found = kingpost.run(joints)
     units = found["joint_position_unit"].to_series()
@@ -163,7 +163,7 @@ def test_statistics_of_a_file_have_the_units_of_the_run(joints, tmp_path, capsys
     assert [rows[channel][1] for channel in channels] == ["m", "deg"]
 
 
-def test_a_period_is_in_seconds_whatever_it_is_the_period_of(joints) -> None:
+def test_a_period_of_any_quantity_is_in_seconds(joints) -> None:
     """Source: the definition of a period."""
     found = summary(kingpost.run(joints))
     assert "units" not in found["roll"].attrs

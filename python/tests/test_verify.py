@@ -1,4 +1,4 @@
-"""`kingpost verify`: its rows hold, one that does not is told, every format has every row."""
+"""`kingpost verify`: its rows pass, a failing row is reported, every format contains every row."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def quick() -> list[verify.Row]:
     return [row for area in QUICK for row in verify.run(area)]
 
 
-def test_the_rows_that_take_no_panel_method_hold(quick) -> None:
+def test_the_rows_without_a_panel_method_pass(quick) -> None:
     assert {row.area for row in quick} == set(QUICK)
     assert [(row.id, row.error, row.message) for row in quick if row.verdict == verify.FAILED] == []
 
@@ -45,7 +45,7 @@ def swap(monkeypatch, one: verify.Check, measure) -> None:
 
 
 @pytest.mark.thorough
-def test_there_are_rows_enough_and_every_one_holds(measured) -> None:
+def test_there_are_enough_rows_and_every_one_passes(measured) -> None:
     counted = [row for row in measured if row.verdict != verify.ABSENT]
     assert len(counted) >= FEWEST
     assert [(row.id, row.error, row.message) for row in counted if row.verdict != verify.PASSED] == []
@@ -62,7 +62,7 @@ def test_every_area_has_a_row_with_a_source_and_a_reason_for_its_tolerance(measu
         assert 0 < row.tolerance < 0.12, row.id
 
 
-def test_a_row_that_is_spoilt_fails_and_so_does_the_command(monkeypatch, capsys) -> None:
+def test_a_wrong_row_fails_and_so_does_the_command(monkeypatch, capsys) -> None:
     one = next(check for check in running.checks("loops") if check.id == "stay-force")
 
     def spoilt() -> verify.Compared:
@@ -84,7 +84,7 @@ def test_a_row_that_raises_fails_and_names_the_exception(monkeypatch, capsys) ->
     assert f"FAIL {one.id}: ZeroDivisionError: no wave" in capsys.readouterr().out
 
 
-def test_a_program_that_is_not_installed_is_said_and_not_counted(monkeypatch, capsys) -> None:
+def test_a_program_that_is_not_installed_is_reported_and_not_counted(monkeypatch, capsys) -> None:
     def absent() -> verify.Compared:
         raise verify.NotInstalledError("mujoco")
 
@@ -96,14 +96,14 @@ def test_a_program_that_is_not_installed_is_said_and_not_counted(monkeypatch, ca
     assert "1 not counted" in shown
 
 
-def test_not_a_number_is_no_pass() -> None:
+def test_a_nan_does_not_pass() -> None:
     one = running.checks("loops")[0]
     found = rows.measured(replace(one, measure=lambda: verify.Compared(float("nan"), 1.0)))
     assert found.verdict == verify.FAILED
 
 
 @pytest.mark.parametrize("chosen", ["quick", pytest.param("measured", marks=pytest.mark.thorough)])
-def test_markdown_json_html_and_text_hold_every_row(chosen, request) -> None:
+def test_markdown_json_html_and_text_contain_every_row(chosen, request) -> None:
     measured = request.getfixturevalue(chosen)
     names = [row.id for row in measured]
     kept = json.loads(report.as_json(measured))
@@ -184,7 +184,7 @@ def test_the_page_agrees_with_the_present_results_of_the_cylinders(measured) -> 
 
 
 @pytest.mark.thorough
-def test_the_page_names_every_point_of_the_cylinders_that_is_no_row_with_its_miss(measured) -> None:
+def test_the_page_lists_every_excluded_point_of_the_cylinders_with_its_error(measured) -> None:
     under = PAGE.split("### Vugts' cylinders")[1].split("\n### ")[0]
     printed = re.findall(r"^\| (\w+), ([\w ]+) \| ([\d.]+) \| (-?[\d.]+) % \|$", under, re.MULTILINE)
     rows_of = {row.id for row in measured}
@@ -201,7 +201,7 @@ def test_the_page_names_every_point_of_the_cylinders_that_is_no_row_with_its_mis
     assert named == pytest.approx(found, abs=0.1)
 
 
-def test_the_page_names_every_rolling_cylinder_that_the_formulas_miss() -> None:
+def test_the_page_lists_every_rolling_cylinder_beyond_the_tolerance_of_the_formulas() -> None:
     under = " ".join(PAGE.split("### Eddies of ten rolling cylinders")[1].split("\n### ")[0].split())
     named = {name: float(share) for name, share in re.findall(r"([A-L]) by (\d+) %", under)}
     ratios = {row[0]: rolling.eddies(i) / np.mean(row[-1]) for i, row in enumerate(rolling.CYLINDERS)}
@@ -216,7 +216,7 @@ def test_the_page_names_every_rolling_cylinder_that_the_formulas_miss() -> None:
 
 
 @pytest.mark.thorough
-def test_the_page_says_how_the_tanker_and_the_cylinders_roll_now(measured) -> None:
+def test_the_page_agrees_with_the_present_results_of_the_tanker_and_the_rolling_cylinders(measured) -> None:
     heading = "A tanker's roll decay, its damping from its sections"
     for label, swing in (("amplitude after 10 swings, degrees", 10), ("after 20", 20), ("after 29", 29)):
         theirs, ours = numbers_of(heading, label)[:2]
@@ -232,7 +232,7 @@ def test_the_page_says_how_the_tanker_and_the_cylinders_roll_now(measured) -> No
 
 
 @pytest.mark.thorough
-def test_the_page_says_how_spheres_decay_and_drift_now(measured) -> None:
+def test_the_page_agrees_with_the_present_results_of_spheres(measured) -> None:
     printed = numbers_of("A sphere of 5 m let go from 1 m", "Kingpost")
     np.testing.assert_allclose(printed, measured_spheres.decay()[1][1:5], atol=6e-5)
     printed = numbers_of("Mean drift of a free hemisphere", "Kingpost")
@@ -261,7 +261,7 @@ def test_the_command_writes_what_it_is_asked_for(tmp_path, capsys) -> None:
         assert "stay-force" in path.read_text(encoding="utf-8")
 
 
-def test_an_area_and_a_folder_that_are_not_there_are_refused(tmp_path, capsys) -> None:
+def test_an_unknown_area_and_a_missing_folder_are_refused(tmp_path, capsys) -> None:
     with pytest.raises(KingpostError, match="area: found 'magic', allowed: multibody, "):
         verify.run("magic")
     assert main(["verify", "--only", "loops", "--json", str(tmp_path / "none" / "rows.json")]) == 2

@@ -1,4 +1,4 @@
-"""What the engine warns of in a run, in the data set, in a batch and in what `kingpost run` prints."""
+"""Warnings of the engine in a run, in the data set, in a batch and in the output of `kingpost run`."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ LIFT = {"waves": True, "significant_height_m": 4, "wave_direction_deg": 90, "pea
 
 
 def told_by(work) -> list[str]:
-    """What Python warns of, as a notebook shows it."""
+    """Python warnings as shown in a notebook."""
     with python_warnings.catch_warnings(record=True) as caught:
         python_warnings.simplefilter("always")
         work()
@@ -150,7 +150,7 @@ def test_a_step_that_is_too_long_also_gives_a_warning_in_python(capsys) -> None:
     assert capsys.readouterr().err.splitlines() == [f"warning: {text}" for text in told]
 
 
-def test_many_runs_tell_of_each_warning_once(tmp_path) -> None:
+def test_each_warning_of_many_runs_is_emitted_once(tmp_path) -> None:
     """Source: a pendulum that goes over the top in two of three runs."""
     path = tmp_path / "pendulum.yaml"
     path.write_text(PENDULUM.format(angle=60))

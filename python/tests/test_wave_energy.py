@@ -14,7 +14,7 @@ TEN_PERIODS = round(10 * PERIOD_S / 0.1)
 """In samples of the gallery's file."""
 
 
-def test_no_tuning_takes_more_than_half_of_a_wave_in_a_flume() -> None:
+def test_no_tuning_absorbs_more_than_half_of_the_wave_power_in_a_flume() -> None:
     """Source: Evans 1976; the closed form itself, over four decades of damping and stiffness."""
     factors = np.logspace(-2, 2, 41)
     for omega in wave_energy.OMEGAS:
@@ -25,7 +25,7 @@ def test_no_tuning_takes_more_than_half_of_a_wave_in_a_flume() -> None:
         assert max(shares) <= 0.5 + 1e-12
 
 
-def test_the_water_delivers_what_the_generators_take() -> None:
+def test_the_absorbed_wave_power_equals_the_power_of_the_generators() -> None:
     """Source: conservation of energy over a period at steady state. The mean of 100 samples of a sinusoid is
     exact; RK4's error of a period is below 1e-6."""
     omega = 1.2

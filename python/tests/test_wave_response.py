@@ -105,7 +105,7 @@ def test_a_resonance_has_frequencies_as_close_as_its_peak_is_narrow() -> None:
         assert nearest[-1] <= 0.5 * decay, (resonance, decay)
 
 
-def test_columns_that_do_not_follow_in_proportion_say_why() -> None:
+def test_columns_without_linear_response_have_a_reason() -> None:
     names = [
         "time",
         "kinetic_energy",
@@ -123,7 +123,7 @@ def test_columns_that_do_not_follow_in_proportion_say_why() -> None:
     assert np.isfinite(found.response.values[-1]).all()
 
 
-def test_what_is_left_out_at_rest_is_said() -> None:
+def test_effects_left_out_at_rest_give_a_warning() -> None:
     drag = {"quadratic_damping": {"body": "hull", "angular_N_m_s2": [1e8, 0, 0]}}
     found = kingpost.wave_response("offshore_vessel", ["hull.roll"], [0.5], [0.8], {"forces.bilges": drag})
     assert "leaves out quadratic damping" in found.attrs["warning"]

@@ -61,7 +61,7 @@ def test_a_square_wave_has_a_window_in_each_calm() -> None:
             assert window.ended_by == "heel"
 
 
-def test_windows_at_both_ends_count_with_what_is_seen_of_them() -> None:
+def test_windows_at_both_ends_count_with_their_visible_part() -> None:
     kept = windows(found_in([1, 1, 1, 3, 3, 1, 1, 1, 1]), 2.0)
     assert [(window.duration_h, window.ended_by) for window in kept] == [
         (2, "heel"),
@@ -72,14 +72,14 @@ def test_windows_at_both_ends_count_with_what_is_seen_of_them() -> None:
 
 
 @pytest.mark.parametrize("alpha", [1.0, 0.8, 0.7, 0.65])
-def test_a_height_equal_to_what_is_allowed_is_allowed(alpha: float) -> None:
+def test_a_height_equal_to_the_allowed_one_is_allowed(alpha: float) -> None:
     """alpha times 2 m, as a table would have it: rounding must not decide, a millimetre must."""
     allowed = round(2 * alpha, 6)
     assert len(windows(found_in([allowed] * 5, alpha), 4.0)) == 1
     assert windows(found_in([allowed + 1e-3] * 5, alpha), 0.0) == []
 
 
-def test_alpha_shrinks_what_is_allowed_and_one_leaves_it() -> None:
+def test_alpha_reduces_the_allowed_height_and_alpha_of_1_does_not() -> None:
     """A ramp of 0.1 m an hour: Hs <= alpha 2 m for 20 alpha hours."""
     ramp = 0.1 * np.arange(40)
     for alpha in (1.0, 0.9, 0.5):
@@ -111,7 +111,7 @@ def test_uneven_steps_count_by_their_time() -> None:
     assert [window.duration_h for window in windows(found, 0.0)] == [3]
 
 
-def test_what_was_not_studied_is_no_window() -> None:
+def test_conditions_that_were_not_studied_give_no_window() -> None:
     sea = series([1.0] * 6)
     sea.period_s[3] = 13.0
     kept = windows(workable(sea, limit, 1.0, direction_rad=np.pi), 0.0)
@@ -193,7 +193,7 @@ def test_rolling_over_a_forecast_counts_down_to_its_window() -> None:
         ([1.0] * 8, "end of the series"),
     ],
 )
-def test_a_no_go_says_what_stands_against_it(heights: list[float], reason: str) -> None:
+def test_a_no_go_names_the_reason(heights: list[float], reason: str) -> None:
     found = decide(series(heights), limit, 1.0, 12.0, direction_rad=np.pi)
     assert not found.is_go
     assert found.governs == reason
@@ -223,7 +223,7 @@ def test_now_between_two_records_counts_from_the_next() -> None:
         ),
     ],
 )
-def test_numbers_that_do_not_do_are_refused(call, message: str) -> None:
+def test_invalid_numbers_are_refused(call, message: str) -> None:
     with pytest.raises(KingpostError, match=message):
         call()
 
@@ -316,7 +316,7 @@ def test_the_screen_is_asked_for_the_seas_of_the_forecast_that_the_scenario_can_
     )
 
 
-def test_what_was_not_studied_is_warned_of(
+def test_conditions_that_were_not_studied_give_a_warning(
     study: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     arguments = forecast(tmp_path, "--study", str(study), "--direction-deg", "180")
@@ -342,7 +342,7 @@ def test_what_was_not_studied_is_warned_of(
         (("--heading-deg", "0", "--columns", "height=x"), "error: .*forecast.csv:1: columns: found 'x'"),
     ],
 )
-def test_the_command_says_what_is_wrong(
+def test_the_command_forecast_reports_wrong_input(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, ...], message: str
 ) -> None:
     assert main(forecast(tmp_path, *options)) == 2

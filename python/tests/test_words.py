@@ -40,7 +40,7 @@ def files() -> list[Path]:
 
 
 def text_of(path: Path) -> list[tuple[int, str]]:
-    """The lines that a person reads: all of a page, of a program its comments and its texts."""
+    """Lines that a person reads: all lines of a page; comments and texts of a program."""
     lines = enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
     if path.suffix not in (".ts", ".py", ".rs"):
         return list(lines)
@@ -79,7 +79,7 @@ def test_a_word_of_the_list_is_found_and_code_is_not() -> None:
 
 
 LEANS = re.compile(r"(The same|As|These|What|Which|Of)\b")
-"""Words with which a docstring leans on its neighbours: it stands alone where an editor shows it."""
+"""First words of a docstring that depends on its neighbours; an editor shows each docstring alone."""
 
 
 def openings(path: Path) -> list[tuple[int, str]]:
@@ -107,7 +107,7 @@ def test_documentation_begins_with_a_verb_or_a_noun_of_the_field() -> None:
     assert not wrong, "\n".join(wrong)
 
 
-def test_an_opening_that_leans_is_found(tmp_path: Path) -> None:
+def test_an_opening_of_a_docstring_that_depends_on_its_neighbours_is_found(tmp_path: Path) -> None:
     one = tmp_path / "one.rs"
     one.write_text(
         "/// The same, mutable.\n/// What follows is free.\nfn f() {}\n/// Ends.\n", encoding="utf-8"

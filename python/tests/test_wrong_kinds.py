@@ -44,7 +44,7 @@ def test_a_value_of_a_wrong_kind_is_named(act: Callable[[Simulation], object], m
         act(Simulation(kingpost.load(WITH_LEVER)))
 
 
-def test_a_snapshot_is_taken_as_any_bytes() -> None:
+def test_a_snapshot_is_accepted_as_any_bytes_like_object() -> None:
     simulation = Simulation(kingpost.load("paper"))
     kept = simulation.snapshot()
     simulation.step(3)

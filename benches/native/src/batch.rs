@@ -1,4 +1,4 @@
-//! Many runs by the engine's own batch, over lanes and threads, as it ships.
+//! Many runs by the batch of the released engine, over lanes and threads.
 
 use crate::Outcome;
 use crate::operations::Operation;
@@ -9,7 +9,7 @@ use std::time::Instant;
 const RUNS: usize = 128;
 const STEP_S: f64 = 1e-3;
 
-/// Variants of one scenario from its own start, with a load that is heavier by 1 kg in each.
+/// Variants of one scenario from its start, each with a load heavier by 1 kg than the previous one.
 pub struct Batch {
     scenario: String,
     integrator: &'static str,
@@ -28,7 +28,7 @@ impl Batch {
         Ok(Self { scenario: scenario.to_owned(), integrator, threads: threads.parse()? })
     }
 
-    /// Seconds that so many steps of every run take, with everything before and after.
+    /// Returns the time of a number of steps of every run, s, with all preparation and completion.
     fn elapsed(&self, steps: usize) -> Outcome<f64> {
         let duration = steps as f64 * STEP_S;
         let variant = |k: usize| -> Variant {
@@ -62,7 +62,7 @@ impl Operation for Batch {
         Vec::new()
     }
 
-    /// Without what a batch of one step takes: reading, building, the rows at the start and the end.
+    /// Subtracts the time of a batch of one step: reading, building, the rows at the start and the end.
     fn time(&mut self, times: usize) -> Outcome<f64> {
         let seconds = self.elapsed(times + 1)? - self.elapsed(1)?;
         Ok(seconds * 1e9 / (times * RUNS) as f64)

@@ -1,4 +1,4 @@
-//! The same operations for a WASM host, which has numbers and memory but no command line.
+//! Operations exported to a WASM host, which has numbers and memory but no command line.
 #![cfg(target_arch = "wasm32")]
 
 use crate::operations::{Operation, Task};
@@ -10,7 +10,7 @@ thread_local! {
     static RESULT: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Room for a text: 0 the scenario, 1 its files, 2 the state, 3 the operation's name. The host writes it.
+/// Reserves memory for a text that the host writes: 0 scenario, 1 its files, 2 state, 3 the operation's name.
 #[unsafe(no_mangle)]
 pub extern "C" fn text(index: usize, length: usize) -> *mut u8 {
     TEXTS.with_borrow_mut(|texts| {
@@ -19,7 +19,7 @@ pub extern "C" fn text(index: usize, length: usize) -> *mut u8 {
     })
 }
 
-/// Makes the operation from the four texts; 0 where that fails.
+/// Makes the operation from the four texts; returns 0 on failure.
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare() -> u32 {
     let made = TEXTS.with_borrow(|texts| {
@@ -30,19 +30,19 @@ pub extern "C" fn prepare() -> u32 {
     u32::from(OPERATION.with_borrow(Option::is_some))
 }
 
-/// Back to the fixed state; 0 where that fails.
+/// Returns to the fixed state; returns 0 on failure.
 #[unsafe(no_mangle)]
 pub extern "C" fn reset() -> u32 {
     on_operation(|operation| operation.reset().is_ok())
 }
 
-/// Does the operation this many times; 0 where one fails.
+/// Repeats the operation a number of times; returns 0 on failure.
 #[unsafe(no_mangle)]
 pub extern "C" fn repeat(times: usize) -> u32 {
     on_operation(|operation| operation.repeat(times).is_ok())
 }
 
-/// Computes the result's numbers and returns how many they are.
+/// Computes the numbers of the result and returns their count.
 #[unsafe(no_mangle)]
 pub extern "C" fn result_length() -> usize {
     on_operation(|operation| {
@@ -52,7 +52,7 @@ pub extern "C" fn result_length() -> usize {
     RESULT.with_borrow(Vec::len)
 }
 
-/// Where the result's numbers are.
+/// Returns the address of the result's numbers.
 #[unsafe(no_mangle)]
 pub extern "C" fn result() -> *const f64 {
     RESULT.with_borrow(|numbers| numbers.as_ptr())

@@ -32,7 +32,7 @@ fn main() -> Outcome<()> {
     run(prepared(operation, &scenario, &files, &state)?.as_mut(), mode, &numbers)
 }
 
-/// The operation of that name; whole batches are for hosts with threads.
+/// Returns the operation of that name; whole batches need a host with threads.
 fn prepared(name: &str, scenario: &str, files: &str, state: &str) -> Outcome<Box<dyn Operation>> {
     #[cfg(not(target_arch = "wasm32"))]
     if let Some(kind) = name.strip_prefix("batch_") {

@@ -1,4 +1,4 @@
-//! What is measured.
+//! Measured operations.
 
 use crate::Outcome;
 use kingpost::elements::AnyElement;
@@ -17,13 +17,13 @@ const STEP_S: f64 = 1e-3;
 
 /// One operation on one fixed state.
 pub trait Operation {
-    /// Back to the fixed state.
+    /// Returns to the fixed state.
     fn reset(&mut self) -> Outcome<()>;
-    /// Does it this many times.
+    /// Repeats the operation a number of times.
     fn repeat(&mut self, times: usize) -> Outcome<()>;
-    /// What came out: an acceleration, or q and v.
+    /// Returns the result: an acceleration, or q and v.
     fn result(&self) -> Vec<f64>;
-    /// The time that this many take from the fixed state, each.
+    /// Returns the time per repetition, for a number of repetitions from the fixed state.
     fn time(&mut self, times: usize) -> Outcome<f64> {
         self.reset()?;
         let start = Instant::now();
@@ -52,7 +52,7 @@ impl Task {
         Ok(Self { scenario, setup, q: q?, v: v?, force: force? })
     }
 
-    /// The operation of that name on this task.
+    /// Returns the operation of that name on this task.
     pub fn operation(self, name: &str) -> Outcome<Box<dyn Operation>> {
         match name {
             "forward" => Ok(Box::new(Forward::new(self))),
@@ -66,7 +66,7 @@ impl Task {
     }
 }
 
-/// The numbers of the line that begins with this word.
+/// Returns the numbers of the line that begins with this word.
 fn numbers(text: &str, word: &str) -> Outcome<Vec<f64>> {
     let line = text.lines().find_map(|line| line.strip_prefix(word)?.strip_prefix(' '));
     let line = line.ok_or_else(|| format!("the state has no line {word}"))?;
@@ -84,7 +84,7 @@ struct Forward {
 }
 
 impl Forward {
-    /// The force stands for the drives.
+    /// The force replaces the drives.
     fn new(Task { setup, q, v, force, .. }: Task) -> Self {
         let is_motor = |element: &AnyElement| (**element).as_any().is::<Motor>();
         let elements = setup.elements.into_iter().filter(|element| !is_motor(element)).collect();
@@ -124,7 +124,7 @@ struct Step {
 }
 
 impl Step {
-    /// The plant with its forces and drives.
+    /// Makes the plant with its forces and drives.
     fn new(Task { setup, q, v, .. }: Task, scheme: fn(Sizes) -> Scheme) -> Self {
         let mut plant = Plant::new(setup.model, setup.world, setup.elements);
         plant.keep_ledger(false);
@@ -156,7 +156,7 @@ impl Operation for Step {
     }
 }
 
-/// As many runs as there are lanes, a step each in turn; no ledger.
+/// One step of as many runs as there are lanes; no ledger.
 struct SideBySide {
     plant: Plant<Lanes>,
     scheme: Scheme<Lanes>,
@@ -165,7 +165,7 @@ struct SideBySide {
 }
 
 impl SideBySide {
-    /// All from one state, but for a thousandth more velocity in each lane.
+    /// Starts all lanes from one state, with a velocity larger by a thousandth in each lane.
     fn new(Task { scenario, q, v, .. }: Task, scheme: fn(Sizes) -> Scheme<Lanes>) -> Outcome<Self> {
         let setup = scenario.setup_over::<Lanes>()?;
         let mut plant = Plant::new(setup.model, setup.world, setup.elements);
@@ -200,7 +200,7 @@ impl Operation for SideBySide {
     }
 }
 
-/// One step as it ships: with the ledger, the limits checked, the last good state kept.
+/// One step of the released engine: with the ledger, the limits checked, the last good state kept.
 struct Shipped {
     simulation: Simulation,
     q: Vec<f64>,

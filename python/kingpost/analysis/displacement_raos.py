@@ -23,8 +23,8 @@ SENSES = ("surge_forward", "sway_port", "heave_up", "roll_port_up", "pitch_bow_d
 def displacement_raos(found: xarray.Dataset, body: str | None = None) -> pandas.DataFrame:
     """Displacement RAOs of a floating body: a row for each direction and frequency.
 
-    The RAOs describe the point of the body that at rest lies at the reference of the phases (``reference_m``,
-    on the still water), in axes with the heading of the first hull. They follow from the motion X(p) of the
+    The RAOs are those of the point of the body that at rest is at the phase reference (``reference_m``, on
+    the still water), in axes with the heading of the first hull. They follow from the motion X(p) of the
     body's centre of mass p and its small rotation theta: ``X(0) = X(p) - theta x p``.
 
     Parameters
@@ -79,7 +79,7 @@ def _frame(found: xarray.Dataset, raos: np.ndarray) -> pandas.DataFrame:
 
     directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
     against = np.rad2deg(directions - found.attrs["heading_rad"]) % 360
-    # Round off what a full turn leaves: 359.999999 would fill a column with nines.
+    # Round before wrapping to one turn: 359.999999 deg would otherwise be printed instead of 0.
     columns = {"direction_to_deg": np.round(against, 9).ravel() % 360, "frequency_rad_s": frequencies.ravel()}
     for mode, sense in enumerate(SENSES):
         amplitude, lag = np.abs(raos[..., mode]), np.rad2deg(np.angle(raos[..., mode]))

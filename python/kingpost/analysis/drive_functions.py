@@ -1,4 +1,4 @@
-"""Drive functions that hold a load in place, found by exact gradients of whole runs."""
+"""Drive functions that keep a load in place, found with exact gradients of whole runs."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ KIND = "drive_function"
 
 @dataclass(frozen=True)
 class DriveFunctions:
-    """Commands of drive functions and what they leave; made by `drive_functions`.
+    """Commands of drive functions and the remaining deviations; made by `drive_functions`.
 
     Attributes
     ----------
     scenario
-        The scenario with the commands that were found.
+        The scenario with the commands found.
     commands
         The commands of each controller, in the SI unit of its input.
     deviation_before, deviation
-        Root mean square deviation of each column from what is wanted, with the commands of the scenario that
-        was given and with those that were found, SI units.
+        Root mean square deviation of each column from its wanted values, with the commands of the given
+        scenario and with the commands found, SI units.
     iterations
         Number of steps of the search, each with one exact gradient.
     results
-        The run with the commands that were found.
+        The run with the commands found.
     """
 
     scenario: Scenario
@@ -63,10 +63,10 @@ def drive_functions(
     tolerance: float = 1e-6,
     **parameters: Any,
 ) -> DriveFunctions:
-    """Find the commands of drive functions with which columns of a run come nearest to what is wanted.
+    """Find the commands of drive functions that bring columns of a run nearest to their wanted values.
 
-    Over the records of the run from ``from_s`` on, with the columns y, what is wanted w and the weights g, it
-    minimises over all commands ``p``
+    Over the records of the run from ``from_s`` on, with the columns y, the wanted values w and the weights g,
+    it minimises over all commands ``p``
 
     ``J = mean over time of sum_i g_i^2 (y_i - w_i)^2``
 
@@ -79,18 +79,19 @@ def drive_functions(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to run, as in `run`. Its motion of the base, or its sea, is the one that the functions are for.
+        Scenario and overrides, as in `run`. The functions are found for the base motion or the sea of this
+        scenario.
     controllers
         The controllers ``drive_function`` whose commands are found. Their times stay.
     wanted
         For each column of the results its value, or values over the records of the whole run, in SI units;
         None for its value at the start of the run.
     weights
-        Weights g of the columns, per SI unit; 1 where none is given.
+        Weights g of the columns, per SI unit; default: 1.
     from_s
-        Records before this time do not count: while a motion grows from rest, say.
+        Records before this time do not count, for example while a motion grows from rest.
     iterations
-        Most steps of the search.
+        Largest number of steps of the search.
     tolerance
         The search ends when a step lowers J by less than this share of it.
 
@@ -102,8 +103,8 @@ def drive_functions(
     Raises
     ------
     KingpostError
-        If a controller is none that can be found, a column is unknown, or a function moves none of the
-        columns.
+        If a controller is not an enabled ``drive_function``, a column is unknown, or a function moves none of
+        the columns.
     ScenarioError
         If the scenario is wrong.
     RunError
@@ -169,7 +170,7 @@ def _paths(scenario: Scenario, names: Sequence[str]) -> list[str]:
 
 
 class _Search:
-    """Runs with commands, and their gradients, each computed once."""
+    """Runs for given commands and their gradients, each computed once."""
 
     def __init__(
         self,
@@ -204,7 +205,7 @@ class _Search:
         return {name: float(np.sqrt(np.mean(column**2))) for name, column in found.items()}
 
     def least(self, start: Array, iterations: int, tolerance: float) -> Array:
-        """The commands with the smallest J, from these on."""
+        """The commands that minimise J, searched from these commands."""
         from scipy.optimize import least_squares
 
         found = least_squares(

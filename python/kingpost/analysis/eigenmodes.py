@@ -1,7 +1,7 @@
 """Eigenvalues of a linearised system as modes: free, oscillating, decaying, unstable.
 
 Before the eigenvalues are computed, the states are scaled by the mass matrix, so that metres and radians
-compare by kinetic energy, and the exactly free motions are split off. Without this step the zero eigenvalues
+compare by kinetic energy, and the exactly free motions are separated. Without this step the zero eigenvalues
 of a drifting body, which come in pairs with one eigenvector, would scatter by the square root of the rounding
 error.
 """
@@ -28,16 +28,17 @@ FIRST = 1e3
 LAST = 1e-6
 """Weight of memory states in the naming of zero modes: they only follow the position of a hull."""
 BALANCINGS = 20
-"""Number of sweeps that balance the units of further states."""
+"""Number of sweeps in the balancing of further states."""
 SMALLEST_PRODUCT = 1e-6
-"""A left and a right vector with a smaller product belong to different modes of equal eigenvalue."""
+"""Smallest product of a left and a right vector of one mode; below it they belong to different modes of equal
+eigenvalue."""
 ALIKE = 1e-9
-"""Shares that differ by less count as equal, and the first is taken."""
+"""Shares that differ by less count as equal; the first of them is taken."""
 
 
 @dataclass(frozen=True)
 class Mode:
-    """One motion that the linearised system makes by itself, ``shape exp(eigenvalue t)``.
+    """Free motion of the linearised system, ``shape exp(eigenvalue t)``.
 
     Attributes
     ----------
@@ -46,7 +47,8 @@ class Mode:
     eigenvalue
         1/s; of a complex pair the one with the positive imaginary part.
     multiplicity
-        Number of eigenvalues of A that it stands for: 2 for a pair, and for a zero mode that keeps any rate.
+        Number of eigenvalues of A that the mode represents: 2 for a complex pair, and for an undamped zero
+        mode.
     coordinate
         The mode is named after it: for a zero mode the free coordinate, otherwise the coordinate with the
         largest share of the kinetic energy.
@@ -117,7 +119,7 @@ class Scaled:
         independent = null_space(constraints @ inverse)
         inward, outward = independent.T @ root, inverse @ independent
         stiffness = inward @ a[n : 2 * n, :n] @ outward
-        # Without stiffness any frequency would do: take 1 rad/s.
+        # Without stiffness the frequency is arbitrary: take 1 rad/s.
         square = max(np.linalg.norm(stiffness, 2) if stiffness.size else 0.0, 1.0)
         frequency = np.sqrt(square)
         names = linear.coordinates + linear.states[2 * n :]
@@ -190,7 +192,7 @@ def zero_levels(a: NDArray, smallest: float) -> tuple[list[NDArray], NDArray]:
 def zero_modes(system: Scaled, levels: Sequence[NDArray]) -> list[Mode]:
     """One mode for each motion without a restoring force, named after its coordinate.
 
-    A mode that keeps its rate, because nothing damps it, stands for two eigenvalues.
+    A mode that keeps its rate, because nothing damps it, represents two eigenvalues.
     """
     if not levels:
         return []
@@ -234,7 +236,7 @@ def named_directions(system: Scaled, basis: NDArray, without: Sequence[int]) -> 
 
 
 def cleared(span: NDArray, rows: Sequence[int]) -> NDArray:
-    """The part of an orthonormal basis' span that is zero at `rows`."""
+    """Basis of the vectors in the span of an orthonormal basis that are zero at `rows`."""
     if not rows or not span.shape[1]:
         return span
     _, sizes, turned = np.linalg.svd(span[list(rows)])
@@ -242,7 +244,7 @@ def cleared(span: NDArray, rows: Sequence[int]) -> NDArray:
 
 
 def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
-    """Modes outside the span of `zero`; eigenvalues below the rounding error are also taken as zero.
+    """Modes outside the span of `zero`; eigenvalues below the rounding error count as zero.
 
     Memory states have units in which their entries of A are large, and rounding would hide slow motions: here
     they are balanced with the other states.
@@ -280,12 +282,12 @@ def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
 
 
 def across(left: NDArray, right: NDArray) -> float:
-    """The product of a left and a right vector, as if both were of length 1."""
+    """Product of a left and a right vector after both are normalised."""
     return abs(left @ right) / (np.linalg.norm(left) * np.linalg.norm(right))
 
 
 def left_vectors(a: NDArray, values: NDArray) -> NDArray:
-    """Rows l with l A = lambda l, for eigenvalues in this order.
+    """Left eigenvectors: rows l with l A = lambda l, for eigenvalues in this order.
 
     The inverse of the matrix of right vectors would give them too. But filters in series have one vector for
     several equal eigenvalues, and the inverse is then wrong for all other modes.
@@ -296,7 +298,7 @@ def left_vectors(a: NDArray, values: NDArray) -> NDArray:
 
 def memory_share(left: NDArray, state: NDArray, further: NDArray[np.bool_]) -> float:
     """Participation of the memory states in a mode (Perez-Arriaga, Verghese & Schweppe, 1982); if the mode
-    has no left vector of its own, as with filters in series, their share of the motion."""
+    has no left vector, as with filters in series, their share of the motion."""
     if across(left, state) > SMALLEST_PRODUCT:
         parts = (left * state / (left @ state)).real
     else:
@@ -320,5 +322,5 @@ def normalised(shape: NDArray, coordinates: int | None = None) -> NDArray[np.com
     if not among.size or np.abs(among).max() <= ALIKE * np.abs(shape).max():
         among = shape
     shape = shape / among[np.argmax(np.abs(among))]
-    # Rounding errors of zeros.
+    # Set rounding errors to zero.
     return np.where(np.abs(shape) < 1e-14, 0.0, shape).astype(complex)

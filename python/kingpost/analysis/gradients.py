@@ -1,4 +1,4 @@
-"""Gradients: a run with the exact derivative of every result along parameters."""
+"""Gradients: a run with the exact derivatives of every result with respect to parameters."""
 
 from __future__ import annotations
 
@@ -32,26 +32,27 @@ def gradient(
     progress: Progress | None = None,
     **parameters: Any,
 ) -> xarray.Dataset:
-    """Run a scenario with the derivatives of every result along parameters.
+    """Run a scenario with the derivatives of every result with respect to parameters.
 
     The whole run is computed with dual numbers. Between events these are the derivatives of the computed
-    numbers, exact to rounding, for this scheme and step; through an event, which moves in time, those of the
-    motion, within the scheme's error there. Four names cost about one run of dual numbers.
+    numbers, exact to rounding, for this scheme and step. Across an event, whose time depends on the
+    parameter, they are the derivatives of the motion, within the scheme's error. Four names cost about one
+    run of dual numbers.
 
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to run, as in `run`.
+        Scenario and overrides, as in `run`.
     names
-        Parameters, or dotted paths of numbers, along which to differentiate. The derivative is per the
-        parameter's own unit: per degree for an angle in degrees.
+        Parameters, or dotted paths of numbers, with respect to which to differentiate. The derivative is per
+        the parameter's own unit: per degree for an angle in degrees.
     progress
-        Called now and then with the time in seconds; the time starts again for every four names.
+        Called at intervals with the simulated time, s; the time starts again for every four names.
 
     Returns
     -------
     xarray.Dataset
-        The variables of `run`, and beside each, such as ``roll``, its derivatives, here
+        The variables of `run`, and for each variable, such as ``roll``, its derivatives, here
         ``roll_derivative``, with ``parameter`` as the first dimension.
 
     Raises
@@ -62,8 +63,8 @@ def gradient(
     RunError
         When the motion diverges; `.results` holds what was computed.
     KeyboardInterrupt
-        On Ctrl-C; `.results` holds what was computed, for the names that were reached. The same holds for any
-        exception from `progress`.
+        On Ctrl-C; `.results` holds the results so far, for the names that were reached. The same holds for
+        any exception from `progress`.
 
     >>> found = gradient("paper", "crane_x_m", {"simulation.duration_s": 0.1})
     >>> found.roll_derivative.dims

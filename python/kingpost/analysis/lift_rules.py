@@ -160,7 +160,7 @@ class HookLoadLoss:
 
     @property
     def held(self) -> bool:
-        """Whether area 2 is larger than area 1 by the required factor."""
+        """Whether area 2 exceeds area 1 times the required factor."""
         return self.area_2_m_rad > self.required * self.area_1_m_rad
 
 
@@ -172,7 +172,7 @@ def hook_load_loss(
     flooding_deg: float = 90.0,
     required: float = EXPOSED_WATERS,
 ) -> HookLoadLoss:
-    """Area 2 > 1.4 area 1: whether a ship survives a loss of hook load, by her righting arms.
+    """Check whether a ship survives a loss of hook load, by her righting arms: area 2 > 1.4 area 1.
 
     The arms on the side of the load follow from the symmetry of the hull: with GZ the arms to one side and a
     the arm at zero heel, ``GZ(-phi) = 2 a cos(phi) - GZ(phi)``. Areas are sums of trapezia of 5 degrees.

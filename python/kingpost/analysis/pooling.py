@@ -58,8 +58,8 @@ def file_of(run: xarray.Dataset) -> str:
 
 
 def _settings(run: xarray.Dataset) -> dict[str, Any]:
-    """The resolved scenario by dotted names, without the seed and descriptive texts, and with the digests of
-    the files that it names: two databases can have the same name."""
+    """The resolved scenario by dotted paths, without the seed and descriptive texts, with the digests of its
+    files: two databases can have the same name."""
     found = _flat(scenario_of(run.attrs))
     kept = {name: value for name, value in found if name != SEED and name.partition(".")[0] not in WORDS}
     digests = digests_of(run.attrs)

@@ -33,7 +33,8 @@ class Plan:
     states
         The predicted states at the end of each period, shape (periods, states).
     beyond
-        How far a state has to exceed its limits, because no inputs within theirs hold them; 0 if they hold.
+        Smallest excess of the states over their limits that the limited inputs can reach; 0 if all limits
+        hold.
     """
 
     inputs: Matrix
@@ -118,7 +119,7 @@ class PredictiveRegulator:
             The states now: deviations from rest, or from another rest of the linear model, such as a slewed
             crane. In the order of ``states``, SI units.
         before
-            The inputs of the last period, from which limits of rates count; default: 0.
+            The inputs of the last period, from which limits of rates are counted; default: 0.
 
         Returns
         -------
@@ -168,7 +169,7 @@ class PredictiveRegulator:
         q, cross, r, p = self._cost
         (n, m), size = self.moved.shape, self.horizon
         free, forced = self._prediction
-        # The states at the beginnings of the periods, and the last one, each with its weight.
+        # States at the beginnings of the periods and at the end of the last one, each with its weight.
         at_first = np.vstack([np.eye(n), free])
         by_inputs = np.vstack([np.zeros((n, size * m)), forced])
         weights = np.zeros((n * (size + 1), n * (size + 1)))
@@ -232,7 +233,7 @@ def mpc(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to regulate, as in `run`. Its controllers do not act.
+        Scenario and overrides, as in `run`. Its controllers do not act.
     inputs
         Names of the inputs u that the regulator sets.
     states

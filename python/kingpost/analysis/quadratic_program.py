@@ -13,14 +13,15 @@ from .riccati import Matrix
 Rows = tuple[Matrix, Matrix, Matrix]
 """G, lower and upper of ``lower <= G u <= upper``."""
 PENALTY = 1e6
-"""Cost of exceeding a soft limit, over the largest weight: it stays as small as the hard limits allow."""
+"""Penalty on the excess of a soft limit, over the largest weight: so the excess is the smallest possible
+one."""
 TOLERANCE = 1e-9
 """Gap and residuals at which the solver stops."""
 
 
 @dataclass(frozen=True)
 class Bounds:
-    """Limits of the variables: `hard` ones hold always, `soft` ones where the hard ones let them."""
+    """Limits of the variables: `hard` ones always hold, `soft` ones as far as the hard ones permit."""
 
     hard: list[Rows]
     soft: list[Rows]
@@ -42,7 +43,7 @@ def minimum(weight: Matrix, slope: Matrix, bounds: Bounds) -> tuple[Matrix, floa
     found = _solved(weight, slope, every)
     if found is not None:
         return found, 0.0
-    # Not all can hold: a common excess of the soft limits joins the variables.
+    # Not all limits can hold: add a common excess of the soft limits as a variable.
     size = len(slope)
     scale = PENALTY * float(np.abs(weight).max())
     wider = np.zeros((size + 1, size + 1))
@@ -61,7 +62,7 @@ def minimum(weight: Matrix, slope: Matrix, bounds: Bounds) -> tuple[Matrix, floa
 
 
 def _solved(weight: Matrix, slope: Matrix, every: list[Rows]) -> Matrix | None:
-    """By Clarabel; None if no u holds the limits."""
+    """Solution by Clarabel; None if no u satisfies the limits."""
     clarabel = _clarabel()
     from scipy.sparse import csc_matrix, triu
 
@@ -71,7 +72,7 @@ def _solved(weight: Matrix, slope: Matrix, every: list[Rows]) -> Matrix | None:
     below, above = np.isfinite(lower), np.isfinite(upper)
     g = np.vstack([rows[above], -rows[below]])
     h = np.concatenate([upper[above], -lower[below]])
-    # A number for all: the solver's tolerances are absolute, too.
+    # One scale for all entries: the solver also has absolute tolerances.
     size = float(np.abs(weight).max())
     settings = clarabel.DefaultSettings()
     settings.verbose = False

@@ -1,4 +1,4 @@
-"""Records over time: without their start, and evenly spaced."""
+"""Records over time: cut at the start, and checked for even steps."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def after(series: xarray.DataArray, after_s: float) -> xarray.DataArray: ...
 @overload
 def after(series: xarray.Dataset, after_s: float) -> xarray.Dataset: ...
 def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.Dataset | xarray.DataArray:
-    """The records from this time, s, on.
+    """Leave out the records before a time.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.D
 
 
 def even(series: xarray.DataArray) -> tuple[xarray.DataArray, float]:
-    """A record with its step, s; a last row that ends a run off the grid is left out.
+    """Return a record and its step, s; a last row off the regular time grid is left out.
 
     Parameters
     ----------

@@ -32,7 +32,8 @@ if TYPE_CHECKING:
     import xarray
 
 SLOW = 0.1
-"""Damping ratio below which an oscillation that no input moves is warned of: it lasts for several periods."""
+"""Damping ratio below which a warning names an oscillation that no input moves: it lasts for several
+periods."""
 
 
 @dataclass(frozen=True)
@@ -46,15 +47,15 @@ class Regulator:
     cost_matrix
         P, dimensions ``state`` and ``other``: from x0 the cost is ``x0' P x0``.
     eigenvalues
-        Of the closed loop of the states that it was designed for, 1/s; with a sampling period T they are
+        Eigenvalues of the closed loop of the states in the design, 1/s; with a sampling period T they are
         ``ln(z) / T`` of the sampled eigenvalues z.
     all_eigenvalues
-        The same of all states of the scenario, with the regulator.
+        Closed-loop eigenvalues of all states of the scenario with the regulator, 1/s.
     period_s
         Sampling period, s; None if it acts continuously.
     unmoved
-        In words, the oscillations that decay slowly and that the inputs do not move: the feedback leaves
-        them as they are.
+        Descriptions of the slowly decaying oscillations that the inputs do not move: the feedback does not
+        change them.
     """
 
     gains: xarray.DataArray
@@ -88,7 +89,8 @@ class Regulator:
         return float(start @ self.cost_matrix.values @ start)
 
     def scenario(self, scenario: Scenario, controller: str) -> Scenario:
-        """The scenario with these gains in a controller that reads the states' columns and sets the inputs.
+        """Return the scenario with these gains in a controller that reads the states' columns and sets the
+        inputs.
 
         A coordinate's column is ``slew.joint_position``, its rate's ``slew.joint_velocity``; a drive's state
         is read by its own name. Columns that are no states of the regulator get the gain 0.
@@ -134,7 +136,7 @@ class Regulator:
         lead = f"controllers.{controller}.{kind}"
         columns = [read["column"] for read in given["reads"]]
         targets = [steer["to"] for steer in given["steers"]]
-        # A drive's state is read by its own name, so it is among the columns as it is.
+        # The name of a drive's state is also the name of its column.
         states = self.gains["state"].values.tolist()
         wanted = {state if state in columns else column_of(state): state for state in states}
         _all_there(f"{lead}.reads", wanted, columns)
@@ -189,12 +191,12 @@ def lqr(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to regulate, as in `run`. Its controllers do not act.
+        Scenario and overrides, as in `run`. Its controllers do not act.
     inputs
         Names of the inputs u that the regulator sets.
     states
         Names of the states x that it reads, of `Linearization.states`; None for all. Other states are held at
-        rest in the design: a ship, for example. ``all_eigenvalues`` shows what they do in the closed loop.
+        rest in the design: a ship, for example. ``all_eigenvalues`` shows their effect on the closed loop.
     Q, R
         Weights: by name, as ``{"slew": 1}`` with 0 for the others, as a diagonal, or as a symmetric matrix.
         Q is positive semidefinite, R positive definite.
@@ -209,9 +211,9 @@ def lqr(
     Raises
     ------
     KingpostError
-        If a name is unknown, a weight is not allowed, the inputs do not move a mode that grows or stays (the
-        error names it), or Q does not see one. A mode that decays slowly and that they do not move is warned
-        of, and named in ``unmoved``.
+        If a name is unknown, a weight is not allowed, the inputs do not move a mode that does not decay (the
+        error names it), or such a mode has no weight in Q. For a slowly decaying mode that the inputs do not
+        move there is a warning, and ``unmoved`` names it.
 
     Examples
     --------
@@ -262,7 +264,7 @@ def _is_slow(value: complex) -> bool:
 
 
 def _slow(value: complex, about: str) -> str:
-    """The warning of an oscillation that the inputs do not move.
+    """Warning about an oscillation that the inputs do not move.
 
     >>> _slow(complex(-0.01, 0.7), "lift")
     'the inputs do not move the mode of period 8.976 s in which lift takes part (damping ratio 0.0143)'

@@ -55,7 +55,8 @@ def rao(
     Parameters
     ----------
     scenario_or_simulation
-        A scenario, with the crane at the start of a run; or a simulation, with the crane as it stands.
+        A scenario, with the crane at the start of a run; or a simulation, with the crane in its present
+        state.
     directions_rad
         Directions that the waves travel towards, rad, counter-clockwise from the world's x: at heading 0, pi
         is a head sea. Default: every 45 degrees.
@@ -72,7 +73,7 @@ def rao(
     xarray.Dataset
         By ``direction`` (rad) and ``omega`` (rad/s): amplitudes for each metre of wave amplitude of
         ``displacement``, ``velocity`` and ``acceleration`` (of ``point``, along ``axis``), ``rotation`` (of
-        ``body``, by ``angle``) and ``joint_position`` (of ``coordinate``); beside each its phase, such as
+        ``body``, by ``angle``) and ``joint_position`` (of ``coordinate``); for each its phase, such as
         ``displacement_phase``: the lag behind the crest at the origin of the first hull's data, rad.
         ``place`` of each point at rest, and as attributes the hull's ``reference_m`` and ``heading_rad``.
 
@@ -116,8 +117,8 @@ def frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
 
 
 def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The frequencies, each once and in their order; one that equals the lowest or highest of the data within
-    the printed digits becomes that one."""
+    """Return the frequencies without repetitions. A frequency within the printed digits of the lowest or
+    highest of the data is replaced by it."""
     asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
     for end in covered[[0, -1]] if covered.size else ():
         asked = np.where(np.abs(asked - end) <= PRINTED_RAD_S, end, asked)
@@ -125,8 +126,8 @@ def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDA
 
 
 def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The directions, each once and in their order; values beyond one turn were probably meant in other
-    units."""
+    """Return the directions without repetitions; refuse values beyond one turn, which are probably in another
+    unit."""
     beyond = directions_rad[~(np.abs(directions_rad) <= FULL_TURN_RAD * (1 + 1e-9))]
     if beyond.size:
         raise KingpostError(
@@ -137,7 +138,7 @@ def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def each_once(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The values without repetitions, in the order in which they first appear.
+    """Return the values without repetitions, in the order of their first occurrence.
 
     >>> each_once(np.array([0.5, 0.2, 0.5]))
     array([0.5, 0.2])
@@ -157,7 +158,7 @@ def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str
     chosen = [_place(places, point) for point in points] if points is not None else range(len(places))
     displacement = displacement[..., chosen, :]
     rate = -1j * omega[:, None, None]
-    # A floating body has its position and angles instead.
+    # A floating body has position and angles instead of joint coordinates.
     unit_of = _joint_units(simulation)
     joints = [i for i, name in enumerate(found["coordinates"]) if name in unit_of]
     names = [found["coordinates"][i] for i in joints]
@@ -241,7 +242,7 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
 
     directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
     columns: dict[str, NDArray] = {
-        # Degrees by way of radians end in rounding: 210.00000000000003.
+        # Round degrees that were converted to radians and back: 210.00000000000003.
         "direction_deg": np.round(np.rad2deg(directions), 9).ravel(),
         "frequency_rad_s": frequencies.ravel(),
     }

@@ -62,7 +62,7 @@ def weights_of(
 
 
 def check_reach(a: Matrix, b: Matrix, names: list[str]) -> None:
-    """Refuse inputs that do not move a mode which grows or stays."""
+    """Refuse inputs that do not move every mode that does not decay."""
     scale = max(float(np.abs(a).max()), 1.0)
     for value, about in unreached(a, b, names):
         if value.real >= -1e-9 * scale:

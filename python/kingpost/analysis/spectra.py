@@ -21,17 +21,17 @@ def spectrum(
 
     The record, less its mean, is cut into segments that overlap by half; each is multiplied by a Hann
     window and transformed, and the squares are averaged (Welch, *IEEE Trans. Audio Electroacoust.*
-    15(2), 1967). The density is one-sided and divided by the mean square of the window, so that its
-    integral is the variance but for sampling error.
+    15(2), 1967). The density is one-sided and divided by the mean square of the window, so that its integral
+    is the variance, except for sampling error.
 
     Parameters
     ----------
     series
-        Evenly spaced over ``time``; other dimensions stay.
+        Record with even steps of ``time``; other dimensions are kept.
     after_s
         Records before this time, s, are left out.
     segment_s
-        Length of a segment, s; an eighth of the record unless given. Lines are 2 pi / segment apart.
+        Length of a segment, s; default: an eighth of the record. The frequency spacing is 2 pi / segment.
 
     Returns
     -------
@@ -79,9 +79,9 @@ def moments(density: xarray.DataArray, orders: tuple[int, ...] = (0, 1, 2, 4)) -
     Parameters
     ----------
     density
-        Of `spectrum`, along ``omega`` (rad/s).
+        Result of `spectrum`, along ``omega`` (rad/s).
     orders
-        n of each.
+        Order n of each moment.
 
     Returns
     -------
@@ -103,8 +103,8 @@ def moments(density: xarray.DataArray, orders: tuple[int, ...] = (0, 1, 2, 4)) -
 def _welch(
     values: NDArray[np.float64], step_s: float, length: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Angular frequencies and the one-sided density over them, along the last axis; the mean is that of the
-    whole record, not of each segment, so that slow motions stay."""
+    """Angular frequencies and the one-sided density, along the last axis. The mean of the whole record is
+    subtracted, not that of each segment, so that slow motions are kept."""
     from scipy.signal import welch
 
     values = values - values.mean(axis=-1, keepdims=True)

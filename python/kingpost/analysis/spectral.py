@@ -1,10 +1,10 @@
-"""Response in a random sea by its spectrum, of what answers small waves in proportion.
+"""Response spectra of columns in a random sea, by their linear response to waves.
 
-A sea and what answers it in proportion are stationary and Gaussian: of a column with the amplitude H for
-each metre of wave amplitude the moments are ``m_n = Int Int w^n S(w) D(b) |H(w, b)|^2 db dw`` (Faltinsen,
-*Sea Loads on Ships and Offshore Structures*, 1990, sec. 2.3). With them come the standard deviation
-``sqrt(m0)``, the zero up-crossing period ``Tz = 2 pi sqrt(m0 / m2)``, and by Rice's rate of up-crossings
-the extremes in a stated time.
+The sea and the linear responses to it are stationary and Gaussian. For a column with the amplitude H per
+metre of wave amplitude the spectral moments are ``m_n = Int Int w^n S(w) D(b) |H(w, b)|^2 db dw`` (Faltinsen,
+*Sea Loads on Ships and Offshore Structures*, 1990, sec. 2.3). They give the standard deviation
+``sqrt(m0)``, the zero up-crossing period ``Tz = 2 pi sqrt(m0 / m2)``, and by Rice's rate of up-crossings the
+extremes in a given duration.
 """
 
 from __future__ import annotations
@@ -35,39 +35,39 @@ if TYPE_CHECKING:
 
 HALF_HOUR_S = 1800.0
 SPREAD = 24
-"""Directions of equal energy that stand for a sea that is spread."""
+"""Number of directions of equal energy that represent a short-crested sea."""
 PARTS = 8
-"""Steps of the integral between two frequencies of the response."""
+"""Number of integration steps between two frequencies of the response."""
 MOST_LINES = 400
-"""Waves of single frequencies at each of which the response is solved for."""
+"""Largest number of waves of a single frequency at which the response is solved exactly."""
 BESIDE = 1e-9
-"""How far beside an end of a band, as a share of it, the density is taken to either side."""
+"""Distance of the grid points on either side of a band's end, as a share of its frequency."""
 HARDLY_DAMPED = 1e-3
-"""Damping ratios below this make a peak that a run takes hundreds of periods to follow."""
+"""Damping ratio below which a run needs hundreds of periods to reach the resonance peak."""
 LEFT_OUT = 0.01
-"""Share of a sea's energy beyond what the databases cover from which it is said."""
+"""Share of a sea's energy outside the databases' frequencies above which a warning is given."""
 
 
 @dataclass(frozen=True)
 class Transfer:
-    """The response of columns on a grid for integrals.
+    """Squared frequency responses of columns on a grid for integration.
 
     Attributes
     ----------
     columns, units
         Of the results.
     mean
-        Of each column, at rest in still water.
+        Value of each column at rest in still water.
     not_linear
-        The reason, by column, of those that have no response.
+        Reason, by column, for each column without a linear response.
     directions_rad
-        That the waves go to.
+        Directions that the waves travel towards.
     omega_rad_s
         The grid, rad/s.
     squares
         |H|^2, shape (directions, frequencies, columns); NaN for a column without response.
     halved
-        The same by every second frequency of the response.
+        |H|^2 interpolated from every second frequency of the response.
     warnings
         Warnings.
     """
@@ -96,38 +96,41 @@ def spectral_response(
     overrides: Overrides | None = None,
     **parameters: Any,
 ) -> xarray.Dataset:
-    """Standard deviations, periods and extremes of columns in the scenario's own sea, without a run.
+    """Compute standard deviations, periods and extremes of columns in the scenario's sea without a run.
 
-    The energy of the sea is that by which runs draw their waves (`Simulation.sea_spectra`), the response
+    The wave spectra are those from which runs draw their waves (`Simulation.sea_spectra`); the response is
     that of `kingpost.wave_response`. The largest value in `duration_s` is expected at ``mean + sigma (c +
     0.577 / c)``, ``c = sqrt(2 ln(T / Tz))`` (Davenport, *Proc. ICE* 28(2), 1964), and a limit L is exceeded
-    in it with the probability ``1 - exp(-(T / Tz) exp(-(L - mean)^2 / (2 sigma^2)))`` (Rice, *Bell Syst.
-    Tech. J.* 24, 1945).
+    in this duration with the probability ``1 - exp(-(T / Tz) exp(-(L - mean)^2 / (2 sigma^2)))`` (Rice, *Bell
+    Syst. Tech. J.* 24, 1945).
 
     Parameters
     ----------
     scenario_or_simulation
-        With waves; its crane as a run begins, or as the simulation stands.
+        Scenario or simulation with waves. The crane is at the start of a run, or in the state of the
+        simulation.
     columns
-        Names of columns, with ``*`` for any letters, beside those of the scenario's limits; all unless given.
+        Names or patterns (with ``*``) of columns, in addition to those of the scenario's limits; default:
+        all.
     duration_s
-        Time of the extremes, s.
+        Duration for the extremes, s.
     overrides, parameters
-        Set over a scenario.
+        Values that override those of a scenario.
 
     Returns
     -------
     xarray.Dataset
         By ``column``: ``mean``, ``standard_deviation``, ``significant_amplitude``,
         ``zero_up_crossing_period`` (s), ``expected_maximum``, ``expected_minimum``, ``linear`` and
-        ``reason``, and ``interpolation_error``, the share by which the deviation changes where every second
-        frequency of the response is left out. By ``limit``: ``limit_column`` and ``probability`` that it is
-        exceeded in `duration_s`.
+        ``reason``, and ``interpolation_error``, the relative change of the standard deviation if every second
+        frequency of the response is left out. By ``limit``: ``limit_column`` and the ``probability`` that the
+        limit is exceeded in `duration_s`.
 
     Raises
     ------
     KingpostError
-        When no waves run, nothing comes to rest, there is no such column, or the time is not greater than 0.
+        If no wave system is enabled, there is no equilibrium, a column is unknown, or the duration is not
+        greater than 0.
 
     >>> found = spectral_response("offshore_vessel", ["hull.pitch"], waves=True)
     >>> round(float(np.rad2deg(found.standard_deviation[0])), 2)
@@ -142,7 +145,9 @@ def spectral_response(
     chosen = None if columns is None else matching(simulation, [*columns, *(one.column for one in bounds)])
     (systems,) = simulation.sea_spectra([], SPREAD)
     if not systems:
-        raise KingpostError("sea.waves: found none that run, allowed: a wave system with enabled: true")
+        raise KingpostError(
+            "sea.waves: found no enabled wave system, allowed: a wave system with enabled: true"
+        )
     found = transfer(simulation, chosen, directions_of(systems), nodes_of(systems), lines_of(systems))
     (systems,) = simulation.sea_spectra(found.omega_rad_s, SPREAD)
     m0, m2, halved = moments_in(found, systems)
@@ -187,7 +192,7 @@ def spectral_response(
 
 
 ONE_SIDED = ("tension", "normal_force")
-"""Ends of the names of columns that never fall below 0."""
+"""Suffixes of the names of columns that are never negative."""
 SLACK = "its least value is 0: it goes slack or lifts off in this sea, which a linear response leaves out"
 OF_UNIT = ("mean", "standard_deviation", "significant_amplitude", "expected_maximum", "expected_minimum")
 
@@ -199,29 +204,28 @@ def transfer(
     nodes_rad_s: ArrayLike,
     lines_rad_s: ArrayLike = (),
 ) -> Transfer:
-    """The response of columns, squared, on a grid between the frequencies that all databases cover.
+    """Compute the squared response of columns on a grid over the frequencies that all databases cover.
 
-    Real and imaginary parts go through those of the engine's frequencies, about each resonance closer than
-    the peak is wide, by cubic splines.
+    Cubic splines interpolate real and imaginary parts between the engine's frequencies, which are closer than
+    the peak's width about each resonance.
 
     Parameters
     ----------
     simulation
-        As it stands.
+        The simulation in its present state.
     columns
-        Their names; all unless given.
+        Names of the columns; default: all.
     directions_rad
-        That the waves go to, rad.
+        Directions that the waves travel towards, rad.
     nodes_rad_s
-        Frequencies that the grid has too, rad/s.
+        Further frequencies of the grid, rad/s.
     lines_rad_s
-        Frequencies of single waves, rad/s: there the response is exact, where they are no more than some
-        hundreds.
+        Frequencies of single waves, rad/s: at these the response is exact, if there are at most `MOST_LINES`.
 
     Returns
     -------
     Transfer
-        On the grid.
+        The response on the grid.
 
     >>> found = transfer(Simulation("barge"), ["ship.roll"], [0.5], [1.0])
     >>> found.squares.shape == (1, len(found.omega_rad_s), 1)
@@ -270,7 +274,7 @@ def _squares(omega: Numbers, amplitudes: NDArray[np.complex128], grid: Numbers) 
 
 
 def _peaks(resonances: list[dict[str, float]], omega: Numbers) -> list[str]:
-    """Warn of motions that are hardly damped, or not at all, among the frequencies."""
+    """Warn about motions with little or no damping in the range of frequencies."""
     return [
         f"a motion of {one['frequency_rad_s']:.4g} rad/s has a damping ratio of {ratio:.1e}: a run sees "
         "its peak only after hundreds of periods"
@@ -281,13 +285,14 @@ def _peaks(resonances: list[dict[str, float]], omega: Numbers) -> list[str]:
 
 
 def directions_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Every direction of the wave systems of a sea, rad, each once."""
+    """Directions of a sea's wave systems without repetitions, rad."""
     every = [one["directions_rad"] + [line[1] for line in one["lines"]] for one in systems]
     return np.unique(np.concatenate([np.asarray(one, float) for one in every]))
 
 
 def nodes_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Frequencies where the density of the systems changes its form, and beside the ends of bands, rad/s."""
+    """Frequencies at which a system's spectral density has a kink, and frequencies next to the ends of bands,
+    rad/s."""
     ends = [
         end * (1 + side) for one in systems for end in one["band_rad_s"] or () for side in (-BESIDE, BESIDE)
     ]
@@ -295,12 +300,12 @@ def nodes_of(systems: Sequence[WaveSystem]) -> Numbers:
 
 
 def lines_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Frequencies of the waves that have a single one, rad/s, each once."""
+    """Frequencies of the regular waves without repetitions, rad/s."""
     return np.unique([line[0] for one in systems for line in one["lines"]])
 
 
 def moments_in(found: Transfer, systems: Sequence[WaveSystem]) -> tuple[Numbers, Numbers, Numbers]:
-    """m0 and m2 of each column in a sea with its density on the grid, and m0 by `Transfer.halved`."""
+    """m0 and m2 of each column in a sea with a density on the grid, and m0 by `Transfer.halved`."""
     parts = np.zeros((3, len(found.columns)))
     for one in systems:
         at = np.searchsorted(found.directions_rad, np.asarray(one["directions_rad"]) - BESIDE)
@@ -320,7 +325,8 @@ def moments_in(found: Transfer, systems: Sequence[WaveSystem]) -> tuple[Numbers,
 def moments_of(found: Transfer, weighted: Numbers) -> Numbers:
     """m0, m2 and m0 by `Transfer.halved`, by direction and column, of densities times the weights.
 
-    More dimensions of the densities, before that of the frequency, follow the first.
+    Further dimensions of the densities, before that of the frequency, follow the first dimension of the
+    result.
     """
     m0 = np.einsum("...k,dkc->...dc", weighted, found.squares)
     m2 = np.einsum("...k,dkc->...dc", weighted * found.omega_rad_s**2, found.squares)
@@ -329,13 +335,13 @@ def moments_of(found: Transfer, weighted: Numbers) -> Numbers:
 
 
 def deviation_and_period(m0: Numbers, m2: Numbers) -> tuple[Numbers, Numbers]:
-    """Standard deviation and zero up-crossing period, s; NaN for the period of what stays."""
+    """Standard deviation and zero up-crossing period, s; the period of a constant column is NaN."""
     with np.errstate(invalid="ignore", divide="ignore"):
         return np.sqrt(m0), 2 * np.pi * np.sqrt(m0 / m2)
 
 
 def expected_largest(sigma: ArrayLike, period_s: ArrayLike, duration_s: float) -> Numbers:
-    """How far the largest value in a time is expected to be above the mean (Davenport 1964).
+    """Expected excess of the largest value in a duration over the mean (Davenport 1964).
 
     >>> round(float(expected_largest(1.0, 8.0, 10800.0)), 2)
     3.95
@@ -353,23 +359,23 @@ def exceedance(
     period_s: ArrayLike,
     duration_s: float,
 ) -> Numbers:
-    """Probability that a Gaussian process leaves its bounds in a time, by Rice's rate of crossings.
+    """Probability that a Gaussian process leaves its bounds in a duration, by Rice's rate of crossings.
 
     Parameters
     ----------
     bounds
-        The smallest and the largest value allowed; None where there is none.
+        Smallest and largest allowed value; None for no bound.
     mean, sigma
-        Of the process.
+        Mean and standard deviation of the process.
     period_s
-        Its zero up-crossing period, s.
+        Zero up-crossing period of the process, s.
     duration_s
         The time, s.
 
     Returns
     -------
     numpy.ndarray
-        1 where the mean is beyond a bound.
+        The probability; 1 if the mean is outside a bound.
 
     >>> round(float(exceedance((None, 4.0), 0.0, 1.0, 8.0, 10800.0)), 3)
     0.364
@@ -388,7 +394,8 @@ def exceedance(
 
 
 def beyond_the_data(found: Transfer, systems: Sequence[WaveSystem]) -> list[str]:
-    """Warn of wave systems with energy at frequencies that no database covers: there no waves act."""
+    """Warn about wave systems with energy at frequencies outside the databases, at which no wave forces
+    act."""
     said = []
     for one in systems:
         within = float(np.asarray(one["density_m2_s"]) @ found.weights)

@@ -10,9 +10,8 @@ period T_z and the depth d of the part under water,
     F_M    = sqrt([(M + A) a_ct]^2 + [(rho V + A) a_w]^2)    F_rho = rho g A_w sqrt(zeta^2 + eta^2)
     F_hyd  = sqrt((F_D + F_slam)^2 + (F_M - F_rho)^2)        F_hyd <= 0.9 (M g - rho V g)
 
-the last against slack in the slings (sec. 4.4.3). zeta is 0.9 Hs in a random sea (sec. 4.3.4). The text
-of the recommended practice was not available: compare the formulas with a print of it before you rely on
-them.
+the last one to avoid slack slings (sec. 4.4.3). zeta is 0.9 Hs in a random sea (sec. 4.3.4). The text
+of the recommended practice was not available: compare the formulas with it before you rely on them.
 """
 
 from __future__ import annotations
@@ -40,11 +39,12 @@ CHARACTERISTIC = 0.9
 SLACK_MARGIN = 0.9
 """Largest F_hyd over the static force (DNV-RP-N103, sec. 4.4.3)."""
 LEAST_SLAMMING = {False: 5.0, True: 3.0}
-"""Least C_S unless tests or theory give another; True for circular cylinders (DNV-RP-N103, sec. 4.3.5)."""
+"""Smallest C_S unless tests or theory give another value; the key is True for circular cylinders
+(DNV-RP-N103, sec. 4.3.5)."""
 IMMERSIONS = ("touches", "half immersed", "immersed")
 FREQUENCIES = 2000
-"""Number of frequencies of the spectrum's integrals: amplitude and period of a JONSWAP sea are within
-1e-7 of those by a hundred times as many."""
+"""Number of frequencies of the spectrum's integrals: amplitude and period of a JONSWAP sea are within 1e-7 of
+those with a hundred times as many frequencies."""
 
 
 def splash_zone(
@@ -62,9 +62,9 @@ def splash_zone(
     Parameters
     ----------
     scenario_or_simulation
-        With `submerged` forces; the sea's own height and period are taken.
+        Scenario or simulation with `submerged` forces; the wave height and period are those of its sea.
     overrides, parameters
-        Set over a scenario.
+        Values that override those of a scenario.
     lowering_speed_m_s
         v_c, m/s.
     tip_heave_m, tip_speed_m_s, tip_acceleration_m_s2
@@ -141,7 +141,7 @@ def _loads(
     wave: tuple[float, float],
     g: float,
 ) -> dict[str, float]:
-    """One object at one immersion: the equations of the module."""
+    """Loads on one object at one immersion, by the equations in the module's docstring."""
     (lowering, heave, tip_speed, tip_acceleration), (amplitude, period) = speeds, wave
     density = object_["density_kg_m3"]
     frequency = 2 * math.pi / period if period > 0 else 0.0
@@ -173,10 +173,9 @@ def _loads(
 
 
 def characteristic_wave(simulation: Simulation) -> tuple[float, float]:
-    """Amplitude (m) and zero up-crossing period (s) of the scenario's sea for the simplified method.
-
-    0.9 Hs in a random sea; the sum of the amplitudes where every system is a regular wave; 0 and 0 in still
-    water.
+    """Amplitude (m) and zero up-crossing period (s) of the scenario's sea for the simplified method. The
+    amplitude is 0.9 Hs in a random sea, and the sum of the amplitudes if every system is a regular wave. In
+    still water both are 0.
     """
     (systems,) = simulation.sea_spectra([], 1)
     bands = [one["band_rad_s"] for one in systems if one["band_rad_s"]]

@@ -16,14 +16,15 @@ if TYPE_CHECKING:
 def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> float | None:
     """The longest stable step of a scenario's scheme, s; None if the scheme has no such limit.
 
-    A longer step makes the fastest damped motion grow: the pressure of a cylinder, a stop, the torsion of a
-    boom. The limit holds at the start of the run; a stop that is reached later may be stiffer. The scheme of
-    Dormand and Prince chooses its own steps, and implicit schemes are stable at any step.
+    With a longer step the fastest damped motion diverges: the pressure of a cylinder, a stop, the torsion of
+    a boom. The limit holds at the start of the run; a stop that is reached later may require a shorter step.
+    The scheme of Dormand and Prince controls its step, and implicit schemes are stable at any step.
 
     Parameters
     ----------
     scenario_or_simulation
-        A scenario, a file or a name of the gallery, at the start of its run; or a simulation as it stands.
+        A scenario, a file or a name of the gallery, at the start of its run; or a simulation in its present
+        state.
 
     Returns
     -------

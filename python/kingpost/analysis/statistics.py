@@ -84,7 +84,7 @@ def summary(
         own = {name: _with_own_unit(v) for name, v in kept.data_vars.items()}
         named = {name: summary(v) if "time" in v.dims else v for name, v in own.items()}
         return xarray.Dataset(named, attrs=kept.attrs)
-    # Sums of values near the largest number that a computer has are infinite, and say so.
+    # Sums of values near the largest float overflow to infinity; the warning of NumPy is suppressed.
     with np.errstate(over="ignore", invalid="ignore"):
         mean, deviation = kept.mean("time"), kept.std("time")
         period = xarray.apply_ufunc(_period, kept, kept["time"], input_core_dims=[["time"], ["time"]])
@@ -98,7 +98,7 @@ def summary(
 
 
 def _with_own_unit(variable: xarray.DataArray) -> xarray.DataArray:
-    """A variable of a data set without the unit coordinates of the other variables."""
+    """Return one variable of a data set, without the unit coordinates of the other variables."""
     ending = unit_coordinate("")
     others = [c for c in variable.coords if str(c).endswith(ending) and c != unit_coordinate(variable.name)]
     return variable.drop_vars(others)

@@ -1,4 +1,4 @@
-"""Follows modes from one system to the next, along a sweep."""
+"""Tracking of modes from system to system along a sweep."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from .eigenmodes import Mode
 SMALLEST_CORRELATION = 1e-3
 """Modes with a smaller correlation are not paired."""
 SLOWEST_SHARE = 1e-3
-"""A zero mode gets this share of the fastest frequency, so that it can be paired with a slow mode."""
+"""Frequency assigned to a zero mode, as a share of the highest one: so it can be paired with a slow mode."""
 
 
 def tracks(
     points: Sequence[Sequence[Mode]], masses: Sequence[NDArray[np.float64]]
 ) -> list[list[Mode | None]]:
-    """The modes of each point, ordered so that each mode keeps its place from point to point.
+    """Order the modes of each point so that a mode has the same index at all points.
 
     Modes are paired by correlation, the best pair first. A mode without a partner ends its track or begins a
     new one. Tracks are in the order of the first point; later tracks follow.
@@ -63,7 +63,7 @@ def correlation(one: Mode, other: Mode, mass: NDArray[np.float64], slowest: floa
     Assurance Criterion, Sound and Vibration, 2003, p. 14). So two modes of the same shape, such as those of a
     heavily damped coordinate, are distinguished by their eigenvalues.
     """
-    # A state without mass, such as that of a drive, counts by its square.
+    # A state without mass, such as that of a drive, has the weight 1.
     metric = np.eye(len(one.shape))
     metric[: len(mass), : len(mass)] = mass
 

@@ -1,4 +1,4 @@
-"""Linear analysis: equilibrium and modes about it, also along a sweep."""
+"""Linear analysis: equilibrium and the modes about it, for one scenario or along a sweep."""
 
 from __future__ import annotations
 
@@ -47,8 +47,9 @@ def equilibrium(
 ) -> xarray.Dataset:
     """Results at an equilibrium of a scenario: all rates and accelerations are zero.
 
-    Newton's iteration finds it from the scenario's initial positions, first downhill, with drives as at the
-    start. Coordinates without a restoring force, such as the heading of a free ship, keep their values.
+    Newton's iteration starts from the scenario's initial positions, with drives as at the start, and first
+    moves downhill. Coordinates without a restoring force, such as the heading of a free ship, keep their
+    values.
 
     Parameters
     ----------
@@ -67,7 +68,7 @@ def equilibrium(
     Raises
     ------
     KingpostError
-        If there is none near: something falls, or a drive moves it on.
+        If there is no equilibrium near: a body falls, or a drive keeps moving one.
 
     >>> rest = equilibrium("chain", hold_rotation=True)
     >>> bool(abs(rest.joint_position).max() < 1e-9)
@@ -81,7 +82,7 @@ def equilibrium(
 
 
 def at_rest(found: Equilibrium) -> str:
-    """A line on how an equilibrium was found."""
+    """One line of text on how an equilibrium was found."""
     plural = "" if found.iterations == 1 else "s"
     return (
         f"at rest after {found.iterations} iteration{plural}; "
@@ -102,12 +103,12 @@ def modes(
     Parameters
     ----------
     scenario_or_path, overrides, parameters
-        What to analyse, as in `run`.
+        Scenario and overrides, as in `run`.
     sweep
-        One parameter, or path of a field, and its values. The result has that dimension too; each point is
-        settled separately, and modes are followed from point to point by their shapes.
+        One parameter, or path of a field, and its values: a further dimension of the result. The equilibrium
+        is found at each value separately, and modes are tracked from value to value by their shapes.
     state
-        Linearise here instead of at the equilibrium.
+        State at which to linearise instead of the equilibrium.
 
     Returns
     -------
@@ -125,14 +126,14 @@ def modes(
         ``time_constant``
             s; positive for decaying modes, negative for growing ones.
         ``memory_share``
-            Share of the memory of radiated waves, from 0 to 1: near 1 the mode is a motion of the water
-            rather than of the hull after which it is named.
+            Share of the memory of radiated waves, from 0 to 1: near 1 the mode is a motion of the water, not
+            of the hull that gives its name.
         ``eigenvalue_real``, ``eigenvalue_imaginary``, ``multiplicity``
             The eigenvalues of A.
         ``shape``, ``shape_imaginary``
-            By ``coordinate``: amplitudes, the largest 1, each in the unit that ``shape_unit`` says. ``moves``
-            marks positions and angles, as opposed to states of a control or of the water. With eigenvalue s +
-            i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
+            By ``coordinate``: amplitudes, the largest 1, each in the unit given by ``shape_unit``. ``moves``
+            is true for positions and angles, false for states of a control or of the water. With eigenvalue s
+            + i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
 
         The attribute ``warning`` is present if a prescribed coordinate moves or accelerates: the modes then
         hold at that instant only (`Linearization.warning`).
@@ -194,7 +195,7 @@ def parse_sweep(text: str) -> dict[str, list[float]]:
 
 class _Point(NamedTuple):
     """Modes of one scenario, its mass matrix, the names and units of a shape's entries, which entries are
-    memory states, and the state of the linearisation in words."""
+    memory states, and a description of the state of the linearisation."""
 
     modes: list[Mode]
     mass_matrix: np.ndarray
@@ -215,7 +216,7 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
     linear, mass = simulation.linearize(), simulation.mass_matrix()
     free = len(linear.coordinates)
     if not linear.states:
-        raise KingpostError("modes: found nothing that is free to move, allowed: a free coordinate")
+        raise KingpostError("modes: found no free coordinate, allowed: one or more")
     of_shape = [*range(free), *range(2 * free, len(linear.states))]
     names, units = ([of[i] for i in of_shape] for of in (linear.states, linear.units))
     found = eigenmodes(linear, mass, simulation.constraint_matrix())
@@ -225,7 +226,8 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
 def _dataset(
     scenario: Scenario, modes: Sequence[Sequence[Mode | None]], points: Sequence[_Point]
 ) -> xarray.Dataset:
-    """Modes by point and mode; where a track has no mode, texts are empty and numbers are NaN."""
+    """Build the data set by point and mode; where a track has no mode, texts are empty and numbers are
+    NaN."""
     import xarray
 
     names = points[0].names
@@ -285,7 +287,7 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
     """
     import pandas
 
-    rows = found.stack(row=[*found["kind"].dims])  # the sweep's parameter stands first
+    rows = found.stack(row=[*found["kind"].dims])  # the first column is the sweep's parameter
     columns = {dim: rows[dim].values for dim in found["kind"].dims}
     columns |= {name: rows[name].values for name in VARIABLES}
     for name in ("shape", "shape_imaginary"):

@@ -1,4 +1,4 @@
-"""Response of every column of the results to small regular waves about rest."""
+"""Linear response of every column of the results to regular waves about rest."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 REASONS = {
-    "not_smooth": "it has no slope at rest, or another one to either side",
+    "not_smooth": "its derivative at rest does not exist, or differs between the two sides",
     "second_order": "at rest it changes with the square of motions or waves",
     "over_time": "it is an integral over the run, or its time",
     "sampled": "it is held between the samples of its element",
 }
-"""Why a column does not follow small waves in proportion."""
+"""Reasons why a column has no linear response to small waves."""
 
 
 def wave_response(
@@ -38,28 +38,30 @@ def wave_response(
     overrides: Overrides | None = None,
     **parameters: Any,
 ) -> xarray.Dataset:
-    """Amplitudes of columns of the results for each metre of wave amplitude, about rest in still water.
+    """Compute the amplitudes of columns of the results per metre of wave amplitude, about rest in still
+    water.
 
     With A of the exact linearisation, the accelerations b by the waves' forces f, and the derivatives C and
-    D of a row of results by states and by forces, ``H = C (-i w - A)^-1 b + D f + E``; E is what a column
-    shows of the waves themselves, as their elevation under an air gap. Under the wave elevation ``Re{a
-    e^(-i w t)}`` at the reference point the column is ``mean + Re{a H e^(-i w t)}`` (for a hull alone
-    Newman, *Marine Hydrodynamics*, 1977, sec. 6.17). Held and prescribed joints stand where they are, and
-    so does what samples; what is of second order at rest, as quadratic damping and drift, plays no part.
+    D of a row of results by states and by forces, ``H = C (-i w - A)^-1 b + D f + E``; E is the direct part
+    of the waves in a column, such as their elevation in an air gap. Under the wave elevation ``Re{a e^(-i w
+    t)}`` at the reference point the column is ``mean + Re{a H e^(-i w t)}`` (for a hull alone Newman, *Marine
+    Hydrodynamics*, 1977, sec. 6.17). Held and prescribed joints and sampled outputs are constant; effects of
+    second order at rest, such as quadratic damping and drift, do not contribute.
 
     Parameters
     ----------
     scenario_or_simulation
-        A scenario, with the crane as a run begins; or a simulation, with the crane as it stands.
+        A scenario, with the crane at the start of a run; or a simulation, with the crane in its present
+        state.
     columns
-        Names of columns, as ``hull.roll``, with ``*`` for any letters; all unless given.
+        Names or patterns (with ``*``) of columns, such as ``hull.roll``; default: all.
     directions_rad
-        That the waves go to, from the world's x counter-clockwise, rad. Every 45 degrees unless given.
+        Directions that the waves travel towards, counter-clockwise from the world's x, rad; default: every 45
+        degrees.
     frequencies_rad_s
-        Angular frequencies, rad/s; unless given those that `kingpost.rao` takes, and more about each
-        resonance.
+        Angular frequencies, rad/s; default: those of `kingpost.rao`, and more about each resonance.
     overrides, parameters
-        Set over a scenario.
+        Values that override those of a scenario.
 
     Returns
     -------
@@ -73,8 +75,8 @@ def wave_response(
     Raises
     ------
     KingpostError
-        When nothing comes to rest, no waves act, a database does not cover a frequency, or there is no such
-        column.
+        If there is no equilibrium, no waves act, a database does not cover a frequency, or a column is
+        unknown.
 
     >>> found = wave_response("offshore_vessel", ["hull.roll", "load.acceleration.z"], [np.pi / 2], [0.3])
     >>> found.response.sizes["column"], bool(found.linear.all())
@@ -91,12 +93,13 @@ def wave_response(
 
 
 def matching(simulation: Simulation, patterns: Sequence[str]) -> list[str]:
-    """The columns whose names are like one of the patterns, each once, in the order of the patterns.
+    """Return the columns whose names match one of the patterns, without repetitions, in the order of the
+    patterns.
 
     Parameters
     ----------
     simulation
-        Whose columns they are.
+        Simulation whose columns are searched.
     patterns
         Names, with ``*`` for any letters.
 
@@ -108,7 +111,7 @@ def matching(simulation: Simulation, patterns: Sequence[str]) -> list[str]:
     Raises
     ------
     KingpostError
-        When a pattern is like none.
+        If a pattern matches no column.
 
     >>> matching(Simulation("paper"), ["ship.ro*", "ship.yaw"])
     ['ship.roll', 'ship.yaw']
@@ -129,7 +132,7 @@ def matching(simulation: Simulation, patterns: Sequence[str]) -> list[str]:
 def as_simulation(
     given: Scenario | Simulation | str | Path, overrides: Overrides | None, parameters: dict[str, Any]
 ) -> Simulation:
-    """A simulation as it is given, or of a scenario with more set over it."""
+    """Return the given simulation, or the simulation of a scenario with overrides."""
     if not isinstance(given, Simulation):
         return Simulation(as_scenario(given, overrides, parameters))
     if overrides or parameters:

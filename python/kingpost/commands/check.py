@@ -1,4 +1,4 @@
-"""`kingpost check`: is a scenario valid, and what does it contain."""
+"""`kingpost check`: validate a scenario and print its model."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Build the model and print it; exit code 1 for a ship that would capsize."""
+    """Build the model and print it; return exit code 1 for a ship that would capsize."""
     from ..reports import model
 
     scenario = scenario_of(options)

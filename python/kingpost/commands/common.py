@@ -27,7 +27,8 @@ WORD = re.compile(
 )
 """Quoted strings, keywords of JSON, numbers in any form, and bare words that need quotes."""
 LONGEST_QUOTE, LONGEST_WHOLE = 100, 21
-"""Characters of the input that an error repeats; digits of a whole number that is kept as one."""
+"""Longest quote of the input in an error, characters; most digits of a number that is kept as a whole
+number."""
 WARNING, WARNING_OF_RUNS = "warning: ", "warning, in "
 """The first words of a warning in a report."""
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -63,7 +64,7 @@ def _assignment(given: str) -> tuple[str, Any]:
 
 
 def beginning(text: str, longest: int) -> str:
-    """A text of at most so many characters; of a longer one what it begins with.
+    """Cut a text to a number of characters.
 
     >>> beginning("draught", 4), beginning("trim", 4)
     ('drau...', 'trim')
@@ -88,7 +89,7 @@ def _quoted(fields: str) -> str:
 
 
 def add_output(command: argparse.ArgumentParser) -> None:
-    """How much is printed, and in which form."""
+    """Add the options for the amount and the form of the output."""
     how = command.add_mutually_exclusive_group()
     how.add_argument("--json", action="store_true", help="print the numbers as JSON, in SI units")
     how.add_argument("-q", "--quiet", action="store_true", help="print warnings and errors alone")

@@ -1,4 +1,4 @@
-"""`kingpost forecast`: whether work may begin, from a forecast of the sea."""
+"""`kingpost forecast`: go or no-go decision and weather windows from a forecast of the sea."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ def add_options(command: argparse.ArgumentParser) -> None:
     _add_limits(command)
     _add_forecast(command)
     command.add_argument("--alpha", type=float, required=True, metavar="A",
-                         help="share of the limiting height that a forecast may show")  # fmt: skip
+                         help="allowed forecast height as a share of the limiting height")  # fmt: skip
     command.add_argument("--operation-hours", type=float, default=6.0, metavar="H",
                          help="planned operation period (default: 6)")  # fmt: skip
     command.add_argument("--contingency-hours", type=float, metavar="H",
                          help="time for contingencies (default: as long as the planned period)")  # fmt: skip
-    command.add_argument("--now", metavar="TIME", help="UTC (default: the forecast's first record)")
+    command.add_argument("--now", metavar="TIME", help="decision time, UTC (default: the first record)")
     command.add_argument("--ahead-hours", type=float, default=72.0, metavar="H",
-                         help="how far to look (default: 72)")  # fmt: skip
+                         help="time ahead to search for windows (default: 72)")  # fmt: skip
     add_output(command)
 
 
@@ -40,32 +40,32 @@ def _add_limits(command: argparse.ArgumentParser) -> None:
                          help="set a parameter or a field; may be repeated")  # fmt: skip
     command.add_argument("--study", metavar="FOLDER", help="limiting heights by the runs of a study instead")
     command.add_argument("--at", action="append", default=[], metavar="name=value",
-                         help="which value of a further axis of the study; may be repeated")  # fmt: skip
+                         help="value of a further axis of the study; may be repeated")  # fmt: skip
     command.add_argument("--acceptance", type=float, metavar="P",
-                         help="that a limit may be exceeded (default: the study's, or 0.1)")  # fmt: skip
+                         help="accepted probability (default: the study's, or 0.1)")  # fmt: skip
     command.add_argument("--exposure-s", type=float, metavar="T",
-                         help="time that P is of (default: the study's, or 1800)")  # fmt: skip
+                         help="duration for P (default: the study's, or 1800)")  # fmt: skip
 
 
 def _add_forecast(command: argparse.ArgumentParser) -> None:
     command.add_argument("--series", required=True, metavar="FILE",
                          help="the forecast: .nc, as of ERA5, or CSV with time, hs, tp, mwd")  # fmt: skip
     command.add_argument("--heading-deg", type=float, metavar="H",
-                         help="of the scenario's x axis, clockwise from north")  # fmt: skip
+                         help="direction of the scenario's x axis, from north")  # fmt: skip
     command.add_argument("--direction-deg", type=float, metavar="D",
-                         help="instead, that all waves go to; 180 is a head sea")  # fmt: skip
+                         help="instead: one direction of all waves; 180 is a head sea")  # fmt: skip
     command.add_argument("--place", nargs=2, type=float, metavar=("LATITUDE", "LONGITUDE"),
-                         help="deg: of a file with several points the nearest one counts")  # fmt: skip
+                         help="deg: position; the nearest of several points is taken")  # fmt: skip
     command.add_argument("--columns", action="append", default=[], metavar="what=NAME",
                          help="column of time, height, period or direction; may be repeated")  # fmt: skip
     command.add_argument("--direction-is", choices=("from", "to"),
-                         help="what a direction under an unknown name means")  # fmt: skip
+                         help="meaning of a direction under an unknown name")  # fmt: skip
     command.add_argument("--direction-unit", choices=("deg", "rad"),
-                         help="of directions that all lie between 0 and 2 pi, without a unit")  # fmt: skip
+                         help="unit of directions that all lie between 0 and 2 pi")  # fmt: skip
     command.add_argument("--period-is", choices=(PEAK, *MOMENTS),
-                         help="which period one under an unknown name is")  # fmt: skip
+                         help="kind of a period under an unknown name")  # fmt: skip
     command.add_argument("--peak-enhancement", type=float, default=3.3, metavar="G",
-                         help="gamma by which mean periods become peak periods (default: 3.3)")  # fmt: skip
+                         help="gamma to convert mean periods to peak periods (default: 3.3)")  # fmt: skip
 
 
 def run(options: argparse.Namespace) -> int:
@@ -110,7 +110,7 @@ def run(options: argparse.Namespace) -> int:
 def _limiting(
     options: argparse.Namespace, series: Series, direction: float | None
 ) -> tuple[LimitingHeight, list[str]]:
-    """Limiting heights, and lines that say which they are."""
+    """Limiting heights, and lines of text on their origin."""
     import numpy as np
 
     if (options.study is None) == (options.scenario is None):
@@ -167,7 +167,7 @@ def _pair(given: str, name: str) -> tuple[str, str]:
 
 
 def _like(text: str, values: object) -> float | str:
-    """A value of an axis by its text."""
+    """Return the value of an axis that matches a text."""
     import numpy as np
 
     array = np.asarray(values)

@@ -1,4 +1,4 @@
-"""Ctrl-C and the system's signals to end: when they stop a command, and when they wait."""
+"""Handling of Ctrl-C and of the system's signals to end: at once, or after a block."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import Any, NoReturn
 
 BY_SYSTEM = ("SIGTERM", "SIGHUP")
-"""Asked to end by the system; the terminal closes."""
+"""Signals that are treated like Ctrl-C: a request to end, and the closing of the terminal."""
 
 
 @contextmanager
@@ -25,7 +25,7 @@ def ended_as_interrupted() -> Iterator[None]:
 
 @contextmanager
 def finished_first() -> Iterator[None]:
-    """Let the block end before the first interrupt counts; a second one stops the block.
+    """Defer the first interrupt until the end of the block; a second one stops the block.
 
     Raises
     ------

@@ -21,6 +21,6 @@ def run(options: argparse.Namespace) -> int:
     """Serve until Ctrl-C."""
     from ..server import serve
 
-    # Do not log that a browser waits for a thread.
+    # Suppress log lines about a browser that waits for a thread.
     with only_errors_of("waitress.queue"):
         return serve.command(options.scenario, options.port, options.host, options.check)

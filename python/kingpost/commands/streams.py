@@ -17,8 +17,8 @@ STREAMS = (("stdin", os.O_RDONLY, "r"), ("stdout", os.O_WRONLY, "w"), ("stderr",
 def fill_closed() -> None:
     """Open the null device for each standard stream that is closed.
 
-    Python has None for it, and the next file that is opened would get its descriptor: what a library prints
-    would end up in the results.
+    Otherwise the next opened file gets the closed stream's descriptor, and output that a library prints is
+    written into that file.
     """
     for descriptor, (name, flags, mode) in enumerate(STREAMS):
         if getattr(sys, name) is not None:
@@ -31,7 +31,7 @@ def fill_closed() -> None:
 
 
 def say(line: str) -> None:
-    """Print a line on standard error; where that cannot be written, nobody reads it."""
+    """Print a line on standard error; ignore a failure to write it."""
     with suppress(OSError):
         print(printable(line), file=sys.stderr, flush=True)
 
@@ -41,7 +41,7 @@ class LostOutputError(Exception):
 
 
 class Watched:
-    """A text stream whose failures to write are told from those of other files."""
+    """Text stream whose write failures are distinguished from those of other files."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
@@ -70,7 +70,7 @@ def _told() -> Iterator[None]:
 def watched_output() -> Iterator[None]:
     """Raise `LostOutputError` in the block, at its end at the latest, if standard output cannot be written.
 
-    What is still to be printed then is given up, so that the end of the program does not fail too.
+    The remaining output is then discarded, so that the exit of the program does not fail too.
     """
     before = sys.stdout
     sys.stdout = cast(TextIO, Watched(before))

@@ -1,4 +1,4 @@
-"""`kingpost study`: many runs of one scenario, into a folder that lasts."""
+"""`kingpost study`: many runs of one scenario, stored in a folder."""
 
 from __future__ import annotations
 
@@ -22,35 +22,35 @@ if TYPE_CHECKING:
 HELP = "run every case of a study with every seed, and keep the results"
 REPORTS = (".html", ".pdf")
 CONNECT_S = 20
-"""How long the scheduler of a cluster may take to answer."""
+"""Time limit for the answer of a cluster's scheduler, s."""
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
     command.add_argument("study", metavar="FILE", help="the file of a study")
     command.add_argument("-o", "--output", metavar="DIR",
-                         help="folder of the results (default: say what would run)")  # fmt: skip
-    command.add_argument("--resume", action="store_true", help="go on with the study in the folder")
+                         help="folder of the results (default: only print the planned runs)")  # fmt: skip
+    command.add_argument("--resume", action="store_true", help="continue the study in the folder")
     command.add_argument("--workers", type=int, metavar="N",
                          help="processes (default: as many as there are processors)")  # fmt: skip
     command.add_argument("--scheduler", metavar="ADDRESS",
-                         help="of a Dask cluster that computes instead, as tcp://host:8786")  # fmt: skip
+                         help="Dask cluster that computes, as tcp://host:8786")  # fmt: skip
     command.add_argument("--part", metavar="K/N",
                          help="every Nth unit from the Kth on: one task of an array of N")  # fmt: skip
     command.add_argument("--screen", action="store_true",
-                         help="the limits by linear response instead of runs, in seconds")  # fmt: skip
+                         help="limits by linear response instead of runs; takes seconds")  # fmt: skip
     command.add_argument(
-        "--report", metavar="FILE", help="write the report: .html, or .pdf by a browser at hand"
+        "--report", metavar="FILE", help="write the report: .html, or .pdf by an installed browser"
     )
     command.add_argument("--app", metavar="ADDRESS",
-                         help="of an app, for the report's links (default: kingpost serve's)")  # fmt: skip
+                         help="app of the report's links (default: kingpost serve's)")  # fmt: skip
     command.add_argument("--repeat", type=int, metavar="RUN",
-                         help="run one run again and write it whole, as run_RUN.nc, in -o")  # fmt: skip
+                         help="repeat one run and write all of it to run_RUN.nc in -o")  # fmt: skip
     add_output(command)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run what is missing, and print the results."""
+    """Run the missing units and print the results."""
     from ..study.study import Study
     from ..study.summary import of_plan, plan_lines
 
@@ -87,7 +87,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _screen(study: Study, options: argparse.Namespace) -> int:
-    """The limiting sea by linear response, printed, and the operable share of the scatter table."""
+    """Print the limiting sea by linear response, and the operable share of the scatter table."""
     from ..reports.limiting import screen
     from ..study.screening.cases import of_plan
 
@@ -153,7 +153,7 @@ def _report(study: Study, folder: Path, options: argparse.Namespace) -> int:
 
 
 def _limiting(study: Study, folder: Path) -> list[str]:
-    """Limiting heights and the operable share; nothing where the study cannot say them yet, or at all."""
+    """Limiting heights and the operable share; empty if the results of the study do not give them."""
     from ..reports import limiting
     from ..study.limiting.runs import limiting_heights
     from ..study.store.reading import open_results
@@ -166,7 +166,7 @@ def _limiting(study: Study, folder: Path) -> list[str]:
 
 
 def _shares(study: Study, heights: xarray.Dataset) -> list[str]:
-    """The operable share of the study's scatter table, by limiting heights; nothing where it has none."""
+    """Operable share of the study's scatter table, by limiting heights; empty without a scatter table."""
     from ..reports import limiting
     from ..study.limiting.operable_share import of_plan
 
@@ -178,7 +178,7 @@ def _shares(study: Study, heights: xarray.Dataset) -> list[str]:
 
 
 def _check(options: argparse.Namespace) -> None:
-    """An error for options that would have no effect, before anything is computed."""
+    """Refuse options that would have no effect, before anything is computed."""
     for name in ("resume", "workers", "scheduler", "part", "report", "repeat"):
         if options.output is None and getattr(options, name) not in (None, False):
             raise KingpostError(f"--{name}: found no -o, allowed: with -o DIR alone")

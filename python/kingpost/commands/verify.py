@@ -8,7 +8,7 @@ from ..verify import command
 from ..verify.command import add_options as add_options
 from .common import only_errors_of
 
-HELP = "measure every verified quantity now, and say whether it is within its tolerance"
+HELP = "measure every verified quantity now, and report whether it is within its tolerance"
 
 
 def run(options: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""Attitude of a hull that lists or trims: heel, trim, and the height of its origin.
+"""Attitude of an inclined hull: heel, trim, and the height of its origin.
 
 The axes of its coefficients are level: x forward along its heading, y to port, z up. Their origin is on the
 water plane, vertically above or below the origin of the upright hull. In these axes a point r of the upright
@@ -28,7 +28,7 @@ ROUNDS = 100
 
 @dataclass(frozen=True)
 class Inclination:
-    """The attitude that is asked for.
+    """The requested attitude of a hull.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Inclination:
         Height of the hull's origin above the water, m; `None`: the height at which it has the displacement of
         the upright hull.
     source
-        Where it comes from, for the provenance.
+        Source of the attitude, for the provenance.
     displaced_m3
         Displaced volume according to that source, m3; `None` if it gives none.
     remarks
@@ -158,14 +158,14 @@ def _wetted(corners: NDArray[np.float64], height: float) -> tuple[float, float]:
 
 
 def described(attitude: Attitude) -> str:
-    """An attitude in words.
+    """Describe an attitude as text.
 
     >>> described(Attitude(np.radians(-4.7), 0.0, -0.125))
     'heel 4.7 deg to port, no trim, its origin 0.125 m under the water'
     """
     heel = _angle("heel", attitude.roll_rad, ("to starboard", "to port"))
     trim = _angle("trim", attitude.pitch_rad, ("by the bow", "by the stern"))
-    # A height that is zero except for rounding is left out.
+    # A height that is only a rounding error is left out.
     height = round(attitude.height_m, 6)
     where = f"{abs(height):.4g} m {'under' if height < 0 else 'above'}" if height else "on"
     return f"{heel}, {trim}, its origin {where} the water"

@@ -1,4 +1,4 @@
-"""From a hull's meshes to its checked database."""
+"""Computation of a hydrodynamic database from a hull's meshes, with checks."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 FREQUENCIES, PANELS = 40, 900
 DEFAULT_PANELS_PER_WAVE = 6
 MOST_PANELS = 6000
-"""The most panels of the part that is not mirrored: the matrices are full."""
+"""Largest number of panels of the unmirrored part: the matrices are dense."""
 LOWEST, HIGHEST, CENTRE = 0.08, 3.5, 1.2
 """Ends of the frequency grid, and the frequency around which it is dense, in units of sqrt(g / V^(1/3))."""
 

@@ -1,4 +1,4 @@
-"""Checks that refuse an unphysical result, each with its limit and the numbers in the error."""
+"""Checks that refuse unphysical coefficients; each error gives the limit and the values found."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ASYMMETRY = 0.05
 """Largest |A_ij - A_ji| as a fraction of sqrt(A_ii A_jj), with the largest value of each diagonal."""
 NEGATIVE_DAMPING = 0.05
-"""Lowest eigenvalue of the symmetric part of B, over the diagonal's largest, may be this much below 0."""
+"""Largest negative eigenvalue of the symmetric part of B, as a fraction of the diagonal's largest entry."""
 HASKIND = 0.10
 """Largest difference of B_ii from Haskind's relation as a fraction of the largest B_ii."""
 PLAUSIBLE = {"density_kg_m3": (900.0, 1300.0, "kg/m3"), "gravity_m_s2": (9.7, 9.9, "m/s2")}
-"""Hot fresh water to the Dead Sea; the equator to the poles."""
+"""Plausible ranges of density (hot fresh water to the Dead Sea) and gravity (equator to poles)."""
 REMEDY = "use more panels, a lid, or frequencies that the panels resolve"
 _SMALL = 0.01
 """Smallest scale of a diagonal, as a fraction of the displaced water's: the roll of a sphere is zero."""
@@ -54,7 +54,7 @@ def check_water(water: Water, file: str | None = None) -> None:
     Raises
     ------
     HydrodynamicsError
-        If one is outside of its range.
+        If density or gravity is outside its range.
     """
     for name, (least, most, unit) in PLAUSIBLE.items():
         value = getattr(water, name)
@@ -125,7 +125,8 @@ def check_haskind(database: Database, remedy: str = REMEDY) -> None:
 
 @dataclass(frozen=True)
 class Difference:
-    """The largest difference of damping from Haskind's relation, over its largest, and where it is."""
+    """Largest difference of the damping from Haskind's relation over the largest damping, with its motion and
+    frequency."""
 
     largest: float
     motion: str

@@ -1,4 +1,4 @@
-"""`kingpost hydro HULL -o FILE`: from a hull to its hydrodynamic database."""
+"""`kingpost hydro HULL -o FILE`: compute or import the hydrodynamic database of a hull."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ SHAPES: dict[str, type[Shape]] = {
 }
 MOST_FREQUENCIES = 500
 MOST_FIT_ERROR = 0.25
-"""No fit of the memory with a larger error is written, as a share of its peak: heave's amplitude at its
-resonance is then off by as much and more."""
+"""Largest error of a written fit of the memory, as a share of its peak: the heave amplitude at resonance has
+at least the same error."""
 NEXT_CUT = 0.85
-"""Each cut of the frequencies that is tried for advice, over the one before; each takes a fit."""
+"""Ratio of successive upper frequencies that are tried for the advice; each needs one fit."""
 OF_A_HULL = (
     "frequencies_rad_s", "directions", "panels", "lid", "loading", "flip_normals", *attitude_command.OPTIONS
 )  # fmt: skip
@@ -90,7 +90,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Database:
     """Run with the options, print a summary and return the database."""
-    # Quick checks come before the computation of minutes.
+    # Quick checks come before the computation, which takes minutes.
     target = check_output(options.output)
     if not _is_parametric(options.hull) and importers.recognise(options.hull) is not None:
         _refuse_for_a_file(options)
@@ -127,7 +127,7 @@ def run(options: argparse.Namespace) -> Database:
 
 
 def _partial(target: Path, every: int) -> Partial:
-    """Continue a stopped run, with a line about it."""
+    """Continue a stopped run and print a line about it."""
     left = f"of {every} frequencies are solved by the stopped run"
     return Partial(
         target.with_name(target.name + ENDING), lambda done: print(f"{'goes on':<20}{done} {left}")
@@ -179,13 +179,13 @@ def _fitted(
 
 
 def _warned_of(database: Database, warnings: list[str]) -> Database:
-    """The database with more warnings, which every use of it repeats."""
+    """Return the database with additional warnings, which are repeated at every use of it."""
     about = database.provenance
     return replace(database, provenance=replace(about, warnings=(*about.warnings, *warnings)))
 
 
 def _cut(database: Database, found: list[Misfit]) -> str:
-    """Advice: a highest frequency up to which the memory can be fitted, where there is one."""
+    """Advice on the highest frequency up to which the memory can be fitted, if there is one."""
     omega = database.frequencies_rad_s
     cut = max(found, key=lambda one: one.memory).frequency_rad_s
     best: tuple[float, float] | None = None
@@ -276,7 +276,8 @@ def parse_frequencies(text: str) -> np.ndarray:
 
 
 def _is_parametric(hull: str) -> bool:
-    """Whether a hull is a description: its last number may look like the ending of another program's file."""
+    """Whether a hull is given as a parametric description, whose last number may look like a file's
+    ending."""
     return (hull.partition(":")[0] in SHAPES or "=" in hull) and not os.path.isfile(hull)
 
 

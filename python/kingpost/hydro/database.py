@@ -9,7 +9,7 @@ elevation is Re{a exp(i (k x cos b + k y sin b - w t))}, the force Re{X a exp(-i
 
 For a hull that lists or trims (`Attitude`) the coefficients are in level axes: x forward along its heading, y
 to port, z up, the origin on the water plane, vertically above or below the hull's own origin. Particulars,
-waterplane and mesh stay those of the hull upright, in its own axes.
+waterplane and mesh remain those of the upright hull, in hull axes.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ class Provenance:
     Attributes
     ----------
     notes
-        What was assumed and chosen.
+        Assumptions and chosen settings.
     warnings
-        What makes the numbers doubtful: every use of the database repeats it.
+        Reasons to doubt the numbers, repeated at every use of the database.
     """
 
     tool: str

@@ -97,7 +97,7 @@ def rounded(database: Database) -> Database:
 
 
 def check_output(path: str | Path) -> Path:
-    """The output path; an impossible one is refused before any computation."""
+    """Check the output path before any computation."""
     target = Path(path)
     if not target.name.endswith(ENDING):
         raise HydrodynamicsError("", repr(target.name), f"a name that ends with {ENDING}")
@@ -119,7 +119,7 @@ def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
     """The database that a tree of plain values describes, every field checked."""
     for name, value in (("format", FORMAT), ("version", VERSION)):
         if name in tree:
-            # Another version has other fields: name the version instead of the fields.
+            # A file of another version has other fields: the error names the version, not the fields.
             Fields(tree, "", file).constant(name, value)
     # Older files have no loading.
     top = Fields.of(tree, "", file, _TOP, ("mean_drift_loading",))
@@ -264,7 +264,8 @@ def to_tree(database: Database) -> dict[str, Any]:
 
 
 def _radiation_tree(radiation: Radiation | None) -> dict[str, Any] | None:
-    """Every digit: with rounded residues K(0) would not be zero, which would be a drag on a steady drift."""
+    """Write the memory with all digits: with rounded residues K(0) would not be zero and would resist a
+    steady drift."""
     if radiation is None:
         return None
     modes = [

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 FRAME = "hull: x forward, y to port, z up, origin on the water plane"
 LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or below the hull's"
-"""The frame of the coefficients of a hull that lists or trims; x is along its heading."""
+"""Description of the coefficients' frame for an inclined hull; x is along its heading."""
 
 
 def to_dataset(database: Database) -> xarray.Dataset:
-    """Label a database with the names of Capytaine, so that Capytaine's post-processing accepts it.
+    """Convert a database to a data set with Capytaine's names, for Capytaine's post-processing.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def to_dataset(database: Database) -> xarray.Dataset:
 
 def _units(name: str, dims: tuple[str, ...]) -> tuple[tuple[str, ...], NDArray[np.str_], dict[str, str]]:
     """Units of a variable by its motions; not a coordinate, because Capytaine would carry it along."""
-    # Power of a length in the unit of an entry, relative to translations.
+    # Exponent of the length in the unit of an entry, relative to translations.
     lever = np.repeat([0, 1], 3)
     kept, units = {
         "added_mass": (dims[-2:], np.array(["kg", "kg m", "kg m^2"])[lever[:, None] + lever]),

@@ -1,9 +1,9 @@
-"""Memory that a run of the panel method needs, estimated before it starts.
+"""Estimate of the memory that a run of the panel method needs, made before the run.
 
 The peak is that of one frequency: the matrices S and D of the solved part and of its influence on its mirror
 images, 2 x 2^p matrices of n x n complex numbers for p planes of symmetry and n panels, factored in place
-(`influence`). Added to these are the memory that the process already has, the waves of the problems, and the
-stored results of every frequency.
+(`influence`). The estimate adds the present memory of the process, the waves of the problems, and the stored
+results of all frequencies.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Size:
     Attributes
     ----------
     panels
-        Panels to solve for, those of a lid included.
+        Panels to solve for, including those of a lid.
     lid_panels
         Panels of the lid.
     reflections
@@ -94,7 +94,7 @@ def memory_bytes(run: Size) -> float:
     """
     images = 2**run.reflections
     whole, problems = run.panels * images, 6 + run.directions
-    # Potential, pressure and boundary condition of each problem, and the same again for the ring waves.
+    # Potential, pressure and boundary condition of each problem, twice: once more for the ring waves.
     fields = 6 * COMPLEX * problems * whole
     kept = COPIES * COMPLEX * run.frequencies * problems * run.rings
     return RESERVE + 2 * images * run.matrix_bytes + fields + PER_PANEL * whole + kept
@@ -126,7 +126,7 @@ def peak_bytes() -> float:
 
 
 def _status(name: str) -> float | None:
-    """Bytes by a line of Linux's own account of a process, such as ``VmRSS:   1024 kB``."""
+    """Bytes from a line of Linux's process status, such as ``VmRSS:   1024 kB``."""
     try:
         lines = Path("/proc/self/status").read_text(encoding="ascii").splitlines()
     except (OSError, UnicodeDecodeError):

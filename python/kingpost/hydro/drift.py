@@ -4,7 +4,7 @@ H. Maruo, The drift of a body floating on waves, J. Ship Research 4(3), 1960; J.
 and moment on ships in waves, J. Ship Research 11(1), 1967. Far from the hull the elevation is that of the
 incident wave of amplitude a and of a ring wave,
 a (exp(i k R cos(t - b)) + f(t) exp(i k R) / sqrt(R)). The hull receives the momentum and the angular momentum
-that these two lose.
+lost by these two waves.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ ROUNDING = 1e-6
 
 @dataclass(frozen=True)
 class Loading:
-    """Loading of the hull: it determines its motion, and so its drift.
+    """Loading of the hull, which determines its motion and thus its mean drift.
 
     Attributes
     ----------
     kg_m
-        Height of the centre of gravity above the keel, m, along the hull's z; it lies vertically above the
-        centre of buoyancy, also for a hull that lists or trims.
+        Height of the centre of gravity above the keel along the hull's z, m. The centre of gravity is
+        vertically above the centre of buoyancy, also for an inclined hull.
     roll_gyration_m, pitch_gyration_m, yaw_gyration_m
         Radii of gyration about the centre of gravity, m.
     roll_damping_ratio
@@ -72,7 +72,7 @@ class Loading:
 
     @property
     def note(self) -> str:
-        """The line about it in the database."""
+        """Note on the loading for the database."""
         radii = (self.roll_gyration_m, self.pitch_gyration_m, self.yaw_gyration_m)
         return (
             f"mean drift of the hull free to move, its centre of gravity {self.kg_m:g} m above the keel, "

@@ -76,7 +76,7 @@ def ring_waves(
     flux = normal_velocity * mesh.faces_areas * height - phi * mesh.faces_normals[:, 2] * slope
     along = phi * height
     sums = np.empty((len(potential), angles), complex)
-    # A few angles at a time: all at once would need more memory than the matrices of a small hull.
+    # A few angles at a time: all angles together need more memory than the matrices of a small hull.
     for some in np.array_split(np.arange(angles), -(-angles // ANGLES_AT_ONCE)):
         turn = 2 * np.pi * some / angles
         ahead = np.stack([np.cos(turn), np.sin(turn), 0 * turn])

@@ -19,7 +19,7 @@ _LONGEST_SHOWN = 60
 
 @dataclass(frozen=True)
 class Fields:
-    """One object of the tree, with the path that leads to it."""
+    """One object of the tree and its path."""
 
     values: dict[str, Any]
     path: str
@@ -29,7 +29,7 @@ class Fields:
     def of(
         cls, value: object, path: str, file: str | None, names: Sequence[str], optional: Sequence[str] = ()
     ) -> Fields:
-        """An object with these fields and no others; missing optional fields become null."""
+        """Check that an object has these fields and no others; missing optional fields become null."""
         if not isinstance(value, dict):
             raise HydrodynamicsError(path, shown(value), "an object", file)
         value, names = {**dict.fromkeys(optional), **value}, (*names, *optional)
@@ -43,37 +43,37 @@ class Fields:
         return fields
 
     def at(self, name: str) -> str:
-        """Path of one of its fields."""
+        """Path of one of the object's fields."""
         return f"{self.path}.{name}" if self.path else name
 
     def wrong(self, name: str, found: object, allowed: str) -> HydrodynamicsError:
-        """The error to raise for one of its fields."""
+        """Make the error for one of the object's fields."""
         return HydrodynamicsError(self.at(name), found, allowed, self.file)
 
     def fields(self, name: str, names: Sequence[str], optional: Sequence[str] = ()) -> Fields:
-        """A field that is itself an object with these fields."""
+        """Read a field that is an object with these fields."""
         return Fields.of(self.values[name], self.at(name), self.file, names, optional)
 
     def constant(self, name: str, allowed: object) -> None:
-        """A field that has one value only."""
+        """Check a field with a single allowed value."""
         if self.values[name] != allowed:
             raise self.wrong(name, shown(self.values[name]), repr(allowed))
 
     def text(self, name: str) -> str:
-        """A field that is text."""
+        """Read a text field."""
         if not isinstance(self.values[name], str):
             raise self.wrong(name, shown(self.values[name]), "text")
         return self.values[name]
 
     def texts(self, name: str) -> tuple[str, ...]:
-        """A field that is a list of texts."""
+        """Read a field with a list of texts."""
         value = self.values[name]
         if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
             raise self.wrong(name, shown(value), "a list of texts")
         return tuple(value)
 
     def count(self, name: str) -> int | None:
-        """A field that is a whole number from 0, or null."""
+        """Read a field with a non-negative whole number or null."""
         value = self.values[name]
         if value is None:
             return None
@@ -82,7 +82,7 @@ class Fields:
         return value
 
     def number(self, name: str, *, positive: bool = False) -> float:
-        """A field that is a finite number, and greater than 0 if required."""
+        """Read a field with a finite number, greater than 0 if required."""
         value = self.values[name]
         allowed = "a number greater than 0" if positive else "a finite number"
         if not isinstance(value, int | float) or isinstance(value, bool):
@@ -96,7 +96,7 @@ class Fields:
         return number
 
     def numbers(self, name: str, *shape: int | None) -> NDArray[np.float64]:
-        """A field that is a nested list of finite numbers; `None` in the shape stands for any length."""
+        """Read a field with a nested list of finite numbers; `None` in the shape stands for any length."""
         allowed = f"numbers in the shape {_shape(shape)}"
         value = self.values[name]
         try:
@@ -104,7 +104,7 @@ class Fields:
         except ValueError:
             raise self.wrong(name, "lists of unequal lengths", allowed) from None
         if array.size == 0 and 0 in array.shape:
-            # The length of the members of an empty list is unknown.
+            # An empty list does not determine the length of its members.
             array = np.zeros([0 if length is None else length for length in shape])
         if array.dtype.kind not in "iuf":
             raise self.wrong(name, shown(value), allowed)
@@ -123,7 +123,7 @@ class Fields:
 
 
 def shown(value: object) -> str:
-    """A value for an error message, shortened if it is long."""
+    """Format a value for an error message, shortened if it is long."""
     return shortened("null" if value is None else repr(value), _LONGEST_SHOWN)
 
 

@@ -1,6 +1,6 @@
-"""Green's function of water of finite depth, as accurate as that of deep water.
+"""Green's function for finite water depth, as accurate as that for deep water.
 
-Capytaine writes it as four deep-water functions and a smooth remainder (G. Delhommeau, "Les problemes de
+Capytaine splits it into four deep-water functions and a smooth remainder (G. Delhommeau, "Les problemes de
 diffraction-radiation et de resistance des vagues", thesis, ENSM Nantes 1987). The integral of the remainder
 has a closed form if it is a sum of exponentials: with x = k' h, the wave's k h, and K = k h tanh k h,
 
@@ -30,7 +30,7 @@ SLOWEST, FASTEST = 0.1, 20.0
 POLE = 8.0
 """The fastest rate times k h of shallow water, where f has a pole at x = -k h."""
 DENSITY = 3
-"""Exponentials for each factor e between their rates: the error of f is at most 1e-5 for all k h."""
+"""Number of exponentials per factor e of their rates: the error of f is at most 1e-5 for all k h."""
 SHALLOWEST = 0.005
 """The smallest tested k h."""
 INFINITE = 1e5
@@ -73,7 +73,7 @@ def decomposition(kh: float) -> NDArray[np.float64]:
     fastest = max(FASTEST, POLE / kh)
     rates = -np.geomspace(SLOWEST, fastest, int(np.ceil(DENSITY * np.log(fastest / SLOWEST))) + 1)
     x = np.append(0.0, np.geomspace(0.01 / fastest, FASTEST, 700))
-    # Both terms of f have a pole at k h; the poles cancel, and near k h digits are lost.
+    # Both terms of f have a pole at k h; the poles cancel, which loses digits near k h.
     x = x[np.abs(x - kh) > 1e-4 * min(1.0, kh)]
     amplitudes = np.linalg.lstsq(np.exp(np.outer(x, rates)), rest(kh, x), rcond=1e-12)[0]
     return np.stack([rates, amplitudes])

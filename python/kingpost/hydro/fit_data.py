@@ -5,7 +5,7 @@ relative to the impedance of the motion at each frequency, for the response. A h
 i has the impedance j w (M_ii + A_ii) + B_ii + C_ii / (j w). At resonance only B_ii and the other damping
 remain. With other damping of 5 % of the critical, 2 zeta w (M_ii + A_ii), an error dK changes the response
 there by dK / (B_ii + 2 zeta w (M_ii + A_ii)), and by less elsewhere. Platforms resonate where their radiation
-damping is a thousandth of its peak, and a fit by the peak alone is useless there.
+damping is a thousandth of its peak: a fit relative to the peak alone is useless at such a resonance.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class FitData:
 
     @classmethod
     def of(cls, database: Database, limit: float) -> FitData:
-        """The data of a fit to this limit."""
+        """Make the data of a fit with this limit on the error."""
         omega, response = database.frequencies_rad_s, frequency_response(database)
         response = 0.5 * (response + response.transpose(0, 2, 1))
         diagonal = np.einsum("nii->ni", response)
@@ -70,7 +70,7 @@ class FitData:
         weighted = np.minimum(1.0, centres / omega[:, None]) * np.abs(diagonal)
         peaks = np.maximum(weighted.max(axis=0), LEAST_PEAK * _natural_damping(database))
         scaled = response / np.sqrt(np.outer(peaks, peaks))
-        # Motions whose damping is noise do not decide where the largest damping is.
+        # Motions whose damping is noise are not used to find the frequency of the largest damping.
         damped = diagonal.real.max(axis=0) > 0.1 * peaks
         centre = centres[damped].max(initial=omega[0])
         coupled = np.abs(scaled).max(axis=0) > 0.1 * limit
@@ -95,8 +95,8 @@ class FitData:
         return float(self.by_frequency(error).max())
 
     def response_error(self, error: ComplexArray, group: list[int]) -> float:
-        """The largest error of a response, up to the frequency of the largest damping: above it only the mass
-        resists a motion. `error` has the motions of the group."""
+        """Largest error of a response up to the frequency of the largest damping; above it only the mass
+        resists a motion. The motions of `error` are those of the group."""
         root = np.sqrt(self.sensitivity[:, group])
         relative = np.abs(error) * root[:, :, None] * root[:, None, :]
         return float(relative[self.importance >= 1.0].max(initial=0.0))
@@ -119,7 +119,7 @@ def _natural_damping(database: Database) -> Array:
 
 
 def up_to(database: Database, highest_rad_s: float) -> Database:
-    """Its frequencies up to a limit.
+    """Return the data up to a highest frequency.
 
     Raises
     ------

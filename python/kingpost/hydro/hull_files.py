@@ -37,27 +37,27 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 FARTHEST_M = 1e9
-"""From the origin: in the frame of a map, at most."""
+"""Largest distance of a point from the origin, m: enough for map coordinates."""
 LARGEST_HULL = 2000
 """The most triangles of a hull mesh in a database."""
 METRIC_GRAVITY = (9.7, 9.9)
 """Range of GRAV in a file in metres, m/s2; in feet it is 32.2."""
 READ_TO_THEIR_END = (".stl",)
-"""Formats whose readers end for any file; other formats are first read in a separate process."""
+"""Formats whose readers terminate on any file; other formats are first read in a separate process."""
 PACKED = (".gz", ".zip", ".bz2", ".xz", ".7z", ".zst")
 MESH_TIME_LIMIT_S = 30.0
-"""Time limit for reading a mesh there, s."""
+"""Time limit for reading a mesh in the separate process, s."""
 INSTALL = 'pip install "meshio>=5.3"'
 
 
 @dataclass(frozen=True)
 class HullFile:
-    """A mesh file and how it floats.
+    """A mesh file, with the draught and the orientation of its normals.
 
     Attributes
     ----------
     path
-        The file; metres, x forward, y to port, z up.
+        Path of the file; its frame: metres, x forward, y to port, z up.
     draught_m
         Depth of the lowest point under the water plane; `None`: z = 0 is the water plane.
     flip_normals
@@ -82,7 +82,7 @@ class HullFile:
         return HullMeshes(self.path.name, reflections, fine, found, mesh, why_not, remarks=remarks)
 
     def placed(self) -> Surface:
-        """The file's surface at its draught, z = 0 on the water plane."""
+        """The file's surface shifted to its draught, with z = 0 on the water plane."""
         surface = read(self.path)
         if self.flip_normals:
             surface = Surface(surface.vertices, surface.triangles[:, ::-1])
@@ -129,7 +129,7 @@ def file_panels(wetted: Surface, panels: int, axes: tuple[int, ...]) -> tuple[tu
     part = wetted
     for axis in reflections:
         part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
-    # Triangles with this side have approximately the wanted area.
+    # Side of triangles with approximately the wanted area.
     return reflections, of_triangles(part.refined(2 * (wetted.area / panels) ** 0.5))
 
 
@@ -151,7 +151,7 @@ def read(path: Path) -> Surface:
 
 
 def _joined(path: Path, surface: Surface) -> tuple[str, ...]:
-    """A note if panels were joined."""
+    """Return a note if panels were joined."""
     written = _as_written(path)
     joined = len(open_edges(written)) - len(open_edges(surface))
     if not joined:
@@ -160,7 +160,7 @@ def _joined(path: Path, surface: Surface) -> tuple[str, ...]:
 
 
 def _across(found: Particulars) -> tuple[str, ...]:
-    """A note if the hull is wider than long."""
+    """Return a note if the hull is wider than long."""
     if found.beam_m <= found.length_m:
         return ()
     return (
@@ -190,7 +190,7 @@ def _as_written(path: Path) -> Surface:
 
 
 def _check_size(points: NDArray[np.float64], path: Path) -> None:
-    """Refuse points that are not finite, or as far apart as those of no hull."""
+    """Refuse points that are not finite, or too far from the origin."""
     if not np.isfinite(points).all():
         raise HydrodynamicsError("hull", "a point that is not finite", "finite coordinates", str(path))
     if np.abs(points).max(initial=0.0) > FARTHEST_M:
@@ -208,7 +208,7 @@ def _read_meshio(path: Path) -> Surface:
         allowed = "STL, OBJ, GDF or another format that meshio reads, whole"
         raise HydrodynamicsError("hull", "a file that cannot be read to its end", allowed, str(path))
     try:
-        # meshio reports some errors by printing them and exiting.
+        # meshio prints some errors and exits.
         silent = contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO())
         with silent[0], silent[1], np.errstate(all="ignore"):
             found = meshio.read(path)
@@ -227,7 +227,7 @@ def _read_meshio(path: Path) -> Surface:
 
 
 def _check_ending(path: Path, known: Container[str]) -> None:
-    """Refuse a file whose name says that it is packed or of a format that is not read."""
+    """Refuse a file whose ending is that of a packed file or of an unsupported format."""
     ending = path.suffix.lower()
     if ending in PACKED:
         raise HydrodynamicsError(
@@ -240,7 +240,7 @@ def _check_ending(path: Path, known: Container[str]) -> None:
 
 
 def _halved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Quadrangles as two triangles each."""
+    """Cut quadrangles into two triangles each."""
     if cells.shape[1] == 3:
         return cells.astype(np.int64)
     return np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]]).astype(np.int64)

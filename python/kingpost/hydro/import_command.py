@@ -1,4 +1,4 @@
-"""`kingpost hydro FILE.h5 -o X.hydro.json`: from another program's file to a database."""
+"""`kingpost hydro FILE.h5 -o X.hydro.json`: convert another program's file to a database."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ TRUE = {"yes": True, "no": False}
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Options for values that a file may lack; those in `SHARED` are already options of `kingpost hydro`."""
+    """Add the options for values that a file may lack, except those in `SHARED`, which `kingpost hydro`
+    already has."""
     group = command.add_argument_group(
         "another program's file", "values that the file does not contain must be given; nothing is assumed"
     )
@@ -47,7 +48,7 @@ def refuse(options: argparse.Namespace) -> None:
 
 
 def parsed(name: str, text: object) -> object:
-    """An option's value from the command line.
+    """Parse the value of an option.
 
     >>> parsed("reference_m", "0,0,-2"), parsed("restoring_includes_weight", "no")
     ((0.0, 0.0, -2.0), False)

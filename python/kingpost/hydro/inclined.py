@@ -92,7 +92,7 @@ def _check_displaced(asked: Inclination, found_m3: float) -> None:
         raise HydrodynamicsError(
             "--attitude-of",
             f"a hull that displaces {asked.displaced_m3:.6g} m3 {asked.source}",
-            f"one that displaces what this hull does there, {found_m3:.6g} m3, to {SAME_VOLUME:.0%}",
+            f"the displacement of this hull there, {found_m3:.6g} m3, to {SAME_VOLUME:.0%}",
         )
 
 

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 STATES = (4, 6, 8, 10, 12)
 ROUNDS = 8
 GONE = 0.15
-"""If the last damping is below this fraction of its peak, Ogilvie's relation is used: its tail is small."""
+"""Ogilvie's relation is used if the last damping is below this fraction of its peak: the tail is then
+small."""
 
 
 def joint_added_mass_infinite(omega: Array, added_mass: Array, damping: Array) -> Array:
@@ -43,7 +44,7 @@ def joint_added_mass_infinite(omega: Array, added_mass: Array, damping: Array) -
 
 
 def _joint(omega: Array, added_mass: Array, damping: Array, start: float) -> float:
-    """A_inf of the fit with the smallest error among several numbers of states."""
+    """A_inf of the fit with the smallest error, among fits with different numbers of states."""
     centre = omega[np.abs(damping).argmax()]
     width = np.gradient(omega)
     weights = np.minimum(1.0, centre / omega) * np.sqrt(np.maximum(width / width.mean(), 1.0 / 3.0))

@@ -123,7 +123,7 @@ class Engine:
             # The jump term of the double layer acts on the diagonal.
             at_home = {**settings, "diagonal_term_in_double_layer": number == 0}
             s, d = self.green_function.evaluate(part, parts[0], early_dot_product=True, **at_home)
-            # A sum needs no memory, and any NaN makes it NaN.
+            # The sum needs no temporary array and is NaN if any entry is NaN.
             if not np.isfinite(s.sum() + d.sum()):
                 found = f"panels between which there is no influence at {settings}"
                 raise HydrodynamicsError("hull", found, "panels that do not overlap")

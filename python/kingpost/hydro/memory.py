@@ -1,4 +1,4 @@
-"""The memory of the water as data: K(j omega) of a database, its tail, its impulse response.
+"""Memory of the water from the data of a database: K(j omega), its tail, its impulse response.
 
 Ogilvie's relations (T. F. Ogilvie, "Recent progress toward the understanding and prediction of ship
 motions", 5th Symposium on Naval Hydrodynamics, 1964) for Cummins' equation (W. E. Cummins, "The impulse
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from .database import Database
     from .vector_fitting import Array, ComplexArray
 
-# Powers of omega with which damping falls beyond the data: 3 is the slowest known, for a vertical side that
-# moves along its normal (a piston wavemaker, B ~ rho omega / k^2, k = omega^2 / g).
+# Least and largest power of omega with which damping falls beyond the data: 3 is the slowest known, for a
+# vertical side that moves along its normal (a piston wavemaker, B ~ rho omega / k^2, k = omega^2 / g).
 SLOWEST_TAIL, FASTEST_TAIL = 3.0, 7.0
 # The integral of the tail ends at this multiple of the highest frequency: there it is 40^-3 of its height.
 TAIL_END = 40.0

@@ -118,7 +118,7 @@ def closed_panels(
     so that the whole upright hull displaces it.
     """
     stretch = np.ones(3) if volume_m3 is None else _stretch(shape, size_m, volume_m3)
-    # The part of a sphere above the water is as round as the part below.
+    # A sphere is stretched above the water as below it; other hulls only along x and y.
     above = stretch if len(shape.stretched) == 3 else stretch * [1, 1, 0] + [0, 0, 1]
     patches = [grid * stretch for grid in shape.wetted(size_m)] + [grid * above for grid in shape.dry(size_m)]
     quads = corners_of(patches, _inside(shape))

@@ -1,8 +1,7 @@
 """Wavefront OBJ: the points and faces of a mesh, as drawing programs write them.
 
-Source: the OBJ format of Wavefront's Advanced Visualizer, appendix B1. Texture points, normals, colours
-behind the coordinates, groups and materials say nothing of the surface; each face may have any number of
-corners.
+Source: the OBJ format of Wavefront's Advanced Visualizer, appendix B1. Texture points, normals, colours after
+the coordinates, groups and materials are ignored; each face may have any number of corners.
 """
 
 from __future__ import annotations
@@ -20,16 +19,16 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 CONCAVE = 1e-6
-"""A corner that turns back by more than this share of its face's area is concave, not rounding."""
+"""Limit of a concave corner as a share of its face's area; smaller ones are rounding."""
 
 
 def read(path: Path) -> Surface:
-    """The surface of an OBJ file; a face of more than three corners becomes a fan of triangles.
+    """Read the surface of an OBJ file; a face of more than three corners becomes a fan of triangles.
 
     Raises
     ------
     HydrodynamicsError
-        If a line of points or faces is none, a face names a point that is not there, or is concave.
+        If a line of a point or face is malformed, or a face is concave or refers to a missing point.
     """
     points: list[list[float]] = []
     faces: list[tuple[int, list[int]]] = []
@@ -51,7 +50,7 @@ def read(path: Path) -> Surface:
 
 
 def _lines(path: Path) -> Iterator[tuple[int, list[str]]]:
-    """The words of each line with its number; a backslash goes on in the next line."""
+    """Yield the words of each line with its number; a backslash continues a line on the next."""
     kept: list[str] = []
     with path.open(encoding="utf-8", errors="replace") as file:
         for number, line in enumerate(file, 1):
@@ -78,7 +77,7 @@ def _fan(path: Path, number: int, face: list[int], points: NDArray[np.float64]) 
     triangles = [(face[0], face[k], face[k + 1]) for k in range(1, len(face) - 1)]
     if len(triangles) > 1:
         a, b, c = np.moveaxis(points[np.array(triangles)], 1, 0)
-        # Points too far away for their products are refused with the whole mesh.
+        # Points so far away that products overflow are refused later, with the whole mesh.
         with np.errstate(over="ignore", invalid="ignore"):
             areas = np.cross(b - a, c - a)
             whole = areas.sum(axis=0)

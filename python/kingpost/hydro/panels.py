@@ -53,8 +53,8 @@ def corners_of(patches: Sequence[Grid], inside: Grid) -> Grid:
 
 
 def under_water(quads: Grid) -> Panels:
-    """Panels by their corners; those that cross the water plane z = 0 are cut, and those above it are left
-    out."""
+    """Make panels from their corners: cut those that cross the water plane z = 0, leave out those above
+    it."""
     size = np.ptp(quads.reshape(-1, 3), axis=0).max()
     quads = quads.copy()
     quads[..., 2][np.abs(quads[..., 2]) < SAME_POINT * size] = 0.0
@@ -68,7 +68,7 @@ def _pieces(quad: Grid) -> list[Grid]:
     """The submerged part of a panel, as panels of three or four corners."""
     above = quad[:, 2]
     if (above[[0, 2]].max() < 0 < above[[1, 3]].min()) or (above[[1, 3]].max() < 0 < above[[0, 2]].min()):
-        # Twisted so much that two opposite corners are wet: two triangles.
+        # A panel so twisted that two opposite corners are wet becomes two triangles.
         return [piece for half in ([0, 1, 2, 2], [0, 2, 3, 3]) for piece in _pieces(quad[half])]
     polygon = cut_polygon(quad, above, 0.0, 2)
     polygon = [point for point, next_ in zip(polygon, np.roll(polygon, -1, axis=0), strict=True)

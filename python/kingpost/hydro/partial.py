@@ -1,8 +1,8 @@
-"""Solved frequencies in a file next to the output, so that a stopped run can continue.
+"""Storage of solved frequencies in a file next to the output, so that a stopped run can continue.
 
 The file belongs to one set of settings: hull, attitude, lid, water, frequencies, directions and solver.
-It contains their SHA-256, and a file of other settings is ignored. It is written atomically after each
-frequency, and removed when the database is written.
+It contains the SHA-256 of these settings; a file of other settings is ignored. It is written atomically after
+each frequency, and removed when the database is written.
 """
 
 from __future__ import annotations
@@ -89,14 +89,14 @@ class Partial:
         if self.path is None:
             return
         named = {f"{name}/{k}": value for name, some in self.arrays.items() for k, value in enumerate(some)}
-        # If the file cannot be written, the computation still goes on.
+        # If the file cannot be written, the computation continues.
         with suppress(OutputError), output.whole(self.path) as beside:
             np.savez(beside, settings=np.array(self.settings), **named)
 
     def done(self) -> None:
-        """The database is written: remove the file."""
+        """Remove the file once the database is written."""
         if self.path is not None:
             self.path.unlink(missing_ok=True)
-            # The temporary file of a run that was killed while writing.
+            # Also remove the temporary file of a run that was killed while writing.
             for left in self.path.parent.glob(f".{glob.escape(self.path.name)}.*.npz"):
                 left.unlink(missing_ok=True)

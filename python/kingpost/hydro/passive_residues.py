@@ -7,7 +7,7 @@ of a vertical cylinder in heave", Applied Ocean Research 17, 1995; T. Perez and 
 "Time- vs. frequency-domain identification of parametric radiation force models", Modeling,
 Identification and Control 29(1), 2008, list these properties).
 
-With fixed poles all of that is convex in the residues: K(0) = 0 is a linear equation, and every
+With fixed poles all these conditions are convex in the residues: K(0) = 0 is a linear equation, and every
 frequency and direction v gives the linear inequality v^T Re K(j omega) v >= 0. B. Gustavsen and
 A. Semlyen, "Enforcing passivity for admittance matrices approximated by rational functions", IEEE
 Transactions on Power Systems 16(1), 2001, perturb the residues under such inequalities; here the fit
@@ -29,7 +29,7 @@ ROUNDS = 60
 # Lower bound of the eigenvalues of the scaled Re K, relative to a peak of K of 1.
 MARGIN = 1e-5
 REFINEMENTS = 4
-# Number of the lowest points that are refined, or cut off, at a time.
+# Number of the lowest points that are refined, or made constraints, at a time.
 AT_ONCE = 60
 
 
@@ -49,7 +49,7 @@ class Grid:
         return cls(centre, np.unique(np.abs(np.concatenate([even, *near]))))
 
     def about(self, lowest: NDArray[np.intp]) -> Grid:
-        """The frequencies with twenty more points on either side of the given ones."""
+        """Add twenty points on either side of each given frequency."""
         last = len(self.omega) - 1
         low, high = self.omega[np.maximum(lowest - 1, 0)], self.omega[np.minimum(lowest + 1, last)]
         return Grid(self.centre, np.unique(np.append(self.omega, np.linspace(low, high, 41))))

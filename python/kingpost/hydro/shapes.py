@@ -30,7 +30,7 @@ class Shape(ABC):
     reflections: ClassVar[tuple[int, ...]] = (0, 1)
     """Axes along which the part of the hull is mirrored: 0 is x, 1 is y."""
     stretched: ClassVar[tuple[int, ...]] = (2,)
-    """Axes along which its mesh is stretched to restore the volume that flat panels cut off."""
+    """Axes along which the mesh is stretched to restore the volume lost to flat panels."""
 
     if TYPE_CHECKING:
         # A field of some shapes, a property of others.

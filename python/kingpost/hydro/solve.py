@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 SHALLOWEST_LID = 0.5
-"""A lid needs a draught of this many panel sizes: nearer to the bottom it makes the equations
+"""Smallest draught, in panel sizes, for a lid: nearer to the bottom a lid makes the equations
 ill-conditioned.
 
 On a box of 20 x 10 m, below its irregular frequencies, a lid at 0.4 panel sizes changes damping by 1 %, at
@@ -55,7 +55,7 @@ class Coefficients:
 
 
 def capytaine() -> Any:
-    """The module, or an error that says how to install it."""
+    """Import Capytaine; raise an error with the install command if it is missing."""
     try:
         import capytaine
     except ImportError:
@@ -75,7 +75,7 @@ def solve(
     update: Callable[[float], None] = lambda _done: None,
     partial: Partial | None = None,
 ) -> Coefficients:
-    """Solve radiation and diffraction, a frequency at a time.
+    """Solve radiation and diffraction, one frequency at a time.
 
     Parameters
     ----------
@@ -233,6 +233,6 @@ def froude_krylov(
     x, y, z = points.T
     height, _ = decay(k, z, water)
     pressure = water.density_kg_m3 * water.gravity_m_s2 * height
-    # One direction at a time: all at once would need more memory than the matrices of a small hull.
+    # One direction at a time: all directions together need more memory than the matrices of a small hull.
     forces = [-(pressure * np.exp(1j * k * (np.cos(a) * x + np.sin(a) * y))) @ weights for a in angles]
     return np.array(forces)

@@ -3,7 +3,7 @@
 Patches that were meshed separately have neighbouring points that are nearly equal, or two panels along an
 edge where the neighbour has one. Nearly equal points are merged. A triangle (a, b, c) whose open
 edge a, b has points p, q of other open edges on it becomes (a, p, c), (p, q, c), (q, b, c), so that both
-sides have the same edges; where the neighbours bend, the sliver between them is closed with it. Nothing is
+sides have the same edges; where the edge bends, this also closes the sliver between the panels. Nothing is
 moved by more than `NEAR` of an edge, and an edge that stays open is a hole. The edge of the water plane is
 not a seam, even if its two sides are close.
 """

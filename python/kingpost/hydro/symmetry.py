@@ -26,7 +26,7 @@ def reflected_direction(index: int, axis: int, count: int) -> int | None:
 
 
 def independent_directions(count: int, reflections: Sequence[int]) -> list[int]:
-    """Directions whose mirror images fill the circle.
+    """Indices of the directions whose mirror images fill the circle.
 
     >>> independent_directions(12, (0, 1))
     [0, 1, 2, 3]

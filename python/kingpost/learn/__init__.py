@@ -30,7 +30,7 @@ register()
 
 
 def __getattr__(name: str) -> Any:
-    """`ShipCraneParallelEnv`. It is not in `__all__`: without PettingZoo `import *` goes on."""
+    """`ShipCraneParallelEnv`. It is not in `__all__`, so that `import *` works without PettingZoo."""
     if name != "ShipCraneParallelEnv":
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     try:

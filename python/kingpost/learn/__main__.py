@@ -15,7 +15,7 @@ START, END = "<!-- scores: start -->", "<!-- scores: end -->"
 
 
 def write_scores(page: Path) -> None:
-    """Write all controllers' scores into a page, between its marks."""
+    """Write the scores of all controllers into a page, between its marks."""
     found = table()
     text = page.read_text(encoding="utf-8") if page.is_file() else f"{START}{END}"
     before, after = text.split(START)[0], text.split(END)[-1]

@@ -1,4 +1,4 @@
-"""How the actions of a task are shared out among several controllers."""
+"""Distribution of a task's actions among several controllers."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ class Agent:
     observations
         The observations of the task that it sees, by name; default: all.
     reward
-        Its own reward, as that of a `Task`: from columns, goal and the actions of all agents in the order of
-        the task. Default: the reward of the task, which the agents have in common.
+        Reward function as in a `Task`, of columns, goal and the actions of all agents in the order of the
+        task. Default: the reward of the task, common to all agents.
 
     Examples
     --------
@@ -39,7 +39,7 @@ class Agent:
 
 @dataclass(frozen=True)
 class Share:
-    """Share of a task that an agent has: places among its actions and observations, and a reward."""
+    """Share of an agent in a task: indices of its actions and observations, and its reward."""
 
     sets: np.ndarray
     sees: np.ndarray
@@ -47,7 +47,7 @@ class Share:
 
 
 def one_for_each_action(task: Task) -> dict[str, Agent]:
-    """An agent for each action, with its name, that sees everything.
+    """Make one agent for each action, with the action's name, that observes everything.
 
     >>> from kingpost.learn import three_axis
     >>> list(one_for_each_action(three_axis()))
@@ -57,12 +57,12 @@ def one_for_each_action(task: Task) -> dict[str, Agent]:
 
 
 def places(task: Task, agents: Mapping[str, Agent | Sequence[str]]) -> dict[str, Share]:
-    """The share of each agent.
+    """Compute the share of each agent.
 
     Raises
     ------
     KingpostError
-        If an action has no agent or two, or if a name is unknown.
+        If an action has no agent or several, or a name is unknown.
 
     >>> from kingpost.learn import three_axis
     >>> places(three_axis(), {"boom": ["slewing", "luffing"], "winch": ["hoist"]})["boom"].sets

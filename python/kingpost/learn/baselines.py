@@ -1,4 +1,4 @@
-"""Classical controllers in the environments, to compare learned ones with."""
+"""Classical controllers for the environments: baselines for learned controllers."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from .policies import Policy, do_nothing, in_units, limited
 from .task import Task
 
 SWING_PERIOD_S = 9.0
-"""Period that the shaped inputs are for: hook and load of `anti_sway` as one pendulum, 2 pi sqrt(L / g)."""
+"""Swing period for the input shaper, s: hook and load of `anti_sway` as one pendulum, 2 pi sqrt(L / g)."""
 SLOW = 0.2
-"""Speed towards the target, 1/s, of the controller with feedback of the swing."""
+"""Gain from the distance to the target to a speed, 1/s, in `swing_feedback`."""
 FOLLOW = 0.5
-"""Speed of slew or luff for each angle of swing, 1/s: near the square root of g / L."""
+"""Gain from the swing angle to the speed of slewing or luffing, 1/s: near the square root of g / L."""
 
 
 def proportional(task: Task) -> Policy:
-    """Speeds in proportion to the distance from the target, without regard to the swing."""
+    """Set speeds proportional to the distance from the target, without feedback of the swing."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
@@ -41,8 +41,8 @@ def swing_feedback(task: Task) -> Policy:
 
 
 class _Shaped:
-    """Half of each command now, half of it half a period of the swing later (ZV shaper: Singer & Seering,
-    J. Dyn. Sys. Meas. Control 112, 1990, 76-82)."""
+    """Shape the commands: half of each now, half of it half a swing period later (ZV shaper: Singer &
+    Seering, J. Dyn. Sys. Meas. Control 112, 1990, 76-82)."""
 
     def __init__(self, task: Task) -> None:
         self.task = task
@@ -63,12 +63,14 @@ PID_GAINS = {
     "swing": (0.5036, 0.4926),
     "swing_rate": (-0.1683, -0.1453),
 }
-"""Gains of slewing and luffing on errors (1/s), their integrals (1/s^2) and rates, on the swing (1/s) and its
-rate, from 1000 random steps around the best so far, scored on 32 episodes with seeds from 2 000 000 on."""
+"""Gains of slewing and luffing on errors (1/s), their integrals (1/s^2) and rates, and on the swing (1/s) and
+its rate. They were found by a random search of 1000 steps, scored on 32 episodes with seeds from 2 000 000
+on."""
 
 
 class _Pid:
-    """PID on the distance from the target, PD on the swing; the integral stands still at a speed's limit."""
+    """PID on the distance from the target, PD on the swing; the integral is held while a speed is at its
+    limit."""
 
     def __init__(self, task: Task) -> None:
         self.task = task
@@ -92,11 +94,11 @@ class _Pid:
 
 
 DRUM_M = 0.15
-"""Height for each radian of the drum in `heave_compensation`: 0.6 m of rope over four falls."""
+"""Load height per radian of the drum in `heave_compensation`, m/rad: 0.6 m of rope over four falls."""
 
 
 def feed_forward(task: Task) -> Policy:
-    """The winch pays out what the tip rises, with feedback of the load's height and speed."""
+    """Pay out rope at the rate at which the tip rises, with feedback of the load's height and speed."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
@@ -107,7 +109,7 @@ def feed_forward(task: Task) -> Policy:
 
 
 def feedback(task: Task) -> Policy:
-    """Feedback of the load's height and speed alone (PD)."""
+    """Feed back the load's height and speed only (PD)."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
@@ -117,11 +119,12 @@ def feedback(task: Task) -> Policy:
 
 
 ROLL_RATE_GAIN_S = 21.0
-"""Share of a drive's torque for each rad/s of roll, as the gallery's scenario has it."""
+"""Share of a drive's largest torque per rad/s of roll rate, as in the gallery's scenario."""
 
 
 def roll_rate_feedback(task: Task) -> Policy:
-    """The drives push the precession of the two gyros apart in proportion to the rate of roll."""
+    """Return a policy that feeds back the roll rate: it drives the two gimbals in opposite directions, with
+    torques proportional to the roll rate."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         push = ROLL_RATE_GAIN_S * in_units(task, seen)["hull.angular_velocity.x"]
@@ -131,15 +134,16 @@ def roll_rate_feedback(task: Task) -> Policy:
 
 
 ERROR_PER_S = 2.0
-"""Speed against an error of position, 1/s."""
+"""Gain from a position error to a speed, 1/s."""
 SHARE = 0.5
-"""Share of a measured speed that a control step takes away: as `ERROR_PER_S`, the best of a few tried."""
+"""Share of a measured speed that one control step removes; like `ERROR_PER_S` the best of a few values."""
 ROPE_M = 0.6
-"""Rope, and height of the load, for each radian of the drum in `three_axis`."""
+"""Rope length per radian of the drum in `three_axis`, m/rad; equal to the change of the load's height."""
 
 
 def tip_and_height(task: Task) -> Policy:
-    """Each drive goes on at its speed, less a share of the speed of the tip or, up and down, of the load.
+    """Return a policy that corrects the speed of each drive by the velocity and the position error: of the
+    tip for slewing and luffing, of the load's height for the winch.
 
     A radian of slewing moves the tip by the reach, one of luffing by its height over the foot of the boom.
     """

@@ -1,4 +1,4 @@
-"""Controllers whose scores are compared: classical ones, those that know the equations, trained ones."""
+"""Controllers whose scores are compared: classical, model-based and trained ones."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FIXED_BASE = "Kingpost/AntiSway-v0"
 
 
 CALM = {"significant_height_m": 0.001}
-"""Sea that a plan assumes when it does not know the waves ahead."""
+"""Sea that a plan assumes if the future waves are unknown."""
 
 
 def _in_calm_water(task: Task) -> Policy:
@@ -32,7 +32,7 @@ def _in_calm_water(task: Task) -> Policy:
 
 
 def benchmarks(environment: str, at_sea: bool = False) -> dict[str, Callable[[Task], Policy]]:
-    """All controllers of an environment by name, with those for a ship in a sea.
+    """All controllers of an environment by name, including those for a ship in a sea.
 
     >>> list(benchmarks("Kingpost/AntiSway-v0"))[-1]
     'trained policy'

@@ -1,4 +1,4 @@
-"""Predictive control of `Kingpost/AntiSway-v0` by plans that are sampled in the engine itself."""
+"""Predictive control of `Kingpost/AntiSway-v0` with plans that are sampled on copies of the simulation."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .tasks.anti_sway import target
 
 
 class _Sampled:
-    """Plans for each episode by itself; the goals follow from the first observations."""
+    """Policy that plans for each episode separately; the goals follow from the first observations."""
 
     def __init__(self, task: Task, plans: Sampling, foreseen: Mapping[str, Any] | None) -> None:
         self.task, self.plans, self.foreseen = task, plans, foreseen
@@ -40,16 +40,18 @@ class _Sampled:
 
 
 def cem_mpc(task: Task, plans: Sampling | None = None, foreseen: Mapping[str, Any] | None = None) -> Policy:
-    """Plans by the cross-entropy method that improve the trained policy: the engine's copies are the model.
+    """Return a controller whose plans, by the cross-entropy method, improve the trained policy. Its model are
+    copies of the simulation.
 
     Parameters
     ----------
     task
-        `anti_sway`, also on a ship. Its copies move as the episode does: the base's motion is known ahead.
+        `anti_sway`, also on a ship. The copies follow the motion of the episode, so that the base's future
+        motion is known.
     plans
-        How plans are sampled.
+        Settings of the sampling.
     foreseen
-        What plans assume of the sea, if it is not known ahead: fields or parameters with their values.
+        Sea that plans assume if it is not known ahead: fields or parameters with their values.
 
     >>> from kingpost.learn import anti_sway
     >>> few = Sampling(horizon_s=1, guided_s=0, knots=2, candidates=4, elites=2, iterations=1)

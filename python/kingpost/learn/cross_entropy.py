@@ -1,4 +1,4 @@
-"""Predictive control by sampling: the cross-entropy method over the engine's own copies."""
+"""Predictive control by sampling: the cross-entropy method on copies of the simulation."""
 
 from __future__ import annotations
 
@@ -17,37 +17,38 @@ from .task import Task
 
 @dataclass(frozen=True)
 class Sampling:
-    """How a plan is sampled.
+    """Settings of the sampling of plans.
 
     Attributes
     ----------
     horizon_s
         Length of a plan, s.
     guided_s
-        Time after the plan for which the guide goes on alone, s: its rewards count, too.
+        Time after the plan in which the guide alone controls, s; the rewards of this time count too.
     knots
-        Points of a plan, at least 2, the first now and the last at the horizon; it is straight between them.
+        Number of points of a plan, at least 2, the first now and the last at the horizon; the plan is linear
+        between them.
     candidates
-        Plans that are tried in each iteration.
+        Number of plans that are tried in each iteration.
     elites
-        The best of them, to which mean and spread are fitted.
+        Number of best plans, to which mean and spread are fitted.
     kept
-        Of these, those that are tried again in the next iteration and, moved on, by the next plan.
+        Number of elites that are tried again in the next iteration and, shifted in time, in the next plan.
     iterations
-        Iterations for each plan.
+        Number of iterations for each plan.
     every_s
         Time between two plans, s.
     spread
         Standard deviation of the first iteration, in actions.
     least_spread
-        What it does not fall below.
+        Lower bound of the standard deviation.
     seed
-        Seed of all that is drawn.
+        Seed of all random numbers.
 
     Raises
     ------
     KingpostError
-        If a number is not one that a plan can be made with.
+        If a number is outside its range.
 
     >>> Sampling(candidates=16, elites=20)
     Traceback (most recent call last):
@@ -80,7 +81,7 @@ class Sampling:
             raise KingpostError(f"elites: found {self.elites}, allowed: {allowed}")
 
     def steps(self, name: str, control_period_s: float) -> int:
-        """The time ``horizon_s`` or ``every_s`` in control steps."""
+        """Convert ``horizon_s`` or ``every_s`` to control steps."""
         steps = round(getattr(self, name) / control_period_s)
         if steps < 1:
             allowed = f"at least {control_period_s}, the control period"
@@ -93,23 +94,24 @@ class CrossEntropy:
     1999; for control de Boer et al., *Annals of Operations Research* 134, 2005; with elites that are kept
     Pinneri et al., *Conf. Robot Learning*, 2020).
 
-    A plan is added to the actions of a guide, a controller without a memory. The model is the engine itself:
-    each candidate is a copy of the scenario in its present state that the guide and the plan steer; its score
-    is the sum of the task's rewards. The plan of zeros is always among them. The same seed gives the same
-    actions to the last bit, whatever the number of threads. It is for tasks whose episodes begin alike: a
-    copy takes every action as the scenario does, so that its state is known; the goal is given, not guessed.
-    What moves the scenario is known ahead; with `foreseen`, plans go on from the true state in another sea.
+    A plan is added to the actions of a guide, a controller without internal state. The model is the engine
+    itself: each candidate is a copy of the scenario in its present state, controlled by the guide and the
+    plan; its score is the sum of the task's rewards. The plan of zeros is always among the candidates. The
+    same seed gives the same actions to the last bit, whatever the number of threads. The method is for tasks
+    whose episodes all begin in the same state: a copy receives every action of the scenario, so that the
+    state is known. The goal is given. The future excitation is known too; with `foreseen`, plans continue
+    from the true state in another sea.
 
     Parameters
     ----------
     task
         The task, without drawn scenarios.
     goal
-        The numbers that the episode is about.
+        Goal of the episode.
     sampling
-        How plans are sampled.
+        Settings of the sampling.
     guide
-        The controller that plans improve; default: one that does nothing.
+        Controller that the plans improve; default: one that does nothing.
     threads
         Threads that compute; 0 takes as many as the machine has.
     foreseen
@@ -148,7 +150,8 @@ class CrossEntropy:
         self.best = np.zeros((1, self.sampling.knots, len(task.set)))
 
     def action(self) -> np.ndarray:
-        """The next action, of a new plan or of the last one; it counts as taken."""
+        """Return the next action, from a new plan or from the last one. The action is assumed to be
+        executed."""
         if self.taken % self.hold == 0:
             self._replan()
         self.copies.resume()
@@ -160,7 +163,7 @@ class CrossEntropy:
         return chosen[-1]
 
     def _steered(self, plans: np.ndarray, step: int) -> np.ndarray:
-        """The actions of guide and plans."""
+        """Sum of the guide's actions and the plans."""
         guided = self.guide(self.copies.observations())
         return np.clip(guided + (at_knot(plans, self._knot(step)) if step < self.steps else 0.0), -1.0, 1.0)
 
@@ -168,7 +171,7 @@ class CrossEntropy:
         return step * (self.sampling.knots - 1) / self.steps
 
     def _replan(self) -> None:
-        """Moves the best plans on by the time since the last ones, and improves them."""
+        """Shift the best plans by the time since the last planning, and improve them."""
         sampling = self.sampling
         if self.taken:
             since = self._knot(self.hold)
@@ -185,7 +188,7 @@ class CrossEntropy:
             mean, spread = self.best.mean(axis=0), np.maximum(self.best.std(axis=0), sampling.least_spread)
 
     def scores(self, plans: np.ndarray) -> np.ndarray:
-        """The sum of rewards of each plan from here on, with those of the guide after it."""
+        """Sum of the rewards of each plan from the present state, including the time of the guide alone."""
         self.copies.resume()
         count, every = len(plans), self.copies.count
         plans = np.concatenate([plans, np.zeros((every - count, *plans.shape[1:]))])
@@ -198,7 +201,7 @@ class CrossEntropy:
 
 
 def at_knot(plans: np.ndarray, place: float) -> np.ndarray:
-    """Plans at a place between two of their knots.
+    """Interpolate plans between two knots.
 
     >>> at_knot(np.array([[[0.0], [1.0], [4.0]]]), 1.5)
     array([[2.5]])

@@ -1,4 +1,4 @@
-"""Observations that reach a controller late."""
+"""Delayed observations of a controller."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import numpy as np
 
 
 class Delays:
-    """The last observations of all copies, of which each sees those of some control steps ago.
+    """Buffer of the last observations of all copies; each copy has its own delay in control steps.
 
     Parameters
     ----------
     count
         Number of copies.
     longest
-        Control steps that an observation is late at most.
+        Largest delay in control steps.
     width
         Number of observations.
 
@@ -34,12 +34,12 @@ class Delays:
         self._newest = 0
 
     def begin(self, copy: int, steps: int, seen: np.ndarray) -> None:
-        """An episode begins: what is seen until the delay is over is what is now."""
+        """Begin an episode: the present observations are returned until the delay is over."""
         self.steps[copy] = steps
         self._past[:, copy] = seen
 
     def push(self, seen: np.ndarray) -> None:
-        """A control step is over, with these observations."""
+        """Store the observations at the end of a control step."""
         self._newest = (self._newest + 1) % len(self._past)
         self._past[self._newest] = seen
 
@@ -48,10 +48,10 @@ class Delays:
         return self._past[(self._newest - self.steps) % len(self._past), np.arange(len(self.steps))]
 
     def of(self, copy: int) -> tuple[int, np.ndarray]:
-        """Delay and observations of a copy, the oldest first."""
+        """Return delay and observations of one copy, the oldest first."""
         return int(self.steps[copy]), np.roll(self._past[:, copy], -self._newest - 1, axis=0)
 
     def set_all(self, given: tuple[int, np.ndarray]) -> None:
-        """Delay and observations of all copies, as `of` gives them."""
+        """Set delay and observations of all copies, in the form that `of` returns."""
         self.steps[:], past = given
         self._past[:], self._newest = past[:, None], len(self._past) - 1

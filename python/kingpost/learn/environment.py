@@ -12,7 +12,7 @@ from .task import LARGEST_OBSERVATION, Task
 
 
 def spaces(task: Task) -> tuple[gymnasium.spaces.Box, gymnasium.spaces.Box]:
-    """The spaces of one environment's observations and actions.
+    """Observation and action space of one environment.
 
     >>> from kingpost.learn import anti_sway
     >>> spaces(anti_sway())[1]
@@ -27,9 +27,9 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
     """A task on any scenario as an environment.
 
     Actions from -1 to 1 are the scenario's inputs between their bounds; observations are columns of its
-    results over their scales. An episode is terminated when the simulation fails, when the task is done, or
-    at a limit of the scenario if the task says so; ``info["ended_by"]`` says why. It is truncated at the
-    task's duration.
+    results over their scales. An episode is terminated when the simulation fails, when the task is done, or,
+    if the task has `limits`, when a limit of the scenario is exceeded; ``info["ended_by"]`` gives the reason.
+    It is truncated at the task's duration.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[np.ndarray, dict[str, Any]]:
-        """Begin an episode; with the same seed it is the same to the last bit. There are no options."""
+        """Begin an episode; the same seed gives the same episode to the last bit. There are no options."""
         check_options(options)
         super().reset(seed=seed)
         self.episodes.begin({0: self.np_random})

@@ -1,4 +1,4 @@
-"""Episodes of a task in many copies that step together: what one environment and a vector of them share."""
+"""Episodes of a task in many copies that step together: the common part of single and vector environments."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ BEFORE = "before."
 
 
 def check_options(options: Mapping[str, Any] | None, *allowed: str) -> None:
-    """Refuse options of a reset that would do nothing.
+    """Refuse unknown options of a reset.
 
     Raises
     ------
     KingpostError
-        If there is one of another name.
+        If an option has an unknown name.
 
     >>> check_options({"load_t": 3})
     Traceback (most recent call last):
@@ -39,12 +39,12 @@ def check_options(options: Mapping[str, Any] | None, *allowed: str) -> None:
 
 
 def checked_rewards(rewards: object, count: int) -> np.ndarray:
-    """The rewards of a step, one for each environment.
+    """Check the rewards of a step, one for each environment.
 
     Raises
     ------
     KingpostError
-        If a function of a task or of an agent returned something else: one number for all, say.
+        If a reward function returned an array of another shape, such as one number for all environments.
 
     >>> checked_rewards([0.5, 1], 2)
     array([0.5, 1. ])
@@ -57,7 +57,7 @@ def checked_rewards(rewards: object, count: int) -> np.ndarray:
 
 
 class Episodes:
-    """Copies of a task's scenario, each in an episode of its own.
+    """Copies of a task's scenario, each in a separate episode.
 
     Parameters
     ----------
@@ -66,11 +66,11 @@ class Episodes:
     count
         Number of copies.
     threads
-        Threads that compute; 0 takes as many as the machine has. Their number does not change a bit.
+        Threads that compute; 0 takes as many as the machine has. The results do not depend on it.
     episode_steps
         Control steps of an episode; default: the task's.
     own
-        Fields or parameters of the scenario with values of its own for each copy; default: none.
+        Fields or parameters of the scenario with one value for each copy; default: none.
 
     Examples
     --------
@@ -161,7 +161,7 @@ class Episodes:
         return self.observations(), rewards, terminated, ~terminated & (self.taken >= self.episode_steps)
 
     def mark(self, copy: int = 0) -> None:
-        """Remember where a copy is in its episode, for `resume`."""
+        """Store the state of one copy and of its episode for `resume`."""
         if self._copies is None or self.goals is None:
             raise KingpostError("mark: found no episode, allowed: after reset()")
         self._copies.mark(copy)
@@ -175,8 +175,8 @@ class Episodes:
         self._marked_late = None if self._late is None else self._late.of(copy)
 
     def resume(self) -> None:
-        """Put all copies where the one was that was marked last. Each keeps its own numbers: in another sea
-        it meets other waves from there on."""
+        """Set all copies to the state stored by `mark`. Each copy keeps its overrides: in another sea it then
+        meets other waves."""
         if self._copies is None or self.goals is None or self._marked is None:
             raise KingpostError("resume: found no mark, allowed: after mark()")
         self._copies.resume()
@@ -187,17 +187,17 @@ class Episodes:
 
     @property
     def columns(self) -> Columns:
-        """The columns that were read last."""
+        """Columns as last read."""
         table = self._read.reshape(self.count, -1)
         found = {name: table[:, k] for k, name in enumerate(self.task.read)}
         return found | {BEFORE + name: self._before[:, k] for k, name in enumerate(self.task.before)}
 
     def observations(self) -> np.ndarray:
-        """The observations that have reached the controllers, a row for each copy."""
+        """Observations after the delay, a row for each copy."""
         return self._now() if self._late is None else self._late.seen()
 
     def _now(self) -> np.ndarray:
-        """The observations now, a row for each copy."""
+        """Observations without delay, a row for each copy."""
         found = np.empty((self.count, len(self._scales)))
         columns, goals = self.columns, np.empty((self.count, 0)) if self.goals is None else self.goals
         for k, one in enumerate(self.task.seen):
@@ -234,7 +234,7 @@ class Episodes:
         return given
 
     def _drawn(self, random: np.random.Generator) -> list[tuple[str, Any]]:
-        """The scenario's overrides with the values of an episode."""
+        """Overrides of the scenario for an episode, with its drawn values."""
         drawn: list[tuple[str, Any]] = list(self.task.based_on.overrides)
         drawn += [(name, float(random.uniform(*span))) for name, span in self.task.randomised.items()]
         return [*drawn, (SEED, int(random.integers(SEEDS)))] if self.task.seeded else drawn

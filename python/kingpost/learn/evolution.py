@@ -12,34 +12,34 @@ from .network import NeuralPolicy, taken, untrained
 from .task import Task
 
 FIRST_SEED = 1_000_000
-"""Episodes of the training have seeds from here on: those of the scores are far below."""
+"""First seed of the training episodes; the seeds of the scores are far below it."""
 FORGETS = (0.9, 0.99)
-"""Averages of the gradient and of its square over the last updates (Adam)."""
+"""Decay rates of the averages of the gradient and of its square (Adam's beta_1, beta_2)."""
 Shown = Callable[[int, float], None]
 """Called after each generation with its number and the mean score of its candidates."""
 
 
 @dataclass(frozen=True)
 class Training:
-    """How a policy is trained.
+    """Settings of the training of a policy.
 
     Attributes
     ----------
     generations
-        Updates of the weights.
+        Number of updates of the weights.
     pairs
-        Candidates on either side of the present weights in each generation.
+        Number of pairs of candidates, on either side of the present weights, in each generation.
     episodes
-        Episodes of each candidate; all candidates of a generation have the same.
+        Number of episodes of each candidate; all candidates of a generation have the same episodes.
     hidden
         Sizes of the layers between observations and actions.
     spread
-        Standard deviation of the candidates' weights at the start and at the end, between which it falls
-        evenly by the logarithm.
+        Standard deviation of the candidates' weights at the start and at the end; its logarithm falls
+        linearly.
     rate
         Size of an update of a weight, at the start and at the end.
     seed
-        Seed of all that is drawn.
+        Seed of all random numbers.
     """
 
     generations: int = 250
@@ -69,11 +69,11 @@ def train(
     Parameters
     ----------
     task
-        What to learn.
+        Task to learn.
     environment
         The name of the task's environment, for the file.
     training
-        How long and with which sizes of steps.
+        Settings of the training.
     start
         A policy to begin with; default: random weights with zeros in the last layer.
     threads
@@ -122,7 +122,8 @@ def train(
 
 
 def _begun(task: Task, environment: str, training: Training, random: np.random.Generator) -> NeuralPolicy:
-    """Random weights that keep the size of a signal; the last layer begins with zeros: no action."""
+    """Random weights that preserve the variance of a signal; the last layer is zero, so that the first
+    actions are zero."""
     empty = untrained(task, environment, training.hidden)
     layers = [
         (random.standard_normal(weights.shape) / np.sqrt(weights.shape[1]), biases)
@@ -151,7 +152,7 @@ def candidate_scores(
 
 
 def centred_ranks(scores: np.ndarray) -> np.ndarray:
-    """Ranks from -1/2 for the worst to 1/2 for the best; equal scores keep their order.
+    """Ranks from -1/2 for the worst score to 1/2 for the best; equal scores keep their order.
 
     >>> centred_ranks(np.array([5.0, -1, 7])).tolist()
     [0.0, -0.5, 0.5]

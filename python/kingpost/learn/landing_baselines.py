@@ -1,4 +1,4 @@
-"""Controllers that set a load down, to compare learned ones with."""
+"""Classical controllers that set a load down: baselines for learned controllers."""
 
 from __future__ import annotations
 
@@ -8,23 +8,22 @@ from .policies import Policy, in_units, limited
 from .task import Task
 
 DRUM_M = 0.15
-"""Height for each radian of the drum in `landing`: 0.6 m of rope over four falls."""
+"""Load height per radian of the drum in `landing`, m/rad: 0.6 m of rope over four falls."""
 LOWERING_M_S = 0.5
-"""Constant speed of lowering. Like the numbers below it is the best of a few, on 16 episodes with seeds from
-70 000 on."""
+"""Constant speed of lowering. Like the numbers below, it is the best of a few values on 16 episodes with
+seeds from 70 000 on."""
 SOFT_M_S = 0.25
-"""Speed of lowering near the deck without regard to its motion."""
+"""Speed of lowering near the deck, independent of the deck's motion."""
 FOLLOWING_M_S, FOLLOWING_PER_S = 0.1, 0.3
-"""Speed at which the load closes with a deck that the winch follows: at least, and for each metre of
-height, 1/s."""
+"""Closing speed of the load to a deck that the winch follows: lower limit, and gain on the height, 1/s."""
 STAND_OFF_M = 1.0
 """Height over the deck at which the load waits."""
 APPROACH_M_S, APPROACH_PER_S = 1.0, 0.5
-"""Highest speed down to that height, and the speed for each metre above it, 1/s."""
+"""Largest speed of lowering to the waiting height, and gain on the height above it, 1/s."""
 PERIOD_S, AHEAD_S = 9.0, 4.0
-"""Period and time of the prediction of deck and tip."""
+"""Period of the motion that is predicted for deck and tip, and prediction time."""
 CALM_M_S, PATIENCE_M_S2 = 0.2, 0.02
-"""Predicted speed of the impact that is calm enough, and its growth with the time of waiting."""
+"""Accepted predicted impact speed, and its increase with the waiting time."""
 
 
 def constant_lowering(task: Task) -> Policy:
@@ -33,17 +32,17 @@ def constant_lowering(task: Task) -> Policy:
 
 
 def _approach(now: dict[str, np.ndarray]) -> np.ndarray:
-    """Speed of lowering towards the height of waiting, m/s."""
+    """Speed of lowering towards the waiting height, m/s."""
     return np.clip(APPROACH_PER_S * (now["height_over_deck"] - STAND_OFF_M), -APPROACH_M_S, APPROACH_M_S)
 
 
 def _set_down(task: Task, now: dict[str, np.ndarray], speed: np.ndarray) -> np.ndarray:
-    """This speed of lowering, m/s; after the first contact the winch pays out as fast as it can."""
+    """Lower at this speed, m/s; after the first contact pay out at the largest speed of the winch."""
     return limited(task, [np.where(now["has_touched"] > 0.5, np.inf, speed / DRUM_M)])
 
 
 def slow_near_deck(task: Task) -> Policy:
-    """Lower fast, at the end slowly, whatever the deck does; then pay out."""
+    """Lower fast, then slowly near the deck, independent of its motion; then pay out."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
@@ -53,7 +52,7 @@ def slow_near_deck(task: Task) -> Policy:
 
 
 def deck_following(task: Task) -> Policy:
-    """The winch takes up the motion of deck and tip and lowers, slowly near the deck; then it pays out."""
+    """Follow the motion of deck and tip with the winch while lowering, slowly near the deck; then pay out."""
 
     def policy(seen: np.ndarray) -> np.ndarray:
         now = in_units(task, seen)
@@ -64,9 +63,9 @@ def deck_following(task: Task) -> Policy:
 
 
 class QuietMoment:
-    """Waits over the deck, lowers when the predicted impact is soft: the longer it waits, the less it asks.
-
-    The rise z of the deck over the tip is predicted from z and its rate by a sine of one period.
+    """Wait over the deck, and lower if the predicted impact speed is low enough; the accepted speed increases
+    with the waiting time. The rise z of the deck over the tip is predicted from z and its rate by a sine of
+    one period.
     """
 
     def __init__(self, task: Task) -> None:
@@ -83,7 +82,8 @@ class QuietMoment:
         return _set_down(self.task, now, np.where(self.lowering, SOFT_M_S, _approach(now)))
 
     def _impact(self, now: dict[str, np.ndarray]) -> np.ndarray:
-        """Speed of the impact if the load were lowered from now on; infinite if there is none in time."""
+        """Impact speed if the load were lowered from now on; infinite if there is no impact within the
+        prediction time."""
         rise = (now["deck_heave"] - now["tip_heave"])[:, None]
         rises = (now["deck_heave_rate"] - now["tip_heave_rate"])[:, None]
         later = rise * self.cosine + rises * self.sine / self.rate

@@ -1,4 +1,4 @@
-"""Controllers of `Kingpost/AntiSway-v0` by `kingpost.lqr` and `kingpost.mpc`, which know the crane."""
+"""Model-based controllers of `Kingpost/AntiSway-v0` by `kingpost.lqr` and `kingpost.mpc`."""
 
 from __future__ import annotations
 
@@ -17,21 +17,20 @@ PERIOD_S = 0.2
 HORIZON = 60
 """Periods of a plan: 12 s, longer than the swing of 9 s."""
 LUFFS_DEG = tuple(range(-62, -27, 4))
-"""Angles of the boom at which the crane is linearised; the nearest one counts."""
+"""Boom angles at which the crane is linearised; a controller takes the nearest one."""
 LUFF_AT_START = -np.pi / 4
 LUFF = "bodies.boom.joint.revolute.initial_angle_deg"
 JOINTS = ("slew", "luff", "pendant.first", "pendant.second", "sling.first", "sling.second")
 PLACE_WEIGHT, SPEED_WEIGHT, SWING_WEIGHT = 0.1, 0.3, 10.0
-"""Weights of the load's place (1/m^2) and speed (s^2/m^2) and of the swing's angles (1/rad^2), found by
-trying thirteen sets on eight episodes that are not among those of the scores."""
+"""Weights of the load's position (1/m^2), velocity (s^2/m^2) and swing angles (1/rad^2): the best of thirteen
+sets on eight episodes that are not among those of the scores."""
 PLAN_INPUT_WEIGHT, LQR_INPUT_WEIGHT = 0.1, 200.0
-"""Weights of the inputs (s^2/rad^2), of plans and of the regulator that is cut: the best of six."""
+"""Weights of the inputs (s^2/rad^2) in the plans and in the limited regulator: the best of six."""
 
 
 def states(task: Task, seen: np.ndarray, names: list[str]) -> np.ndarray:
-    """The states of the linear model, as deviations from rest at the target, from the observations.
-
-    The drives' references, which are not observed, are taken to be where the joints are.
+    """Convert observations to states of the linear model, as deviations from rest at the target. The drives'
+    references, which are not observed, are assumed equal to the joint positions.
     """
     now = in_units(task, seen)
     along = now["swing_along"] - now["luff_error"]
@@ -46,7 +45,8 @@ def states(task: Task, seen: np.ndarray, names: list[str]) -> np.ndarray:
 
 
 def load_weights(task: Task, luff_deg: float, names: list[str]) -> np.ndarray:
-    """Q of the load's horizontal place and speed, by differences about rest, and of the angles."""
+    """Weight matrix Q of the load's horizontal position and velocity, by finite differences about rest, and
+    of the swing angles."""
     simulation = Simulation(task.based_on.with_overrides({LUFF: luff_deg}))
     simulation.settle()
     columns = [name for channel in simulation.channels for name in channel["columns"]]
@@ -67,7 +67,7 @@ def load_weights(task: Task, luff_deg: float, names: list[str]) -> np.ndarray:
 
 @cache
 def _regulators(task: Callable[[], Task], weight: float) -> list[PredictiveRegulator]:
-    """A regulator for each angle of the boom."""
+    """Regulators, one for each boom angle."""
     made = task()
     names = Simulation(made.based_on).linearize().states
     drives = made.based_on.resolved["drives"]
@@ -93,7 +93,8 @@ def _regulators(task: Callable[[], Task], weight: float) -> list[PredictiveRegul
 
 
 class _ByModel:
-    """Chooses the regulator by the boom's angle, which follows from that at the start of every episode."""
+    """Policy that chooses the regulator by the boom angle, found from the angle at the start of every
+    episode."""
 
     def __init__(self, task: Task, plans: bool) -> None:
         from .tasks import anti_sway
@@ -126,7 +127,7 @@ class _ByModel:
 
 
 def linear_quadratic(task: Task) -> Policy:
-    """The linear-quadratic regulator of the boom's angle, cut at the speeds' limits."""
+    """Linear-quadratic regulator for the boom angle, with outputs limited to the speed limits."""
     return _ByModel(task, plans=False)
 
 

@@ -19,7 +19,7 @@ from .policies import Policy
 from .task import LARGEST_OBSERVATION, Task
 
 DIGITS = 6
-"""Significant digits of the weights in a file: the rounded weights are the policy, also for its score."""
+"""Significant digits of the weights in a file; the policy, also for its score, has the rounded weights."""
 
 
 @dataclass(frozen=True)
@@ -27,13 +27,13 @@ class NeuralPolicy:
     """A multilayer perceptron with tanh: actions ``a = tanh(W_n tanh(... tanh(W_1 o + b_1)) + b_n)``.
 
     The observations o are over their scales, as the environment gives them, clipped to ten scales; the
-    actions are from -1 to 1. It has no memory (Goodfellow, Bengio & Courville, *Deep Learning*, 2016, sec.
-    6.1, 6.3).
+    actions are from -1 to 1. It has no internal state (Goodfellow, Bengio & Courville, *Deep Learning*, 2016,
+    sec. 6.1, 6.3).
 
     Attributes
     ----------
     environment
-        Name of the environment that it is for.
+        Name of the environment of the policy.
     observations
         Names of the observations.
     units
@@ -51,7 +51,7 @@ class NeuralPolicy:
     layers
         Weights and biases of each layer, as W (outputs x inputs) and b.
     about
-        How it was trained and what it scored, by name.
+        Settings of the training and the score, by name.
 
     Examples
     --------
@@ -74,7 +74,7 @@ class NeuralPolicy:
 
     def __call__(self, seen: np.ndarray) -> np.ndarray:
         """Actions from observations over their scales, a row for each environment."""
-        # In the order of C, on which the order of the sums below depends.
+        # In C order, on which the order of summation below depends.
         given = np.ascontiguousarray(seen, np.float64)
         signal = np.clip(given, -LARGEST_OBSERVATION, LARGEST_OBSERVATION)
         for weights, biases in self.layers:
@@ -83,7 +83,8 @@ class NeuralPolicy:
         return signal
 
     def of(self, task: Task) -> Policy:
-        """Adapt the policy to a task that sees more, in another order or with other scales: it picks by name.
+        """Adapt the policy to a task with more observations, another order or other scales, by the names of
+        observations.
 
         Raises
         ------
@@ -94,7 +95,8 @@ class NeuralPolicy:
         return lambda seen: self(np.asarray(seen, np.float64)[:, places] * ratios)
 
     def begun_for(self, task: Task, environment: str) -> NeuralPolicy:
-        """A policy that sees all of a task and acts as this one: the weights of what it sees more are zero.
+        """Extend the policy to all observations of a task with the same actions: weights of the added
+        observations are zero.
 
         Raises
         ------
@@ -109,7 +111,7 @@ class NeuralPolicy:
         return replace(empty, layers=((weights, biases), *others))
 
     def _picked(self, task: Task) -> tuple[list[int], np.ndarray]:
-        """Where its observations are among those of a task, and the task's scales over its own."""
+        """Indices of the policy's observations in a task, and ratios of the task's scales to the policy's."""
         seen = list(task.observation_names)
         missing = [name for name in self.observations if name not in seen]
         if missing:
@@ -129,7 +131,7 @@ class NeuralPolicy:
         return replace(self, layers=tuple(taken(numbers, shapes)))
 
     def json(self) -> str:
-        """The text of its file."""
+        """Text of the policy's file."""
         rows = [{"weights": _rows(weights), "biases": _rounded(biases)} for weights, biases in self.layers]
         observed = zip(self.observations, self.units, self.scales, strict=True)
         acting = zip(self.actions, self.action_units, self.bounds, strict=True)
@@ -145,7 +147,7 @@ class NeuralPolicy:
         return f'{lines},\n "layers": [\n{layers}\n ]\n}}\n'
 
     def save(self, path: str | Path) -> None:
-        """Write its file."""
+        """Write the policy to a file."""
         write_text(path, self.json())
 
 
@@ -196,7 +198,7 @@ def untrained(task: Task, environment: str, hidden: Sequence[int]) -> NeuralPoli
 
 
 def read_policy(path: str | Path) -> NeuralPolicy:
-    """A policy from its file.
+    """Read a policy from its file.
 
     Parameters
     ----------
@@ -211,7 +213,7 @@ def read_policy(path: str | Path) -> NeuralPolicy:
     Raises
     ------
     KingpostError
-        If the file is not one of a policy, or its layers do not fit.
+        If the file does not contain a policy, or its layers do not fit.
 
     >>> from kingpost.learn import trained
     >>> trained("Kingpost/AntiSway-v0").actions
@@ -245,7 +247,7 @@ def read_policy(path: str | Path) -> NeuralPolicy:
 
 
 def _check(path: str | Path, policy: NeuralPolicy) -> None:
-    """Whether each layer fits between its neighbours."""
+    """Refuse layers whose sizes do not match."""
     inputs = len(policy.observations)
     for k, (weights, biases) in enumerate(policy.layers):
         if weights.shape != (len(biases), inputs):

@@ -17,7 +17,7 @@ from .task import LARGEST_OBSERVATION, Task
 
 
 class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
-    """A task on any scenario whose actions are shared out among agents that act at the same time.
+    """A task on any scenario whose actions are distributed among agents that act simultaneously.
 
     The episodes are those of `ShipCraneEnv` with the same seed and the same actions, to the last bit. All
     agents end at the same time.
@@ -35,7 +35,7 @@ class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
     Raises
     ------
     KingpostError
-        If an action has no agent or two, or if a name is unknown.
+        If an action has no agent or several, or a name is unknown.
 
     Examples
     --------
@@ -87,8 +87,8 @@ class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, np.ndarray], dict[str, dict[str, Any]]]:
-        """Begin an episode; with the same seed it is the same to the last bit. There are no options."""
-        # PettingZoo's own checker gives one of this name.
+        """Begin an episode; the same seed gives the same episode to the last bit. There are no options."""
+        # PettingZoo's checker passes an option named `options`.
         check_options(options, "options")
         if seed is not None or self._random is None:
             self._random = seeding.np_random(seed)[0]
@@ -128,11 +128,11 @@ class ShipCraneParallelEnv(ParallelEnv[str, np.ndarray, np.ndarray]):
         )
 
     def state(self) -> np.ndarray:
-        """All observations of the task, for training that sees more than an agent does."""
+        """All observations of the task, for centralised training."""
         return self.episodes.observations()[0]
 
     def _joined(self, actions: Mapping[str, np.ndarray]) -> np.ndarray:
-        """The actions of all agents in the order of the task."""
+        """Join the actions of all agents in the order of the task."""
         if set(actions) != set(self.agents):
             raise KingpostError(f"actions: found those of {list(actions)}, allowed: {self.agents}")
         joined = np.empty((1, len(self.task.set)))

@@ -1,4 +1,4 @@
-"""Policies: actions from observations in their units."""
+"""Policies: functions from observations to actions."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ import numpy as np
 from .task import Task
 
 Policy = Callable[[np.ndarray], np.ndarray]
-"""Actions from observations, a row for each environment. A policy with a memory is made anew for each run."""
+"""Function from observations to actions, a row for each environment. Make a new policy for each run if it has
+internal state."""
 
 
 def do_nothing(task: Task) -> Policy:
@@ -23,6 +24,6 @@ def in_units(task: Task, seen: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def limited(task: Task, speeds: list[np.ndarray]) -> np.ndarray:
-    """Speeds as actions."""
+    """Convert speeds to actions, limited to -1 to 1."""
     highest = [high for _, high in task.bounds]
     return np.clip(np.stack(speeds, axis=1) / highest, -1.0, 1.0)

@@ -1,4 +1,4 @@
-"""The trained policies that the package carries."""
+"""Trained policies in the package."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FILES = {
 
 
 def trained(environment: str) -> NeuralPolicy:
-    """The policy that the package carries for an environment.
+    """Read the trained policy of an environment.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def trained(environment: str) -> NeuralPolicy:
     Returns
     -------
     NeuralPolicy
-        The policy; its ``about`` says how it was trained.
+        The policy; its attribute ``about`` describes the training.
 
     Raises
     ------

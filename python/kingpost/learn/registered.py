@@ -1,4 +1,4 @@
-"""The environments by their names in Gymnasium."""
+"""Registration of the environments with Gymnasium."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class _Many:
 
 
 def register() -> None:
-    """Register the environments, unless they are."""
+    """Register the environments that are not registered yet."""
     for name, task in IDS.items():
         if name not in gymnasium.registry:
             gymnasium.register(name, entry_point=_One(task), vector_entry_point=_Many(task))

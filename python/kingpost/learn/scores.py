@@ -15,7 +15,7 @@ from .vector import ShipCraneVectorEnv
 
 EPISODES = 16
 FIRST_SEED = 50_000
-"""Seeds from here on are for scores: do not train with them."""
+"""First seed of the scored episodes: do not train with these seeds."""
 
 
 def score(
@@ -25,14 +25,14 @@ def score(
     seed: int = FIRST_SEED,
     threads: int = 0,
 ) -> np.ndarray:
-    """Sum of rewards of each of many episodes under a controller.
+    """Compute the sum of rewards of each of many episodes under a controller.
 
     Parameters
     ----------
     task
         The task.
     policy
-        Makes the controller.
+        Function that makes the controller.
     episodes
         Number of episodes; episode i has the seed `seed` + i.
     seed
@@ -43,7 +43,7 @@ def score(
     Returns
     -------
     numpy.ndarray
-        A sum for each episode.
+        Sum of rewards of each episode.
 
     >>> from kingpost.learn import BASELINES, anti_sway
     >>> bool(score(anti_sway(), BASELINES["Kingpost/AntiSway-v0"]["do nothing"], 2).mean() < 0)
@@ -73,7 +73,7 @@ def cases() -> dict[str, tuple[Task, dict[str, Callable[[Task], Policy]]]]:
 
 
 def table(episodes: int = EPISODES) -> str:
-    """The scores of all controllers as a table in Markdown, the best first."""
+    """Table of the scores of all controllers in Markdown, the best first."""
     lines = []
     for name, (task, policies) in cases().items():
         found = {label: score(task, policy, episodes) for label, policy in policies.items()}

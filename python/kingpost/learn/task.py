@@ -14,30 +14,30 @@ from ..scenario import Scenario, load
 from ..simulation.simulate import Simulation
 
 LARGEST_OBSERVATION = 10.0
-"""Observations are clipped to this many scales on either side."""
+"""Largest magnitude of an observation, in scales; beyond it observations are clipped."""
 FARTHEST = 1e5
-"""An input with a wider range needs bounds of its own: the half of its range would be no useful unit."""
+"""Widest range of an input without bounds in the task: half of a wider range is not a useful unit."""
 
 Columns = Mapping[str, np.ndarray]
 """Columns of results by name: a value for each environment, in SI units."""
 Goal = np.ndarray
-"""The numbers that an episode is about, such as a target: a row for each environment."""
+"""Goal of an episode, such as a target: a row for each environment."""
 
 
 @dataclass(frozen=True)
 class Observation:
-    """A number that a controller sees: ``value / scale``, clipped to ten scales on either side.
+    """A scaled observation of a controller: ``value / scale``, clipped to ten scales on either side.
 
     Parameters
     ----------
     name
-        Its name; the name of a column unless `value` is given.
+        Name of the observation; the name of a column unless `value` is given.
     scale
         The size that counts as 1, in `unit`.
     unit
-        Its unit; of a column, that of the column.
+        Unit of the value; default: the unit of the column.
     value
-        Computes it from columns and goal, a number for each environment; default: the column `name`.
+        Function of columns and goal that returns one number for each environment; default: the column `name`.
     """
 
     name: str
@@ -64,7 +64,7 @@ class Action:
 
 
 def no_goal(random: np.random.Generator, start: Mapping[str, float]) -> Sequence[float]:
-    """No numbers: the task is the same in every episode.
+    """Return an empty goal: the task is the same in every episode.
 
     >>> no_goal(np.random.default_rng(0), {})
     ()
@@ -91,8 +91,8 @@ class Task:
     columns
         Further columns that reward and observations need.
     before
-        Columns that they also need as they were before the control step, each as ``before.NAME``; at the
-        start of an episode the two are equal.
+        Columns whose values before the control step reward and observations also need, each as
+        ``before.NAME``; at the start of an episode they equal the present values.
     done
         Whether an episode has reached its end, from columns and goal, one for each environment; default:
         never.
@@ -101,12 +101,12 @@ class Task:
     duration_s
         Length of an episode, s.
     goal
-        Draws the numbers of an episode, given the columns at its start.
+        Function that draws the goal of an episode from the columns at its start.
     randomised
         Parameters or paths of fields with their range: each episode draws a value from it.
     delay_s
-        How late the observations reach the controller, s, from and to: each episode draws a whole number of
-        control steps in this range. Reward and end of the episode do not wait.
+        Least and largest delay of the observations, s: each episode draws a whole number of control steps in
+        this range. Reward and end of the episode are not delayed.
     seeded
         Whether each episode draws a seed of its sea, gusts and noise.
     limits
@@ -167,7 +167,7 @@ class Task:
                 raise KingpostError(f"actions: found bounds {one}, allowed: an Action with narrower ones")
 
     def _check_period(self, step_s: float) -> None:
-        """Refuse a control period that is not a whole number of steps, to six digits of one."""
+        """Refuse a control period that is not a whole number of steps, within 1e-6 of a step."""
         steps = self.control_period_s / step_s
         if not steps >= 1 - 1e-9 or abs(steps - round(steps)) > 1e-6:
             raise KingpostError(
@@ -176,7 +176,8 @@ class Task:
             )
 
     def _check_ends(self) -> None:
-        """Refuse a range of `randomised` whose ends the scenario refuses: an episode would, some day."""
+        """Refuse a range of `randomised` with an end that the scenario refuses: an episode could fail
+        later."""
         for end, which in enumerate(("low", "high") if self.randomised else ()):
             ends = {name: float(span[end]) for name, span in self.randomised.items()}
             try:

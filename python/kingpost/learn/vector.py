@@ -1,4 +1,4 @@
-"""Many environments that step in one call."""
+"""Vector environment: many environments that step in one call."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def _mode(given: AutoresetMode | str) -> AutoresetMode:
 class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
     """Many environments of one task: one call steps all, over SIMD lanes and threads.
 
-    Each gives the same bits as a `ShipCraneEnv` with its seed, whatever the number of threads and of
+    Each gives the same bits as a `ShipCraneEnv` with the same seed, for any number of threads and
     environments.
 
     Parameters
@@ -85,7 +85,7 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
     ) -> tuple[np.ndarray, dict[str, Any]]:
         """Begin episodes in all environments, or in those of ``options["reset_mask"]``.
 
-        Environment i of a seed s has the seed s + i; a list has one seed for each.
+        With a seed s, environment i has the seed s + i; a list gives one seed for each environment.
         """
         check_options(options, "reset_mask")
         mask = np.asarray((options or {}).get("reset_mask", np.ones(self.num_envs, dtype=np.bool_)))

@@ -17,7 +17,7 @@ RUNS = 2 * len(figures.CASES) + len(integrators.ORDERS)
 
 
 def command(folder: str | Path) -> int:
-    """Write everything to `folder`, print a summary and say where it is."""
+    """Write everything to `folder`, and print a summary and the paths."""
     folder = Path(folder)
     written, tables = write(folder)
     for rows in tables:
@@ -38,7 +38,7 @@ def write(folder: str | Path) -> tuple[list[Path], list[summary.Table]]:
     Raises
     ------
     KingpostError
-        When the folder cannot be made or written to.
+        If the folder cannot be made or written to.
     """
     folder = Path(folder)
     try:

@@ -47,7 +47,7 @@ EQUATIONS = {
 def arm_velocity(
     simulation: Simulation, equation: str = "43", form: str = "corrected"
 ) -> NDArray[np.float64]:
-    """Velocity of the arm's centre by eq. 43 or 46b, in one of its forms, m/s in world axes.
+    """Compute the velocity of the arm's centre by eq. 43 or 46b, as printed or corrected, m/s in world axes.
 
     Parameters
     ----------

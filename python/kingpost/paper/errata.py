@@ -1,4 +1,4 @@
-"""Where the paper's text and the physics disagree.
+"""Differences between the paper's text and the physics.
 
 Equations are LaTeX in the paper's notation; S(a) is the skew matrix of a, and the paper's axes
 are 1 athwartship, 2 up, 3 along the ship.

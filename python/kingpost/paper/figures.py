@@ -23,13 +23,13 @@ DURATION_S = 3.0
 RATES = {"pitch": "y", "yaw": "z", "roll": "x"}
 """The paper's w1, w2, w3, left to right, and the ship's axis of each."""
 NOTHING = 1e-9
-"""A rate below this is rounding, rad/s."""
+"""Rates below this are rounding errors, rad/s."""
 AT_CENTRE = {"crane_x_m": 0.0, "crane_y_m": 0.0, "load": False}
 
 
 @dataclass(frozen=True)
 class Case:
-    """One figure: which motors are on."""
+    """Case of one figure: the motors that are on."""
 
     number: int
     title: str

@@ -46,8 +46,8 @@ CASES: dict[str, dict[str, object]] = {
 }
 """Both motors, no load, crane at the centre; then the arm on a spring that swings at about 56 Hz."""
 USABLE = 0.1
-"""A step is usable if the energy error is below this fraction of the work, and the tower's angle is within
-this error (rad)."""
+"""Criteria of a usable step: largest energy error as a fraction of the work, and largest error of the tower's
+angle, rad."""
 ENERGY_ROUNDING = 1e-11
 MOMENTUM_ROUNDING = 1e-6
 ROTATION_ROUNDING = 1e-12
@@ -56,7 +56,7 @@ ROTATION_ROUNDING = 1e-12
 
 @dataclass(frozen=True)
 class Point:
-    """The end of one run.
+    """Errors and cost at the end of one run.
 
     Attributes
     ----------
@@ -169,7 +169,7 @@ def _cost(integrator: str) -> tuple[float, float]:
 
 
 class _Run:
-    """A run of half a second; only its end is used."""
+    """A run of half a second, of which only the end is used."""
 
     def __init__(self, case: str, integrator: str, setting: float) -> None:
         step_s = TIMED_STEP_S if integrator == ADAPTIVE else setting

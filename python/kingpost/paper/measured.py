@@ -34,7 +34,7 @@ class Measured:
         Largest pitch, yaw and roll rate with the tower motor, the arm at first level or held
         upright, rad/s.
     level_damped, both, both_damped
-        The same of Fig. 9 with damping, and of Fig. 11 without and with it, rad/s.
+        Largest rates of Fig. 9 with damping, and of Fig. 11 without and with damping, rad/s.
     lowering, lifting
         Largest pitch rate of Fig. 10 without and with damping, for the torque of Table 2 by the signs of
         eqs. 40 and 59, and for the opposite torque, rad/s.
@@ -62,7 +62,7 @@ class Measured:
 
 
 def measure(drawn: list[figures.Figure]) -> Measured:
-    """Measure them; `drawn` holds the results of Figs. 9 to 11."""
+    """Measure the numbers; `drawn` holds the results of Figs. 9 to 11."""
     level, arm_alone, both = drawn
     arm = "bodies.arm.joint.revolute"
     held_upright = {f"{arm}.initial_angle_rad": -np.pi / 2, f"{arm}.mode": "held"}

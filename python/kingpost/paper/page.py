@@ -1,4 +1,4 @@
-"""The page with the paper's results and the differences between its text and the physics."""
+"""Page with the paper's results and the differences between its text and the physics."""
 
 from __future__ import annotations
 

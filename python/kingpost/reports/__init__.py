@@ -1,1 +1,1 @@
-"""Reports and pictures of the command line."""
+"""Reports and pictures for the command line."""

@@ -1,4 +1,4 @@
-"""Report of the events of a run: important ones one by one, then counts of repeating ones."""
+"""Report of a run's events: important ones one by one, then counts of repeating ones."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .tables import table
 if TYPE_CHECKING:
     import xarray
 
-# More events of one element are counted, too: a load leaves the water in every wave.
+# If one element has more events than this, they are only counted: a load may leave the water in every wave.
 MOST_OF_ONE = 4
 
 

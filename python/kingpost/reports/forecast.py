@@ -1,4 +1,4 @@
-"""Text of a forecast on the command line: go or no-go, windows, the sea that was forecast."""
+"""Text on a forecast for the command line: go or no-go, windows, forecast sea."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ def text(decision: Decision, of: Sequence[str]) -> str:
     Parameters
     ----------
     decision
-        Of `decide`.
+        Result of `decide`.
     of
-        Lines on what it is of.
+        Lines of text on the subject of the decision.
     """
     series = decision.found.series
     lines = [

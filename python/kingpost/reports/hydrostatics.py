@@ -30,7 +30,7 @@ def sections(scenario: Scenario) -> list[list[str]]:
 
 
 def _hull(hull: dict[str, Any]) -> list[str]:
-    """At rest in still water; heights are over the keel, along the hull's z."""
+    """Report of one hull at rest in still water; heights are over the keel, along the hull's z."""
 
     def both(quantity: str) -> tuple[str, str]:
         across, along = hull[quantity]
@@ -61,7 +61,7 @@ def _hull(hull: dict[str, Any]) -> list[str]:
 
 
 def _angle(radians: float, positive: str, negative: str) -> tuple[str, str]:
-    """The size of an angle in degrees, and its side; no side if it is zero."""
+    """Format the magnitude of an angle in degrees and its side; no side if it is zero."""
     size = f"{abs(degrees(radians)):.4f}"
     way = "" if float(size) == 0 else positive if radians > 0 else negative
     return f"{size} deg", way
@@ -83,7 +83,7 @@ def _hanging(hull: dict[str, Any]) -> list[str]:
 
 
 def _tanks(hull: dict[str, Any]) -> list[str]:
-    """The change of GM by the free surfaces, the liquid and its height."""
+    """Table of the tanks: liquid, its height, and the change of GM by the free surfaces."""
     surfaces = hull["free_surfaces"]
     if not surfaces:
         return []
@@ -113,7 +113,7 @@ def _arms(hull: dict[str, Any]) -> list[str]:
 
 
 def _range(curve: dict[str, Any], rests_by_mesh: bool) -> str:
-    """Equilibrium (if the run rests at that of the curve), largest arm, and range of stability."""
+    """Text on the equilibrium (if it is that of the curve), the largest arm and the range of stability."""
     rest, vanishing = curve["equilibrium_rad"], curve["vanishing_rad"]
     if rest is None:
         return "no equilibrium up to 90 deg"

@@ -1,4 +1,4 @@
-"""Text on the command line of limiting significant heights, by linear response and by runs, and of the
+"""Text for the command line on limiting significant heights, by linear response and by runs, and on the
 operable share of a scatter table."""
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ if TYPE_CHECKING:
 
 MOST_LISTED = 8
 MOST_ROWS = 60
-"""Rows that are printed; --json and Python have all."""
+"""Largest number of printed rows; `--json` and Python give all."""
 
 
 def screen(found: xarray.Dataset) -> str:
-    """A screened study: the limiting significant height, a row for each combination of the other axes."""
+    """Table of a screened study: the limiting significant height, a row for each combination of the other
+    axes."""
     lines = [f"{found.attrs['title']}: linear response about rest in still water, without runs"]
     if "limiting_height_of_all" in found:
         lines += ["", *heights(found)]
@@ -35,7 +36,7 @@ def screen(found: xarray.Dataset) -> str:
 
 
 def heights(found: xarray.Dataset) -> list[str]:
-    """The limiting significant height over all limits, and the limit that governs."""
+    """Table of the limiting significant height over all limits, and the governing limit."""
     of_all = found["limiting_height_of_all"]
     names = [str(dim) for dim in of_all.dims]
     governs = found["governs"].transpose(*names)
@@ -51,7 +52,7 @@ def heights(found: xarray.Dataset) -> list[str]:
 
 
 def height_text(found: xarray.Dataset, at: tuple[int, ...]) -> str:
-    """A limiting height over all limits; in words where the heights of the study do not reach it."""
+    """Format a limiting height over all limits, as text if the heights of the study do not reach it."""
     height = float(found["limiting_height_of_all"].values[at])
     if not np.isfinite(height):
         return "no limit" if np.isinf(height) else "-"
@@ -65,7 +66,7 @@ def height_text(found: xarray.Dataset, at: tuple[int, ...]) -> str:
 
 
 def operable(share: Operability) -> list[str]:
-    """The share of a scatter table in which work can go on."""
+    """Text on the operable share of a scatter table."""
     lines = [f"operable        {100 * share.share:.1f} % of {share.total:g} occurrences"]
     if share.outside:
         at = _listed(share.outside_periods_s)
@@ -78,7 +79,7 @@ def operable(share: Operability) -> list[str]:
 
 
 def _listed(values: Sequence[float]) -> str:
-    """Numbers; of many the first and the last."""
+    """Format numbers; of many only the first and the last."""
     shown = [f"{value:.3g}" for value in values]
     return ", ".join(shown) if len(shown) <= MOST_LISTED else f"{shown[0]} to {shown[-1]}"
 

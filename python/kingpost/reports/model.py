@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 WORLD = "world"
 FREE = "floating"
-"""The joint of a body that moves in all six directions."""
+"""Kind of the joint of a body with six degrees of freedom."""
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
@@ -55,7 +55,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
 
 
 def data(scenario: Scenario, coordinates: Sequence[str]) -> dict[str, Any]:
-    """The content of `text` in SI units: the engine's description, the settings, and how hulls float."""
+    """Content of `text` in SI units: the engine's description, the settings, and the hydrostatics."""
     given = scenario.resolved
     return {
         "title": scenario.title,
@@ -97,7 +97,7 @@ def _bodies(described: dict[str, Any], afloat: set[str]) -> list[str]:
 
 
 def _kind(joint: dict[str, Any], afloat: set[str]) -> str:
-    """Name the kind of a joint. A load that moves in all six directions is free: only a hull floats."""
+    """Name the kind of a joint. A load with six degrees of freedom is called free, a hull floating."""
     kind: str = joint["kind"]
     return "free" if kind == FREE and joint["body"] not in afloat else kind
 
@@ -123,8 +123,8 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 
 
 def _elements(described: dict[str, Any], group: str) -> list[str]:
-    """Forces, drives, sensors or controllers with their facts. A model without sensors or controllers gets
-    no section of them."""
+    """Forces, drives, sensors or controllers with their facts. Without elements of a kind there is no
+    section."""
     rows = [(group, "", "", "")]
     for element in described["elements"]:
         if element["group"] == group:

@@ -13,7 +13,7 @@ from .tables import table
 # Amplitudes below this share of the largest are not printed, and at most this many.
 SMALLEST_AMPLITUDE = 0.005
 MOST_AMPLITUDES = 4
-# With a larger share of the memory of radiated waves, a mode is one of the water.
+# A mode with a larger share of the memory of radiated waves counts as a mode of the water.
 WATERS_SHARE = 2 / 3
 
 
@@ -44,8 +44,8 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
 
 
 def of_ship_and_crane(found: xarray.Dataset) -> xarray.Dataset:
-    """The modes in which ship and crane move: without those of the water's memory of radiated waves and those
-    of what controls and drives keep.
+    """Select the modes of ship and crane: without those of the memory of radiated waves and of the states of
+    controls and drives.
 
     >>> import kingpost
     >>> of_ship_and_crane(kingpost.modes("chain")).sizes["mode"] > 0
@@ -63,7 +63,7 @@ def _of_water_and_controls(found: xarray.Dataset) -> tuple[xarray.DataArray, xar
 
 
 def _sweep(found: xarray.Dataset) -> str | None:
-    """The dimension of a sweep, where there is one."""
+    """Dimension of the sweep, if there is one."""
     return next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
 
 
@@ -102,7 +102,7 @@ def _of_controls(found: xarray.Dataset) -> xarray.DataArray:
 
 
 def _names(found: xarray.Dataset) -> dict[int, str]:
-    """Names of the modes; the second and third mode of one name are numbered."""
+    """Names of the modes; the second and further modes of one name are numbered."""
     given = found["named_after"].values.tolist()
     counts = [given[:k].count(name) for k, name in enumerate(given)]
     return {
@@ -115,7 +115,7 @@ def _shape(mode: xarray.Dataset, all_states: bool) -> str:
     """The largest amplitudes of a mode. For a mode named after a position or an angle, only positions and
     angles count, because states of a control have another scale."""
     moves = mode["moves"]
-    # What the water remembers has no place among them where it is left out.
+    # States of controls and of the memory of radiated waves count only if all states are shown.
     if not all_states and mode["named_after"].item() in mode["coordinate"].values[moves.values]:
         mode = mode.isel(coordinate=moves.values)
     shape = mode["shape"].values + 1j * mode["shape_imaginary"].values
@@ -139,7 +139,7 @@ def _amplitude(value: complex) -> str:
 
 
 def _modes_along(found: xarray.Dataset, sweep: Any) -> list[str]:
-    """Frequencies, Hz, by value of the sweep; for a mode without oscillation its kind."""
+    """Frequencies, Hz, by value of the sweep; the kind for a mode without oscillation."""
     rows = [(str(sweep), *(f"mode {number}" for number in found["mode"].values))]
     rows.append(("", *(_first(found["named_after"].sel(mode=n).values) for n in found["mode"].values)))
     for value in found[sweep].values:

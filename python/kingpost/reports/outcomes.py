@@ -1,6 +1,6 @@
 """Report of the outcomes of runs: limits and warnings.
 
-For several runs, which differ in their seeds, each limit and each warning is printed once.
+For several runs with different seeds, each limit and each warning is printed once.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
 
 
 def _of_each(runs: xarray.Dataset, name: str, entries: list[list[T]], count: int) -> list[list[T]]:
-    """The entries of each of several runs, empty ones where there are none."""
+    """Entries of each of several runs, empty if there are none."""
     entries = entries or [[]] * count
     if not isinstance(entries, list) or len(entries) != count:
         held = f"{len(entries)} entries" if isinstance(entries, list) else repr(shortened(str(entries)))
@@ -47,7 +47,7 @@ def _of_each(runs: xarray.Dataset, name: str, entries: list[list[T]], count: int
 
 
 def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:
-    """Lines on parted ropes, limits and other warnings, if there are any."""
+    """Blocks of text on parted ropes, limits and other warnings."""
     of_parting, others = warnings(outcomes)
     return [lines for lines in (of_parting, limits(outcomes), others) if lines]
 
@@ -78,14 +78,14 @@ def limits(outcomes: Sequence[Outcome]) -> list[str]:
 
 
 def _distrust(outcomes: Sequence[Outcome]) -> list[str]:
-    """A heading if the limits cannot be trusted, otherwise empty."""
+    """Heading for limits that are unreliable, otherwise empty."""
     off = [str(outcome.seed) for outcome in outcomes if outcome.is_off_balance]
     of = f" in {len(off)} of {len(outcomes)} runs, seeds {', '.join(off)}" if len(outcomes) > 1 else ""
     return [f"limits, NOT reliable: the energy does not balance{of}"] if off else []
 
 
 def _in_runs(cells: Sequence[str], several: bool) -> tuple[str, ...]:
-    """The cells of a limit; for one run without the count of runs and the seed."""
+    """Cells of a limit; for a single run without the count of runs and the seed."""
     return tuple(cells) if several else (*cells[:2], *cells[3:5], *cells[6:])
 
 
@@ -113,7 +113,7 @@ def _allowed(limit: Mapping[str, Any]) -> str:
 
 
 def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
-    """Warnings of the engine, a line each: of ropes that parted, and the others."""
+    """Warnings of the engine, one per line: those of parted ropes, and the others."""
     begin = "warning, " if len(outcomes) > 1 else "warning: "
     of_parting, others = in_words(outcomes)
     return [begin + words for words in of_parting], [begin + words for words in others]

@@ -1,4 +1,4 @@
-"""A model as it stands, from three sides: the outlines of its solids, its hulls and its lines."""
+"""Three views of a model in its present state: the outlines of its solids, hulls and lines."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 X, Y, Z = range(3)
 VIEWS = (("from the side", (X, Z)), ("from ahead", (Y, Z)), ("from above", (X, Y)))
 ROUND = 24
-"""Corners that a circle is drawn with."""
+"""Number of corners of a drawn circle."""
 WATER, GREY = "#4a90b8", "#6b7280"
 
 
 def figure(simulation: Simulation) -> Figure:
-    """The model as it stands, to scale: world axes, m; the still water is a line at z = 0.
+    """Draw the model in its present state to scale: world axes, m; the still water is a line at z = 0.
 
     Parameters
     ----------
     simulation
-        Where it stands: at its start, at rest or under way.
+        Simulation in the state to draw: at its start, at rest or during a run.
 
     Returns
     -------
@@ -66,7 +66,7 @@ def figure(simulation: Simulation) -> Figure:
 
 
 def _solids(model: dict[str, Any], poses: Points) -> Iterator[tuple[Points, str]]:
-    """Corners of each solid in the world, with its colour: those of bodies, and the meshes of hulls."""
+    """Corners of each solid in the world, with its colour: solids of bodies, and meshes of hulls."""
     places = {body["name"]: pose for body, pose in zip(model["bodies"], poses, strict=True)}
     for hull in model["hulls"]:
         vertices = (hull["mesh"] or {}).get("vertices_m")
@@ -83,11 +83,11 @@ def _colour(model: dict[str, Any], name: str) -> str:
 
 
 def _corners(shape: dict[str, Any]) -> Points:
-    """Corners of a solid in its body's axes; of a ball and of a cylinder points on them."""
+    """Corners of a solid in its body's axes; points on the surface of a ball or a cylinder."""
     signs = np.stack(np.meshgrid([-1, 1], [-1, 1], [-1, 1], indexing="ij"), axis=-1).reshape(-1, 3)
     angles = np.linspace(0, 2 * np.pi, ROUND, endpoint=False)
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    # By the fields of its size: the names of solids are also those of kinds of element.
+    # Distinguish solids by the fields of their size: their names are also those of kinds of elements.
     size: dict[str, Any] = next(iter(shape.values()), {}) if shape else {}
     if "width_m" in size:
         return signs * [size["length_m"] / 2, size["width_m"] / 2, size["height_m"] / 2]
@@ -102,7 +102,7 @@ def _corners(shape: dict[str, Any]) -> Points:
 
 
 def _placed(points: Points, pose: Points) -> Points:
-    """Points of a body in the world: its place, m, and its unit quaternion (w, x, y, z)."""
+    """Transform points of a body to the world, by its position, m, and its unit quaternion (w, x, y, z)."""
     from scipy.spatial.transform import Rotation
 
     position, (w, *xyz) = pose[:3], pose[3:]
@@ -110,20 +110,20 @@ def _placed(points: Points, pose: Points) -> Points:
 
 
 def _depth(points: Points, across: tuple[int, int]) -> float:
-    """How near a solid is to who looks: from starboard, from ahead, from above."""
+    """Distance of a solid towards the viewer: from starboard, from ahead or from above."""
     (along,) = {X, Y, Z} - set(across)
     nearer = -1.0 if along == Y else 1.0
     return float(nearer * points[:, along].mean())
 
 
 def _draw(axes: Axes, points: Points, colour: str) -> None:
-    """The outline of a convex solid: the hull of its corners as they are seen."""
+    """Draw the outline of a convex solid: the convex hull of its projected corners."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
         outline = points[ConvexHull(points).vertices]
     except QhullError:
-        # A plate that is seen from its edge.
+        # A plate seen edge-on.
         axes.plot(*points.T, color=colour, lw=1.0)
         return
     axes.fill(*outline.T, facecolor=colour, edgecolor="black", lw=0.6, alpha=0.75)

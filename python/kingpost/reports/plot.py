@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 ENDINGS = (".png", ".svg", ".pdf")
 WIDTH_IN, PANEL_HEIGHT_IN = 11.0, 2.3
 MOST_LINES = 8
-"""The most lines in one panel: more cannot be distinguished."""
+"""Largest number of lines in one panel: more cannot be distinguished."""
 BEGINS = "begins "
 
 
@@ -51,7 +51,7 @@ def write(
 
 
 def figure(runs: xarray.Dataset | Sequence[xarray.Dataset], patterns: Sequence[str] = ()) -> Figure:
-    """Columns over time: a panel for each unit, angles in deg, forces in kN.
+    """Draw columns over time: a panel for each unit, angles in deg, forces in kN.
 
     Limits are dashed lines in the colour of their column, steps of the operation dotted lines with their
     names. Several runs share the colours; limits and steps are those of the first run.
@@ -97,7 +97,7 @@ def figure(runs: xarray.Dataset | Sequence[xarray.Dataset], patterns: Sequence[s
 
 
 def check(run: xarray.Dataset, patterns: Sequence[str]) -> None:
-    """Raise an error unless these columns can be drawn together."""
+    """Refuse columns that cannot be drawn together."""
     _panels(run, patterns, {})
 
 
@@ -132,7 +132,7 @@ def _draw(axes: Axes, runs: Sequence[xarray.Dataset], name: str, colour: str) ->
         for series in _series(run, name):
             factor = engineering(unit_of(series))[1]
             label = name if run is runs[0] else None
-            # A damaged file can hold a value near the largest float: infinite in the unit shown.
+            # A damaged file can hold a value near the largest float, which overflows in the shown unit.
             with np.errstate(over="ignore"):
                 values = series.values / factor
             axes.plot(run["time"], values, colour, lw=1, alpha=0.7, label=label)

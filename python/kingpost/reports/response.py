@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-# Rows in the table of one direction; the file has all.
+# Largest number of rows in the table of one direction; the file contains all.
 MOST_FREQUENCIES = 16
 
 
@@ -29,7 +29,7 @@ def text(found: xarray.Dataset) -> str:
 
 
 def _lines(values: NDArray[np.float64]) -> list[int]:
-    """The printed rows: evenly spaced ones, and those with the largest value of a column."""
+    """Indices of the printed rows: evenly spaced ones, and those with the largest value of a column."""
     every = -(-len(values) // MOST_FREQUENCIES)
     return sorted({*range(0, len(values), every), *values.argmax(axis=0).tolist()})
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from ..scenario import Scenario
 
-# The most rows of a table in a summary.
+# Largest number of rows of a table in a summary.
 MOST_ROWS = 20
 
 AXES = ("x", "y", "z")
@@ -74,7 +74,7 @@ def numbers(results: xarray.Dataset, scenario: Scenario) -> dict[str, Any]:
 
 
 def steps(simulation: dict[str, Any]) -> str:
-    """The steps of a scenario's integrator, in words.
+    """Text on the step size of a scenario's integrator.
 
     >>> steps({"integrator": "rk4", "step_s": 0.001})
     'in steps of 0.001 s'
@@ -104,8 +104,8 @@ def _ship(results: xarray.Dataset, body: str) -> list[str]:
 
 
 def _joints(results: xarray.Dataset) -> list[str]:
-    """Each joint coordinate: its value at the end, its largest values, and the force or torque that it
-    carries."""
+    """Table of the joint coordinates: value at the end, largest values, and the transmitted force or
+    torque."""
     rows: list[tuple[str, ...]] = [
         ("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")
     ]
@@ -177,7 +177,7 @@ def _elements(results: xarray.Dataset) -> list[str]:
     rows: list[tuple[str, ...]] = [("force or drive", "", "at the end", "smallest", "largest", "")]
     shown = [variable for variable in results.data_vars.values() if is_single_number(variable)]
     names = Counter(variable.attrs["long_name"] for variable in shown)
-    # Forces first: people look for hook load and line tensions.
+    # Forces first: hook load and line tensions matter most.
     for variable in sorted(shown, key=lambda one: not is_single_force(one)):
         # Both ends of a rope have the same short name.
         is_shared = names[variable.attrs["long_name"]] > 1
@@ -194,7 +194,7 @@ def _elements(results: xarray.Dataset) -> list[str]:
 
 
 def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    """A heading and the first rows of a table; all rows are in the results."""
+    """Print a heading and the first rows of a table; all rows are in the results."""
     left = len(rows) - 1 - MOST_ROWS
     if left <= 0:
         return rows

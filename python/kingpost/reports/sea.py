@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ..scenario import Scenario
 
 UNITS = {"m": "m", "s": "s", "rad": "deg", "Hz": "Hz", "m_s": "m/s", "rad_s": "rad/s", "kg_m3": "kg/m3"}
-"""Suffixes of field names, and the printed units; the longest suffix counts."""
+"""Printed unit by the suffix of a field's name; the longest matching suffix counts."""
 
 
 def lines(scenario: Scenario) -> list[str]:
@@ -33,7 +33,7 @@ def lines(scenario: Scenario) -> list[str]:
 
 
 def facts(given: dict[str, Any]) -> Iterator[str]:
-    """The numbers and words among fields, in engineering units; nested tables are left out.
+    """Format the numbers and texts among fields, in engineering units; nested tables are left out.
 
     >>> list(facts({"enabled": True, "significant_height_m": 2.5, "direction_rad": math.pi}))
     ['significant height 2.5 m', 'direction 180 deg']

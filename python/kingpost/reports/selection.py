@@ -13,7 +13,7 @@ from ..results.entries import limits_of
 if TYPE_CHECKING:
     import xarray
 
-# The main columns: position and angles of floating bodies only, and all of the other variables.
+# Variables of the main columns: those of `OF_SHIPS` for floating bodies only, those of `ALL_OF` completely.
 OF_SHIPS = ("position.z", "roll", "pitch", "yaw")
 ALL_OF = ("wave_elevation", "joint_position", "line_tension")
 HEIGHT = ".point_position.z"
@@ -21,7 +21,7 @@ FORCE = "N"
 
 
 def of_time(results: xarray.Dataset) -> dict[str, Place]:
-    """The flat columns, named as by `kingpost run -o FILE.csv`, over time and, for many runs, ``run``."""
+    """Flat columns with the names of `kingpost run -o FILE.csv`, over time and, for many runs, ``run``."""
     over_time = results[[name for name, values in results.data_vars.items() if "time" in values.dims]]
     return places(over_time, along=OVER_RUNS)
 

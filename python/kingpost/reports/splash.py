@@ -1,4 +1,4 @@
-"""Report of the objects that are lowered through the surface of the sea."""
+"""Report on objects that are lowered through the splash zone."""
 
 from __future__ import annotations
 
@@ -23,12 +23,13 @@ FORCES = {
 }
 NONE = "-"
 SMALLEST_KN = 1e8
-"""Scale of the printed forces: 0.1 N, below which an object only touches the water."""
+"""Scale of printed forces, kN: forces below 1e-12 of it, 0.1 N, print as 0; the object then only touches the
+water."""
 LEAST = "the least without tests or theory (DNV-RP-N103, sec. 4.3.5),"
 
 
 def sections(scenario: Scenario) -> list[list[str]]:
-    """The coefficients in effect of each object, and in waves its characteristic loads by DNV-RP-N103."""
+    """Effective coefficients of each object and, in waves, its characteristic loads by DNV-RP-N103."""
     objects = scenario.model["objects_in_water"]
     if not objects:
         return []
@@ -54,7 +55,7 @@ def _coefficients(objects: list[dict[str, Any]], found: xarray.Dataset) -> list[
 
 
 def _low_slamming(objects: list[dict[str, Any]], found: xarray.Dataset) -> list[str]:
-    """A line for each C_S that is below the least of the recommended practice."""
+    """Lines on each C_S below the smallest value of the recommended practice."""
     coefficients = found.slamming_coefficient.values.max(axis=1)
     return [
         f"{one['name']}: C_S {coefficient:.3g} is below {LEAST} {LEAST_SLAMMING[one['is_cylinder']]:g}"
@@ -64,7 +65,7 @@ def _low_slamming(objects: list[dict[str, Any]], found: xarray.Dataset) -> list[
 
 
 def _loads(objects: list[dict[str, Any]], found: xarray.Dataset) -> list[str]:
-    """The table of the simplified method, kN."""
+    """Table of the loads by the simplified method, kN."""
     attributes = found.attrs
     speed, amplitude = attributes["lowering_speed_m_s"], attributes["wave_amplitude_m"]
     title = (

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 FEWEST_RUNS, ENOUGH_RUNS = 5, 10
 """Smallest number of runs for the fit of an extreme, and the number for a useful standard error."""
 SMALLEST_MOTION = 1e-12
-"""A column that varies by a smaller share of its size is constant except for rounding."""
+"""Smallest variation of a column, as a share of its magnitude; smaller ones are rounding error."""
 DEVIATIONS = ("standard_deviation", "significant_amplitude", "significant_double_amplitude")
 HEADINGS = {
     "mean": "mean",
@@ -36,8 +36,7 @@ HEADINGS = {
 
 
 def start_s(results: xarray.Dataset, after_s: float | None) -> float:
-    """The time from which records count: the given one, otherwise the end of the waves' ramp, if there is
-    one."""
+    """Time from which records count: the given one, otherwise the end of the waves' ramp, if there is one."""
     if after_s is not None:
         return after_s
     sea = scenario_of(results.attrs).get("sea")
@@ -57,8 +56,8 @@ def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
 def frame(
     runs: Sequence[xarray.Dataset], after_s: float | None, patterns: Sequence[str] = ()
 ) -> pandas.DataFrame:
-    """A row for each channel: its unit (deg, kN, t), its statistics and, from five runs on, the expected
-    largest and smallest value of three hours, or of one operation, with their standard errors.
+    """Tabulate the channels, a row for each: its unit (deg, kN, t), its statistics and, from five runs on,
+    the expected largest and smallest value of three hours, or of one operation, with their standard errors.
 
     For several runs, mean, deviation, double amplitude and period are averaged over the runs, and the largest
     and smallest values are those of all runs. If no channels are named, constant ones are left out.
@@ -92,7 +91,7 @@ def frame(
 def _pooled(
     runs: Sequence[xarray.Dataset], names: Sequence[str], after_s: float
 ) -> dict[str, dict[str, np.ndarray]]:
-    """The values of all runs by column and statistic; one run is in memory at a time."""
+    """Values of all runs by column and statistic, with one run in memory at a time."""
     found: dict[str, list[dict[str, float]]] = {name: [] for name in names}
     for run in runs:
         for side_by_side in _tables(run, names):
@@ -105,7 +104,7 @@ def _pooled(
 
 
 def _tables(run: xarray.Dataset, names: Sequence[str]) -> Iterator[xarray.DataArray]:
-    """The columns side by side, over time: one table for each run of a data set."""
+    """Yield one table of columns over time for each run of a data set."""
     import xarray
 
     every = of_time(run)
@@ -209,7 +208,7 @@ def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale
 def _extreme(
     side: str, scale: float, sign: int, values: np.ndarray, record_s: float, exposure: float
 ) -> dict[str, float]:
-    """Expected extreme for the exposure, s, and its standard error; NaN if the column is constant."""
+    """Expected extreme in the exposure time, s, and its standard error; NaN for a constant column."""
     if not np.isfinite(values).all() or _stands_still(values):
         return {f"extreme_{side}": np.nan, f"extreme_{side}_error": np.nan}
     found = statistics.extreme(sign * values, record_s, exposure)

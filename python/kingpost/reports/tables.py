@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 HUGE = 1e10
-"""From this size on decimals are not printed."""
+"""Magnitude from which on no decimals are printed."""
 LARGEST_IN_KG = 2e4
-"""A table with a larger mass is in t."""
+"""Largest mass in a table in kg; a table with a larger mass is in t."""
 
 
 def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
@@ -51,7 +51,7 @@ def significant(value: float, scale: float) -> str:
 
 
 def joules(value: float) -> str:
-    """An energy with the prefix that suits its size.
+    """Format an energy with a prefix suited to its magnitude.
 
     >>> joules(171588.0), joules(-0.0)
     ('171.588 kJ', '0 J')
@@ -63,7 +63,7 @@ def joules(value: float) -> str:
 
 
 def kilograms(value: float) -> str:
-    """A mass, large ones in t.
+    """Format a mass, a large one in t.
 
     >>> kilograms(1.19e7), kilograms(500.0), kilograms(10000.0)
     ('11900 t', '500 kg', '10000 kg')
@@ -72,7 +72,7 @@ def kilograms(value: float) -> str:
 
 
 def unit_cell(unit: str) -> str:
-    """A unit in a table: none for a number without dimension.
+    """Format a unit for a table; empty for a dimensionless number.
 
     >>> unit_cell("kN"), unit_cell("1")
     ('kN', '')
@@ -92,7 +92,7 @@ def masses(values: Sequence[float]) -> list[str]:
 
 
 def largest(values: np.ndarray) -> float:
-    """The value with the largest magnitude, with its sign.
+    """Return the value with the largest magnitude, with its sign.
 
     >>> float(largest(np.array([1.0, -3.0, 2.0])))
     -3.0

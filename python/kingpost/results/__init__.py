@@ -1,4 +1,4 @@
-"""Results: recorded rows as a labelled data set, its flat columns, and the files it is written to."""
+"""Results: recorded rows as a labelled data set, its flat columns, and its files."""
 
 from .columns import column, column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset

@@ -8,7 +8,7 @@ from typing import TypedDict
 class Channel(TypedDict):
     """Variable of the results: its names, units, dimensions and place in a row.
 
-    `unit` is None where the numbers differ in their units; `units` and `columns` have an entry a number.
+    `unit` is None if the units of its numbers differ; `units` and `columns` have one entry for each number.
     """
 
     variable: str

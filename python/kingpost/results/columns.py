@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     import xarray
 
 OVER_RUNS = ("time", "run")
-"""Dimensions along which columns of one or many runs go on; the others are in their names."""
+"""Dimensions that a column keeps, for one or many runs; labels of other dimensions are part of the column's
+name."""
 
 
 def unit_coordinate(variable: Hashable | None) -> str:
@@ -27,7 +28,7 @@ def unit_coordinate(variable: Hashable | None) -> str:
     Parameters
     ----------
     variable
-        Its name.
+        Name of the variable.
 
     Returns
     -------
@@ -51,7 +52,7 @@ def unit_of(column: xarray.DataArray) -> str:
     Returns
     -------
     str
-        SI.
+        Unit, SI.
 
     >>> from kingpost import run
     >>> found = run("paper", {"simulation.duration_s": 0.001})
@@ -127,7 +128,7 @@ def columns(
 
 @dataclass(frozen=True)
 class Place:
-    """Place of a flat column in a data set: its variable, and its index in each dimension except time."""
+    """Position of a flat column in a data set: its variable, and its index in each dimension except time."""
 
     variable: Hashable
     at: dict[Hashable, int]
@@ -138,7 +139,7 @@ class Place:
 
 
 def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[str, Place]:
-    """Place of each flat column, by name; this reads no values."""
+    """Position of each flat column by name; reads no values."""
     found: dict[str, Place] = {}
     for variable in results.data_vars.values():
         dims = [dim for dim in variable.dims if dim not in along]
@@ -151,7 +152,7 @@ def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[st
 
 
 def nearest(name: str, every: Iterable[str]) -> str:
-    """Up to three of the names that are most like `name`, else the first ones, for a message.
+    """Up to three names similar to `name`, otherwise the first ones, for a message.
 
     >>> nearest("ship.rol", ["ship.roll", "ship.pitch", "tower.angle"])
     'ship.roll'
@@ -163,7 +164,7 @@ def nearest(name: str, every: Iterable[str]) -> str:
 def column(
     results: xarray.Dataset, name: str, period_s: tuple[float, float] | None = None
 ) -> xarray.DataArray:
-    """A flat column by its name, over a period.
+    """Return a flat column by its name, over a period.
 
     Parameters
     ----------
@@ -207,8 +208,8 @@ def column(
 
 
 def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
-    """Name of a flat column from the variable's attribute ``column``; labels that it does not mention come
-    last.
+    """Name of a flat column from the variable's attribute ``column``; labels that the attribute does not
+    contain come last.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""Events, warnings, limits and the scenario of a run, as its data set holds them.
+"""Events, warnings, limits and the scenario of a run in the attributes of its data set.
 
-A data set holds them as JSON in its attributes, which every file format can carry. Only this module and
-`kept` read and write that text.
+They are stored as JSON, which every file format can hold. Only this module and `kept` read and write this
+JSON.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 class EventEntry(TypedDict):
-    """An event: its time, s, the element that watched for it, and its name."""
+    """An event: its time, s, its element, and its name."""
 
     time_s: float
     element: str
@@ -22,7 +22,7 @@ class EventEntry(TypedDict):
 
 
 class WarningEntry(TypedDict):
-    """A warning: its time, s, the name of what it is about, and its text."""
+    """A warning: its time, s, the name of its element, and its text."""
 
     time_s: float
     name: str
@@ -30,7 +30,7 @@ class WarningEntry(TypedDict):
 
 
 class LimitEntry(TypedDict):
-    """How a limit held; its numbers are in `unit`, and None where there is none."""
+    """Result of a limit; its numbers are in `unit`, and None if missing."""
 
     name: str
     column: str
@@ -43,7 +43,7 @@ class LimitEntry(TypedDict):
 
 
 def write(attributes: dict[str, Any], **entries: Sequence[Any] | Mapping[str, Any]) -> None:
-    """Write entries by the names of their attributes: events, warnings, limits, model_warnings, sea.
+    """Convert entries to attributes by name: events, warnings, limits, model_warnings, sea.
 
     >>> attributes = {}
     >>> write(attributes, warnings=[{"time_s": 4.0, "name": "ship", "text": "it heeled"}])
@@ -99,7 +99,7 @@ def floating_bodies_of(attributes: Mapping[str, Any]) -> list[str]:
 
 
 def sea_of(attributes: Mapping[str, Any]) -> dict[str, str]:
-    """The axes of a study that set its sea, by their quantity: significant_height, peak_period, direction."""
+    """Axes of a study that set its sea, by quantity: significant_height, peak_period, direction."""
     return _read(attributes, "sea", {})
 
 
@@ -116,6 +116,6 @@ def of_run(attributes: Mapping[str, Any], run: int) -> dict[str, Any]:
 
 
 def _read(attributes: Mapping[str, Any], name: str, absent: T) -> T:
-    """Read an attribute; one that is absent or empty is the empty entry of its form."""
+    """Read an attribute; an absent or empty one gives an empty value of its type."""
     text = attributes.get(name)
     return json.loads(text) if text else absent

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 def events(results: xarray.Dataset) -> xarray.Dataset:
     """Events of a run, in order of time: ``event_time`` (s), ``event_element`` and ``event_what``.
 
-    It reads the attribute ``events``, so that a data set read from a NetCDF file gives the same table.
+    The table is read from the attribute ``events``, so that a data set from a NetCDF file gives the same
+    table.
 
     Parameters
     ----------

@@ -52,7 +52,8 @@ def check_output(path: str | Path) -> Path:
     Raises
     ------
     KingpostError
-        If the ending is another, the folder does not exist, or Parquet is asked for without pyarrow.
+        If the ending is not allowed, the folder does not exist, or the ending is Parquet's and pyarrow is not
+        installed.
 
     >>> check_output("run.nc").name
     'run.nc'
@@ -73,13 +74,13 @@ def check_parquet(path: Path) -> None:
     Raises
     ------
     KingpostError
-        If it is missing; the message names the extra that installs it.
+        If pyarrow is missing; the message names the extra that installs it.
 
     >>> check_parquet(Path("run.nc"))
     """
     if path.suffix.lower() == PARQUET and importlib.util.find_spec("pyarrow") is None:
         raise KingpostError(
-            f'{path}: found no pyarrow, allowed: Parquet with pyarrow: pip install "kingpost[parquet]"'
+            f'{path}: Parquet needs pyarrow, which is not installed: pip install "kingpost[parquet]"'
         )
 
 
@@ -112,8 +113,8 @@ def write(
     Raises
     ------
     KingpostError
-        If the ending is another, the file cannot be written, a pattern matches no column, or units are asked
-        for in NetCDF, which is always in SI.
+        If the ending is not allowed, the file cannot be written, a pattern matches no column, or units are
+        given for NetCDF, which is always in SI.
 
     >>> import tempfile
     >>> from kingpost import run
@@ -185,7 +186,7 @@ def read(path: str | Path) -> xarray.Dataset:
     Returns
     -------
     xarray.Dataset
-        All of it, in memory.
+        The data set, in memory.
 
     Raises
     ------
@@ -205,7 +206,7 @@ def read(path: str | Path) -> xarray.Dataset:
 
 
 def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) -> list[xarray.Dataset]:
-    """Data sets of files; their numbers are read only when they are used.
+    """Open files as data sets, whose numbers are read only when used.
 
     The files are first read to the end in a separate process, because the HDF5 library hangs or crashes on
     some damaged files.
@@ -248,19 +249,19 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
 
 
 def is_whole(path: str | Path, time_limit_s: float = TIME_LIMIT_S) -> bool:
-    """Whether a file can be read to its end by its library: tried in a separate process.
+    """Whether the library can read a file to its end, tested in a separate process.
 
     Parameters
     ----------
     path
-        NetCDF, other HDF5 where the name ends with ``.h5``, else a mesh.
+        File: NetCDF, other HDF5 if the name ends with ``.h5``, otherwise a mesh.
     time_limit_s
-        What reading it may take, s.
+        Time allowed for reading the file, s.
 
     Returns
     -------
     bool
-        False where the library fails, crashes or does not end.
+        False if the library fails, crashes or does not end.
 
     >>> import tempfile
     >>> path = Path(tempfile.mkdtemp()) / "cut.nc"
@@ -278,7 +279,7 @@ def is_whole(path: str | Path, time_limit_s: float = TIME_LIMIT_S) -> bool:
 def _probe(paths: Sequence[str], time_limit_s: float) -> None:
     command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py"))]
     try:
-        # The HDF5 library's own messages about damage do not help a user.
+        # Suppress the HDF5 library's messages about damage, which do not help a user.
         done = subprocess.run(
             command,
             input=json.dumps(paths).encode(),
@@ -297,7 +298,7 @@ def _probe(paths: Sequence[str], time_limit_s: float) -> None:
 
 @contextmanager
 def _told(path: str | Path) -> Iterator[None]:
-    """Turn a failure to read a file into one line."""
+    """Convert a failure to read a file into an error of one line."""
     try:
         if not Path(path).is_file():
             kind = output.irregular(path)

@@ -1,4 +1,4 @@
-"""The attributes of a file of results that are JSON, and the form that each has."""
+"""JSON attributes of a file of results, and the form of each."""
 
 from __future__ import annotations
 
@@ -21,17 +21,16 @@ ENTRIES = {
         "held": FLAG + OR_NOTHING, "worst": NUMBER + OR_NOTHING, "worst_time_s": NUMBER + OR_NOTHING,
     },
 }  # fmt: skip
-"""Lists of entries; of several runs a list for each run."""
+"""Attributes with a list of entries; for several runs a list for each run."""
 TEXTS = ("model_warnings", "floating_bodies")
-"""Lists of texts."""
+"""Attributes with a list of texts."""
 FIELDS = ("scenario", "files", "versions")
-"""Fields by name."""
+"""Attributes with fields by name."""
 
 
 def are_of_a_run(attributes: Mapping[str, Any], runs: int | None) -> bool:
-    """Whether the attributes can be those of a run, or of as many runs as a data set of `Batch` has.
-
-    What is not there may be absent: files of earlier versions have less.
+    """Whether attributes have the form of those of a run, or of all runs of a `Batch`. Attributes may be
+    missing: files of earlier versions have fewer.
 
     >>> are_of_a_run({"events": '[{"time_s": 1.5, "element": "winch", "what": "stops"}]'}, None)
     True
@@ -81,7 +80,7 @@ def _is_list_of_texts(found: object) -> bool:
 
 
 def _is_scenario(found: Any) -> bool:
-    """Whether what statistics read of a scenario is of its kind."""
+    """Whether the fields of a scenario that statistics read have the right types."""
     if not isinstance(found, dict):
         return False
     sea, parameters = found.get("sea"), found.get("parameters")

@@ -1,4 +1,4 @@
-"""Reads files to the end with their libraries, in a separate process, and reports each file that it has read.
+"""Test that libraries can read files to their end, in a separate process that reports each file it has read.
 
 Run as a program, with the paths as JSON on its input. On a damaged file the HDF5 library may hang or crash:
 here only this process ends.
@@ -12,14 +12,14 @@ import json
 import sys
 
 MESH_MEMORY_BYTES = 2 << 30
-"""Memory that reading a mesh may take, bytes."""
+"""Largest memory for reading a mesh, bytes."""
 
 
 def main(paths: list[str]) -> None:
-    """Read each file and print a word when it is read."""
+    """Read each file and print a word after each."""
     for path in paths:
         try:
-            # What a library prints is no answer.
+            # Discard the output of libraries: standard output carries the reports.
             with contextlib.redirect_stdout(io.StringIO()):
                 read(path)
         except (Exception, SystemExit):
@@ -53,7 +53,7 @@ def read(path: str) -> None:
 
 
 def _limit_memory() -> None:
-    """A count that is wrong in a mesh does not fill the machine's memory."""
+    """Limit the memory of this process, so that a wrong count in a mesh cannot fill the machine's memory."""
     with contextlib.suppress(ImportError, AttributeError, ValueError):
         import resource
 

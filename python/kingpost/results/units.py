@@ -27,7 +27,7 @@ ENGINEERING = {
     "J": ("kJ", 1e3),
     "W": ("kW", 1e3),
 }
-"""By SI unit: the engineering unit, and its size in the SI unit."""
+"""Engineering unit and its size in the SI unit, by SI unit."""
 
 
 def engineering(unit: str) -> tuple[str, float]:
@@ -40,12 +40,12 @@ def engineering(unit: str) -> tuple[str, float]:
 
 
 def check_units(units: str, path: str | Path | None) -> None:
-    """Make sure that a file, by its ending, has units to choose.
+    """Check that the units of a file can be chosen, by its ending.
 
     Raises
     ------
     KingpostError
-        When units other than ``names`` are asked for without a file, or of one that has its own.
+        If units other than ``names`` are given without a file, or for a file that stores its units.
 
     >>> check_units(SI, "run.csv")
     """

@@ -1,4 +1,4 @@
-"""Loads xarray late, because it takes a second, and calls what waits for it."""
+"""Deferred import of xarray, which takes a second, with functions that run after it."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ _waiting: list[Callable[[Any], None]] = []
 
 
 def when_loaded(register: Callable[[Any], None]) -> None:
-    """Call `register` with xarray: now where it is loaded, else with the first data set."""
+    """Call `register` with xarray: at once if xarray is loaded, otherwise with the first data set."""
     _waiting.append(register)
     if "xarray" in sys.modules:
         load()
 
 
 def load() -> ModuleType:
-    """Load xarray, call what waits for it, and return it."""
+    """Import xarray, call the registered functions, and return xarray."""
     import xarray
 
     while _waiting:

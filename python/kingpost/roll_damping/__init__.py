@@ -1,4 +1,4 @@
-"""Roll damping that potential theory lacks: by Ikeda's method from a hull's sections, or from a decay test.
+"""Viscous roll damping of a hull: by Ikeda's method from its sections, or from a decay test.
 
 `from_sections` and `from_decay` give the equivalent linear damping over the amplitude, and the coefficients
 that the forces ``viscous_damping`` and ``quadratic_damping`` of a scenario take.

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from .sections import Array
 
 FEWEST_SWINGS = 4
-"""Fewest half periods in a record."""
+"""Smallest number of half periods in a record."""
 FEWEST_PER_PERIOD = 8
-"""Fewest samples in a period."""
+"""Smallest number of samples in a period."""
 # A swing counts if it exceeds this many standard deviations of the noise and this share of the largest swing.
 ABOVE_NOISE, SMALLEST_SHARE = 5.0, 0.02
 
@@ -104,12 +104,13 @@ def _window(time: Array, roll: Array, middle: float, half: float) -> tuple[float
 
 
 def _crossings(time: Array, roll: Array) -> Array:
-    """Times at which the roll changes its side by more than the noise."""
+    """Times of zero crossings between swings larger than the noise."""
     about = roll - np.median(roll)
     # Third differences of a smooth record are nearly zero; those of noise are sqrt(20) standard deviations.
     noise = float(np.median(np.abs(np.diff(about, 3)))) / (0.6745 * np.sqrt(20.0))
     largest = float(np.abs(about).max())
-    # Coarse samples look like noise, so they get their own error.
+    # Coarse sampling looks like noise: half of the largest swing bounds the level, so that `swings` reports
+    # it.
     least = min(max(ABOVE_NOISE * noise, SMALLEST_SHARE * largest), largest / 2)
     sides = np.sign(about) * (np.abs(about) > least)
     far = np.flatnonzero(sides)
@@ -127,7 +128,8 @@ def _no_oscillation(found: int) -> RollDampingError:
 
 
 def _least_squares(columns: Array, right: Array) -> Array:
-    """The solution; of columns that are not finite LAPACK would print a complaint of its own."""
+    """Solve a least-squares problem; refuse columns that are not finite, about which LAPACK would print a
+    message."""
     if not (np.isfinite(columns).all() and np.isfinite(right).all()):
         raise np.linalg.LinAlgError("columns that are not finite")
     return np.linalg.lstsq(columns, right, rcond=None)[0]

@@ -17,13 +17,13 @@ CUTS = 24
 """Number of places along a keel at which the damping is computed."""
 FORWARD_PRESSURE = 1.2
 """C_p+, on the front side of a keel."""
-# Half the arc of a bilge, in radii: from the bottom or the side to the keel in its middle.
+# Half of a bilge's arc length, in radii: from the bottom or the side to the keel in the middle.
 HALF_ARC = math.pi / 4
 
 
 @dataclass(frozen=True)
 class BilgeKeels:
-    """A pair of bilge keels, in the middle of the bilge's arc and square to it.
+    """A pair of bilge keels, normal to the bilge at the middle of its arc.
 
     Attributes
     ----------
@@ -85,8 +85,8 @@ def bilge_keel_damping(sections: Sections, keels: BilgeKeels, axis_depth_m: floa
         B_H' = 4 / (3 pi) rho l^2 d^2 omega phi f^2 (-A0 C_p- + B0 C_p+),  C_p+ = 1.2, C_p- = 1.2 - C_D
 
     (Ikeda, Himeno & Tanaka, J. Soc. Naval Architects of Japan 143, 1978; ITTC 7.5-02-07-04.5, 2021,
-    eqs. 48-57. `pressure_levers` has A0 and B0. The factor f^2 on B_H' follows from the speed f l omega that
-    the pressure coefficients are made non-dimensional with.)
+    eqs. 48-57. `pressure_levers` has A0 and B0. The factor f^2 on B_H' follows from the reference speed f l
+    omega of the pressure coefficients.)
 
     Parameters
     ----------

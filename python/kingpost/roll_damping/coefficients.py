@@ -77,8 +77,8 @@ def fragment(found: Coefficients, body: str, title: str) -> str:
     Raises
     ------
     RollDampingError
-        If there is a cubic or a negative part, which no force of a scenario has: `fitted` gives coefficients
-        without.
+        If there is a cubic or a negative part, which no force of a scenario has: `fitted` gives suitable
+        coefficients.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def fragment(found: Coefficients, body: str, title: str) -> str:
 
 
 def _plain(value: float) -> str:
-    """Six significant digits; without an exponent where the number is not very small or large.
+    """Format six significant digits, without an exponent unless the number is very small or large.
 
     >>> _plain(3.45e7), _plain(1e-61)
     ('34500000', '1e-61')

@@ -1,4 +1,4 @@
-"""`kingpost roll-damping`: from a hull's sections, or from a decay test, to the damping of a scenario."""
+"""`kingpost roll-damping`: damping forces of a scenario, from a hull's sections or from a decay test."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def _add_decay(way: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
-    """Do what the options ask: print tables and the forces of a scenario, and write them."""
+    """Print the tables and the forces of a scenario, and write the forces."""
     output = check_output(options.output, ENDINGS) if options.output is not None else None
     text = options.way(options)
     if text is None:
@@ -144,7 +144,7 @@ def of_decay(options: argparse.Namespace) -> str | None:
 
 
 def _check(options: argparse.Namespace) -> None:
-    """Refuse options that do not go together, before the fit."""
+    """Refuse incompatible options, before the fit."""
     by_height = options.mass_kg is not None or options.gm_m is not None
     if options.inertia_kg_m2 is not None and by_height:
         raise RollDampingError("--inertia-kg-m2", "--mass-kg or --gm-m too", "one or the other")

@@ -16,16 +16,16 @@ SMALLEST = 1e-3
 def cut(hull: Surface, stations: int = STATIONS) -> Sections:
     """Sections of a hull at stations in the middle of equal lengths.
 
-    A plane x = constant meets each triangle in a straight piece from (y1, z1) to (y2, z2), and all pieces run
-    the same way about the section. By Green's theorem the area under the water plane is the sum of
-    (y1 z2 - y2 z1) / 2, for the water plane z = 0 adds nothing; so it is exact for the mesh.
+    A plane x = constant cuts each triangle in a segment from (y1, z1) to (y2, z2), and all segments have the
+    same sense about the section. By Green's theorem the area under the water plane is the sum of (y1 z2 - y2
+    z1) / 2, exact for the mesh, because the water plane z = 0 contributes nothing.
 
     Parameters
     ----------
     hull
         Triangles, x forward, z up, z = 0 on the water plane; parts above it are left out.
     stations
-        How many sections.
+        Number of sections.
 
     Raises
     ------
@@ -69,7 +69,7 @@ def _measures(wetted: Surface, x: float) -> tuple[float, float, float]:
 
 
 def _pieces(wetted: Surface, x: float) -> Array:
-    """Ends (y, z) of the pieces in the plane, shape (pieces, 2, 2), all run the same way about the
+    """Ends (y, z) of the segments in the plane, shape (segments, 2, 2), with the same sense about the
     section."""
     corners = wetted.corners
     over = corners[:, :, 0] - x

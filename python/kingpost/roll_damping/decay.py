@@ -1,4 +1,4 @@
-"""Roll damping from a decay test: amplitudes first, then the simulated record."""
+"""Roll damping from a decay test: first estimate from amplitudes, then a fit of the simulated record."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ def from_decay(record: DecayRecord, model: str = "quadratic", after_s: float | N
     if model not in MODELS:
         raise RollDampingError("model", repr(model), ", ".join(MODELS))
     try:
-        # What overflows ends the fit.
+        # An overflow ends the fit.
         with np.errstate(all="ignore"):
             return _fitted(_part(record, after_s, until_s), model)
     except np.linalg.LinAlgError:
@@ -160,7 +160,7 @@ def from_decay(record: DecayRecord, model: str = "quadratic", after_s: float | N
 
 
 def _fitted(used: DecayRecord, model: str) -> DecayFit:
-    """The simulated roll that is nearest to a record."""
+    """Fit the simulated roll to a record."""
     seen = swings(used)
     used = used.between(used.time_s[0], seen.time_s[-1] + math.pi / seen.frequency_rad_s[-1])
     count, frequency = MODELS[model], float(np.median(seen.frequency_rad_s))

@@ -66,7 +66,7 @@ def speed_ratio(lewis: LewisForms, psi: Array, draught_m: Array, ratio: Array, s
 
         gamma = sqrt(pi) f3 (r_max + (2 M / H) sqrt(A^2 + B^2)) / (2 d sqrt(H0 (sigma - OG/d)))
 
-    The root stands inside of the sum: a half circle, for which A = B = 0, turns in water at rest.
+    The root is a term of the sum: a half circle, for which A = B = 0, turns without moving the water.
     """
     a1, a3 = lewis.a1, lewis.a3
     h = 1 + a1**2 + 9 * a3**2 + 2 * a1 * (1 - 3 * a3) * np.cos(2 * psi) - 6 * a3 * np.cos(4 * psi)
@@ -81,16 +81,16 @@ def speed_ratio(lewis: LewisForms, psi: Array, draught_m: Array, ratio: Array, s
 
 
 def sharpness(sections: Sections, by: str = "radius") -> Array:
-    """f3: how much faster the water goes round a bilge than round the Lewis form, 5 for a sharp corner.
+    """f3: ratio of the water's speed at a bilge to that at the Lewis form, 5 for a sharp corner.
 
-    Printed is f3 = 1 + 4 exp(-1.65e5 (1 - sigma)^2), drawn through Ikeda's cylinders A to D of H0 = 1.25.
-    With a round bilge 1 - sigma = (4 - pi) (R/d)^2 / 4 H0, so the same law by the radius is
-    f3 = 1 + 4 exp(-c (R/d)^4). The two differ, because the quoted area coefficient of B, 0.997, does not
-    agree with its radius of 10 mm, which gives 0.9986, and B is the only section between the sharp and the
-    round ones. A corner is sharp because its radius is small, so c is fitted to B: 1.65e5 (1 - 0.997)^2 / (10
-    / 112)^4 = 2.34e4. Both laws agree on A to D. For sections of 0.99 to 1 with a bilge, the law by the
-    radius gives eddies up to four times smaller. KVLCC2 was measured nearer to that; it was known when this
-    law was chosen, but c does not come from it.
+    The printed formula is f3 = 1 + 4 exp(-1.65e5 (1 - sigma)^2), fitted to Ikeda's cylinders A to D of H0 =
+    1.25. With a round bilge 1 - sigma = (4 - pi) (R/d)^2 / 4 H0, so the same law by the radius is f3 = 1 + 4
+    exp(-c (R/d)^4). The two differ, because the quoted area coefficient of B, 0.997, does not agree with its
+    radius of 10 mm, which gives 0.9986, and B is the only section between the sharp and the round ones. A
+    corner is sharp because its radius is small, so c is fitted to B: 1.65e5 (1 - 0.997)^2 / (10 / 112)^4 =
+    2.34e4. Both laws agree on A to D. For sections of 0.99 to 1 with a bilge, the law by the radius gives
+    eddies up to four times smaller. The measurement of KVLCC2 is nearer to that law; it was known when the
+    law was chosen, but c is not fitted to it.
 
     >>> from kingpost.roll_damping.sections import Sections
     >>> tanker = Sections.of_table({"x_m": [0, 1, 2], "beam_m": [58] * 3, "draught_m": [20.8] * 3,

@@ -20,8 +20,8 @@ def friction_damping(sections: Sections, axis_depth_m: float, frequency_rad_s: f
 
     (H. Kato, J. Soc. Naval Architects of Japan 102, 1957; the speed by Tamiya & Komura, ibid. 132, 1972; ITTC
     7.5-02-07-04.5, 2021, eqs. 38-41). C_f is that of a laminar layer, so C_f phi is a constant. It grows less
-    with the scale than the other components: it is a tenth of the damping of a model of 2 m, and 1 to 3 % of
-    a ship's.
+    with scale than the other components: it is a tenth of the damping of a model of 2 m, and 1 to 3 % of a
+    ship's.
     """
     length, block = sections.total_length_m, sections.block_coefficient
     girth = 1.7 * sections.draught_m.max() + block * sections.beam_m.max()

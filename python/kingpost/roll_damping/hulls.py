@@ -28,16 +28,16 @@ def sections_of(hull: str | Path, draught_m: float | None = None, stations: int 
         file as `kingpost hydro` reads it, or a parametric hull such as
         ``box:length_m=20,beam_m=10,draught_m=2,depth_m=5``.
     draught_m
-        Draught of a mesh file's hull; without it the water is at z = 0.
+        Draught of a mesh file's hull; default: the water plane is z = 0.
     stations
-        How many sections a mesh is cut into.
+        Number of sections into which a mesh is cut.
 
     Raises
     ------
     RollDampingError
-        When a table is wrong, or a database has no mesh.
+        If a table is wrong, or a database has no mesh.
     HydrodynamicsError
-        When the hull is wrong.
+        If the hull is wrong.
 
     >>> found = sections_of("box:length_m=20,beam_m=10,draught_m=2,depth_m=5", stations=5)
     >>> round(found.volume_m3, 6), round(found.midship_coefficient, 9)

@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 COMPONENTS = ("friction", "eddies", "lift", "bilge_keel_force", "bilge_keel_pressure")
 AMPLITUDES_DEG = (2.5, 5.0, 7.5, 10.0, 12.5, 15.0)
 LARGEST_DEG = 60.0
-# Above this ratio of the eddies by the two measures of sharpness, the user gets a warning.
+# Ratio of the eddies by the two measures of sharpness above which there is a warning.
 UNSURE = 1.25
 ALLOWED = {"period_s": (0.1, 1e4), "density_kg_m3": (1.0, 1e5), "viscosity_m2_s": (1e-9, 1.0)}
-"""Wider than for any ship and liquid; KG goes up to the length of the hull."""
+"""Allowed ranges, wider than for any ship and liquid; the upper bound of KG is the length of the hull."""
 LARGEST_M_S = 100.0
-"""Faster than any ship."""
+"""Largest forward speed, m/s: higher than for any ship."""
 SEA_WATER_KG_M3 = 1025.0
 SEA_WATER_M2_S = 1.19e-6
 """Kinematic viscosity of sea water at 15 degrees C (ITTC 7.5-02-01-03); fresh water has 1.14e-6."""
@@ -138,8 +138,8 @@ def eddy_drag(
 
 
 def _of_sharpness(sections: Sections, axis_depth_m: float) -> str:
-    """A warning if the eddies by the area differ much from those by the radius of the bilges; otherwise
-    empty."""
+    """Return a warning if the eddies by the area differ much from those by the bilge radius; otherwise an
+    empty text."""
     radius, area = (eddy_drag(sections, axis_depth_m, 1.0, by) for by in SHARPNESS)
     if max(radius, area) <= UNSURE * min(radius, area):
         return ""

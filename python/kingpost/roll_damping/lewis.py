@@ -1,4 +1,4 @@
-"""Lewis forms: sections by two coefficients, the image of a circle under three terms of a series.
+"""Lewis forms: sections with two coefficients, the conformal map of a circle by three terms.
 
 With the angle psi from the keel the half section is
 y = M [(1 + a1) sin psi - a3 sin 3 psi], z = -M [(1 - a1) cos psi + a3 cos 3 psi], M = B / 2 (1 + a1 + a3)

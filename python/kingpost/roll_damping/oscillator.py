@@ -24,7 +24,8 @@ def simulated(parameters: Array, time_s: Array) -> Array:
     """Roll at times of x'' + p1 x' + p2 |x'| x' + p3 x'^3 + omega0^2 x (1 + k x^2) = 0, roll = x + offset.
 
     The classical Runge-Kutta scheme in steps of a 48th of a period, h = 0.13 rad, between them cubic Hermite
-    interpolation: a period is off by h^4 / 120 of itself, 2e-6, and its amplitude by 2 pi h^5 / 144, 2e-6.
+    interpolation: the relative error of the period is h^4 / 120, 2e-6, and that of the amplitude per period 2
+    pi h^5 / 144, 2e-6.
 
     Parameters
     ----------
@@ -32,7 +33,7 @@ def simulated(parameters: Array, time_s: Array) -> Array:
         By rows, in the order of `PARAMETERS`: omega0, offset, k, x(0), x'(0) / omega0, p1, p2, p3; a column
         for each oscillator.
     time_s
-        Times, the first of them that of x(0).
+        Times; x(0) is at the first.
 
     Returns
     -------
@@ -112,7 +113,7 @@ def fit(start: Array, free: Array, time_s: Array, roll_rad: Array) -> Fit:
     start
         Starting values.
     free
-        Which parameters are fitted; the others keep their values.
+        Parameters that are fitted; the others keep their values.
     time_s, roll_rad
         The record.
 
@@ -135,8 +136,8 @@ def fit(start: Array, free: Array, time_s: Array, roll_rad: Array) -> Fit:
 
 
 def _least(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Array, Array]:
-    """Point, derivatives and residual at the minimum: one simulation tries a step and differentiates
-    there."""
+    """Parameters, derivatives and residual at the minimum; one simulation both tests a step and gives the
+    derivatives."""
     damping = 1e-3
     jacobian, residual = _jacobian(residuals, point)
     for _ in range(MOST_ITERATIONS):

@@ -12,7 +12,7 @@ from ..errors import RollDampingError
 if TYPE_CHECKING:
     from ..hydro.database import Database
 
-# Radius of gyration in yaw over the length: it matters little, because yaw hardly couples with roll.
+# Radius of gyration in yaw over the length: of little influence, because yaw hardly couples with roll.
 YAW_GYRATION = 0.25
 SWAY, ROLL, YAW = 1, 3, 5
 
@@ -79,7 +79,7 @@ def natural_period(database: Database, keel_to_gravity_m: float, roll_gyration_m
     Raises
     ------
     RollDampingError
-        When GM is not greater than 0, or the database does not cover the frequency.
+        If GM is not greater than 0, or the database does not cover the frequency.
 
     >>> from kingpost.gallery import folder
     >>> from kingpost.hydro import read

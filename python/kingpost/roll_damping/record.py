@@ -14,7 +14,7 @@ TIMES = ("time_s", "time")
 ROLLS = ("roll_rad", "roll_deg", "roll")
 FEWEST_SAMPLES = 16
 LARGEST = {"time_s": 1e9, "roll_rad": 100.0}
-"""Largest magnitudes in a record: no clock runs longer, and no ship turns round so often."""
+"""Largest allowed magnitudes of time and angle in a record."""
 
 
 @dataclass(frozen=True)

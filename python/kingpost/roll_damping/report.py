@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .decay import DecayFit
     from .sections import Sections
 
-# The most rows in the table of a long record.
+# Largest number of rows in the table of a long record.
 MOST_SWINGS = 12
 
 
@@ -79,7 +79,7 @@ def second_opinion(sections: Sections, found: xarray.Dataset, keels: BilgeKeels 
         least, most = simplified.KEEL_RANGES[name]
         if not least <= value <= most:
             outside.append(f"bilge keels' {name} {value:.3g} is not within {least:g} to {most:g}")
-    # Far outside of its range the regression overflows.
+    # The regression overflows far outside its range.
     if outside:
         return f"no comparison with Kawahara et al. (2009): {'; '.join(outside)}"
     expected = [simplified.eddy(form, frequency, amplitude) * unit]

@@ -25,7 +25,7 @@ COLUMNS = "x_m,beam_m,draught_m and area_m2 or area_coefficient; bilge_radius_m 
 FEWEST_STATIONS = 3
 SMALLEST, LARGEST = 1e-9, 1e9
 """Bounds of a hull's dimensions, m and m2: powers of smaller and of larger numbers overflow."""
-# The straight edges of a mesh, and rounded tables, may give slightly more area than the rectangle.
+# Straight edges of a mesh and rounded tables may give an area slightly above that of the rectangle.
 FULLEST = 1.0 + 1e-3
 THINNEST = 0.01
 
@@ -39,7 +39,7 @@ class Sections:
     x_m
         Position along the ship, forward, in any frame.
     length_m
-        Length of ship that the section stands for.
+        Length of ship that the section represents.
     beam_m, draught_m
         Greatest breadth and greatest depth under the water plane.
     area_m2
@@ -91,8 +91,8 @@ class Sections:
     def read(cls, path: str | Path) -> Sections:
         """Sections from a CSV file: a line of names, a line for each section; ``#`` begins a remark.
 
-        The columns are ``x_m``, ``beam_m``, ``draught_m``, ``area_m2`` or ``area_coefficient``, and, where
-        they are known, ``bilge_radius_m``.
+        The columns are ``x_m``, ``beam_m``, ``draught_m``, ``area_m2`` or ``area_coefficient``, and
+        optionally ``bilge_radius_m``.
         """
         return cls.of_table(read_columns(path), str(path))
 
@@ -145,8 +145,8 @@ class Sections:
     def with_draught(self, draught_m: float) -> Sections:
         """Sections of the same areas with a given greatest draught.
 
-        The meshes of parametric hulls are deeper than the hull, to make up for the area that their flat
-        panels cut off.
+        The meshes of parametric hulls are deeper than the hull, to compensate for the area lost to flat
+        panels.
         """
         draught = self.draught_m * (draught_m / self.draught_m.max())
         area = np.minimum(self.area_m2, self.beam_m * draught)

@@ -30,7 +30,7 @@ class HullForm:
     axis_depth_over_draught: float
 
     def outside(self) -> list[str]:
-        """The inputs outside the range of the fitted series, in words; nothing is clamped."""
+        """List the inputs outside the range of the fitted series; no input is clamped."""
         found = []
         for name, (least, most) in RANGES.items():
             value = getattr(self, name)

@@ -1,1 +1,1 @@
-"""The server of the app."""
+"""Server of the app."""

@@ -1,5 +1,4 @@
-"""Answers of the server: files of the app's folder and pages from memory, for requests to its own host
-name."""
+"""Answers of the server to requests for its host name: files of the app's folder, and pages from memory."""
 
 from __future__ import annotations
 
@@ -26,7 +25,7 @@ class Application:
     pages
         The scenarios: contents by URL path; they take precedence over files.
     named
-        The host that the server was told to listen on.
+        Given host on which the server listens.
     """
 
     folder: Path
@@ -35,7 +34,7 @@ class Application:
     compressor: Compressor = field(default_factory=Compressor)
 
     def __call__(self, environ: dict[str, Any], start: Start) -> Iterable[bytes]:
-        """The answer to one request. A body that the browser has already is not sent again."""
+        """Answer one request. A body that the browser already has is not sent again."""
         answer = self._answer(environ, start)
         return [] if environ["REQUEST_METHOD"] == "HEAD" else answer
 
@@ -55,7 +54,7 @@ class Application:
         return [body.content]
 
     def _body(self, path: str, gzipped: bool) -> Body | None:
-        """The page at this URL path, otherwise the file; None if there is neither."""
+        """Return the page at this URL path, otherwise the file; None if there is neither."""
         if not path.isprintable():
             return None
         if path in self.pages:
@@ -72,7 +71,8 @@ class Application:
 
 
 def _begin(start: Start, status: HTTPStatus, headers: Mapping[str, str]) -> None:
-    """The headers of an answer: the browser keeps no older build and loads nothing from other sites."""
+    """Start the answer, with headers by which the browser keeps no older build and loads nothing from other
+    sites."""
     every = {**headers, "Cache-Control": "no-cache", **POLICY}
     start(f"{status.value} {status.phrase}", list(every.items()))
 

@@ -26,7 +26,7 @@ TYPES = {
     ".wasm": "application/wasm",
     ".webmanifest": "application/manifest+json",
 }
-"""MIME types by the ending of a path: browsers require them, and the tables of operating systems differ."""
+"""MIME types by the ending of a path; browsers require them, and the system tables differ."""
 
 PICTURES = {".webp": "image/webp", ".png": "image/png"}
 """MIME types of compressed content."""
@@ -67,7 +67,7 @@ def content_type(path: str) -> str:
 def accepts_gzip(accept_encoding: str | None) -> bool:
     """Whether a request with this `Accept-Encoding` takes gzip (RFC 9110, section 12.5.3).
 
-    A weight of 0 refuses; `*` stands for every coding that is not named; without the header only the plain
+    A weight of 0 refuses; `*` matches every coding that is not named; without the header only the plain
     bytes are safe.
 
     >>> [accepts_gzip(header) for header in ("gzip, deflate, br", "gzip;q=0, *", "br;q=1, *;q=0.5", None)]
@@ -84,8 +84,8 @@ def accepts_gzip(accept_encoding: str | None) -> bool:
 def is_host_of(header: str | None, named: str) -> bool:
     """Whether a `Host` header names the server: by an address, as localhost, or by its own name.
 
-    Any other name means that a foreign web page has its own name resolved to this machine, to read what is
-    served here (DNS rebinding).
+    With any other name a foreign web page may have resolved its own name to this machine, to read the served
+    files (DNS rebinding).
 
     >>> [is_host_of(header, "ship.lan") for header in ("127.0.0.1:8000", "Ship.lan:80", "evil.example", "[x")]
     [True, True, False, False]
@@ -113,7 +113,7 @@ class Body:
     coding: str | None
     """`gzip`, or None for the plain bytes."""
     tag: str
-    """`ETag`: different bytes have a different one."""
+    """`ETag`, unique for the bytes."""
 
     def headers(self) -> dict[str, str]:
         """The headers of an answer with these bytes (RFC 9110, section 8)."""
@@ -121,13 +121,12 @@ class Body:
         return said | ({"Content-Encoding": self.coding} if self.coding else {}) | self.validators()
 
     def validators(self) -> dict[str, str]:
-        """The headers for a cache: the only headers if the browser has these bytes already (section
-        15.4.5)."""
+        """Headers for a cache; the only headers if the browser already has these bytes (section 15.4.5)."""
         return {"ETag": self.tag} | ({"Vary": "Accept-Encoding"} if self.kind in COMPRESSIBLE else {})
 
 
 class Compressor:
-    """Makes bodies, and compresses the same bytes only once."""
+    """Maker of bodies that compresses the same bytes only once."""
 
     def __init__(self) -> None:
         self._gzipped: dict[str, bytes] = {}

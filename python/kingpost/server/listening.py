@@ -1,4 +1,4 @@
-"""A port, and the addresses at which others reach it."""
+"""Server on a port, and the addresses at which other machines reach it."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ EVERYWHERE, EVERYWHERE6 = ("0.0.0.0", ""), "::"
 IDLE_S = 60
 """Time for which a connection may be idle, s."""
 CONNECTIONS = 100
-"""The most open connections; further ones wait."""
+"""Largest number of open connections; further ones wait."""
 THREADS = 6
 LARGEST_REQUEST = 2**16
-"""The most bytes of a request's body; the body is read and ignored."""
+"""Largest body of a request, bytes; the body is read and ignored."""
 
 
 class Server:
-    """The app on its own port; a busy port is an error on every operating system.
+    """Server of the app on a port; a busy port is an error on every operating system.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Server:
         self.server_port = int(self._waitress.effective_port)
 
     def serve_forever(self, look_every_s: float = 0.5) -> None:
-        """Answer until `shutdown`, which another thread may call."""
+        """Answer requests until `shutdown`, which another thread may call."""
         while not self._ends.is_set():
             wasyncore.loop(timeout=look_every_s, map=self._waitress._map, count=1)
 
@@ -79,7 +79,7 @@ def _bound(host: str, port: int) -> socket.socket:
         if sys.platform != "win32":
             made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         if host == EVERYWHERE6:
-            # So that phones without IPv6 reach it too.
+            # Also accept IPv4, for phones without IPv6.
             made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 0)
         made.bind((host, port))
     except BaseException:

@@ -1,4 +1,4 @@
-"""Serves the browser app from the package."""
+"""Serving of the browser app from the package."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def app_folder() -> Path:
 def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
     """Texts of the scenarios to serve by file name, and the name of the one to open.
 
-    The given one is validated first; when it is no gallery file it joins the gallery.
+    The given scenario is validated first; a file outside the gallery is added to its list.
     """
     paths = [gallery.find(name) for name in gallery.names()]
     files = {path.name: gallery.read_text(path) for path in paths}

@@ -1,1 +1,1 @@
-"""Running a scenario: step by step, to its end, many variants or seeds at once."""
+"""Simulation of a scenario: step by step, to its end, or many variants or seeds at once."""

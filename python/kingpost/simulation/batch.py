@@ -38,7 +38,7 @@ class Batch:
     """Variants of one scenario, run together.
 
     Four variants of one structure run side by side in SIMD lanes, and such groups run in threads. Each run
-    gives the same bits as it does alone. A run that diverges is marked, and the others go on.
+    gives the same bits as it does alone. A run that diverges is marked, and the others continue.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ class Batch:
         threads
             Number of threads; 0 takes as many as the machine has.
         progress
-            Called now and then with the number of finished runs.
+            Called at intervals with the number of finished runs.
         memory_gb
             Memory for the rows of all runs; building their data set takes the same amount again.
 
@@ -93,11 +93,10 @@ class Batch:
         -------
         xarray.Dataset
             The variables of `kingpost.run` with a first dimension ``run``; along it the values of
-            the parameters and ``status``, which is ``finished`` or why the run ended. A run that
-            ended early has NaN from there on. The attributes ``warnings`` and
-            ``limits`` are a list for each run, as JSON. ``model_warnings`` holds the warnings about the model
-            of the first run. Each warning is also a `KingpostWarning`; the same warning of many runs appears
-            once.
+            the parameters and ``status``, which is ``finished`` or the reason why the run ended. A run that
+            ended early has NaN after its end. The attributes ``warnings`` and ``limits`` are a list for each
+            run, as JSON. ``model_warnings`` holds the warnings about the model of the first run. Each warning
+            is also a `KingpostWarning`; the same warning of many runs appears once.
 
         Raises
         ------
@@ -153,7 +152,7 @@ class Batch:
         return []
 
     def _came_of(self, limits: list[list[LimitEntry]], warnings: list[list[WarningEntry]]) -> list[str]:
-        """Warnings of the runs; runs that differ only in their seeds are named by their seeds."""
+        """Warnings of the runs; runs that differ only in their seeds are identified by their seeds."""
         seeds = self.parameters.get(SEED) if len(self.parameters) == 1 else None
         counted_by = "run" if seeds is None else "seed"
         runs = zip(seeds or range(len(warnings)), limits, warnings, strict=True)

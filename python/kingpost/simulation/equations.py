@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 MOST_DENSE = 2000
-"""The most free coordinates for matrices of all of them: one of as many states takes 128 MB."""
+"""Largest number of free coordinates for dense matrices: a matrix of twice as many states takes 128 MB."""
 
 
 class Equations:
@@ -122,7 +122,7 @@ class Equations:
         return MovingFrame(self._engine.moving_frame(), self._engine.symbols_json)
 
     def linearize(self) -> Linearization:
-        """A and B of the linearised system here, exact to rounding.
+        """Compute A and B of the system linearised about the present state, exact to rounding.
 
         Returns
         -------
@@ -150,7 +150,7 @@ class Equations:
         Returns
         -------
         Equilibrium
-            How it was found.
+            Number of iterations and residual.
 
         Raises
         ------
@@ -165,8 +165,8 @@ class Equations:
         return Equilibrium(*self._engine.settle())
 
     def wave_response(self, directions_rad: ArrayLike, frequencies_rad_s: ArrayLike) -> dict[str, Any]:
-        """Complex amplitudes of all motions by direction and frequency, with the crane as it stands now;
-        `kingpost.rao` puts labels on them.
+        """Compute complex amplitudes of all motions by direction and frequency, with the crane in its present
+        state; `kingpost.rao` returns them with labels.
 
         Parameters
         ----------
@@ -204,33 +204,31 @@ class Equations:
         columns: Sequence[str] = (),
         about_resonances: bool = False,
     ) -> dict[str, Any]:
-        """Compute the response in waves that `kingpost.wave_response` labels.
-
-        It consists of complex amplitudes of columns of the results, by direction, frequency and column, with
-        the crane as it stands now.
+        """Compute complex amplitudes of columns of the results by direction, frequency and column, with the
+        crane in its present state; `kingpost.wave_response` returns them with labels.
 
         Parameters
         ----------
         directions_rad
-            That the waves go to, rad.
+            Directions that the waves travel towards, rad.
         frequencies_rad_s
-            Angular frequencies, rad/s; none ask for those of the database, refined.
+            Angular frequencies, rad/s; if empty, those of the database, refined.
         columns
-            Their names; none ask for all.
+            Names of the columns; if empty, all.
         about_resonances
-            Whether to add frequencies about each resonance that is narrower than the steps between them.
+            Whether to add frequencies about each resonance that is narrower than the frequency steps.
 
         Returns
         -------
         dict
-            ``amplitudes``, complex, shape (directions, frequencies, columns), NaN for a column that does not
-            follow in proportion; ``columns``, ``units``, ``mean``, ``not_linear``, ``resonances``,
-            ``frequencies_rad_s``, ``warnings``.
+            ``amplitudes``, complex, shape (directions, frequencies, columns), NaN for a column without linear
+            response; ``columns``, ``units``, ``mean``, ``not_linear``, ``resonances``, ``frequencies_rad_s``,
+            ``warnings``.
 
         Raises
         ------
         KingpostError
-            When nothing comes to rest, a database does not cover a frequency, or there is no such column.
+            If there is no equilibrium, a database does not cover a frequency, or a column is unknown.
 
         >>> from kingpost import Simulation, load
         >>> found = Simulation(load("barge")).column_response([0.0], [1.0], ["ship.roll", "ship.pitch"])
@@ -254,29 +252,28 @@ class Equations:
         directions: int = 1,
         seas: Sequence[dict[str, Any]] | None = None,
     ) -> list[list[WaveSystem]]:
-        """The energy of each wave system of a sea over frequency, as runs draw their waves from it.
+        """Return the spectrum of each wave system of a sea, from which runs draw their waves.
 
         Parameters
         ----------
         frequencies_rad_s
             Angular frequencies at which the density is given, rad/s.
         directions
-            How many directions of equal energy stand for a sea that is spread.
+            Number of directions of equal energy that represent a short-crested sea.
         seas
-            ``sea.waves`` of resolved scenarios, to be taken instead of this one's.
+            ``sea.waves`` of resolved scenarios, which replace that of this scenario.
 
         Returns
         -------
         list of list of dict
-            For each sea, of each system that runs: ``name``, ``directions_rad`` with equal shares of the
-            energy, ``band_rad_s``, ``nodes_rad_s`` where the density changes its form, ``density_m2_s``
-            (m^2 s/rad), and ``lines`` of waves of one frequency: angular frequency (rad/s), direction
-            (rad), variance (m^2).
+            For each enabled system of each sea: ``name``, ``directions_rad`` with equal shares of the energy,
+            ``band_rad_s``, ``nodes_rad_s`` at which the density has a kink, ``density_m2_s`` (m^2 s/rad), and
+            ``lines`` of waves of one frequency: angular frequency (rad/s), direction (rad), variance (m^2).
 
         Raises
         ------
         ScenarioError
-            When there are no such waves.
+            If a wave system is not valid.
 
         >>> from kingpost import Simulation, load
         >>> ((sea,),) = Simulation(load("offshore_vessel", waves=True)).sea_spectra(np.linspace(0.4, 4, 2000))
@@ -290,8 +287,8 @@ class Equations:
         return json.loads(self._engine.sea_spectra_json(json.dumps([given, frequencies, directions])))
 
     def hydrostatics(self) -> dict[str, Any]:
-        """Like the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
-        coordinates stay, the others settle in still water. The simulation itself does not move.
+        """Compute `Scenario.hydrostatics` with the crane in its present state: held and prescribed
+        coordinates stay, the others settle in still water. The simulation itself is unchanged.
 
         Returns
         -------
@@ -301,7 +298,7 @@ class Equations:
         Raises
         ------
         KingpostError
-            When a hull is heavier than what it displaces wholly under water.
+            If a hull weighs more than the water it displaces when fully submerged.
 
         >>> from kingpost import Simulation, load
         >>> simulation = Simulation(load("barge"))

@@ -30,7 +30,7 @@ class Linearization:
     The inputs u are changes of `Simulation.inputs`. Held and prescribed coordinates are not states;
     prescribed coordinates keep their motion. With closed loops, all coordinates of the open tree are states,
     and `Simulation.constraint_matrix` times x is zero for the coordinates and for their rates. A scenario
-    that leaves D out is linearised with D.
+    without D is linearised with D.
 
     Attributes
     ----------

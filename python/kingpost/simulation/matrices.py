@@ -1,4 +1,4 @@
-"""The matrices of the moving frame method: numbers with labels and units, and formulas."""
+"""Matrices of the moving frame method: numbers with labels and units, and formulas."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ NOISE = 1e-12
 
 @dataclass(frozen=True)
 class Formula:
-    """A matrix as formulas, block by block, in the paper's notation.
+    """A matrix as block formulas in the paper's notation.
 
     Attributes
     ----------
     name, symbol, equation
-        Its key, its symbol in LaTeX, and the paper's equation.
+        Key of the matrix, its symbol in LaTeX, and the paper's equation.
     rows, columns
         Names of the block rows and columns, in LaTeX.
     blocks
@@ -57,7 +57,7 @@ class Formula:
     def latex(self, environment: str = "bmatrix") -> str:
         """The equation in LaTeX; ``array`` adds the names of rows and columns.
 
-        Two blocks alone are written as they are, without brackets.
+        A matrix of two blocks only is written without brackets.
         """
         if self.blocks == [self.blocks[0][:1]]:
             return f"{self.symbol} = {self.blocks[0][0]}"
@@ -94,7 +94,7 @@ class MovingFrame(dict[str, "xarray.DataArray"]):
         return latex(self[name], environment, digits)
 
     def write_csv(self, folder: str | Path) -> list[Path]:
-        """Write each matrix to a file of its own, see `write_csv`; returns the files.
+        """Write each matrix to a separate file, see `write_csv`; return the files.
 
         ``E_tower/ship`` is written to ``E_tower-ship.csv``.
         """

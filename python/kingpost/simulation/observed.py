@@ -26,7 +26,7 @@ class Observed:
     scenario: Scenario
     _engine: engine.Simulation
     _warned_of: tuple[Any, list[str]] | None = None
-    """The state that warnings were last asked of, and the warnings."""
+    """State for which warnings were last computed, and these warnings."""
 
     @property
     def events(self) -> list[Event]:
@@ -40,14 +40,15 @@ class Observed:
 
     @property
     def model_warnings(self) -> list[str]:
-        """Warnings before a run from the present state: about the model, and about a step that is too long
-        for the scheme (`kingpost.stable_step`).
+        """Warnings about the model in its present state, and about a step that is too long for the scheme
+        (`kingpost.stable_step`).
 
         >>> from kingpost import Simulation, load
         >>> Simulation(load("paper", {"simulation.step_s": 0.001})).model_warnings
         []
         """
-        # A run asks again for what its command has printed: the eigenvalues are sought once for each state.
+        # A run requests again the warnings that its command has printed: compute the eigenvalues once for
+        # each state.
         state = (self.scenario.overrides, self._engine.snapshot())
         if self._warned_of is None or self._warned_of[0] != state:
             self._warned_of = state, self._warnings_before_a_run()
@@ -78,7 +79,7 @@ class Observed:
 
     @property
     def limits(self) -> list[Limit]:
-        """How the scenario's limits held in the rows so far; a data set holds it as JSON in
+        """Results of the scenario's limits in the rows so far; a data set holds them as JSON in
         ``attrs["limits"]``.
 
         >>> from kingpost import Simulation, load

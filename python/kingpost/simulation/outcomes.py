@@ -1,7 +1,5 @@
-"""Outcomes of runs: limits and warnings, as data and in words.
-
-The same warning of several runs is given once. The command line, `warnings.warn` and files use the same
-words.
+"""Outcomes of runs: limits and warnings, as data and as text. The same warning of several runs is given once.
+The command line, `warnings.warn` and files use the same words.
 """
 
 from __future__ import annotations
@@ -22,11 +20,11 @@ from ..results.entries import (
 )
 from .records import PARTS
 
-# Not the digits in a name such as leg_2.
+# Pattern of a number; digits in a name such as leg_2 do not match.
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 PARTED = "parted at"
 ENERGY, OFF_BALANCE = "energy", "is off its balance by"
-"""The name of this warning, and the first words of its text."""
+"""Name of the warning about the energy balance, and the first words of its text."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +34,7 @@ class Outcome:
     Attributes
     ----------
     seed
-        Its seed; or its number in a `Batch` whose runs differ in something else.
+        Seed of the run; or its number in a `Batch` whose runs differ in something else.
     limits, warnings
         The limits and warnings, as dictionaries.
     counted_by
@@ -50,7 +48,7 @@ class Outcome:
 
     @property
     def is_off_balance(self) -> bool:
-        """Whether the energy of the run does not balance; its numbers cannot be trusted then."""
+        """Whether the energy balance of the run is violated; its numbers are then unreliable."""
         return any(one["name"] == ENERGY and one["text"].startswith(OFF_BALANCE) for one in self.warnings)
 
 

@@ -13,18 +13,18 @@ from ..errors import KingpostWarning
 
 PACKAGE = str(Path(__file__).parents[1])
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d+)?(e[-+]?\d+)?(?!\w)")
-"""A number among words; a digit within a name is none."""
+"""Pattern of a number in a text; a digit within a name does not count."""
 
 
 ONCE = ("default", "module", "once")
-"""Actions of Python's filters that show a warning once for each line of a program."""
+"""Filter actions of Python that show a warning only once for each line of a program."""
 _SHOWN: set[tuple[str, int, str]] = set()
-"""File, line and kind of each warning that was shown: Python's own registry is cleared whenever a library
-changes a filter."""
+"""File, line and kind of each shown warning: Python's registry is cleared whenever a library changes a
+filter."""
 
 
 def _kind(words: str) -> str:
-    """Words of a warning without its numbers: in a loop of runs the same warning has other numbers.
+    """Text of a warning without its numbers, which differ between the runs of a loop.
 
     >>> _kind("leg_1: off by -0.3 % at 1e-05 s")
     'leg_1: off by # % at # s'
@@ -33,12 +33,13 @@ def _kind(words: str) -> str:
 
 
 def _fits(pattern: str | re.Pattern[str] | None, text: str) -> bool:
-    """Match a filter's pattern: none, a compiled expression or, in Python's own filters, a plain name."""
+    """Whether a text matches a filter's pattern: none, a compiled expression or, in Python's default filters,
+    a plain name."""
     return pattern is None or (pattern == text if isinstance(pattern, str) else bool(pattern.match(text)))
 
 
 def _action(words: str, module: str, line: int) -> str:
-    """Action of the first of Python's filters that matches a warning."""
+    """Action of the first filter of Python that matches a warning."""
     for action, pattern, category, of_module, of_line in warnings.filters:
         if (
             issubclass(KingpostWarning, category)
@@ -51,9 +52,8 @@ def _action(words: str, module: str, line: int) -> str:
 
 
 def emit_warnings(words: Iterable[str]) -> None:
-    """Raise each as a warning that points to the line that called the package.
-
-    Where Python shows a warning once for a line, its default, one that differs in numbers only is the same.
+    """Emit each as a Python warning at the line that called the package. If Python shows a warning once per
+    line, the default, warnings that differ only in numbers count as the same.
 
     >>> with warnings.catch_warnings(record=True) as told:
     ...     warnings.simplefilter("always")
@@ -75,7 +75,8 @@ def emit_warnings(words: Iterable[str]) -> None:
 
 
 def record_warnings(attributes: dict[str, Any], words: Iterable[str]) -> None:
-    """Store warnings of an analysis in its attribute ``warning``, each once, and raise each as a warning.
+    """Store warnings of an analysis in its attribute ``warning``, each once, and emit each as a Python
+    warning.
 
     >>> attributes = {}
     >>> with warnings.catch_warnings(record=True) as told:

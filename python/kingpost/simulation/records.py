@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class State:
-    """The motion at one instant.
+    """State of a simulation at one instant.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class State:
         Velocities: of a floating body the world velocity of its centre of mass (m/s) and the
         angular velocity in body axes (rad/s); then joint rates (rad/s or m/s).
     s
-        Further states: of forces, of drives and of the energy ledger.
+        Further states: those of forces, drives and the energy ledger.
     """
 
     time_s: float
@@ -40,7 +40,7 @@ class State:
 
 @dataclass(frozen=True)
 class Input:
-    """An input that may change during a run; it keeps its value from step to step.
+    """An input of a run; it keeps its value until it is set again.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Input:
     lower, upper, value
         Bounds and present value, in the unit.
     signal
-        Signal that sets it, so that `Simulation.set_input` refuses it; None of an input that is free.
+        Signal that sets the input, which `Simulation.set_input` then refuses; None for a free input.
     """
 
     name: str
@@ -77,11 +77,11 @@ class DrawnLine:
     Attributes
     ----------
     name
-        Name of the element that it belongs to.
+        Name of the element of the line.
     style
         ``rope``, ``barrel``, ``rod`` or ``pin``.
     radius_m
-        0 if it is too thin to be drawn to scale.
+        Radius, m; 0 if the line is too thin to be drawn to scale.
     points_m
         World coordinates, m, shape (points, 3); one point for a pin.
     """
@@ -94,7 +94,7 @@ class DrawnLine:
 
 @dataclass(frozen=True)
 class Event:
-    """An event that an element watches for; it happened inside a step.
+    """An event of an element, located inside a step.
 
     Attributes
     ----------
@@ -112,7 +112,8 @@ class Event:
 
 
 REPEATING = frozenset({"goes slack", "comes taut", "touches", "leaves", "slides", "holds"})
-"""Events of ropes and contacts that repeat; every other event says that something began, ended or broke."""
+"""Repeating events of ropes and contacts; every other event is the start, the end or a failure of
+something."""
 
 
 PARTS = "parts"
@@ -121,7 +122,8 @@ PARTS = "parts"
 
 @dataclass(frozen=True)
 class Warning:
-    """A warning of a run, for example: a rod that stands for a rope pushes, or a hull heels too far.
+    """A warning of a run, for example: a rod that represents a rope is in compression, or a hull heels too
+    far.
 
     Attributes
     ----------
@@ -140,12 +142,12 @@ class Warning:
 
 @dataclass(frozen=True)
 class Limit:
-    """How a limit of the scenario held in the rows of a run.
+    """Result of a limit of the scenario in the rows of a run.
 
     Attributes
     ----------
     name
-        Its name in the scenario.
+        Name of the limit in the scenario.
     column
         The column of the results.
     unit
@@ -153,9 +155,9 @@ class Limit:
     at_least, at_most
         The smallest and the largest allowed value; None if that side has no bound.
     held
-        Whether it held; None if no row counted.
+        Whether the limit held; None if no row counted.
     worst, worst_time_s
-        The value nearest to a bound, or farthest beyond it, and its time, s.
+        Value nearest to a bound, or farthest beyond it, and its time, s.
     """
 
     name: str
@@ -170,14 +172,14 @@ class Limit:
 
 @dataclass(frozen=True)
 class LeverMove:
-    """An input that a hand set.
+    """An input set by hand.
 
     Attributes
     ----------
     time_s
-        Time of the end of the step before it, s.
+        Time at the end of the preceding step, s.
     input
-        Its name.
+        Name of the input.
     value
         The value, in the unit of the input.
     """

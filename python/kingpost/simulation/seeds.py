@@ -1,4 +1,4 @@
-"""One scenario in many seas: runs that differ in their seed, each in a file of its own."""
+"""Runs of one scenario with different seeds, each stored in a separate file."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
 
 MOST_SEEDS = 100_000
 TOGETHER = 16
-"""Runs that are in memory at a time, if their rows fit."""
+"""Largest number of runs in memory at a time, if their rows fit."""
 
 
 def files(pattern: str | Path, count: int) -> list[Path]:
-    """A file for each seed from 1 on: the seed replaces the ``*`` in the pattern.
+    """Paths of the files for seeds from 1 on: the seed replaces the ``*`` in the pattern.
 
     >>> [path.name for path in files("run_*.nc", 10)][::9]
     ['run_01.nc', 'run_10.nc']
@@ -84,7 +84,7 @@ def run(
         some = new[first : first + count]
         together = Batch(scenario, {SEED: [seeds[path] for path in some]}).run(
             progress=_from(len(there) + first, progress),
-            # A run whose rows do not fit runs alone, as without seeds.
+            # Runs whose rows do not fit together run one by one, as without seeds.
             memory_gb=max(MOST_MEMORY_GB, 1.01 * of_one_gb),
         )
         for k, path in enumerate(some):
@@ -104,7 +104,7 @@ def _memory_gb(scenario: Scenario) -> float:
 
 
 def fingerprint(scenario: Scenario, seed: int, patterns: Sequence[str] = ()) -> str:
-    """SHA-256 of everything that decides the content of a run's file: the resolved scenario with its seed,
+    """SHA-256 of everything that determines the content of a run's file: the resolved scenario with its seed,
     the files that it names, the engine, and the written columns."""
     of_seed = scenario.with_overrides({SEED: seed})
     parts = [of_seed.json, of_seed.digests, source_digest(), list(patterns)]

@@ -1,4 +1,4 @@
-"""Simulations: a thin, labelled face on the engine.
+"""Simulations: a thin interface to the engine that adds labels.
 
 Units are SI, angles in radians. The world's z points up; a ship's x points forward, y to
 port, z up. Roll, pitch and yaw are the intrinsic z-y-x angles about x, y and z.
@@ -34,11 +34,11 @@ if TYPE_CHECKING:
 Progress = Callable[[float], None]
 LOG = logging.getLogger(__name__)
 MOST_STEPS = 10**15
-"""The most steps of one call: beyond them the time is no longer exact."""
+"""Largest number of steps in one call: beyond it the time is no longer exact."""
 
 
 class Simulation(Observed, Equations):
-    """One run of a scenario, stepped by hand.
+    """One run of a scenario, advanced step by step.
 
     >>> simulation = Simulation(load("paper", motor_1=True))
     >>> simulation.step(500)
@@ -85,7 +85,7 @@ class Simulation(Observed, Equations):
         Parameters
         ----------
         n
-            How many steps, each of `step_s`.
+            Number of steps, each of `step_s`.
 
         Raises
         ------
@@ -104,18 +104,18 @@ class Simulation(Observed, Equations):
         self._engine.step(int(n))
 
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
-        """Run from here to the scenario's duration and return what was recorded.
+        """Run from the present time to the scenario's duration and return the recorded results.
 
         The attributes ``events``, ``warnings`` and ``limits`` hold the events, the warnings and the results
         of the scenario's limits, as JSON; ``model_warnings`` holds the warnings from before the run. Each
         warning is also a `KingpostWarning`.
 
-        `progress` is called now and then with the time in seconds.
+        `progress` is called at intervals with the time in seconds.
 
         Parameters
         ----------
         progress
-            Called now and then with the time, s.
+            Called at intervals with the time, s.
 
         Returns
         -------
@@ -173,7 +173,7 @@ class Simulation(Observed, Equations):
         Raises
         ------
         KingpostError
-            If nothing was run, there is no such column, or no record in the period.
+            If nothing was run, the column is unknown, or there is no record in the period.
 
         >>> simulation = Simulation(load("paper", {"simulation.duration_s": 0.5}))
         >>> _ = simulation.run()
@@ -214,13 +214,12 @@ class Simulation(Observed, Equations):
 
     @property
     def state(self) -> State:
-        """A copy of the motion now."""
+        """Copy of the present state."""
         return State(self._engine.clock()[0], *self._engine.motion())
 
     def set_state(self, q: ArrayLike, v: ArrayLike, s: ArrayLike | None = None) -> None:
-        """Replace the motion; arrays as in `State`, with unit quaternions.
-
-        Without `s` the ledger of energy and momentum restarts here.
+        """Replace the state; arrays as in `State`, with unit quaternions. Without `s` the ledger of energy
+        and momentum restarts at the present time.
 
         Parameters
         ----------
@@ -251,7 +250,7 @@ class Simulation(Observed, Equations):
         Returns
         -------
         bytes
-            Valid for this scenario only.
+            Snapshot, valid for this scenario only.
 
         >>> simulation = Simulation(load("paper"))
         >>> start = simulation.snapshot()
@@ -273,7 +272,7 @@ class Simulation(Observed, Equations):
         Raises
         ------
         KingpostError
-            If it belongs to another scenario, or is not a snapshot.
+            If `snapshot` belongs to another scenario, or is not a snapshot.
 
         >>> simulation = Simulation(load("paper"))
         >>> simulation.restore(simulation.snapshot())
@@ -289,14 +288,14 @@ class Simulation(Observed, Equations):
         return {row[0]: Input(*row) for row in self._engine.inputs()}
 
     def set_input(self, name: str, value: float) -> None:
-        """Set an input; it keeps the value until it is set again.
+        """Set an input, which keeps the value until it is set again.
 
         Parameters
         ----------
         name
             Name of the input, one of `inputs`.
         value
-            In the input's unit, between its bounds.
+            Value in the input's unit, between its bounds.
 
         Raises
         ------
@@ -311,9 +310,8 @@ class Simulation(Observed, Equations):
         self._engine.set_input(str(name), number(f"input {name}", value))
 
     def set_parameter(self, name: str, value: bool | float | str) -> None:
-        """Set a parameter that is `live` in the scenario while the run goes on, from the next step on.
-
-        Time, motion and inputs stay; the ledger books the change of energy. `reset` goes to the start of the
+        """Set a parameter that is `live` in the scenario during a run, from the next step on. Time, motion
+        and inputs are unchanged; the ledger records the change of energy. `reset` returns to the start of the
         scenario with the new value.
 
         Parameters
@@ -321,7 +319,7 @@ class Simulation(Observed, Equations):
         name
             Name of a parameter that can change during a run.
         value
-            In the parameter's unit.
+            Value in the parameter's unit.
 
         Raises
         ------

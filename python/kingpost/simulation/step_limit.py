@@ -1,4 +1,4 @@
-"""The longest step at which an explicit scheme is stable, by eigenvalues."""
+"""Longest step at which an explicit scheme is stable, by eigenvalues."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ GROWTH: dict[str, Callable[[NDArray[np.complex128]], NDArray[np.complex128]]] = 
     "midpoint_euler": lambda z: 1 + z,
     "rk4": lambda z: 1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4))),
 }
-"""Growth factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving
+"""Amplification factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving
 Ordinary Differential Equations II*, 1996, sec. IV.2)."""
 DAMPED = 0.02
-"""Motions with a smaller damping ratio are not judged: Euler's method makes them grow at any step."""
+"""Smallest damping ratio of the judged motions: with less damping, Euler's method is unstable at any step."""
 LONGEST_S, HALVINGS = 1e3, 60
 MOST_STATES = 1000
-"""The most states of which the eigenvalues are sought before each run: they take a second or two."""
+"""Largest number of states for which eigenvalues are computed before each run, which takes a second or
+two."""
 
 
 def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None:
@@ -31,7 +32,7 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
     2.78529
     """
     growth = GROWTH.get(integrator)
-    # Where the rates overflow, the run itself says so.
+    # If the rates overflow, the run itself reports it.
     if growth is None or not np.isfinite(matrix).all():
         return None
     values = np.linalg.eigvals(matrix)
@@ -39,13 +40,13 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
     # Leave out motions slower than an hour: they set no limit, and zero eigenvalues are rounded to such
     # values.
     values = values[np.abs(values) > 1 / LONGEST_S]
-    # One of each conjugate pair.
+    # Keep one eigenvalue of each conjugate pair.
     values = values[values.imag >= 0].astype(complex)
     return float(_limits(growth, values).min()) if values.size else None
 
 
 def left_out(states: int) -> str:
-    """The warning of a model whose longest stable step is not estimated.
+    """Warning for a model whose longest stable step is not estimated.
 
     >>> left_out(7200)
     'the longest stable step is not estimated: 7200 states, more than 1000; compare with half the step'
@@ -76,13 +77,13 @@ def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]])
 def _limits(
     growth: Callable[[NDArray[np.complex128]], NDArray[np.complex128]], values: NDArray[np.complex128]
 ) -> NDArray[np.float64]:
-    """The step at which each damped motion begins to grow: found by a scan, then by bisection."""
+    """Step from which on each damped motion grows, found by a scan and then by bisection."""
     steps = np.geomspace(1e-3, 1e2, 2000) / np.abs(values)[:, None]
     grows = np.abs(growth(steps * values[:, None])) > 1
     first = np.where(grows.any(axis=1), grows.argmax(axis=1), steps.shape[1] - 1)
     each = np.arange(len(values))
     low, high = steps[each, np.maximum(first - 1, 0)], steps[each, first]
-    # A motion that grows at no step of the scan, or at all, keeps the end of the scan.
+    # For a motion that does not grow at any step of the scan, the result is the end of the scan.
     bounded = grows.any(axis=1) & (first > 0)
     for _ in range(HALVINGS):
         middle = (low + high) / 2

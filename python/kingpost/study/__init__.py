@@ -1,1 +1,1 @@
-"""Studies: many runs of one scenario, reduced to numbers that last, on one machine or many."""
+"""Studies: many runs of one scenario, reduced to stored numbers, on one machine or many."""

@@ -1,4 +1,4 @@
-"""`kingpost.Study`: many runs of one scenario, into a folder that lasts."""
+"""`kingpost.Study`: many runs of one scenario, stored in a folder."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ class Study:
     Raises
     ------
     ScenarioError
-        With file, line, column, field, what was found and what is allowed. Each value of an axis was tried by
-        itself, and the first and last values of all axes together.
+        With file, line, column, field, the value found and the allowed values. The scenario is built with
+        each value of an axis separately, and with the first and last values of all axes together.
 
     Examples
     --------
@@ -54,7 +54,7 @@ class Study:
         self.plan: Plan = plan(self.file)
 
     def __len__(self) -> int:
-        """How many runs there are."""
+        """Number of runs."""
         return self.plan.runs
 
     @property
@@ -64,21 +64,21 @@ class Study:
 
     @property
     def scenario(self) -> Scenario:
-        """Scenario that all runs start from, with what the study sets over it."""
+        """Scenario that all runs are based on, with the study's common overrides."""
         return self.plan.scenario
 
     @cached_property
     def axes(self) -> dict[str, list[ParameterValue]]:
-        """The values of each axis, each once, in their order."""
+        """Values of each axis without repetitions, in their order."""
         return {name: list(dict.fromkeys(values)) for name, values in self.plan.cases.values.items()}
 
     def overrides(self, run: int) -> dict[str, ParameterValue]:
-        """Return the values that a run sets over `scenario`: with them it is that very run.
+        """Return the overrides of `scenario` that reproduce a run of the study.
 
         Parameters
         ----------
         run
-            Its number, from 0.
+            Number of the run, from 0.
 
         Returns
         -------
@@ -103,42 +103,41 @@ class Study:
         part: Part | None = None,
         progress: Callable[[int], Callable[[float], None]] | None = None,
     ) -> xarray.Dataset:
-        """Run what is missing in a folder, and open its results.
-
-        A run has the same bits on any number of workers, here or elsewhere. Whatever ends this on the way,
-        the units (up to 32 runs) that are finished stay, and ``resume=True`` goes on.
+        """Run the missing units of a folder, and open its results. A run gives the same bits on any number of
+        workers, on this or another machine. If the study is stopped, finished units (up to 32 runs each) are
+        kept, and ``resume=True`` continues.
 
         Parameters
         ----------
         folder
-            Where results are; made if it is not there.
+            Folder of the results; created if it does not exist.
         executor
-            Any `concurrent.futures.Executor`: of Dask ``client.get_executor()``. Without it, processes of
-            this machine; a script then needs ``if __name__ == "__main__":`` above its call.
+            Any `concurrent.futures.Executor`, for Dask ``client.get_executor()``; default: processes on this
+            machine; a script then needs ``if __name__ == "__main__":`` above its call.
         workers
-            How many processes; as many as there are processors unless given. 1 computes in this process.
-            With an executor: how many units are handed to it at a time, by half.
+            Number of processes; default: the number of processors. 1 computes in this process. With an
+            executor: half of the number of units submitted at a time.
         resume
-            Whether a study that is in the folder goes on. It has to be the same.
+            Whether to continue a study in the folder, which must be the same study.
         part
-            ``(k, n)`` computes every n-th unit from the k-th on, k from 1: parts may run side by side, on
-            machines that share the folder, and find each other's work.
+            ``(k, n)`` computes every n-th unit from the k-th on, k from 1. Parts may run at the same time,
+            also on several machines that share the folder, and find each other's finished units.
         progress
-            Called once with the number of runs to compute; what it returns is called with the number of
-            those done.
+            Called once with the number of runs to compute; the function that it returns is called with the
+            number of finished runs.
 
         Returns
         -------
         xarray.Dataset
-            Read when it is asked for. See `open_study`.
+            Results whose numbers are read when needed: see `open_study`.
 
         Raises
         ------
         KingpostError
-            When there is a study in the folder and `resume` is not given, another study, or another
-            process at work; a `RunError` when workers end again and again.
+            If the folder holds a study and `resume` is not given, or another study, or another process works
+            in it; a `RunError` if workers end repeatedly.
         OutputError
-            When the folder cannot be written, as on a full disk.
+            If the folder cannot be written, for example on a full disk.
 
         >>> import tempfile
         >>> study = Study({"version": 1, "title": "x", "scenario": "paper", "record": ["ship.roll"],
@@ -151,12 +150,12 @@ class Study:
 
 
 def open_study(folder: str | Path) -> xarray.Dataset:
-    """The results of a study, complete or not, by `xarray.open_zarr`: numbers are read when needed.
+    """Open the results of a study, complete or not, by `xarray.open_zarr`: numbers are read when needed.
 
     Parameters
     ----------
     folder
-        Of the study.
+        Folder of the study.
 
     Returns
     -------
@@ -177,7 +176,7 @@ def open_study(folder: str | Path) -> xarray.Dataset:
     Raises
     ------
     KingpostError
-        When there is no study in the folder.
+        If there is no study in the folder.
 
     >>> import tempfile
     >>> study = Study({"version": 1, "title": "x", "scenario": "paper", "record": ["ship.roll"],

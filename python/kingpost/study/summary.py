@@ -1,4 +1,4 @@
-"""The results of a study so far, in numbers and in words."""
+"""Summary of a study's results so far, as numbers and as text."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray
 
 WARNED = 10
-"""Kinds of warnings that are told."""
+"""Largest number of kinds of warnings in a summary."""
 
 
 class PlanSummary(TypedDict):
@@ -47,7 +47,7 @@ class EndedRun(TypedDict):
 
 
 class LimitSummary(TypedDict):
-    """Runs in which a limit held, and the worst value with its run and what that sets."""
+    """Number of runs in which a limit held, and the worst value with its run and the run's overrides."""
 
     name: str
     column: str
@@ -61,7 +61,7 @@ class LimitSummary(TypedDict):
 
 
 class ResultSummary(TypedDict):
-    """Runs by how they ended, and what limits and warnings say of them."""
+    """Numbers of runs by status, with the results of limits and the warnings."""
 
     finished: int
     ended_early: int
@@ -90,7 +90,7 @@ def of_plan(plan: Plan) -> PlanSummary:
 
 
 def of_results(folder: Path, plan: Plan) -> ResultSummary:
-    """How the runs ended, how limits held, and what the engine warned of."""
+    """Summarise how the runs ended, how limits held, and the warnings of the engine."""
     found = open_results(folder)
     status = found["status"].values
     ends = {int(run): text for marker in layout.markers(folder) for run, text in marker["ends"].items()}
@@ -151,7 +151,7 @@ def plan_lines(about: PlanSummary) -> Iterator[str]:
 
 
 def result_lines(found: ResultSummary, runs: int) -> Iterator[str]:
-    """The results, a line each."""
+    """Yield the lines of text on the results."""
     yield f"finished        {found['finished']} of {runs} runs"
     others = (found["ended_early"], "ended early"), (found["not_built"], "are no scenario")
     for count, words in (*others, (found["not_run"], "are left")):
@@ -162,7 +162,7 @@ def result_lines(found: ResultSummary, runs: int) -> Iterator[str]:
 
 
 def warning_lines(found: ResultSummary, runs: int) -> Iterator[str]:
-    """Yield the warnings that a reader should not miss, a line each."""
+    """Yield the important warnings, one per line."""
     if found["ends"]:
         first = found["ends"][0]
         yield f"warning, in {len(found['ends'])} of {runs} runs, first run {first['run']}: {first['text']}"

@@ -1,4 +1,4 @@
-"""Blocks of a report, which say where their numbers come from."""
+"""Blocks of a report, each with the origin of its numbers."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Heading:
 
 @dataclass(frozen=True)
 class Command:
-    """Commands that a person can repeat."""
+    """Commands that a reader can repeat."""
 
     text: str
     kind: ClassVar[str] = "command"
@@ -42,7 +42,7 @@ class Command:
 
 @dataclass(frozen=True)
 class Link:
-    """An address with the words that lead there."""
+    """An address and the text of its link."""
 
     text: str
     address: str
@@ -51,7 +51,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Table:
-    """Cells under a heading; `origin` says from which file and by which command its numbers are."""
+    """Cells under a heading; `origin` gives the file and the command that the numbers come from."""
 
     title: str
     head: Sequence[str]
@@ -63,7 +63,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """A drawing, inside the page; `description` is for who does not see it."""
+    """A drawing embedded in the page; `description` is its text alternative."""
 
     description: str
     caption: str
@@ -73,7 +73,7 @@ class Picture:
 
     @classmethod
     def of(cls, figure: Figure, description: str, caption: str, origin: str) -> Picture:
-        """The drawing of a figure, with no date in it: the same figure gives the same page."""
+        """Convert a figure to a drawing without a date, so that the same figure gives the same page."""
         drawn = io.BytesIO()
         with drawing():
             figure.savefig(drawn, format="svg", metadata={"Date": None})
@@ -94,7 +94,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Report:
-    """A whole report: its verdict first."""
+    """A whole report, which begins with its verdict."""
 
     title: str
     lead: str
@@ -105,7 +105,7 @@ class Report:
 
 @contextmanager
 def drawing() -> Iterator[None]:
-    """Settings under which a figure gives the same SVG every time."""
+    """Use settings with which a figure always gives the same SVG."""
     import matplotlib
 
     with matplotlib.rc_context({"svg.hashsalt": "kingpost", "svg.fonttype": "path"}):
@@ -113,7 +113,7 @@ def drawing() -> Iterator[None]:
 
 
 def html(report: Report, version: str) -> str:
-    """The report as one page of HTML that needs nothing beside it.
+    """Write the report as one self-contained page of HTML.
 
     >>> from kingpost.study_report.blocks import Paragraph, Report, Section
     >>> page = html(Report("A < B", "", ["No."], [Section("one", "One", [Paragraph("1 & 2")])]), "0.1.0")

@@ -1,4 +1,4 @@
-"""Extremes of an operation, statistics and fatigue of the columns that a study keeps."""
+"""Statistics, extremes of an operation, and fatigue of a study's columns."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STORE = "results.zarr"
 
 
 def section(runs: xarray.Dataset) -> Section:
-    """Statistics over all runs, and the extremes of the case that has the largest values."""
+    """Section with statistics over all runs, and the extremes in the case with the largest values."""
     blocks: list[Block] = [_statistics(runs)]
     blocks += _extremes(runs)
     blocks += _fatigue(runs)
@@ -50,7 +50,7 @@ def _statistics(runs: xarray.Dataset) -> Table:
 
 
 def _extremes(runs: xarray.Dataset) -> list[Block]:
-    """The largest and the smallest value of an operation, in the case where each is most severe."""
+    """Largest and smallest value in an operation, each in its most severe case."""
     record_s = float(runs.attrs["duration_s"]) - float(runs.attrs["after_s"])
     operation_s = float(runs.attrs["operation_s"])
     case = runs["case"].values
@@ -68,7 +68,7 @@ def _extremes(runs: xarray.Dataset) -> list[Block]:
                 found = extreme(values[at], record_s, operation_s)
                 low, high = found.expected_interval(CONFIDENCE)
             except KingpostError:
-                # The same value in every run: a column that does not move.
+                # A constant column has the same value in every run.
                 continue
             ends = sorted((sign * low / size, sign * high / size))
             rows.append((str(name), unit, statistic, f"{sign * found.expected / size:.4g}",

@@ -1,4 +1,5 @@
-"""The limiting sea, by runs in time and by linear response, and the operable share of a scatter table."""
+"""Report on the limiting sea, by time-domain runs and by linear response, and on the operable share of a
+scatter table."""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ STYLES = {"by runs": "o-", "by linear response": "s--"}
 COLUMNS = 3
 MOST_PANELS = 24
 FEW = 12
-"""So many cases are read in a list; of more there is a table of two axes before it."""
+"""Largest number of cases in a plain list; for more, a table of two axes precedes it."""
 BY_RUNS = "Command: kingpost study study.yaml -o DIR --resume; in Python kingpost.study.limiting.runs."
 BY_SCREEN = "Command: kingpost study study.yaml --screen."
 MONTHS = ("January", "February", "March", "April", "May", "June", "July", "August", "September", "October",
@@ -38,7 +39,7 @@ MONTHS = ("January", "February", "March", "April", "May", "June", "July", "Augus
 
 
 def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> Section:
-    """Limiting heights over the axes, both ways, with the limit that governs.
+    """Section with limiting heights over the axes, by both methods, and the governing limits.
 
     Parameters
     ----------
@@ -72,7 +73,7 @@ def _axes(found: xarray.Dataset) -> list[str]:
 
 
 def _picture(known: dict[str, xarray.Dataset]) -> Picture | None:
-    """Heights over the peak period, a panel for each combination of the other axes."""
+    """Draw limiting heights over the peak period, a panel for each combination of the other axes."""
     first = next(iter(known.values()))
     period = _sea(first).get("peak_period")
     if period is None or period not in _axes(first):
@@ -151,14 +152,14 @@ def _table(found: xarray.Dataset, what: str) -> Table:
     head = (*names, "limiting Hs, m", "interval, m", "governs")
     origin = BY_RUNS if what == "by runs" else BY_SCREEN
     if "confidence" in found.attrs:
-        origin += f" Intervals hold {100 * found.attrs['confidence']:g} % of what other seeds would give."
+        origin += f" Confidence of the intervals over the seeds: {100 * found.attrs['confidence']:g} %."
     accepted = f"accepted probability {found.attrs['acceptance']:g} in {found.attrs['operation_s']:g} s"
     numbers = range(len(names) + 2)
     return Table(f"Limiting significant height {what}, {accepted}", head, rows, origin, tuple(numbers))
 
 
 def _matrix(found: xarray.Dataset, what: str) -> list[Table]:
-    """The heights over two axes; nothing for few cases or other numbers of axes."""
+    """Tabulate the heights over two axes; nothing for few cases or another number of axes."""
     names, heights = _axes(found), found["limiting_height_of_all"]
     if len(names) != 2 or heights.size <= FEW:
         return []
@@ -178,7 +179,7 @@ def _value(value: Any) -> str:
 
 
 def _height(found: xarray.Dataset, at: tuple[int, ...]) -> tuple[str, str]:
-    """The height, and its interval where the study reaches it."""
+    """Format a limiting height, with its interval if the study reaches it."""
     if "limiting_height_state" not in found:
         return height_text(found, at), "-"
     names, place = _axes(found), cast(Any, (slice(None), *at))
@@ -191,7 +192,7 @@ def _height(found: xarray.Dataset, at: tuple[int, ...]) -> tuple[str, str]:
 
 
 def _difference(by_runs: xarray.Dataset, by_screen: xarray.Dataset) -> str:
-    """How far the two are apart where both are known."""
+    """Compare both methods in the cases in which both give a height."""
     runs, linear = by_runs["limiting_height_of_all"], by_screen["limiting_height_of_all"]
     runs, linear = runs.broadcast_like(linear), linear.broadcast_like(runs)
     state = by_runs["limiting_height_state"].values
@@ -211,7 +212,7 @@ def _difference(by_runs: xarray.Dataset, by_screen: xarray.Dataset) -> str:
 def operability_section(
     plan: Plan, by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str
 ) -> Section:
-    """The share of the place's seas in which work can go on."""
+    """Section with the share of the site's sea states in which work is possible."""
     blocks: list[Block] = []
     for found, what in ((by_runs, "by runs"), (by_screen, "by linear response")):
         if isinstance(found, str):

@@ -1,4 +1,4 @@
-"""Report on the model: the picture, masses, how hulls float, righting arms, natural periods, the sea."""
+"""Report on the model: picture, masses, hydrostatics, righting arms, natural periods, sea."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ if TYPE_CHECKING:
     from ..scenario import Scenario
 
 LONGEST_PERIOD_S = 60.0
-"""Natural periods that are listed; longer ones are those of moorings and positioning."""
+"""Longest natural period in the list, s; longer ones belong to moorings and positioning."""
 FILE = "scenario.json"
 FROM_CHECK = f"Command: kingpost check {FILE}."
 
 
 def section(scenario: Scenario) -> Section:
-    """The model as a run of the study begins, with the commands that print the same numbers."""
+    """Section with the model at the start of a run, and the commands that print the same numbers."""
     simulation = Simulation(scenario)
     blocks: list[Block] = [Paragraph(str(scenario.resolved.get("description") or scenario.title))]
     blocks.append(
@@ -56,7 +56,7 @@ def _masses(scenario: Scenario) -> Table:
 
 
 def _floating(hull: dict[str, Any]) -> Table:
-    """At rest in still water; heights are over the keel."""
+    """Hydrostatics of a hull at rest in still water; heights are over the keel."""
     rows = [
         ("displacement", f"{hull['displacement_kg'] / 1000:.1f} t"),
         ("draught", f"{fixed(hull['draught_m'], 3)} m"),
@@ -90,7 +90,7 @@ def _righting_arms(hull: dict[str, Any]) -> Picture:
 
 
 def _periods(scenario: Scenario) -> list[Block]:
-    """Natural periods about rest; a sentence that says why where there are none."""
+    """Natural periods about rest, or a sentence with the reason why there are none."""
     try:
         found = of_ship_and_crane(modes(scenario))
     except KingpostError as error:
@@ -110,7 +110,7 @@ def _periods(scenario: Scenario) -> list[Block]:
 
 
 def sea_section(scenario: Scenario) -> Section:
-    """The water, the waves, the current and the wind of the scenario, before the study sets its axes."""
+    """Section with water, waves, current and wind of the scenario, before the study sets its axes."""
     printed = "\n".join(sea.lines(scenario))
     blocks: list[Block] = [
         Paragraph("As the scenario has it before the study sets its axes:"),

@@ -1,4 +1,4 @@
-"""Where the numbers of a report come from: files with their digests, versions, commands, verification."""
+"""Origin of a report's numbers: files with digests, versions, commands, verification."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ CHECKED = (
 
 
 def section(folder: Path, about: About, digests: Mapping[str, str]) -> Section:
-    """The files that the report was made from and the commands that make it again.
+    """Section with the files of the report and the commands that make it again.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def section(folder: Path, about: About, digests: Mapping[str, str]) -> Section:
 
 
 def verification_section(folder: Path) -> Section:
-    """Tell what `kingpost verify` measured on this machine, where its file is in the folder."""
+    """Section with the results of `kingpost verify` on this machine, if its file is in the folder."""
     blocks: list[Block] = [Paragraph(CHECKED)]
     path = folder / VERIFICATION
     if not path.is_file():

@@ -1,4 +1,4 @@
-"""A page as PDF, by a browser that is at hand."""
+"""Printing of a page as PDF by an installed browser."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ OPTIONS = (
 
 
 def find_browser() -> str | None:
-    """The first browser of Chromium's family on this machine; None where there is none."""
+    """Find the first browser of Chromium's family on this machine; None if there is none."""
     given = os.environ.get(VARIABLE)
     return given or next((found for name in BROWSERS if (found := shutil.which(name))), None)
 
@@ -51,7 +51,7 @@ def write(page: str | Path, path: str | Path) -> Path:
     Raises
     ------
     KingpostError
-        When there is no browser, or it writes no file.
+        If there is no browser, or it writes no file.
     """
     browser = find_browser()
     if browser is None:

@@ -1,4 +1,4 @@
-"""The report of a study: one file of HTML, or a PDF by a browser that is at hand."""
+"""Report of a study: one file of HTML, or a PDF printed by an installed browser."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ if TYPE_CHECKING:
 
 ENDINGS = (".html", ".pdf")
 APP = "http://127.0.0.1:8000/"
-"""Where `kingpost serve` serves the app, unless another address is given."""
+"""Default address of the app: that of `kingpost serve`."""
 
 
 def write(plan: Plan, folder: str | Path, path: str | Path, app: str = APP) -> Path:
     """Write the report of a study by the file's ending.
 
-    What was modelled, the sea, the limiting sea by runs and by linear response, operability, how the limits
-    held, the worst runs with a link that opens each in the app, statistics, extremes, fatigue, verification,
-    and the origin of each number. The page needs no network.
+    The report contains the model, the sea, the limiting sea by runs and by linear response, operability, the
+    results of limits, the worst runs with links to the app, statistics, extremes, fatigue, verification, and
+    the origin of each number. The page needs no network.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def write(plan: Plan, folder: str | Path, path: str | Path, app: str = APP) -> P
     Raises
     ------
     KingpostError
-        When there are no results, the ending is another, or there is no browser for a PDF.
+        If there are no results, the ending is not allowed, or there is no browser for a PDF.
     """
     path = output.check(path, ENDINGS)
     page = html(of_study(plan, Path(folder), app), engine.__version__)
@@ -70,7 +70,7 @@ def write(plan: Plan, folder: str | Path, path: str | Path, app: str = APP) -> P
 
 
 def of_study(plan: Plan, folder: Path, app: str = APP) -> Report:
-    """The report as blocks."""
+    """Build the report as blocks."""
     results, about = open_results(folder), layout.about_of(folder)
     if about is None:
         raise KingpostError(f"{folder}: found no study, allowed: the folder of a study")
@@ -119,7 +119,7 @@ def _by_screen(plan: Plan) -> xarray.Dataset | str:
 
 
 def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str) -> Iterator[str]:
-    """Yield the verdict of the study, in a sentence or two."""
+    """Yield the verdict of the study in one or two sentences."""
     if "limit" not in results.sizes:
         yield "The study has no limits: it says what the runs came to, not whether to go."
         return
@@ -146,7 +146,7 @@ def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str)
 
 
 def _doubts(results: xarray.Dataset) -> Iterator[str]:
-    """Yield the reservations that a reader has to know before any number."""
+    """Yield the reservations that a reader must know before the numbers."""
     status = results["status"].values
     missing = int((status == -1).sum())
     if missing:

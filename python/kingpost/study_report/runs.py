@@ -1,4 +1,4 @@
-"""Report on the runs of a study: how limits held, the worst run of each, as plots with what opens them."""
+"""Report on the runs of a study: results of limits, and the worst run of each limit as a plot with a link."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 STORE = "results.zarr"
 MOST_WORST = 6
-"""Worst runs that are drawn: those of the limits with the least margin."""
+"""Largest number of worst runs that are drawn: those of the limits with the least margin."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Worst:
 
 
 def bounds_text(least: float, most: float, unit: str) -> str:
-    """The bounds of a limit in words; a bound that is not there is infinite or NaN.
+    """Format the bounds of a limit; a missing bound is infinite or NaN.
 
     >>> bounds_text(-5.0, 5.0, "deg"), bounds_text(float("nan"), 1.3, "1")
     ('-5 to 5 deg', 'at most 1.3')
@@ -59,7 +59,7 @@ def bounds_text(least: float, most: float, unit: str) -> str:
 
 
 def worst_runs(runs: xarray.Dataset) -> list[Worst]:
-    """The worst run of each limit, the least margin first; a margin is a share of the bound."""
+    """Find the worst run of each limit, the least margin first; a margin is a share of the bound."""
     found = []
     for name in runs["limit"].values if "limit" in runs.sizes else ():
         of = runs.sel(limit=name)
@@ -78,14 +78,14 @@ def worst_runs(runs: xarray.Dataset) -> list[Worst]:
 
 
 def _margins(values: NDArray[np.float64], least: float, most: float) -> NDArray[np.float64]:
-    """How far values are inside of their bounds; negative beyond one, NaN where there is no value."""
+    """Margins of values to their bounds; negative outside, NaN without a value."""
     lower = least if np.isfinite(least) else -inf
     upper = most if np.isfinite(most) else inf
     return np.minimum(values - lower, upper - values)
 
 
 def limits_table(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
-    """Each limit: what is allowed, in how many runs it held, the worst value and the run that has it."""
+    """Table of the limits: allowed range, number of runs in which the limit held, worst value and its run."""
     rows = []
     worst = {one.limit: one for one in worst_runs(runs)}
     for name in runs["limit"].values:
@@ -118,7 +118,7 @@ def case_text(runs: xarray.Dataset, at: int, axes: Sequence[str]) -> str:
 
 
 def status_blocks(runs: xarray.Dataset, ends: Sequence[str]) -> list[Block]:
-    """How many runs finished, and why the others did not."""
+    """Number of finished runs, and the reasons why others did not finish."""
     status = runs["status"].values
     blocks: list[Block] = [Paragraph(f"{int((status == FINISHED).sum())} of {status.size} runs finished.")]
     if len(ends):
@@ -130,7 +130,7 @@ def status_blocks(runs: xarray.Dataset, ends: Sequence[str]) -> list[Block]:
 
 
 def warnings_table(warnings: Sequence[WarningCount], count: int) -> list[Block]:
-    """The warnings of the engine, each kind once."""
+    """Table of the engine's warnings, each kind once."""
     rows = [(f"{one['name']}: {one['text']}", f"{one['runs']} of {count}") for one in warnings]
     origin = "Files: units/*.json, field warnings. Texts that differ in their numbers alone count as one."
     return [Table("Warnings of the runs", ("first text", "runs"), rows, origin, (1,))] if rows else []
@@ -143,7 +143,7 @@ def section(
     scenario_of: Callable[[int], Scenario],
     app: str,
 ) -> Section:
-    """How the limits held, and the worst runs.
+    """Section with the results of the limits and the worst runs.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def section(
 
 
 def _worst(one: Worst, case: str, scenario: Scenario, app: str) -> Iterator[Block]:
-    """A worst run, run again and drawn, with what opens it."""
+    """Repeat a worst run and draw it, with its command and its link to the app."""
     of_unit = f" {unit_cell(one.unit)}".rstrip()
     again = f"kingpost study study.yaml -o DIR --repeat {one.run}"
     yield Heading(f"Worst for {one.limit}: {one.value:.4g}{of_unit} at {one.time_s:.1f} s")

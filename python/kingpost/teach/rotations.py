@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 SMALL_RAD = 1e-4
-"""Below this angle sin(t)/t and (1 - cos t)/t^2 are taken from their series, exact to rounding."""
+"""Angle below which sin(t)/t and (1 - cos t)/t^2 are computed by their series, exact to rounding, rad."""
 
 
 def skew(vector: ArrayLike) -> NDArray[np.float64]:
@@ -62,7 +62,7 @@ def exponential_sums(axis: ArrayLike, angle_rad: float, terms: int = 20) -> xarr
     Parameters
     ----------
     axis
-        Any vector but zero; its direction is e.
+        Any nonzero vector; e is its direction.
     angle_rad
         t, rad.
     terms

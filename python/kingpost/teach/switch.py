@@ -19,7 +19,7 @@ def with_and_without_d(
 ) -> xarray.Dataset:
     """Run a scenario with D (paper eq. 57) and with D = 0, side by side along the dimension ``form``.
 
-    The term that D brings does no work, omega^T S(omega) J omega = 0, so ``energy_error`` stays small
+    The term with D does no work, omega^T S(omega) J omega = 0, so ``energy_error`` stays small
     in both; ``momentum_error`` grows without it.
 
     >>> runs = with_and_without_d("paper", {"simulation.duration_s": 0.5}, crane_x_m=0, crane_y_m=0)

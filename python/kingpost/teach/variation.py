@@ -75,7 +75,7 @@ def restricted_variation_of_body(
 ) -> xarray.Dataset:
     """Compare the variation of omega with both formulas, for a body of a simulation at five steps from now.
 
-    The instant is two steps from now; the simulation stands where it stood when this returns.
+    The variation is taken two steps from now; the simulation is restored afterwards.
     """
     if f"R_{body}" not in simulation.moving_frame():
         names = ", ".join(entry["name"] for entry in simulation.scenario.model["bodies"])

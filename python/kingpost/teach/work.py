@@ -25,8 +25,7 @@ def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> x
     simulation
         A simulation at any instant.
     displacement
-        dq by coordinate (m or rad; virtual rotation of a floating body in its own axes), zero where
-        none is given.
+        dq by coordinate (m or rad; virtual rotation of a floating body in body axes), zero if not given.
 
     Returns
     -------

@@ -1,8 +1,8 @@
-"""Verification that anyone can repeat: rows measured now, from the package as it is installed.
+"""Verification that any user can repeat: rows measured with the installed package.
 
 `kingpost verify` prints them. Each compares a number of the engine with an independent one: a
-closed form, a published value, another engine, a measurement. To add a row, write one function beside
-`rows.check` in the file of its area.
+closed form, a published value, another engine, a measurement. To add a row, write one function with the
+decorator `rows.check` in the file of its area.
 
 >>> from kingpost import verify
 >>> rows = verify.run("loops")

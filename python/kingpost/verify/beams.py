@@ -1,4 +1,4 @@
-"""Flexible bodies against the beams of Euler and Bernoulli."""
+"""Checks of flexible bodies against the Euler-Bernoulli beam."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ROOTS = (1.8751040687, 4.6940911330, 7.8547574382)
 
 
 def _cantilever(segments: int, tip_kg: float = 0.0, gravity: float = 0.0):
-    """A slender bar clamped at its start, and a weight at its tip."""
+    """A slender bar clamped at its start, with a weight at its tip."""
     bodies = {
         "beam": {
             "mass_kg": MASS_KG,

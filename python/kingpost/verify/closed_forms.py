@@ -1,4 +1,4 @@
-"""Elliptic integrals and functions for several closed forms; nothing here comes from the engine."""
+"""Elliptic integrals and functions for closed forms, independent of the engine."""
 
 from __future__ import annotations
 

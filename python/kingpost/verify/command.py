@@ -1,4 +1,4 @@
-"""`kingpost verify`: measures every row and says whether all are within their tolerances."""
+"""`kingpost verify`: measure every row and report whether all are within their tolerances."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def command(options: argparse.Namespace) -> int:
         return _control()
     wanted = {name: Path(path) for name in FORMATS if (path := getattr(options, name)) is not None}
     for path in wanted.values():
-        # Refused before the measurements, not after them.
+        # Refuse before the measurements, not after them.
         if not path.parent.is_dir():
             raise KingpostError(f"{path}: found no folder {path.parent}, allowed: an existing folder")
     with progress.bar(len(checks(options.only)), "rows") as update:

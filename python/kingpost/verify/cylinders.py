@@ -39,7 +39,7 @@ validation of SEAWAY, Delft report 1213a, 2001, of whose vector figures the repo
 risingtideresearch/michell read these points."""
 SOURCE = "Vugts, Delft 1970, by Journee, Delft report 1213a, 2001; read by risingtideresearch/michell"
 SHARES = np.array([0.35, 0.40, 0.45, 0.55, 0.65, 0.80, 1.00, 1.25])
-"""w' at which Kingpost computes; a parabola interpolates between them."""
+"""Values of w' at which Kingpost computes; parabolas interpolate between them."""
 BEAM, WATER = 10.0, Water(1000.0, 9.81)
 LENGTHS, PANEL = (20, 30), 0.1
 """Lengths, in beams, of the two hulls whose difference is the section, and their panels."""
@@ -54,14 +54,14 @@ class Section:
     values: dict[str, np.ndarray]
 
     def at(self, quantity: str, share: float) -> float:
-        """A value interpolated by a parabola through the three nearest ones."""
+        """Interpolate a value by a parabola through the three nearest ones."""
         nearest = np.abs(SHARES - share).argsort()[:3]
         return float(np.polyval(np.polyfit(SHARES[nearest], self.values[quantity][nearest], 2), share))
 
 
 @cache
 def section(shape: str) -> Section:
-    """Coefficients of a metre of a shape."""
+    """Compute the coefficients per metre of a shape."""
     needs_capytaine()
     unit = np.sqrt(BEAM / (2 * WATER.gravity_m_s2))
     hull = RoundBilge(BEAM, BEAM, BEAM / 2, BILGES[shape], slender=6.0)
@@ -90,12 +90,12 @@ MISSED = {
     ("rectangle", "b22"): (1.219,),
     ("rectangle", "b33"): (0.431, 1.010),
 }
-"""Points that differ by more than `TOLERANCE`, because the tests contain effects that potential theory of
-deep water does not. They are not rows; docs/validation.md lists each with its difference."""
+"""Points that differ by more than `TOLERANCE`, because of effects in the tests that are not part of
+deep-water potential theory. They are not rows; docs/validation.md lists each with its difference."""
 
 
 def miss(shape: str, quantity: str, number: int) -> float:
-    """The computed value of a point less the measured one, over the largest of its three points."""
+    """Difference of a computed from a measured point, over the largest of the three measured points."""
     points = VUGTS[shape][quantity]
     share, theirs = points[number]
     return (section(shape).at(quantity, share) - theirs) / max(value for _, value in points)

@@ -1,4 +1,4 @@
-"""Drag, wind and current."""
+"""Checks of drag, wind and current."""
 
 from __future__ import annotations
 

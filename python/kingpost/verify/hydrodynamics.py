@@ -1,4 +1,4 @@
-"""Added mass, damping and wave loads, solved now by the panel method that `kingpost hydro` runs."""
+"""Checks of added mass, damping and wave loads, computed anew by the panel method of `kingpost hydro`."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ LONG, FIRST = 1e-4, 0
 
 @cache
 def solved():
-    """Coefficients of a floating hemisphere at the table's k a, the first one far below."""
+    """Coefficients of a floating hemisphere at the table's k a, preceded by a much smaller k a."""
     if importlib.util.find_spec("capytaine") is None:
         raise NotInstalledError("capytaine")
     from ..hydro.meshes import parametric
@@ -65,8 +65,8 @@ def heave(ka: float) -> tuple[float, float]:
 
 
 def _add(ka: float) -> None:
-    """Both rows of a k a of the table. The error of damping is relative to the largest of the table,
-    0.341."""
+    """Add the rows of added mass and damping at one k a of the table. The error of damping is relative to the
+    largest of the table, 0.341."""
     check(
         f"hulme-added-mass-{ka:g}",
         f"heave added mass of a hemisphere at k a = {ka:g}, over the displaced mass",
@@ -138,7 +138,7 @@ def heave_long() -> Compared:
 
 
 def _haskind(at: int, motion: int) -> Compared:
-    """B from the forces of waves from all around: k / (8 pi rho g v_g) Int |X|^2 db."""
+    """Damping B from the wave forces of all directions: k / (8 pi rho g v_g) Int |X|^2 db."""
     found, frequencies = solved()
     omega = float(frequencies[at])
     force = np.abs((found.froude_krylov + found.diffraction)[at, :, motion]) ** 2

@@ -1,4 +1,4 @@
-"""How hulls float, compared with hand calculations of naval architecture."""
+"""Checks of hydrostatics against hand calculations of naval architecture."""
 
 from __future__ import annotations
 

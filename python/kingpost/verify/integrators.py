@@ -1,4 +1,4 @@
-"""Every scheme on problems with a known solution: its order, and its effect on an oscillation."""
+"""Checks of every scheme on problems with a known solution: its order, and its effect on an oscillation."""
 
 from __future__ import annotations
 

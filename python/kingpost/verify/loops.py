@@ -1,4 +1,4 @@
-"""Closed loops against the geometry and the statics of their mechanisms."""
+"""Checks of closed loops against geometry and statics of mechanisms."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ def _bar(length: float, mass: float, **joint: object) -> dict[str, object]:
 
 
 def _four_bar():
-    """The crank turned at 2 rad/s through a whole turn, cut open between coupler and rocker."""
+    """A four-bar linkage, cut open between coupler and rocker, with its crank driven at 2 rad/s through a
+    whole turn."""
     bodies = {
         "crank": _bar(CRANK, 1.0, initial_angle_rad=1.0, mode={"prescribed": {"rate_rad_s": 2.0}}),
         "coupler": {
@@ -44,7 +45,7 @@ def _rocker(crank: np.ndarray) -> np.ndarray:
     across, up = GROUND - CRANK * np.cos(crank), -CRANK * np.sin(crank)
     way = np.hypot(across, up)
     inner = np.arccos((way**2 + ROCKER**2 - COUPLER**2) / (2 * way * ROCKER))
-    # Within half a turn of the angle that it begins at, 1.8 rad.
+    # Wrap to within half a turn of the initial angle, 1.8 rad.
     return 1.8 + np.remainder(np.arctan2(-up, -across) - inner - 1.8 + np.pi, 2 * np.pi) - np.pi
 
 

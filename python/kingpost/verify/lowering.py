@@ -1,5 +1,5 @@
-"""Loads that are lowered: kinematics of waves over depth, the splash zone, equilibria in deep water, rows
-while an input moves."""
+"""Checks of lowered loads: wave kinematics over depth, splash zone, equilibria in deep water, rows while an
+input moves."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .rows import Compared, check, worst
 
 AMPLITUDE, PERIOD, RADIUS, ADDED = 1.2, 6.0, 0.05, 0.5
 DEPTHS = (0.4, -1.5, -4.0, -10.0, -20.0)
-"""Heights of the small sphere, m; the first is in the crests only."""
+"""Heights of the small sphere, m; at the first it is submerged only in crests."""
 OMEGA = 2 * math.pi / PERIOD
 K = OMEGA**2 / G
 
@@ -48,7 +48,7 @@ def _stretching(method: str) -> Compared:
         found = run(scenario({"probe": probe}, acting, sea=sea, simulation=settings(0.05, PERIOD)))
         phase = OMEGA * found.time.values
         elevation = AMPLITUDE * np.cos(phase)
-        # Wholly under water, also with the slope of the surface.
+        # Fully submerged, also with the slope of the surface.
         under = elevation > z + 1.5 * RADIUS
         size = RHO * ADDED * volume * AMPLITUDE * OMEGA**2 * _stretched(method, z, elevation)
         expected = size * np.array([-np.sin(phase), -np.cos(phase)])
@@ -99,7 +99,7 @@ def simplified_lowering() -> Compared:
     pipe = {"cylinder": {"radius_m": 0.5, "length_m": 6.0}}
     ball = {"sphere": {"radius_m": 1.0}}
     cap = math.pi * 1.0
-    # Of each immersion: V, depth of its centre, A_w, A, C_S A_S, share.
+    # For each immersion: V, depth of the centre of V, A_w, A, C_S A_S, share.
     by_hand: list[tuple[Scenario, float, float, list[tuple[float, ...]]]] = [
         (_object(box, 60e3, 1.0, 2.0), 60e3, 2.0 * 12.0,
          [(0, 0, 12, 0, 24.0, 0), (12, 0.5, 12, 12, 24.0, 0.5), (24, 1, 0, 24, 0, 1)]),

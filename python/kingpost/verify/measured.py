@@ -1,4 +1,5 @@
-"""Measurements: decay tests of a sphere, of a ship's section in a flume, of a model of a research vessel."""
+"""Checks against measurements: decay tests of a sphere, of a ship's section in a flume, and of a model of a
+research vessel."""
 
 from __future__ import annotations
 
@@ -75,7 +76,7 @@ NTNU = "Sundsdal et al., NTNU 2025: data set 2D-ship-cross-section-in-regular-wa
 FLUME_WATER = Water(density_kg_m3=1000.0, gravity_m_s2=9.81)
 FLUME_FREQUENCIES = np.array([4.143, 4.6, 5.075, 5.194, 5.425, 7.004, 7.830])
 DRAG_N_S_PER_M = 8.70
-"""Linear damping of the rig by dry decay tests, in sway, and taken to be the same in heave."""
+"""Linear damping of the rig in sway by dry decay tests; assumed the same in heave."""
 RECORDS = {
     4.143: (1.249, 1.262, 0.968, 4.39),
     5.075: (1.558, 1.815, 0.574, 17.2),
@@ -86,12 +87,13 @@ RECORDS = {
 }
 """Motions measured by Sundsdal et al. (series 3PPH over 1PPH), for each metre of the calibrated wave's
 amplitude, by rad/s: heave by the camera and by the accelerometers, m, sway, m, and roll, rad; sines fitted
-between the ramp and what is reflected. The waves were 12 mm high to each side, the longest 20 mm."""
+between the end of the ramp and the arrival of reflected waves. The waves were 12 mm high to each side, the
+longest 20 mm."""
 IN_WAVES = (4.143, 5.425, 7.004)
 
 
 def needs_capytaine() -> None:
-    """Report that the panel method is not installed: such a row does not count."""
+    """Raise an error if the panel method is not installed: the row then does not count."""
     if importlib.util.find_spec("capytaine") is None:
         raise NotInstalledError("capytaine")
 
@@ -124,7 +126,7 @@ class Model:
     excitation: np.ndarray
 
     def of(self, motions: list[int]) -> Model:
-        """The model with the other motions held."""
+        """Hold all other motions of the model."""
         pick = np.ix_(motions, motions)
         return Model(self.mass[pick], self.added_mass[:, motions][:, :, motions],
                      self.damping[:, motions][:, :, motions], self.stiffness[pick],
@@ -132,7 +134,8 @@ class Model:
 
 
 def _shift() -> np.ndarray:
-    """Sway, heave and roll of the water plane's origin by those of the axle, which is lower."""
+    """Matrix from sway, heave and roll of the axle to those of the origin on the water plane, which is
+    higher."""
     up = FLUME["kg"] - FLUME["draught"]
     return np.array([[1.0, 0.0, up], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 

@@ -79,7 +79,7 @@ def free_body(moments_kg_m2: list[float], mass_kg: float = 1.0, **initial: Any) 
 
 
 def value(simulation: Simulation, variable: str, *labels: str) -> float:
-    """One channel now, by the name of its variable and its labels.
+    """Present value of one channel, by the name of its variable and its labels.
 
     >>> one = scenario({"ball": slider(2.0, "x", initial_extension_m=3.0)})
     >>> value(Simulation(one), "joint_position", "ball")

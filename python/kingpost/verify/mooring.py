@@ -1,4 +1,4 @@
-"""Mooring lines: catenaries by their own equations, and a published mooring."""
+"""Checks of mooring lines: the catenary equations, and a published mooring."""
 
 from __future__ import annotations
 
@@ -216,7 +216,7 @@ def hawser_mode() -> Compared:
         "unstretched_length_m": 40.0,
         "axial_stiffness_N": 4e6,
     }
-    # An undamped servo holds it where the hawser is taut: its spring adds.
+    # An undamped servo holds the body where the hawser is taut: its stiffness adds to that of the hawser.
     mass = slider(1e5, spring={"stiffness_N_per_m": 1e5, "rest_m": 0.0})
     found = modes(scenario({"mass": mass}, {"hawser": {"spring_line": hawser}}))
     return Compared(float(found.angular_frequency.values[0]), math.sqrt((4e6 / 40.0 + 1e5) / 1e5))

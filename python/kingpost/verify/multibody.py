@@ -1,4 +1,4 @@
-"""Rigid bodies and joints against closed forms."""
+"""Checks of rigid bodies and joints against closed forms."""
 
 from __future__ import annotations
 
@@ -251,7 +251,7 @@ def parabola() -> Compared:
 def conical_pendulum() -> Compared:
     tilt, length = 0.8, 3.0
     omega = np.sqrt(G / (length * np.cos(tilt)))
-    # About the vertical, in the axes of a load that is tilted about y.
+    # Rate about the vertical, in the axes of a load that is tilted about y.
     turn = [-omega * np.sin(tilt), 0.0, omega * np.cos(tilt)]
     ball = {
         "child_position_m": [0, 0, length],

@@ -1,4 +1,5 @@
-"""The paper's crane ship: digits of other codes, and hand calculations from its Table 2."""
+"""Checks of the paper's crane ship: against results of three other multibody codes, and against hand
+calculations from Table 2 of the paper."""
 
 from __future__ import annotations
 

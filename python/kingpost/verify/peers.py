@@ -1,4 +1,5 @@
-"""Other engines: random trees of hinges and slides where they are installed, and published runs of others."""
+"""Checks against other engines: random trees of hinges and slides for installed engines, and published
+runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The pictures of docs/validation.md: their style, and those of forces, coefficients and motions in waves."""
+"""Pictures of docs/validation.md: their style, and those of forces, coefficients and motions in waves."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ LINE = OURS | {"marker": None}
 
 
 def held_section(pyplot: Any) -> Any:
-    """Forces of beam waves on the held section and its mean drift, and that of the free one."""
+    """Draw the forces of beam waves on the held section, and the mean drift forces on the held and the free
+    section."""
     figure, panels = pyplot.subplots(1, 3, figsize=(12, 3.9))
     at = sorted(flume_forces.HELD)
     ours = np.array([flume_forces.held(one) for one in at])
@@ -44,7 +45,7 @@ def held_section(pyplot: Any) -> Any:
 
 
 def vugts(pyplot: Any) -> Any:
-    """Added mass, damping and wave force of two cylinders, sway above and heave below."""
+    """Draw added mass, damping and wave force of two cylinders, sway above and heave below."""
     figure, rows = pyplot.subplots(2, 3, figsize=(12, 6.6), sharex=True)
     names = {"a": "added mass / (rho A)", "b": "damping √(B/2g) / (rho A)", "F": "wave force"}
     units = {"2": "sway", "3": "heave"}
@@ -66,7 +67,7 @@ def vugts(pyplot: Any) -> Any:
 
 
 def tanker(pyplot: Any) -> Any:
-    """The measured decay of a tanker's model and ours, and the damping over the amplitude."""
+    """Draw the measured and the computed decay of a tanker's model, and the damping over the amplitude."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.2))
     number = np.arange(len(rolling.SWINGS))
     left.plot(number, rolling.decay()[1][: len(number)], label="Kingpost, damping from its sections", **LINE)
@@ -89,7 +90,7 @@ def tanker(pyplot: Any) -> Any:
 
 
 def eddies(pyplot: Any) -> Any:
-    """The eddies of ten cylinders, computed over measured, on logarithmic scales."""
+    """Draw computed against measured eddies of ten cylinders, on logarithmic scales."""
     figure, axes = pyplot.subplots(figsize=(5.6, 5.2))
     ends = np.array([0.01, 12.0])
     axes.loglog(ends, ends, color="#444444", linewidth=1)
@@ -107,7 +108,8 @@ def eddies(pyplot: Any) -> Any:
 
 
 def oes(pyplot: Any) -> Any:
-    """Height and time of each extremum of a dropped sphere, less those of the Navier-Stokes code."""
+    """Draw the differences in height and time of a dropped sphere's extrema from those of the Navier-Stokes
+    code."""
     figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.2))
     count = len(spheres.NAVIER_STOKES[0])
     number = np.arange(1, count + 1)
@@ -129,7 +131,7 @@ def oes(pyplot: Any) -> Any:
 
 
 def sphere_drift(pyplot: Any) -> Any:
-    """The mean drift force of a free hemisphere, with two results of WAMIT."""
+    """Draw the mean drift force of a free hemisphere, with two results of WAMIT."""
     figure, axes = pyplot.subplots(figsize=(7.5, 4.4))
     k = np.array(list(spheres.WAMIT)) ** 2 / spheres.GRAVITY_M_S2
     theirs = np.array(list(spheres.WAMIT.values()))

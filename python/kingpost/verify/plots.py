@@ -1,4 +1,4 @@
-"""The pictures of docs/validation.md, curves of the engine with others' measurements and computations, and of
+"""Pictures of docs/validation.md (curves of the engine with measurements and computations of others) and of
 docs/control.md."""
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def draw(folder: Path) -> list[Path]:
 
 
 def _decay(pyplot: Any) -> Any:
-    """Extrema of a dropped sphere, one after another."""
+    """Draw the successive extrema of a dropped sphere."""
     figure, axes = pyplot.subplots(figsize=(7.5, 4.4))
     number = np.arange(1, len(KRAMER) + 1)
     axes.semilogy(number, np.abs(decay()[1][: len(KRAMER)]), label="Kingpost", **OURS)
@@ -49,7 +49,7 @@ def _decay(pyplot: Any) -> Any:
 
 
 def _flume(pyplot: Any) -> Any:
-    """Sway, heave and roll of the section in beam waves."""
+    """Draw sway, heave and roll of the section in beam waves."""
     figure, panels = pyplot.subplots(1, 3, figsize=(12, 3.9))
     periods = 2 * np.pi / FLUME_FREQUENCIES
     ours = np.array([flume_response(omega) for omega in FLUME_FREQUENCIES])
@@ -69,7 +69,7 @@ def _flume(pyplot: Any) -> Any:
 
 
 def _hemisphere(pyplot: Any) -> Any:
-    """Added mass and damping beside Hulme's table, and the heave in waves that follows from it."""
+    """Draw added mass and damping with Hulme's table, and the heave in waves by this table."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.0))
     table = np.array([(ka, *values) for ka, values in HULME.items()])
     found = np.array([heave(ka) for ka in SOLVED])
@@ -104,4 +104,4 @@ PICTURES = {
     "hemisphere": _hemisphere,
     "heave_residual": frequency.picture,
 }
-"""The function that draws each picture, by name."""
+"""Drawing function of each picture, by name."""

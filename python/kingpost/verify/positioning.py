@@ -1,4 +1,4 @@
-"""Dynamic positioning: the loop's own polynomial."""
+"""Checks of dynamic positioning against the characteristic polynomial of the control loop."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _thrusters(time_s: float) -> dict[str, Any]:
 
 
 def _ship(time_s: float, gains: dict[str, Any], more: dict[str, Any] | None = None, **options: Any):
-    """A ship of 1000 t without water on dynamic positioning."""
+    """A ship of 1000 t on dynamic positioning, without hydrodynamic forces."""
     body = {
         "mass_kg": MASS,
         "inertia": {"tensor": {"moments_kg_m2": [2e7, INERTIA, INERTIA]}},
@@ -41,7 +41,8 @@ def _ship(time_s: float, gains: dict[str, Any], more: dict[str, Any] | None = No
 
 
 def _stated(integral: float = 0.0) -> dict[str, Any]:
-    """A controller of 100 s and 0.7 in surge and sway, 80 s and 0.9 in yaw."""
+    """A controller with a natural period of 100 s and a damping ratio of 0.7 in surge and sway, 80 s and 0.9
+    in yaw."""
     stiffness, damping = _gains(MASS, 100.0, 0.7)
     yaw = _gains(INERTIA, 80.0, 0.9)
     return {
@@ -68,7 +69,7 @@ def _oscillation(found: Any, coordinate: str) -> complex:
 
 
 def _roots(*coefficients: float) -> complex:
-    """The slowest root with an imaginary part."""
+    """The slowest complex root."""
     roots = np.roots(coefficients)
     return complex(min(roots[roots.imag > 1e-9], key=abs))
 

@@ -1,4 +1,4 @@
-"""The rows as text, Markdown, JSON and one page of HTML."""
+"""Reports of the rows as text, Markdown, JSON and one page of HTML."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Response to regular waves: limits, and a hemisphere by Hulme's coefficients alone."""
+"""Checks of the response to regular waves: limits, and a hemisphere by Hulme's coefficients only."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Measured roll, compared with Ikeda's method: the decay of a tanker's model, and the eddies of ten
+"""Checks of Ikeda's method against measured roll: the decay of a tanker's model, and the eddies of ten
 cylinders."""
 
 from __future__ import annotations

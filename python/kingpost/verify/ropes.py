@@ -1,5 +1,5 @@
-"""Ropes over sheaves, compared with runs of Exudyn and MuJoCo, which `rope_lifts.json` holds with their
-origin."""
+"""Checks of ropes over sheaves against runs of Exudyn and MuJoCo, stored with their origin in
+`rope_lifts.json`."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def _gravity(case: dict[str, Any]) -> dict[str, Any]:
 
 
 def _upright(place: list[float], *, plane: bool) -> list[float]:
-    """A point of the reeving, whose y axis points up, in our axes."""
+    """Convert a point of the reeving, whose y axis points up, to Kingpost's axes."""
     x, y, z = place
     return [x, 0.0 if plane else -z, y]
 
@@ -159,7 +159,7 @@ def track(one: Scenario, case: dict[str, Any], moving: str) -> dict[str, np.ndar
 
 @cache
 def _ours(name: str) -> dict[str, np.ndarray]:
-    """Our run of a reeving or a lift, by the name of the stored run."""
+    """Kingpost's run of a reeving or a lift, by the name of the stored run."""
     if name in kept()["reeving"]:
         return track(reeving(name), kept()["reeving"], "disc")
     sideways = SIDEWAYS if name.endswith("sideways") else 0.0
@@ -179,7 +179,8 @@ def _theirs(name: str) -> dict[str, np.ndarray]:
 
 
 def compared(name: str, quantity: str) -> Compared:
-    """The largest difference between our run and the other engine's, over the largest of theirs."""
+    """Largest difference between Kingpost's run and that of the other engine, over the largest value of the
+    other."""
     return worst(_ours(name)[quantity], _theirs(name)[quantity])
 
 

@@ -33,7 +33,7 @@ PASSED, FAILED, ABSENT = "pass", "FAIL", "not installed"
 
 
 class NotInstalledError(KingpostError):
-    """The other program of a row is not installed: the row does not count."""
+    """Error of a row whose other program is not installed; the row does not count."""
 
 
 @dataclass(frozen=True)
@@ -67,18 +67,18 @@ class Compared:
 
 @dataclass(frozen=True)
 class Check:
-    """A row before it is measured.
+    """Definition of a row.
 
     Attributes
     ----------
     id, area, what, unit
-        Its name, one of `AREAS`, what is compared, and the unit of both numbers.
+        Name of the row, one of `AREAS`, the compared quantity, and the unit of both numbers.
     source
-        Where theirs come from: a law, a book, a paper, a program.
+        Source of the other number: a law, a book, a paper, a program.
     tolerance, why
-        The largest error that passes, as a share of the scale, and what it follows from.
+        Largest error that passes, as a share of the scale, and its reason.
     measure
-        Measures it.
+        Function that measures the row.
     """
 
     id: str
@@ -93,7 +93,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Row:
-    """A measured row; missing numbers are `None`, and `message` says why."""
+    """A measured row; missing numbers are `None`, and `message` gives the reason."""
 
     id: str
     area: str
@@ -121,7 +121,7 @@ CHECKS: list[Check] = []
 def check(
     name: str, what: str, *, area: str, unit: str = "1", source: str, tolerance: float, why: str
 ) -> Callable[[Callable[[], Compared]], Callable[[], Compared]]:
-    """Add a function that measures to the list of rows.
+    """Add a measuring function to the list of rows.
 
     Parameters
     ----------
@@ -208,7 +208,8 @@ def measured(one: Check) -> Row:
 
 
 def worst(ours: Sequence[float] | np.ndarray, theirs: Sequence[float] | np.ndarray) -> Compared:
-    """The point of the largest difference of two curves, relative to the largest of theirs.
+    """Compare two curves at the point of their largest difference, relative to the largest value of the other
+    curve.
 
     >>> worst([1.0, 2.0, 4.5], [1.0, 2.0, 4.0])
     Compared(ours=4.5, theirs=4.0, scale=4.0)

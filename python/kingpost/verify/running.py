@@ -1,4 +1,4 @@
-"""Runs all rows, or those of one area."""
+"""Measurement of all rows, or those of one area."""
 
 from __future__ import annotations
 

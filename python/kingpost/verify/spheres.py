@@ -1,4 +1,5 @@
-"""Spheres computed by others: the decay of IEA OES Task 10 by six codes, the mean drift by WAMIT."""
+"""Checks against published computations of spheres: the decay of IEA OES Task 10 by six codes, the mean drift
+by WAMIT."""
 
 from __future__ import annotations
 
@@ -71,7 +72,7 @@ def drift() -> np.ndarray:
     weight = WATER.density_kg_m3 * WATER.gravity_m_s2
     force = (one.froude_krylov + one.diffraction)[:, 0]
     ahead, found = one.far_field.directions.index(0), []
-    # A sphere that turns about its centre moves no water: only surge and heave count.
+    # Rotation of a sphere about its centre moves no water: only surge and heave count.
     stiffness = {0: 0.0, 2: weight * np.pi * RADIUS**2}
     for at, omega in enumerate(frequencies):
         sent = one.far_field.scattered[at, ahead].copy()

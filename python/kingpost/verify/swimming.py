@@ -1,4 +1,4 @@
-"""Bodies that swim: links in an ideal fluid, a fin's trailing edge, a vehicle with two arms.
+"""Checks of swimming bodies: links in an ideal fluid, a fin, a vehicle with two arms.
 
 Links that turn against each other in an ideal fluid at rest keep their total impulse zero. With the
 velocities of all links linear in the motion xi of the first and in the rates of the hinges, this gives
@@ -60,7 +60,7 @@ class Oscillation:
 
 @dataclass(frozen=True)
 class Link:
-    """A link of a tree in the plane: it weighs what it displaces.
+    """A neutrally buoyant link of a tree in the plane.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ class Link:
     parent, hinge_m, own_hinge_m
         Number of the link before it, and the hinge from the centre of either, along and across.
     motion
-        Of the hinge.
+        Oscillation of the hinge.
     """
 
     size_m: tuple[float, float]
@@ -88,7 +88,7 @@ class Link:
 
     @property
     def inertia_kg_m2(self) -> float:
-        """With the added moment."""
+        """Moment of inertia with the added moment."""
         return self.mass_kg * (self.size_m[0] ** 2 + self.size_m[1] ** 2) / 12 + self.added_kg_m2
 
 
@@ -106,7 +106,7 @@ def ellipse(a: float, b: float, **more: Any) -> Link:
 
 
 def chain(motions: Sequence[Oscillation]) -> list[Link]:
-    """Equal ellipses behind each other."""
+    """Chain of equal ellipses."""
     a, b, gap = 0.2, 0.04, 0.02
     hinges = {"hinge_m": (-a - gap, 0.0), "own_hinge_m": (a + gap, 0.0)}
     behind = [ellipse(a, b, parent=k, motion=motion, **hinges) for k, motion in enumerate(motions)]

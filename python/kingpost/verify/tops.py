@@ -1,4 +1,4 @@
-"""Free bodies and tops, for the area `multibody`."""
+"""Checks of free bodies and tops, for the area `multibody`."""
 
 from __future__ import annotations
 
@@ -41,12 +41,12 @@ def wobbling_plate() -> Compared:
     body = free_body([1.0, 1.0, 2.0], angular_velocity_rad_s=[0.05, 0.0, 5.0])
     found = run(scenario({"plate": body}, simulation=settings(0.002, 20.0, integrator="rk4")))
     w, x, y, z = found.orientation.sel(body="plate").values.T
-    # The plate's normal circles about the momentum: its direction in the world's x-y plane.
+    # The plate's normal precesses about the angular momentum: its direction in the world's x-y plane.
     across = np.array([2 * (x * z + w * y), 2 * (y * z - w * x)]).T
     momentum = np.array([1.0 * 0.05, 0.0, 2.0 * 5.0])
     across = across - momentum[:2] / np.linalg.norm(momentum)
     wobble = np.unwrap(np.arctan2(across[:, 1], across[:, 0]))
-    # The spin seen in the world is the precession less the body's own drift.
+    # The spin in world axes is the precession rate minus the drift in body axes.
     spin = np.unwrap(2 * np.arctan2(z, w))
     return Compared((wobble[-1] - wobble[0]) / (spin[-1] - spin[0]), 2.0)
 

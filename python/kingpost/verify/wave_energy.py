@@ -1,4 +1,5 @@
-"""A gyroscopic wave energy converter in one mode: a float that pitches in a flume, with flywheels in gimbals.
+"""Checks of a gyroscopic wave energy converter in one mode: a float that pitches in a flume, with flywheels
+in gimbals.
 
 With the impedance of the float's pitch rate, Z = B + i (w (I + A) - C / w), the angular momentum H of the
 wheels, and the inertia J, damping c and stiffness k of the gimbals,
@@ -42,7 +43,7 @@ DENSITY_KG_M3, GRAVITY_M_S2 = 1025.0, 9.80665
 MASS_KG = DENSITY_KG_M3 * WIDTH_M * LENGTH_M * DRAUGHT_M
 PITCH_INERTIA_KG_M2 = 36.0 * MASS_KG
 ADDED_INERTIA_KG_M2 = 1.2e7
-"""At infinite frequency."""
+"""Added moment of inertia at infinite frequency."""
 MEMORY = (1.2e7, 1.5, 0.5)
 """s1, n and z of K(s) = s1 s / (s^2 + 2 z n s + n^2), which is positive real and zero at s = 0."""
 MOMENTUM_N_M_S = 2.0e6
@@ -88,7 +89,7 @@ class Gimbal:
     stiffness_n_m_per_rad: float
 
     def impedance(self, omega: float) -> complex:
-        """That the gimbal adds to the pitch rate."""
+        """Mechanical impedance that the gimbal adds in pitch."""
         dynamic = (
             self.stiffness_n_m_per_rad - GIMBAL_INERTIA_KG_M2 * omega**2 + 1j * omega * self.damping_n_m_s
         )
@@ -109,7 +110,7 @@ class Gimbal:
 
 
 def best(omega: float) -> Gimbal:
-    """The gimbal whose impedance is the complex conjugate of the float's."""
+    """Make the gimbal whose impedance is the complex conjugate of the float's."""
     dynamic = 1j * omega * MOMENTUM_N_M_S**2 / np.conj(impedance(omega))
     return Gimbal(float(dynamic.imag / omega), float(dynamic.real + GIMBAL_INERTIA_KG_M2 * omega**2))
 

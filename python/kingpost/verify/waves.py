@@ -1,4 +1,4 @@
-"""Regular waves, seas and their statistics."""
+"""Checks of regular waves, seas and their statistics."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SPHERE = "hydro/sphere.hydro.json"
 
 
 def _root(omega: float, depth: float) -> float:
-    """k of omega^2 = g k tanh kh by halving, 1/m."""
+    """k of omega^2 = g k tanh kh by bisection, 1/m."""
     low, high = omega**2 / G, omega**2 / G + omega / math.sqrt(G * depth)
     for _ in range(200):
         middle = (low + high) / 2
@@ -61,7 +61,7 @@ RAOS = (
 
 
 def _cork(depth: float, period: float, place: float):
-    """A body that follows the surface at a place, in a regular wave of 1 m amplitude to +x."""
+    """A body that follows the water surface at a point, in a regular wave of 1 m amplitude towards +x."""
     rows = "".join(f"{d},{p},0,0,0,0,1,0,0,0,0,0,0,0\n" for d in (0, 90, 180) for p in (3, period, 30))
     joint = {"moved_by_waves": {"raos": "cork.csv", "symmetric": True, "position_m": [place, 0, 0]}}
     waves = {"wave": {"regular": {"height_m": 2.0, "period_s": period, "direction_deg": 0}}}

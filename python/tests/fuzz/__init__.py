@@ -1,1 +1,1 @@
-"""Inputs of every kind with something wrong in them, and the one contract that holds for all."""
+"""Wrong inputs of every kind, and the contract that holds for all of them."""

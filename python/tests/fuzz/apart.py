@@ -1,5 +1,4 @@
-"""A process that judges cases: one that dies, hangs or takes too much memory takes only this process
-along."""
+"""Process that judges cases: a case that crashes, hangs or takes too much memory ends only this process."""
 
 from __future__ import annotations
 
@@ -18,13 +17,13 @@ from pathlib import Path
 from .contract import LONGEST_CASE_S, MEMORY_BYTES, Case, judge
 
 LONGEST_WAIT_S = 300.0
-"""Of the clock without an answer; a process that computed meanwhile is waited for as long again. The machine
-may be busy with other things, and may know no signal of the processor's time."""
+"""Longest wall-clock time without an answer, s; it is extended while the process computes. The machine may be
+busy, and may lack a timer of processor time."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a case came to, the processor's time for it, and the most memory that the process had."""
+    """Result of a case, its processor time, and the peak memory of the process."""
 
     says: str
     processor_s: float = 0.0
@@ -32,18 +31,18 @@ class Verdict:
 
     @property
     def is_wrong(self) -> bool:
-        """Whether it is what must not be."""
+        """Whether the case violates the contract."""
         return self.says.startswith("WRONG")
 
 
 class Apart:
-    """Cases are handed to a process; another replaces it when it dies of its case."""
+    """Judge of cases in a separate process, which is replaced if it dies."""
 
     def __init__(self) -> None:
         self.process: BaseProcess | None = None
 
     def ask(self, case: Case) -> Verdict:
-        """Judge a case there."""
+        """Judge a case in the separate process."""
         if self.process is None:
             self.begin()
         try:
@@ -53,7 +52,8 @@ class Apart:
             return self.lost("the process died")
 
     def _answers(self) -> bool:
-        """Whether an answer comes. Its own timer ends a case of too much of the processor's time."""
+        """Whether an answer arrives. A case that takes too much processor time is ended by the timer of its
+        process."""
         assert self.process is not None
         before, now = -1.0, _processor_s(self.process.pid)
         while before < now:
@@ -81,7 +81,7 @@ class Apart:
         return Verdict(f"WRONG: {found}", LONGEST_CASE_S if hung else 0.0)
 
     def end(self) -> None:
-        """No more cases."""
+        """End the process."""
         if self.process is not None:
             with contextlib.suppress(OSError):
                 self.ends.send(None)
@@ -90,7 +90,7 @@ class Apart:
 
 
 def answer(ends: Connection) -> None:
-    """Judge what comes, until nothing does."""
+    """Judge incoming cases until the input ends."""
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     import xarray  # noqa: F401  # It takes seconds, and no case is to be blamed for them.
 
@@ -102,11 +102,11 @@ def answer(ends: Connection) -> None:
 
 
 def _timed(case: Case, folder: Path) -> Verdict:
-    # Its module and what that makes once are not the case's.
+    # The import of its module and one-time preparations do not count as time of the case.
     use = importlib.import_module(f"fuzz.kinds.{case.kind}").use
     _forget_peak()
     began = time.process_time()
-    # Of the processor, whatever else the machine does; the signal ends a process in compiled code too.
+    # Processor time, independent of the machine's load; the signal also interrupts compiled code.
     _alarm(LONGEST_CASE_S)
     says = judge(use, case, folder)
     _alarm(0)
@@ -114,7 +114,7 @@ def _timed(case: Case, folder: Path) -> Verdict:
 
 
 def _processor_s(pid: int | None) -> float:
-    """What a process and its children used (proc(5), Linux); always 0 elsewhere."""
+    """Processor time of a process and its children, s (proc(5), Linux); always 0 elsewhere."""
     with contextlib.suppress(OSError):
         # The name in brackets may have blanks.
         fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
@@ -128,7 +128,7 @@ def _alarm(seconds: float) -> None:
 
 
 def _limit_memory() -> None:
-    """Of what the process writes: its libraries are not counted."""
+    """Limit the memory that the process writes; libraries are not counted."""
     with contextlib.suppress(ImportError, AttributeError, ValueError):
         import resource
 
@@ -136,7 +136,7 @@ def _limit_memory() -> None:
 
 
 def _forget_peak() -> None:
-    """So that the peak of memory is the next case's own (proc(5), Linux)."""
+    """Reset the peak memory, so that it is that of the next case (proc(5), Linux)."""
     with contextlib.suppress(OSError):
         Path("/proc/self/clear_refs").write_text("5")
 

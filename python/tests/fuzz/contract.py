@@ -1,7 +1,6 @@
-"""What holds of every input: it is taken, or refused in words, in little time and memory.
-
-`judge` says which, and raises nothing; what must not be begins with ``WRONG``. The limits of time and of
-memory are kept by the process around it (`apart`).
+"""Contract for every input: it is accepted, or refused with a message, within limits of time and memory.
+`judge` returns the result and raises no exception; a violation begins with ``WRONG``. The limits of time and
+of memory are kept by the process around it (`apart`).
 """
 
 from __future__ import annotations
@@ -19,26 +18,26 @@ from pathlib import Path
 from kingpost.errors import KingpostError, KingpostWarning
 
 LONGEST_CASE_S = 10.0
-"""Of the processor: a case that takes longer hangs."""
+"""Processor time from which on a case counts as hanging, s."""
 MEMORY_BYTES = 2 << 30
 EXIT_CODES = (0, 1, 2)
 LONGEST_TEXT = 2500
 MOST_DIGITS = 40
-"""In one number that is printed; longer ones only where the input has them."""
+"""Largest number of digits of a printed number, unless the input contains a longer one."""
 PANIC = "the engine failed"
-# What the engine's language prints of itself is no help to who wrote the file.
+# Messages of the Rust runtime do not help the author of a file.
 NOT_FOR_READERS = re.compile(
     r"\bSome\(|\bNone\b|\bErr\(|unwrap|panick|RefCell|overflow|invalid (type|value|length)"
     r"|\busize|\b[iu](8|16|32|64)\b|f64|index out of"
 )
 DIGITS = re.compile(rf"\d{{{MOST_DIGITS + 1},}}")
-# Of a terminal: all that moves a cursor, rings or colours. Tables have none, lines end.
+# Control characters of a terminal, except line ends: output contains none.
 CONTROL = re.compile(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]")
 
 
 @dataclass(frozen=True)
 class Case:
-    """One input: files that lie in one folder, and words as on a command line."""
+    """One input: files in one folder, and arguments as on a command line."""
 
     kind: str
     files: dict[str, bytes]
@@ -46,14 +45,14 @@ class Case:
 
 
 class WrongError(Exception):
-    """What must not be."""
+    """A violation of the contract."""
 
 
 Use = Callable[[Case, Path], str]
 
 
 def judge(use: Use, case: Case, folder: Path) -> str:
-    """What a case comes to: ``refused``, another word of its kind, or ``WRONG`` with what is wrong."""
+    """Judge a case: return ``refused``, another word of its kind, or ``WRONG`` with the violation."""
     for name, content in case.files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(content)
@@ -92,7 +91,7 @@ def _used(use: Use, case: Case, folder: Path) -> str:
 
 
 def check_refusal(says: str, case: Case) -> None:
-    """Words that a person can use, and not many."""
+    """Check that an error is helpful and short."""
     if PANIC in says:
         raise WrongError(f"a panic: {says}")
     if len(says.strip()) < 10:
@@ -103,7 +102,7 @@ def check_refusal(says: str, case: Case) -> None:
 
 
 def check_shown(shown: str, case: Case) -> None:
-    """What reaches a terminal."""
+    """Check the output on a terminal."""
     if PANIC in shown:
         raise WrongError(f"a panic: {shown[-600:]}")
     if "Traceback (most recent call last)" in shown or "Exception ignored in" in shown:
@@ -116,7 +115,7 @@ def check_shown(shown: str, case: Case) -> None:
 
 
 def check_digits(text: str, case: Case) -> None:
-    """A number of hundreds of digits, unless it is the input's own."""
+    """Refuse a printed number of hundreds of digits, unless it is in the input."""
     for found in DIGITS.finditer(text):
         given = found[0].encode()
         if not any(given in part for part in (*case.files.values(), " ".join(case.arguments).encode())):
@@ -124,6 +123,6 @@ def check_digits(text: str, case: Case) -> None:
 
 
 def check_exit(code: object) -> None:
-    """The exit code of the command line."""
+    """Check the exit code of the command line."""
     if code not in EXIT_CODES:
         raise WrongError(f"exit code {code}")

@@ -1,4 +1,4 @@
-"""Cases that were found once, as small files: `corpus/KIND/NAME.json`."""
+"""Cases of former failures as small files: `corpus/KIND/NAME.json`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ OF_THE_MACHINE = (
     *(Path(name) for name in (tempfile.gettempdir(), sys.prefix, sys.base_prefix)),
     *(Path.cwd(), Path.home()),
 )
-"""Folders that another machine does not have."""
+"""Folders of this machine, which differ on others."""
 
 
 def load(path: Path) -> Case:
@@ -34,7 +34,7 @@ def load(path: Path) -> Case:
 
 
 def save(case: Case, folder: Path, says: str, name: str | None = None) -> Path:
-    """Write a case, with what it came to."""
+    """Write a case with its result."""
     digest = hashlib.sha256(repr((case.files, case.arguments)).encode()).hexdigest()[:10]
     path = folder / case.kind / f"{name or digest}.json"
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -45,7 +45,8 @@ def save(case: Case, folder: Path, says: str, name: str | None = None) -> Path:
 
 
 def without_folders(says: str) -> str:
-    """The text, its files named from the package, the libraries or the case's folder on."""
+    """Replace folders in a text, so that files are named relative to the package, the libraries or the case's
+    folder."""
     names = sorted({str(path) for path in OF_THE_MACHINE if path != Path(path.anchor)}, key=len)
     found = "|".join(re.escape(name) for name in reversed(names))
     # In the folder for temporary files each case has one of its own: its name is drawn.

@@ -1,4 +1,4 @@
-"""Parts of scenarios that nobody wrote, drawn from the JSON Schema of the scenario."""
+"""Random parts of scenarios, drawn from the JSON Schema of the scenario."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ DEEPEST = 10
 
 @cache
 def schema() -> dict[str, Any]:
-    """The schema that the package carries."""
+    """Schema in the package."""
     for folder in (kingpost.gallery.folder().parent / "schema", kingpost.gallery.folder() / "schema"):
         if (path := folder / "scenario.schema.json").is_file():
             return json.loads(path.read_text(encoding="utf-8"))
@@ -43,7 +43,7 @@ def schema() -> dict[str, Any]:
 
 
 def section_changed(draw: random.Random, document: dict[str, Any]) -> dict[str, Any]:
-    """A scenario, one section of which has a new entry, or is another one."""
+    """Change one section of a scenario: add an entry, or replace it."""
     changed = copy.deepcopy(document)
     sections = schema()["properties"]
     name = draw.choice(sorted(sections))
@@ -60,7 +60,7 @@ def section_changed(draw: random.Random, document: dict[str, Any]) -> dict[str, 
 
 
 def value_of(draw: random.Random, node: Any, depth: int = 0) -> Any:
-    """A value that a node of the schema allows, with something wrong in one of a hundred."""
+    """Draw a value that a node of the schema allows; one in a hundred is wrong."""
     node = _resolved(node)
     if draw.random() < 0.01 or depth > DEEPEST or not isinstance(node, dict):
         return copy.deepcopy(draw.choice(OTHERS))

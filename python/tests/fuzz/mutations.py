@@ -1,4 +1,4 @@
-"""What goes wrong in texts, bytes and trees, drawn from `random.Random` or from hypothesis in its place."""
+"""Mutations of texts, bytes and trees, drawn from `random.Random` or from hypothesis in its place."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ TOKENS = [
 
 
 def weird_number(draw: random.Random) -> str:
-    """A number as a file might have it, or nearly."""
+    """Draw a number as in a file, possibly malformed."""
     if draw.random() < 0.7:
         return draw.choice(NUMBER_TEXTS)
     return repr(draw.uniform(-1, 1) * 10.0 ** draw.randrange(-30, 31))
@@ -43,7 +43,7 @@ def weird_number(draw: random.Random) -> str:
 
 
 def _one_of(pattern: re.Pattern[str], draw: random.Random, text: str) -> re.Match[str] | None:
-    """What is next after some place: a list of all that is there would take long in a long text."""
+    """Find the next match after a random position: a list of all matches would take long in a long text."""
     return pattern.search(text, draw.randrange(len(text) + 1)) or pattern.search(text)
 
 
@@ -55,7 +55,7 @@ def number_changed(draw: random.Random, text: str) -> str:
 
 
 def word_changed(draw: random.Random, text: str) -> str:
-    """A word becomes another one of the text, or loses or gets a letter."""
+    """Replace a word by another one of the text, or remove or add a letter."""
     one, other = (_one_of(WORD, draw, text) for _ in range(2))
     if one is None or other is None:
         return token_put(draw, text)
@@ -85,7 +85,7 @@ def cut(draw: random.Random, text: str) -> str:
 
 
 def line_changed(draw: random.Random, text: str) -> str:
-    """A line is left out, doubled, moved, emptied, or repeated very often."""
+    """Remove, double, move or empty a line, or repeat it very often."""
     lines = text.split("\n")
     k = draw.randrange(len(lines))
     way = draw.randrange(6)
@@ -106,7 +106,7 @@ def line_changed(draw: random.Random, text: str) -> str:
 
 
 def cells_changed(draw: random.Random, text: str) -> str:
-    """A cell of a table is left out, doubled, or changes its place."""
+    """Remove, double or move a cell of a table."""
     lines = text.split("\n")
     k = draw.randrange(len(lines))
     cells = lines[k].split(",")
@@ -135,7 +135,7 @@ TABLE_WAYS = [*TEXT_WAYS, cells_changed, cells_changed, line_changed]
 def damaged(
     draw: random.Random, text: str, ways: Sequence[Callable[[random.Random, str], str]] = TEXT_WAYS
 ) -> str:
-    """A text with one to three things wrong in it."""
+    """Apply one to three mutations to a text."""
     if draw.random() < 0.01:
         return of_nothing(draw, text)
     for _ in range(draw.choices([1, 2, 3], [6, 3, 1])[0]):
@@ -144,7 +144,7 @@ def damaged(
 
 
 def encoded(draw: random.Random, text: str) -> bytes:
-    """As a file, sometimes in another coding, or with line ends of another system."""
+    """Encode a text as a file, sometimes in another encoding or with the line ends of another system."""
     way = draw.random()
     if way < 0.95:
         return text.encode("utf-8", "surrogatepass" if way < 0.001 else "replace")
@@ -161,7 +161,7 @@ def encoded(draw: random.Random, text: str) -> bytes:
 
 
 def damaged_bytes(draw: random.Random, content: bytes) -> bytes:
-    """Bits turned, bytes changed, left out, put in, or the end cut off."""
+    """Flip bits, change, remove or insert bytes, or cut the end off."""
     changed = bytearray(content)
     for _ in range(draw.choices([1, 2, 5, 20], [6, 3, 2, 1])[0]):
         if not changed:
@@ -188,7 +188,7 @@ def damaged_bytes(draw: random.Random, content: bytes) -> bytes:
 
 
 def damaged_tree(draw: random.Random, tree: Any, most: int = 3) -> Any:
-    """A tree with one to `most` values changed. It is changed in its place: hand over a copy."""
+    """Change one to `most` values of a tree in place."""
     for _ in range(draw.randrange(1, most + 1)):
         every = list(places(tree))
         if not every:

@@ -1,4 +1,4 @@
-"""The contract itself: what it lets through, and what it finds."""
+"""Tests of the contract: accepted results and detected violations."""
 
 from __future__ import annotations
 
@@ -52,18 +52,18 @@ def endless(*_: object) -> str:
         (endless, "WRONG: a number of 301 digits"),
     ],
 )
-def test_a_case_is_judged_by_what_a_user_would_see(use, says, tmp_path) -> None:
+def test_a_case_is_judged_by_output_and_exit_code(use, says, tmp_path) -> None:
     """Source: the public contract."""
     assert judge(use, CASE, tmp_path).startswith(says)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_case_comes_back_from_its_file(tmp_path) -> None:
+def test_a_case_reads_back_from_its_file(tmp_path) -> None:
     """Source: what is saved is replayed."""
     assert load(save(CASE, tmp_path, "WRONG")) == CASE
 
 
-def test_a_case_names_no_folder_of_the_machine_that_found_it(tmp_path) -> None:
+def test_a_saved_case_contains_no_folder_of_the_machine(tmp_path) -> None:
     """Source: a case of the corpus is read on other machines; their folders are not these."""
     drawn = f"{tempfile.gettempdir()}/tmpab_12x9z"
     says = (

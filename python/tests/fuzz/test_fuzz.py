@@ -1,7 +1,5 @@
-"""Inputs of every kind with something wrong: each is taken, or refused in words.
-
-A short run, the same each time. A long one: `tools/attack.py`. What either finds is put into `corpus/`,
-where a test replays it.
+"""Wrong inputs of every kind: each is accepted, or refused with a message. This run is short and
+reproducible; `tools/attack.py` runs long. Failures of both are stored in `corpus/`, and a test replays them.
 """
 
 from __future__ import annotations
@@ -17,7 +15,7 @@ from lanes import THOROUGH
 from .apart import Apart
 from .corpus import FOLDER, load
 
-# Cases of the short run, by what one takes.
+# Number of cases in the short run, by the time of one case.
 CASES = {
     "scenario_text": 60,
     "command_line": 100,
@@ -30,21 +28,21 @@ CASES = {
     "requests": 120,
 }
 TIMES = int(os.environ.get("KINGPOST_FUZZ_TIMES", "1"))
-"""So many times the cases, and then others each time."""
+"""Factor on the number of cases, with new seeds each time."""
 SHARE = 1 if THOROUGH else 6
-"""Of the cases, one in so many is drawn by default."""
+"""One in so many cases is drawn by default."""
 
 
 @pytest.fixture(scope="module")
 def apart():
-    """One process for all kinds: what it loads, it loads once."""
+    """One process for all kinds, which loads modules only once."""
     process = Apart()
     yield process
     process.end()
 
 
 @pytest.mark.parametrize("kind", CASES)
-def test_what_has_something_wrong_is_taken_or_refused_in_words(kind, apart):
+def test_a_mutated_input_is_accepted_or_refused_with_a_message(kind, apart):
     """Source: the public contract: `contract` says what is allowed."""
     drawn = importlib.import_module(f"fuzz.kinds.{kind}").drawn
 
@@ -64,7 +62,7 @@ def test_what_has_something_wrong_is_taken_or_refused_in_words(kind, apart):
     holds()
 
 
-def test_what_was_found_once_holds(apart):
+def test_every_saved_failure_now_meets_the_contract(apart):
     """Source: the corpus: each of its cases came to what must not be."""
     paths = sorted(FOLDER.glob("*/*.json"))
     said = {path.relative_to(FOLDER).as_posix(): apart.ask(load(path)).says for path in paths}

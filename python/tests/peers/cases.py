@@ -1,4 +1,5 @@
-"""The paper's model in all its variants, and a made-up tree that uses every feature of the translators."""
+"""The paper's model in all its variants, and an artificial tree that uses every feature of the
+translators."""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ def name(case: Mapping[str, bool]) -> str:
 
 
 def overrides(case: Mapping[str, bool]) -> dict[str, Any]:
-    """What to set over the paper's scenario for a case; damping acts on every coordinate."""
+    """Overrides of the paper's scenario for a case; damping acts on every coordinate."""
     values: dict[str, Any] = {key: case[key] for key in ("load", "gravity", "damping", "hold_centre")}
     values |= {"motor_1": case["motors"], "motor_2": case["motors"]}
     x, y = (-10.0, -5.0) if case["corner"] else (0.0, 0.0)

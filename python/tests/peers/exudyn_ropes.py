@@ -13,7 +13,7 @@ OUT = exu.OutputVariableType
 
 
 class Ropes:
-    """An Exudyn model with one rope, and what it records."""
+    """An Exudyn model with one rope and its records."""
 
     def __init__(self, gravity: list[float]) -> None:
         self.system = exu.SystemContainer()
@@ -195,5 +195,5 @@ def run_lift(
 
 
 def _ball(mass: float) -> Any:
-    """A body that nothing turns."""
+    """A body on which no moment acts."""
     return eu.RigidBodyInertia(mass, np.eye(3) * 100.0)

@@ -1,16 +1,15 @@
-"""How a listed box answers regular waves, by Capytaine and closed forms alone.
+"""Response of a listed box to regular waves, by Capytaine and closed forms only.
 
     python python/tests/peers/listed_box.py -o python/tests/peers/listed_box.json
 
-gives `listed_box.json` again, in some minutes. Nothing of Kingpost is used: the wetted part of a box that
+writes `listed_box.json` again in some minutes. Kingpost is not used: the wetted part of a box that
 lists at constant displacement is a prism, whose panels are made here; added mass, damping and excitation are
 those of Capytaine's indirect boundary integral equation about the centre of gravity, with Capytaine's own
-lid; stiffness is that of a wall-sided hull. The ship has no other damping than its waves' and a stated one in
-roll.
-
-Panels are not infinitely many. At a list of 5 deg and 0.7, 0.76 and 0.95 rad/s, 3200 panels of Capytaine's
-direct equation have amplitudes that differ by up to 1.7 % of the largest roll abeam, 1.4 % of the largest
-sway, 1.2 % of the largest heave, and 3.3 % of the largest sway in head seas, a fiftieth of that abeam.
+lid; stiffness is that of a wall-sided hull. The only damping is that of radiated waves and a stated one in
+roll. The number of panels is finite: At a list of 5 deg and 0.7, 0.76 and 0.95 rad/s, 3200 panels of
+Capytaine's direct equation have amplitudes that differ by up to 1.7 % of the largest roll abeam, 1.4 % of the
+largest sway, 1.2 % of the largest heave, and 3.3 % of the largest sway in head seas, a fiftieth of that
+abeam.
 
 Axes: x forward, y to port, z up, level, the origin on the water plane at the middle of it, which is where the
 middle of the upright water plane stays. Heel is positive to starboard. Waves of 1 m go to their direction and
@@ -41,7 +40,7 @@ MASS = DENSITY * LENGTH * BEAM * DRAUGHT
 
 @dataclass(frozen=True)
 class Listed:
-    """The box at a list, rad, to starboard: neither its deck nor its bottom reaches the water plane."""
+    """The box at a list to starboard, rad, so small that neither deck nor bottom reaches the water plane."""
 
     heel: float
 

@@ -2,9 +2,9 @@
 
     python python/tests/peers/sliding_crate.py > python/tests/peers/sliding_crate.json
 
-gives `sliding_crate.json` again, in seconds. Path and turn depend on each other, by the friction of feet
-whose loads change as the crate slows. Contacts are stiff, cones elliptic, and steps short, so that what is
-left is Coulomb's law on a rigid body; with three feet their loads follow from statics.
+writes `sliding_crate.json` again in seconds. Path and rotation are coupled by the friction of the feet, whose
+loads change as the crate slows. Contacts are stiff, friction cones elliptic, and steps short, so that the
+result approaches Coulomb's law on a rigid body; the loads of three feet follow from statics.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def run(solref_s: float, impratio: float) -> list[list[float]]:
 
 
 def main() -> None:
-    """Prints the finest run, and how far a coarser one is from it."""
+    """Prints the finest run, and the difference of a coarser one."""
     fine, coarse = run(0.002, 1000.0), run(0.004, 100.0)
     spread = np.abs(np.array(fine) - np.array(coarse)).max(axis=0)[1:]
     found = {

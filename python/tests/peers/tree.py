@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 
 class UnsupportedByPeersError(ValueError):
-    """The scenario has something that the peer models do not represent."""
+    """Error of a scenario with a feature that the peer models do not represent."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Joint:
-    """How a body hangs on its parent.
+    """Connection of a body to its parent.
 
     ``rotation`` (child's axes in the parent's at zero) and ``position`` (from the parent's centre of mass)
     place the joint in the parent; ``child_position`` places it in the child, from its centre of mass.

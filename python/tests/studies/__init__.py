@@ -1,1 +1,1 @@
-"""Studies over many seas, whose numbers are stored beside the scripts that make them."""
+"""Studies over many seas, with results stored beside their scripts."""

@@ -19,13 +19,14 @@ COMMAND = "python python/tests/studies/supply_boat_lifts.py -o python/tests/stud
 SCENARIO = "supply_boat_lift"
 SEEDS = 20
 FULLY_GROWN_S = 20.0
-"""From when on the waves have their height; the lift begins 20 s later."""
+"""Time at which the waves are fully grown, s; the lift begins 20 s later."""
 SNAP_S = 3.0
-"""How long after the rope comes taut a peak of its tension is the snap."""
+"""Time after the rope becomes taut within which the peak tension is the snap load, s."""
 HOOK_M_PER_RAD = 0.15
-"""Height of the hook for each radian of the drum, m: 0.6 m of rope on four falls."""
+"""Height of the hook per radian of the drum, m/rad: 0.6 m of rope on four falls."""
 FINE = {"simulation.record_every_s": 0.02}
-"""Recorded so often that the peak between two rows is within 1 % of a row's: load and rope swing in 0.5 s."""
+"""Recording interval with which a peak between two rows is within 1 % of a row: load and rope oscillate in
+0.5 s."""
 
 
 def lifts(winch_rate_rad_s: float, seeds: list[int]) -> xarray.Dataset:
@@ -35,8 +36,8 @@ def lifts(winch_rate_rad_s: float, seeds: list[int]) -> xarray.Dataset:
 
 
 def readings(run: xarray.Dataset) -> dict[str, float]:
-    """Of one lift the snap and the dynamic factor of the hook load, how often the load came back to the
-    deck, and the lead of the rope as the load left the deck first."""
+    """Snap load and dynamic factor of the hook load in one lift, number of contacts with the deck after
+    lift-off, and lead angle of the rope at the first lift-off."""
     time = run["time"].values
     tension = run["rope_tension"].sel(rope="hoist_rope").values
     static = _weight(run) / 4
@@ -63,8 +64,8 @@ def _weight(run: xarray.Dataset) -> float:
 
 
 def speeds_before(runs: xarray.Dataset) -> dict[str, float]:
-    """Significant vertical speeds, twice their deviation, of the deck under the load and of the crane's tip,
-    m/s, over all runs between when the waves are grown and when the lift begins."""
+    """Significant vertical speeds (twice the standard deviation) of the deck under the load and of the
+    crane's tip, m/s, over all runs, from fully grown waves to the start of the lift."""
     before = runs.sel(time=slice(FULLY_GROWN_S, 2 * FULLY_GROWN_S))
     deck = before["velocity"].sel(body="lift", axis="z")
     tip = before["point_velocity"].sel(point="boom.tip", axis="z")

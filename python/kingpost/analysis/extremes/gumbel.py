@@ -22,7 +22,7 @@ EULER = 0.5772156649015329
 SEED = 20120
 """Seed of the samples that calibrate the intervals; their generator is counter-based (Philox)."""
 DRAWN, FEWEST_SAMPLES, MOST_SAMPLES = 2_000_000, 1000, 20_000
-"""Numbers drawn for a calibration, and how many samples these make at least and at most."""
+"""Random numbers drawn for a calibration, and the least and the largest number of samples that they form."""
 MOST_RECORDS = 500
 """Largest number of records with sampled percentiles; above it they are those of the normal distribution."""
 REDUCED = np.arange(-3.0, 16.01, 0.25)
@@ -31,32 +31,32 @@ REDUCED = np.arange(-3.0, 16.01, 0.25)
 
 @dataclass(frozen=True)
 class Extreme:
-    """A Gumbel distribution of the largest value in a stated time, P(x) = exp(-exp(-(x - mu) / beta)).
+    """Gumbel distribution of the largest value in a given duration, P(x) = exp(-exp(-(x - mu) / beta)).
 
     Attributes
     ----------
     location, scale
         mu, the most probable largest value, and beta.
     duration_s
-        The time that the largest value is of, s.
+        Duration in which the value is the largest, s.
     records
-        Maxima that it was fitted to.
+        Maxima to which the distribution was fitted.
     covariance
-        Of (mu, beta), for this number of records, were they of a Gumbel distribution.
+        Covariance of (mu, beta) for this number of maxima of a Gumbel distribution.
     record_s
-        The time that each of the maxima is of, s.
+        Length of the record of each maximum, s.
     scatter
-        Covariance of (mu, beta) by the jackknife: from the maxima themselves.
+        Covariance of (mu, beta) by the jackknife from the maxima.
 
     Notes ----- An interval is x + t s. Its s is the jackknife's standard error, from the fits that leave
-    out one record. Its t are the percentiles of (true - x) / s, found for this number of records by
-    sampling a Gumbel distribution, whatever its mu and beta: they fall out of the ratio (a studentised
-    bootstrap: Hall, *Ann. Stat.* 16, 1988, p. 927). For Gumbel samples the confidence holds for any number
-    of records. For maxima of a Gaussian process, which scatter less, s adapts: 90 % are 89 to 90 % from 5
-    to 20 records, where Student's t with the same s covers 80 to 86 %, and the covariance of Gumbel samples
-    with normal percentiles 84 to 91 %. What an interval leaves out is that the distribution is another: a
-    Gaussian process moved from records to three times their length has a quantile 0.9 that is 1 % too high,
-    which 40 records begin to see (85 %).
+    out one record. Its t are the percentiles of (true - x) / s, found for this number of records by sampling
+    a Gumbel distribution; mu and beta cancel in the ratio (a studentised bootstrap: Hall, *Ann. Stat.* 16,
+    1988, p. 927). For Gumbel samples the confidence holds for any number of records. For maxima of a Gaussian
+    process, which scatter less, s adapts: 90 % are 89 to 90 % from 5 to 20 records, where Student's t with
+    the same s covers 80 to 86 %, and the covariance of Gumbel samples with normal percentiles 84 to 91 %.
+    An interval does not contain the error of the assumed distribution: for a Gaussian process, extrapolated
+    to three times the length of the records, the quantile 0.9 is 1 % too high, which lowers the confidence
+    from 40 records on (85 %).
     """
 
     location: float
@@ -69,7 +69,7 @@ class Extreme:
 
     @property
     def expected(self) -> float:
-        """The mean of the largest value."""
+        """Expected largest value."""
         return self.location + EULER * self.scale
 
     @property
@@ -78,7 +78,7 @@ class Extreme:
         return self._error(EULER)
 
     def expected_interval(self, confidence: float = 0.9) -> tuple[float, float]:
-        """Where the mean of the largest value lies with this confidence."""
+        """Confidence interval of the expected largest value."""
         low, high = self._limits(np.array([EULER]), confidence)
         return float(low[0]), float(high[0])
 
@@ -91,7 +91,7 @@ class Extreme:
         return self._error(_reduced(probability))
 
     def interval(self, probability: float, confidence: float = 0.9) -> tuple[float, float]:
-        """Where the quantile lies with this confidence, as much left out below as above.
+        """Two-sided confidence interval of a quantile, with equal probabilities below and above.
 
         >>> found = extreme(np.random.default_rng(1).gumbel(7.0, 0.5, 10), record_s=600.0, duration_s=600.0)
         >>> low, high = found.interval(0.9)
@@ -102,12 +102,12 @@ class Extreme:
         return float(low[0]), float(high[0])
 
     def exceedance(self, level: float) -> float:
-        """The probability that the largest value is above `level`."""
+        """Probability that the largest value exceeds `level`."""
         return float(-np.expm1(-np.exp(-(level - self.location) / self.scale)))
 
     def exceedance_interval(self, level: float, confidence: float = 0.9) -> tuple[float, float]:
-        """Where this probability lies with this confidence: of all P that have `level` in the interval of
-        their quantile 1 - P the smallest and the largest.
+        """Confidence interval of this probability: the smallest and the largest P whose interval of the
+        quantile 1 - P contains `level`.
 
         >>> found = extreme(np.random.default_rng(1).gumbel(7.0, 0.5, 10), record_s=600.0, duration_s=600.0)
         >>> low, high = found.exceedance_interval(found.quantile(0.9))
@@ -144,23 +144,23 @@ class Extreme:
 
 
 def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_S) -> Extreme:
-    """The largest value in three hours from the largest values of several runs, each another seed.
+    """Estimate the largest value in three hours from the maxima of several runs with different seeds.
 
     A Gumbel distribution is fitted by L-moments: beta is half the mean difference between two records over
-    ln 2, mu the mean less Euler's constant times beta. Both are free of bias for any number of records
+    ln 2, mu the mean less Euler's constant times beta. Both are unbiased for any number of records
     (Landwehr, Matalas & Wallis, *Water Resour. Res.* 15(5), 1979; Hosking, *J. R. Stat. Soc. B* 52, 1990),
-    where maximum likelihood takes beta of five records a seventh too small. Where a run's record is shorter
-    or longer than `duration_s`, mu is moved by beta ln(duration / record): the largest of independent
-    Gumbel values is a Gumbel value of the same scale. Ten runs or more give an error worth having.
+    whereas maximum likelihood underestimates beta of five records by a seventh. Where a run's record is
+    shorter or longer than `duration_s`, mu is moved by beta ln(duration / record): the largest of independent
+    Gumbel values is a Gumbel value of the same scale. Use ten runs or more for a useful error estimate.
 
     Parameters
     ----------
     maxima
         The largest value of each run, five or more.
     record_s
-        How long each run is without its start, s.
+        Length of each run without its start, s.
     duration_s
-        Time to find the extreme of, s: three hours, or how long the operation lasts.
+        Duration for which to find the extreme, s: three hours, or the duration of the operation.
 
     Returns
     -------
@@ -189,7 +189,8 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
             raise KingpostError(f"{name}: found {value:g}, allowed: finite and greater than 0")
     shift = np.log(duration_s / record_s)
     location, scale = _fitted(l_moments(x), shift)
-    # Of (mean, beta), times n: the mean difference is a U-statistic (Hoeffding, Ann. Math. Stat. 19, 1948).
+    # Covariance of (mean, beta) times n: the mean difference is a U-statistic (Hoeffding, Ann. Math. Stat.
+    # 19, 1948).
     n = len(x)
     of_both = np.array([[np.pi**2 / 6, np.log(2)], [np.log(2), (0.804623 * n - 0.185532) / (n - 1)]])
     moved = np.array([[1.0, shift - EULER], [0.0, 1.0]])
@@ -235,7 +236,7 @@ def _percentiles(records: int, confidence: float) -> tuple[NDArray[np.float64], 
 def _crossing(
     at: NDArray[np.float64], values: NDArray[np.float64], second: np.intp, level: float
 ) -> np.float64:
-    """Where a line between two points reaches `level`."""
+    """Position at which the line between two points reaches `level`."""
     share = (level - values[second - 1]) / (values[second] - values[second - 1])
     return at[second - 1] + share * (at[second] - at[second - 1])
 

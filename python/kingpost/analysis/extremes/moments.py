@@ -1,4 +1,4 @@
-"""First and second L-moments, of all values and with some left out."""
+"""First and second L-moments: of all values, and with values or groups left out."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def l_moments(x: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def without_each(x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Both moments with each one of the values along the last axis left out, in rising order of that value.
+    """Both moments with one value along the last axis left out, in rising order of that value.
 
     >>> np.allclose(without_each(np.array([1.0, 2.0, 4.0]))[0], l_moments(np.array([2.0, 4.0])))
     True
@@ -38,7 +38,7 @@ def without_each(x: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def without_groups(x: NDArray[np.float64], group: NDArray[np.int64], groups: int) -> NDArray[np.float64]:
-    """Count of the values and both moments: of all, then with each group left out.
+    """Number of values and both moments: of all values, then with each group left out.
 
     >>> found = without_groups(np.array([1.0, 2.0, 4.0]), np.array([0, 1, 1]), 2)
     >>> found[1].tolist()
@@ -56,10 +56,11 @@ def without_groups(x: NDArray[np.float64], group: NDArray[np.int64], groups: int
 
 
 def jackknife(without: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Variance of an estimate from those with one of g parts left out, along the first axis.
+    """Jackknife variance of an estimate, from the estimates with one of g parts left out, along the first
+    axis.
 
-    (g - 1) / g times the sum of the squared deviations (Miller, *Biometrika* 61, 1974, p. 1). Where each
-    is a vector the covariance.
+    (g - 1) / g times the sum of the squared deviations (Miller, *Biometrika* 61, 1974, p. 1). For vectors,
+    their covariance.
 
     >>> float(jackknife(np.array([1.0, 2.0, 3.0])))
     1.3333333333333333

@@ -1,4 +1,4 @@
-"""The tail of all peaks of several runs: peaks over a threshold, and a Weibull distribution."""
+"""Tail of all peaks of several runs: peaks over a threshold, and a Weibull distribution."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 FEWEST_RUNS, FEWEST_PEAKS = 5, 20
-"""Runs, and peaks over the threshold in all of them, that a tail is fitted to."""
+"""Least number of runs, and of peaks over the threshold in all runs, for the fit of a tail."""
 MOST_GROUPS = 20
-"""Parts of the runs that the jackknife leaves out, one at a time."""
+"""Largest number of groups of runs in the jackknife, which leaves out one group at a time."""
 SHAPES = (0.05, 60.0)
-"""Where the shape of a Weibull distribution is sought."""
+"""Range in which the shape of a Weibull distribution is sought."""
 
 
 def peaks(values: ArrayLike, level: float | None = None) -> NDArray[np.float64]:
@@ -61,17 +61,16 @@ def over_threshold(
     threshold: float | None = None,
     counts: ArrayLike | None = None,
 ) -> TailExtreme:
-    """Peaks over a threshold: a generalised Pareto or an exponential distribution of their excess.
+    """Fit a generalised Pareto or an exponential distribution to the excess of peaks over a threshold.
 
     Pickands (*Ann. Stat.* 3, 1975) and Davison & Smith (*J. R. Stat. Soc. B* 52, 1990); fitted by L-moments
-    (Hosking & Wallis, *Technometrics* 29, 1987, p. 341: shape 2 - l1 / l2, scale l1 (1 - shape)), which err
-    less than maximum likelihood below 500 peaks. Unless given, the threshold leaves a tenth of the peaks
-    over it (DuMouchel, *Ann. Stat.* 11, 1983).
+    (Hosking & Wallis, *Technometrics* 29, 1987, p. 341: shape 2 - l1 / l2, scale l1 (1 - shape)), which have
+    smaller errors than maximum likelihood below 500 peaks. By default a tenth of the peaks exceed the
+    threshold (DuMouchel, *Ann. Stat.* 11, 1983).
 
-    Measured on a Gaussian process, ten runs of ten minutes, quantile 0.9: intervals of 90 % cover it in 90
-    % of 400 trials, also where the operation lasts three runs. An exponential tail
-    is heavier than that of a Gaussian process: its quantile is 6 % too high, and its intervals cover it in
-    70 %.
+    Measured on a Gaussian process, ten runs of ten minutes, quantile 0.9: intervals of 90 % cover it in 90 %
+    of 400 trials, also if the operation lasts as long as three runs. An exponential tail is heavier than that
+    of a Gaussian process: its quantile is 6 % too high, and its intervals cover it in 70 %.
 
     Parameters
     ----------
@@ -123,17 +122,16 @@ def weibull(
     threshold: float | None = None,
     counts: ArrayLike | None = None,
 ) -> TailExtreme:
-    """A Weibull distribution, with two parameters, of the peaks about the mean, by those over a threshold.
+    """Fit a Weibull distribution with two parameters to the peaks about the mean, by the peaks over a
+    threshold.
 
     Peaks of a narrow-banded Gaussian process have a Rayleigh distribution: shape 2, scale the square root
-    of 2 times the deviation. Those of a broad band have it in their tail alone, so that small peaks are
-    left out: maximum likelihood of the distribution truncated at the threshold (Wingo, *Stat. Papers* 30,
-    1989, p. 39). Unless given, the threshold leaves half of the peaks over it.
-
-    Measured on a Gaussian process, ten runs of ten minutes, quantile 0.9: intervals of 90 % cover it in 90
-    % of 400 trials, and in 88 % where the operation lasts three runs; they are half as wide as those of the
-    largest values alone (`extreme`). That holds where the response is nearly Gaussian; a rope that goes
-    slack is not.
+    of 2 times the deviation. For a broad band only the tail is of Rayleigh type, so that small peaks are left
+    out: maximum likelihood of the distribution truncated at the threshold (Wingo, *Stat. Papers* 30, 1989, p.
+    39). By default half of the peaks exceed the threshold. Measured on a Gaussian process, ten runs of ten
+    minutes, quantile 0.9: intervals of 90 % cover it in 90 % of 400 trials, and in 88 % if the operation
+    lasts as long as three runs; they are half as wide as those of the largest values alone (`extreme`). This
+    holds if the response is nearly Gaussian; that of a rope that goes slack is not.
 
     Parameters
     ----------
@@ -144,7 +142,7 @@ def weibull(
     duration_s
         Time to find the extreme of, s: three hours, or how long the operation lasts.
     mean
-        What the process varies about.
+        Mean of the process.
     threshold
         Peaks above it count; above the mean.
     counts
@@ -181,7 +179,8 @@ def weibull(
 
 @dataclass(frozen=True)
 class _Tail:
-    """Peaks over a threshold, the group of their run, and the time of all runs and without each group."""
+    """Peaks over a threshold, the group of each peak's run, and the duration of all runs and without each
+    group."""
 
     threshold: float
     above: NDArray[np.float64]
@@ -229,7 +228,7 @@ class _Tail:
 
 
 def _threshold(pooled: NDArray[np.float64], over: int) -> float:
-    """Return the threshold that `over` peaks exceed."""
+    """Return the threshold that is exceeded by `over` peaks."""
     if not FEWEST_PEAKS <= over < len(pooled):
         allowed = f"from {FEWEST_PEAKS} to fewer than the {len(pooled)} kept"
         raise KingpostError(f"peaks over the threshold: found {over}, allowed: {allowed}")

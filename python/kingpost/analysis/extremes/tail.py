@@ -1,4 +1,4 @@
-"""The largest value in a stated time by a tail: peaks over a threshold and what they are above it by."""
+"""Largest value in a given duration from the tail of the peaks: peaks over a threshold and their excess."""
 
 from __future__ import annotations
 
@@ -21,12 +21,11 @@ SEED, SAMPLES = 20121, 1000
 
 @dataclass(frozen=True)
 class TailExtreme:
-    """The largest value in a stated time from the peaks over a threshold.
+    """Distribution of the largest value in a given duration, from the peaks over a threshold.
 
     With `rate` peaks over the threshold u in a second, each above x with the probability S(x), the largest
-    of the duration T is below x with the probability exp(-rate T S(x)): peaks that are far between are a
-    Poisson process (Coles, *An Introduction to Statistical Modeling of Extreme Values*, 2001, ch. 7). S(x)
-    is
+    of the duration T is below x with the probability exp(-rate T S(x)): peaks that are rare form a Poisson
+    process (Coles, *An Introduction to Statistical Modeling of Extreme Values*, 2001, ch. 7). S(x) is
 
     - generalised Pareto: (1 + shape (x - u) / scale)^(-1 / shape);
     - exponential: exp(-(x - u) / scale);
@@ -37,14 +36,14 @@ class TailExtreme:
     distribution
         One of `DISTRIBUTIONS`.
     threshold, mean
-        u, and m; NaN where there is none.
+        u, and m; NaN if there is none.
     duration_s
-        The time that the largest value is of, s.
+        Duration in which the value is the largest, s.
     runs, count
-        Runs, and their peaks over the threshold.
+        Number of runs, and of their peaks over the threshold.
     fits
         Rows of rate (1/s), scale and, unless exponential, shape: of all runs, then without each group of
-        runs, of which there are as many as runs, or `MOST_GROUPS`.
+        runs. The number of groups is the number of runs, at most `MOST_GROUPS`.
     """
 
     distribution: str
@@ -62,7 +61,7 @@ class TailExtreme:
 
     @property
     def most_probable(self) -> float:
-        """The level that one peak in the duration is above, on average: the largest value's mode, nearly."""
+        """Level that one peak in the duration exceeds on average: nearly the mode of the largest value."""
         return self.quantile(float(np.exp(-1)))
 
     def quantile(self, probability: float) -> float:
@@ -76,14 +75,14 @@ class TailExtreme:
         return float(self._quantiles(probability)[0])
 
     def exceedance(self, level: float) -> float:
-        """The probability that the largest value is above `level`, which is not below the threshold."""
+        """Probability that the largest value exceeds `level`; `level` must not be below the threshold."""
         if level < self.threshold:
             raise KingpostError(f"level: found {level:g}, allowed: the threshold {self.threshold:g} or more")
         tail = _tail(self.distribution, self.fits[:1], self.threshold, self.mean)
         return float(-np.expm1(-self.fits[0, 0] * self.duration_s * tail.sf(level)[0]))
 
     def interval(self, probability: float, confidence: float = 0.9) -> tuple[float, float]:
-        """Where the quantile lies with this confidence, as much left out below as above.
+        """Two-sided confidence interval of a quantile, with equal probabilities below and above.
 
         It is x + t s, with s the jackknife's over groups of runs. For tails that begin at the threshold t are
         the percentiles of (true - x) / s where the tail is exponential, found by sampling as many peaks in as
@@ -108,7 +107,7 @@ class TailExtreme:
 
             high = float(stats.t.ppf(0.5 + confidence / 2, groups - 1))
             return values[0] - high * error, values[0] + high * error
-        # Two digits of the count and of the probability do for percentiles.
+        # Two digits of the count and of the probability are accurate enough for percentiles.
         count = float(f"{self.count:.2g}")
         peaks_below = float(f"{self.fits[0, 0] * self.duration_s / -np.log(probability):.2g}")
         low, high = _percentiles(self.distribution, groups, count, peaks_below, confidence)
@@ -127,7 +126,7 @@ class TailExtreme:
 
 
 def of_excess(distribution: str, moments: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Scale, and shape, from both L-moments of what peaks are above the threshold by, along the last axis."""
+    """Scale and shape from both L-moments of the peaks' excess over the threshold, along the last axis."""
     first, second = moments[..., 0], moments[..., 1]
     if distribution == "exponential":
         return first[..., None]
@@ -174,7 +173,7 @@ def _percentiles(
 ) -> tuple[float, float]:
     """Return two percentiles of (true - estimate) / standard error for exponential peaks above 0, of scale 1.
 
-    `count` of them are expected in all groups; the quantile is what one in `peaks_below` is above.
+    `count` is the expected number of peaks in all groups; one peak in `peaks_below` exceeds the quantile.
     """
     rng = np.random.Generator(np.random.Philox(SEED))
     true = np.log(peaks_below)

@@ -22,7 +22,7 @@ from .foreign import ALLOWED, CHOICES, TEXTS, VECTORS, Options, reading_error
 __all__ = ["ALLOWED", "CHOICES", "KINDS", "TEXTS", "VECTORS", "Options", "load", "recognise"]
 
 LONGEST_REASON = 100
-"""Characters of a library's words in an error."""
+"""Longest quote of a library's message in an error, characters."""
 HDF5, CLASSIC = b"\x89HDF\r\n\x1a\n", b"CDF"
 HYDROSTAR = (b"PROJECT", b"COORDIN", b"NBBODY")
 READERS = {
@@ -55,7 +55,8 @@ KINDS = (
 
 
 def recognise(path: str | Path) -> str | None:
-    """``bemio``, ``capytaine``, ``wamit`` and so on, by the file's ending; `None` for any other file.
+    """Return the format by the file's ending: ``bemio``, ``capytaine``, ``wamit`` and so on; `None` for any
+    other file.
 
     >>> recognise("hull.stl") is None, recognise("out/buoy.hst"), recognise("hull.AH1")
     (True, 'wamit', 'aqwa')
@@ -89,7 +90,7 @@ def load(
 
 @contextmanager
 def _told(kind: str, name: str) -> Iterator[None]:
-    """Where a word that should be a number is none, or a number is beyond all, say so in one line."""
+    """Convert an error on a malformed or too large number into one `HydrodynamicsError`."""
     try:
         # Overflow is found by the checks of the imported numbers.
         with np.errstate(all="ignore"):

@@ -1,6 +1,6 @@
 """AQWA-LINE's file STEM.AH1, of version 5: a header, then named sections of numbers.
 
-The header has of each structure its number, the numbers of directions and frequencies, and their values;
+The header has, for each structure, its number, the numbers of directions and frequencies, and their values;
 GENERAL the depth, density and gravity; COG, DRAFT, COB and DISPLACEMENT the hull; HYDSTIFFNESS the
 restoring matrix about the centre of gravity, including weight; ADDEDMASS and DAMPING six lines for each
 pair of structures and frequency, ADDEDMASS_HF added mass at 100 rad/s, taken as infinite frequency;
@@ -104,7 +104,7 @@ class _File:
         self.structures = self._structures(head)
 
     def _structures(self, head: list[float]) -> int:
-        """How many structures the header has, each with its number and its directions and frequencies."""
+        """Number of structures in the header, each with its number, directions and frequencies."""
         found = begin = 0
         while begin < len(head):
             if len(head) < begin + 3 or head[begin] != found + 1:

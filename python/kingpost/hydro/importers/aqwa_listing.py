@@ -86,7 +86,7 @@ def read(path: str, options: Options) -> Foreign:
 
 
 class _Said:
-    """Single numbers by the text before them."""
+    """Single numbers of the listing, found by the text before them."""
 
     def __init__(self, text: str, path: str) -> None:
         self.text, self.path = text, path
@@ -134,7 +134,7 @@ def _forces(
     lines: list[str], title: str, omega: NDArray[np.float64], path: str
 ) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
     """Directions in degrees and forces (frequency, direction, 6): tables of period, frequency, the direction
-    where it is a new one, then moduli and phases in degrees."""
+    on its first row, then moduli and phases in degrees."""
     rows, inside, direction = [], False, np.nan
     for line in lines:
         if "VARIATION WITH" in line or "* * * *" in line:

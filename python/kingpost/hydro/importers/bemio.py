@@ -1,8 +1,8 @@
 """BEMIO's HDF5 files, as WEC-Sim's functions write them (`writeBEMIOH5`, `normalizeBEM`, `readWAMIT`).
 
 Coefficients are divided: A by rho, B by rho w, C by rho g, X by rho g, unless `scaled` is 1. Phases are
-those of exp(+i w t): BEMIO takes WAMIT's as they are and conjugates Capytaine's. Moments are about `cg`.
-Whether C includes weight depends on BEMIO's source, and the file does not say it.
+those of exp(+i w t): BEMIO keeps WAMIT's phases and conjugates Capytaine's. Moments are about `cg`.
+Whether C includes weight depends on BEMIO's source; the file does not contain this.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def read(path: str, options: Options) -> Foreign:
 
 
 class _Group:
-    """Checked access by path."""
+    """A group of the HDF5 file, with checked access by path."""
 
     def __init__(self, group: Any, file: str) -> None:
         self.group, self.file = group, file

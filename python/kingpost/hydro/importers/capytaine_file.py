@@ -89,7 +89,8 @@ def _read(dataset: xarray.Dataset, path: str) -> Foreign:
 
 
 def _by_frequency(dataset: xarray.Dataset, path: str) -> xarray.Dataset:
-    """The data with an increasing dimension omega, for any kind of frequency that Capytaine was run with."""
+    """Return the data along an increasing dimension omega, whichever kind of frequency Capytaine was run
+    with."""
     if "omega" not in dataset.dims:
         along = dataset["omega"].dims
         if len(along) != 1:
@@ -117,7 +118,7 @@ def _waves(dataset: xarray.Dataset, name: str, path: str) -> NDArray[np.complex1
 
 
 def _alone(values: xarray.DataArray, dims: tuple[str, ...], path: str) -> NDArray:
-    """Values in this order of dimensions; other dimensions may have only one value."""
+    """Return the values with the dimensions in this order; any other dimension must have a single value."""
     for name in values.dims:
         if name not in dims:
             if values.sizes[name] != 1:
@@ -141,7 +142,7 @@ def _number(dataset: xarray.Dataset, name: str, path: str) -> float | None:
 
 
 def _vector(dataset: xarray.Dataset, name: str, path: str) -> NDArray[np.float64] | None:
-    """The value; `None` if it is missing, or NaN, which Capytaine writes for unknown."""
+    """Return the vector; `None` if it is missing or NaN, which Capytaine writes for an unknown value."""
     if name not in dataset.variables:
         return None
     found = np.atleast_1d(dataset[name].values).astype(float).ravel()

@@ -1,4 +1,4 @@
-"""From the contents of a foreign file to a database: about the origin, without weight, for the whole
+"""Conversion of a foreign file's contents to a database: about the origin, without weight, for the whole
 circle."""
 
 from __future__ import annotations
@@ -74,8 +74,7 @@ def convert(foreign: Foreign, options: Options, title: str, highest_rad_s: float
 
 
 def _with_haskind(database: Database) -> Database:
-    """The contents, with a note if excitation and damping disagree by Haskind's relation: this is not
-    repaired."""
+    """Add a note if excitation and damping do not satisfy Haskind's relation; the values are not changed."""
     found = haskind_difference(database)
     if found is None or found.largest <= HASKIND:
         return database
@@ -102,7 +101,7 @@ def _mean_drift(
 
 
 def _finite(foreign: Foreign, notes: list[str]) -> Foreign:
-    """The contents without frequencies with NaN; Capytaine writes these at the lowest frequencies."""
+    """Leave out frequencies with NaN, which Capytaine writes at the lowest frequencies."""
     kept = np.isfinite(foreign.excitation).all(axis=(1, 2))
     for matrices in (foreign.added_mass, foreign.radiation_damping):
         kept &= np.isfinite(matrices).all(axis=(1, 2))
@@ -194,7 +193,7 @@ def _hull(foreign: Foreign, options: Options, water: Water, reference: NDArray[n
 
 
 def _check_waterplane(hull: Hull, file: str) -> None:
-    """A waterplane of this area within this length and beam has second moments between 0 and these."""
+    """Refuse second moments of the waterplane that its area, length and beam do not permit."""
     plane = hull.waterplane
     if not plane.area_m2 > 0.0:
         raise HydrodynamicsError("restoring", f"a waterplane of {plane.area_m2:.4g} m2", "more than 0", file)

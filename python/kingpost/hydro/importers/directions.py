@@ -27,8 +27,8 @@ TOLERANCE = 1e-4
 
 
 class Circle:
-    """The directions of a file, and the symmetry that fills the circle: the given one, otherwise that of the
-    file."""
+    """The directions of a file, and the symmetry that completes the circle: the given one, otherwise that of
+    the file."""
 
     def __init__(self, foreign: Foreign, options: Options) -> None:
         self.directions, self.options, self.file = foreign.directions_rad, options, foreign.file
@@ -48,7 +48,7 @@ def whole_circle(
     Raises
     ------
     HydrodynamicsError
-        When the file's directions, and their mirror images by `hull_symmetry`, are no such grid.
+        If the file's directions and their mirror images by `hull_symmetry` do not form such a grid.
     """
     found, values = _distinct(directions, excitation)
     if _regular(found) and len(found) > 2:

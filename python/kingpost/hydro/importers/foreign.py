@@ -79,12 +79,12 @@ class Options:
                 raise HydrodynamicsError(field.name, repr(value), ALLOWED[field.name])
 
     def asked(self, name: str, file: str) -> object:
-        """An option for a value that the file lacks.
+        """Return the option for a value that the file lacks.
 
         Raises
         ------
         HydrodynamicsError
-            If it was not given either; the message names the option.
+            If the option was not given; the message names it.
         """
         value = getattr(self, name)
         if value is None:
@@ -94,12 +94,12 @@ class Options:
         return value
 
     def asked_together(self, names: Sequence[str], file: str) -> None:
-        """Ask for all values that a file lacks at once, and not one after the other.
+        """Report all values that a file lacks in one error.
 
         Raises
         ------
         HydrodynamicsError
-            If several are missing; `asked` reports a single one.
+            If several values are missing; `asked` reports a single one.
         """
         missing = [name for name in names if getattr(self, name) is None]
         if len(missing) > 1:
@@ -110,14 +110,15 @@ class Options:
             raise HydrodynamicsError("", found, allowed, file)
 
     def preferred(self, name: str, said: object, file: str) -> object:
-        """The option, otherwise the value measured on another file, which may have another water line."""
+        """Return the option, otherwise the value measured on another file, which may have another water
+        line."""
         given = getattr(self, name)
         return (
             self.asked(name, file) if given is None and said is None else given if given is not None else said
         )
 
     def settled(self, name: str, said: object, file: str) -> object:
-        """The value in the file, otherwise the option; if both are given they must agree."""
+        """Return the value in the file, otherwise the option; if both are given they must agree."""
         given = getattr(self, name)
         if said is None:
             return self.asked(name, file)
@@ -188,7 +189,7 @@ class Foreign:
     """(frequency, direction, 3): surge, sway and yaw about `reference_m` per metre squared of amplitude."""
     notes: tuple[str, ...] = ()
     others_about: bool = False
-    """Whether other bodies are fixed beside it: they diffract even the longest waves."""
+    """Whether there are other, fixed bodies: they diffract even the longest waves."""
 
 
 def reading_error(found: str, allowed: str, file: str, field: str = "") -> HydrodynamicsError:

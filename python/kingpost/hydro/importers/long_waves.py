@@ -1,4 +1,4 @@
-"""Check of a file's excitation in its longest wave, where the motion of the water at the hull is known.
+"""Check of a file's excitation in its longest wave, for which the long-wave limit is known.
 
 For a hull that is small compared with the wave, the elevation acts through C_33, its slope through C_44 and
 C_55 (buoyancy alone, without weight), and its acceleration through the inertia of the displaced water and the
@@ -31,7 +31,7 @@ HEAVE_ERROR, SLOPE_ERROR = 0.2, 0.1
 # Tolerance for the parts of buoyancy and inertia in the moment of a slope, which exceed the waterplane's for
 # a spar: # errors of panels, and the decay of the water's motion with depth, k times the draught.
 PARTS_ERROR = 0.01
-# Share of the waterplane's moment that 6 to 2 panels across miss, with room for their own error.
+# Share of the waterplane's second moment that a mesh of 6 to 2 panels across loses, with a margin.
 LEAST_MISSING, MOST_MISSING = 0.025, 0.3
 
 
@@ -95,7 +95,7 @@ def _check_slope(database: Database, omega: float, file: str) -> None:
 
 
 def _of_few_panels(missing: float) -> str:
-    """Words where a share of the waterplane's second moment is missing that few panels miss.
+    """Text of an error for a loss of the waterplane's second moment that is typical of few panels.
 
     A sum over n equal panels takes y^2 at their centres, and misses 1 / n^2 of the integral.
 

@@ -97,7 +97,7 @@ def read(path: str, options: Options) -> Foreign:
 
 
 def refuse_binary(path: str, options: Options) -> Foreign:
-    """OrcaWave's binary results cannot be read without OrcaFlex.
+    """Refuse OrcaWave's binary results, which cannot be read without OrcaFlex.
 
     Raises
     ------
@@ -193,7 +193,7 @@ def _restoring(draught: Entry, conventions: Conventions) -> NDArray[np.float64]:
 
 
 def _density(model: Entry) -> float | None:
-    """Density of the model's sea, in which OrcaFlex floats the vessel."""
+    """Density of the sea in the OrcaFlex model."""
     sea = model.entry("Environment")
     found = sea.number("Density") if sea.text("VerticalDensityVariation") in (None, "Constant") else None
     return None if found is None else THOUSAND * found
@@ -202,8 +202,8 @@ def _density(model: Entry) -> float | None:
 def _centre_of_the_weight(
     draught: Entry, density: float | None, volume: float | None, notes: list[str]
 ) -> NDArray[np.float64] | None:
-    """The centre of mass, if the mass equals the displaced mass; otherwise it does not belong to the
-    stiffness."""
+    """Return the centre of mass if the mass equals the displaced mass; otherwise the stiffness has another
+    weight."""
     mass, centre = draught.number("Mass"), draught.vector("CentreOfMass")
     if centre is None:
         centre = draught.vector("CentreOfGravity")

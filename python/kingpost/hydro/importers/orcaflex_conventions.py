@@ -1,4 +1,4 @@
-"""Conventions of OrcaFlex's vessel types, which each vessel type states."""
+"""Conventions of OrcaFlex's vessel types, as stated by each vessel type."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ SENSES = {
     "PitchPositiveBow": ("down", "up"),
     "YawPositiveBow": ("port", "starboard"),
 }
-# The plane x = 0 alone is not among the choices of `hull_symmetry`: the reader mirrors in it.
+# `hull_symmetry` has no choice for the plane x = 0 alone: the reader itself mirrors in this plane.
 ENDS_ALONE = "ends"
 SYMMETRIES = {
     "None": "none",

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from .foreign import Foreign
 
 USELESS = 0.5
-"""Share of the largest diagonal: with more asymmetry or more negative damping, a matrix is unphysical."""
+"""Largest asymmetry or negative damping as a share of the largest diagonal; beyond it a matrix is
+unphysical."""
 WORTH_SAYING = 1e-4
 JUMP = 0.15
 """A coefficient jumps if it is off the line between its neighbours by more than this share of its range..."""
@@ -35,7 +36,7 @@ MOST_LEFT_OUT, MOST_USELESS = 0.1, 0.25
 
 
 def up_to(foreign: Foreign, highest_rad_s: float | None, notes: list[str]) -> Foreign:
-    """The contents without the frequencies above a limit, before any check."""
+    """Leave out the frequencies above a limit, before any check."""
     if highest_rad_s is None:
         return foreign
     kept = foreign.frequencies_rad_s <= highest_rad_s
@@ -82,7 +83,7 @@ def repaired(foreign: Foreign, notes: list[str]) -> Foreign:
 
 
 def _without_useless(foreign: Foreign, notes: list[str]) -> Foreign:
-    """The contents without frequencies of strongly negative damping, if they are few."""
+    """Leave out frequencies of strongly negative damping, if they are few."""
     lowest = _lowest_eigenvalues(foreign.radiation_damping)
     useless = lowest < -USELESS
     if not useless.any() or useless.sum() > MOST_USELESS * len(useless):
@@ -138,7 +139,7 @@ def _symmetric(
 
 
 def _counts(scale: NDArray[np.float64], foreign: Foreign) -> NDArray[np.bool_]:
-    """Motions with more than a millionth of the largest of their kind."""
+    """Select motions with more than a millionth of the largest of their kind."""
     kinds = np.repeat([scale[:3].max(), scale[3:].max()], 3)
     return scale > 1e-6 * kinds
 
@@ -172,7 +173,7 @@ def _taking_energy(damping: NDArray[np.float64], foreign: Foreign, notes: list[s
 
 
 def _advice(lowest: NDArray[np.float64], omega: NDArray[np.float64]) -> list[str]:
-    """The frequency to stop at, if all large errors are at the upper end."""
+    """Advice on the highest frequency to keep, if all large errors are at the upper end."""
     wrong = np.flatnonzero(lowest < -0.05)
     if not len(wrong) or wrong[0] < len(omega) // 3:
         return []
@@ -184,7 +185,7 @@ def _advice(lowest: NDArray[np.float64], omega: NDArray[np.float64]) -> list[str
 
 
 def positive(matrix: NDArray[np.float64], name: str, notes: list[str]) -> NDArray[np.float64]:
-    """The nearest symmetric matrix with no negative eigenvalue, measured by its own diagonal."""
+    """Nearest symmetric matrix without a negative eigenvalue, in the norm scaled by its diagonal."""
     root = np.sqrt(scale_of(matrix[None]))
     values, vectors = np.linalg.eigh(matrix / np.outer(root, root))
     if values[0] >= 0.0:
@@ -196,7 +197,7 @@ def positive(matrix: NDArray[np.float64], name: str, notes: list[str]) -> NDArra
 
 
 def _without_jumps(foreign: Foreign, notes: list[str]) -> Foreign:
-    """The contents without single frequencies at which A_ii or B_ii jumps."""
+    """Leave out single frequencies at which A_ii or B_ii jumps."""
     omega = foreign.frequencies_rad_s
     if len(omega) < 12:
         return foreign

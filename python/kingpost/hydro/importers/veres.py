@@ -32,7 +32,7 @@ AXES = np.array([-1.0, -1.0, 1.0, -1.0, -1.0, 1.0])
 """From x aft, y to starboard to x forward, y to port."""
 HEADER_LINES = 6
 LONGEST_WORD = 40
-"""Characters of a wrong word that a message shows."""
+"""Longest quote of a wrong word in a message, characters."""
 
 
 def read(path: str, options: Options) -> Foreign:

@@ -251,7 +251,7 @@ def _index(column: NDArray[np.float64]) -> NDArray[np.intp]:
 def _by_frequency(
     table: NDArray[np.float64], omega: NDArray[np.float64], path: str
 ) -> dict[float, tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """A' and B' of each frequency. The file leaves out entries that are zero by symmetry; each frequency has
+    """A' and B' of each frequency. The file omits entries that are zero by symmetry; each frequency must have
     the same entries."""
     i, j = _index(table[:, 1]), _index(table[:, 2])
     first = set(zip(i[omega == omega[-1]], j[omega == omega[-1]], strict=True))
@@ -294,7 +294,8 @@ def _check_parts(
     tables: _Tables, scale: _Scale, frequencies: NDArray[np.float64], excitation: NDArray[np.complex128],
     froude_krylov: NDArray[np.complex128], stem: Path, notes: list[str],
 ) -> None:  # fmt: skip
-    """Whether Froude-Krylov and scattered forces add up to the excitation, within three roundings."""
+    """Check that Froude-Krylov and scattered forces add up to the excitation, within three rounding
+    errors."""
     if tables.scattered is None:
         return
     _, scattered = _waves(tables.scattered, scale, frequencies, f"{stem}.3sc")
@@ -315,7 +316,7 @@ def _mean_drift(
     notes: list[str],
 ) -> NDArray[np.float64] | None:  # fmt: skip
     """Surge, sway and yaw (frequency, direction, 3) about XBODY per amplitude squared, of waves of one
-    direction; `None` where there is no such file or it has other frequencies or directions."""
+    direction; `None` if there is no such file, or its frequencies or directions differ."""
     path = next((stem.with_suffix(e) for e in DRIFT if stem.with_suffix(e).is_file()), None)
     if path is None:
         return None

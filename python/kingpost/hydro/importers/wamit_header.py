@@ -83,7 +83,7 @@ def read(path: Path) -> Header:
         if depth is None
         else float(depth[0]),
         reference=reference,
-        # The middle one of three, like WAMIT itself.
+        # Take the middle of three volumes, like WAMIT itself.
         volume=None if volumes is None else float(np.median(volumes)),
         buoyancy=_centre(text, r"Center of Buoyancy", about),
         gravity_centre=_gravity_centre(text, about),

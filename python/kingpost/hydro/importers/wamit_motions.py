@@ -1,10 +1,10 @@
 """Motions that WAMIT computed, STEM.4, compared with motions from the imported data.
 
 (-w^2 (M + A) - i w (B + B_e) + C + C_e) xi = X per metre of amplitude, with the mass of STEM.frc: if both
-agree, units, signs and phases were read correctly. The motions belong to that loading and are not imported.
-STEM.frc has one of two forms (WAMIT User Manual, version 7, chapter 3): VCG and the radii of
-gyration about XBODY, for a freely floating hull; or density, the centre of gravity and the matrices of
-mass, damping and stiffness, each after 1 where it is there and 0 where it is not.
+agree, units, signs and phases were read correctly. The motions are those of that loading and are not
+imported. STEM.frc has one of two forms (WAMIT User Manual, version 7, chapter 3): VCG and the radii of
+gyration about XBODY, for a freely floating hull; or density, the centre of gravity and the matrices of mass,
+damping and stiffness, each after 1 if it is present, 0 if it is absent.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class Loading:
 
 
 def loading(path: Path, foreign: Foreign) -> Loading | None:
-    """The loading of STEM.frc, or `None` if the file is missing or of another form."""
+    """Read the loading of STEM.frc; `None` if the file is missing or of another form."""
     if not path.is_file() or foreign.volume_m3 is None or foreign.centre_of_buoyancy_m is None:
         return None
     lines = [_numbers(line) for line in text_of(path, "latin-1").splitlines()[1:]]

@@ -38,7 +38,8 @@ def rows(path: Path, columns: tuple[int, ...]) -> NDArray[np.float64]:
         raise reading_error(str(error.strerror), "a file of WAMIT's numeric output", str(path)) from None
     lines = text.splitlines()
     if text and not text.endswith("\n") and (len(lines) < 2 or len(lines[-1]) < len(lines[-2].rstrip())):
-        # A truncated number is still a number; a complete last line is as long as the line before.
+        # A truncated number is still a valid number: compare the length of the last line with that of the
+        # line before.
         raise reading_error("a last line without an end", "a whole file", str(path))
     found = []
     for number, line in enumerate(lines, 1):
@@ -86,8 +87,9 @@ def of_six_motions(
 
 
 def first_column(radiation: NDArray[np.float64], waves: NDArray[np.float64], c33: float) -> str | None:
-    """`period_s` or `frequency_rad_s` by the heave force, whose modulus is C_33 in the longest waves and zero
-    in the shortest; `None` if neither end agrees. All numbers are dimensionless, as in the files."""
+    """Recognise `period_s` or `frequency_rad_s` by the heave force, whose modulus is C_33 in the longest
+    waves and zero in the shortest; `None` if neither end agrees. All numbers are dimensionless, as in the
+    files."""
     heave = waves[(waves[:, 2] == 3) & (waves[:, 0] > 0)]
     if not len(heave) or c33 <= 0.0:
         return None

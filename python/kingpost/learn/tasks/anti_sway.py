@@ -14,7 +14,7 @@ SCENARIOS = Path(__file__).parents[1] / "scenarios"
 BOOM_M = 30.0
 """Length of the boom in the scenario of `anti_sway`."""
 ROPE_AT_REST = np.pi / 4
-"""Angle from the boom, at 45 degrees, to the rope at the start of `anti_sway`, rad."""
+"""Angle from the boom to the rope at the start of `anti_sway`, with the boom at 45 degrees, rad."""
 
 
 def _distance(columns: Columns, goal: Goal) -> np.ndarray:
@@ -37,13 +37,13 @@ def _anti_sway_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.n
 
 
 def _anti_sway_goal(random: np.random.Generator, start: Mapping[str, float]) -> Sequence[float]:
-    """Slew and luff of the target, rad, and its place, m."""
+    """Slewing and luffing angle of the target, rad, and its position, m."""
     slew = float(random.uniform(np.pi / 9, np.pi / 2)) * (1.0 if random.random() < 0.5 else -1.0)
     return target(slew, float(random.uniform(-np.pi / 3, -np.pi / 6)))
 
 
 def target(slew: float, luff: float) -> list[float]:
-    """The goal of these angles, rad, with its place, m.
+    """Goal for these slewing and luffing angles, rad, with the target's position, m.
 
     >>> target(0.0, 0.0)
     [0.0, 0.0, 30.0, 0.0]
@@ -56,9 +56,9 @@ def anti_sway(randomised: bool = False, on_a_ship: bool = False, at_sea: bool = 
     """Move a load by slewing and luffing to a target, and stop its swing there.
 
     The crane of four bodies stands on a fixed base; hook and load are a double pendulum. Each episode draws a
-    target: 20 to 90 degrees of slew to either side, 30 to 60 degrees of boom. With the distance d and speed
-    v of the load over the ground, a control step of 50 ms gives
-    ``-0.05 (d / 10 m + v / (1 m/s) / (1 + d^2 / 4 m^2))``.
+    target: 20 to 90 degrees of slew to either side, 30 to 60 degrees of boom. With the load's distance d from
+    the target and its speed v over the ground, the reward of a control step of 50 ms is ``-0.05 (d / 10 m + v
+    / (1 m/s) / (1 + d^2 / 4 m^2))``.
 
     Parameters
     ----------
@@ -66,11 +66,11 @@ def anti_sway(randomised: bool = False, on_a_ship: bool = False, at_sea: bool = 
         Whether each episode also draws the load, 5 to 35 t, and the rope, 8 to 22 m.
     on_a_ship
         Whether the base moves as a ship in a swell, by a given motion: 0.5 m of heave and 1 degree of pitch
-        in 8 s, 2 degrees of roll in 11 s. The target stays in the world.
+        in 8 s, 2 degrees of roll in 11 s. The target is fixed in the world.
     at_sea
         Whether the crane stands on a ship that floats in a sea, the same in each episode: significant wave
-        height 1.5 m, peak period 8 s, from 30 degrees off the bow. Ship and load move each other. The target
-        stays in the world.
+        height 1.5 m, peak period 8 s, from 30 degrees off the bow. Ship and load interact. The target is
+        fixed in the world.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Move a load to a target on a ship in a sea that is another in each episode."""
+"""Task: move a load to a target, on a ship in a sea that differs in each episode."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .anti_sway import anti_sway
 
 
 def _from_the_boom(x: np.ndarray, y: np.ndarray, columns: Columns) -> tuple[np.ndarray, np.ndarray]:
-    """A horizontal vector of the world along the boom and across it."""
+    """Components of a horizontal world vector along the boom and across it."""
     heading = columns["hull.yaw"] + columns["slew.joint_position"]
     cos, sin = np.cos(heading), np.sin(heading)
     return x * cos + y * sin, y * cos - x * sin
@@ -32,7 +32,7 @@ def _part(of: Callable[..., tuple[np.ndarray, np.ndarray]], k: int) -> Callable[
 
 
 def anti_sway_at_sea() -> Task:
-    """Move a load to a target over the ground and stop it there, on a ship in a sea that no one has seen.
+    """Move a load to a target fixed in the world and stop it there, on a ship in an unknown sea.
 
     Crane, load, targets and reward are those of `anti_sway`. The crane stands on an offshore vessel, which
     moves with the waves and with the load. Each episode draws its sea: its waves, a significant height of
@@ -41,8 +41,8 @@ def anti_sway_at_sea() -> Task:
     Returns
     -------
     Task
-        Two actions, slewing and luffing speed; 16 observations: those of `anti_sway`, and where the load is
-        from its target and how fast it moves over the ground, along the boom and across it.
+        Two actions, slewing and luffing speed; 16 observations: those of `anti_sway`, and the load's
+        displacement from the target and its velocity over the ground, along the boom and across it.
 
     >>> anti_sway_at_sea().observation_names[-2:]
     ('load_speed_along', 'load_speed_across')

@@ -1,4 +1,4 @@
-"""Keep a load at its height on a ship in her sea."""
+"""Task: keep a load at constant height by the winch, on a ship in waves."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ def _heave_reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarr
 
 
 def heave_compensation(randomised: bool = True) -> Task:
-    """Keep a load at its height by the speed of the winch, on a ship in her sea.
+    """Keep a load at constant height by the speed of the winch, on a ship in waves.
 
-    A control step of 50 ms gives ``-0.05 |z - z_0| / 1 m``: the height z of the load, z_0 at the start.
+    The reward of a control step of 50 ms is ``-0.05 |z - z_0| / 1 m``, with the height z of the load, z_0 at
+    the start.
 
     Parameters
     ----------

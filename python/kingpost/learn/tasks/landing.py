@@ -17,13 +17,13 @@ DECK, DECK_RATE = "boat.berth.point_position.z", "boat.berth.point_velocity.z"
 LOAD_RATE = "lift.velocity.z"
 FALLS = 4
 SLACK_M = 0.5
-"""Slack of each fall with which the load counts as landed."""
+"""Slack of each fall from which on the load counts as landed, m."""
 CLEAR_M = 0.02
-"""Height over the deck from which a load that has touched it counts as lifted again."""
+"""Height over the deck from which on a load counts as lifted again after it touched the deck, m."""
 
 
 def column(scenario: Scenario, element: str, quantity: str) -> str:
-    """The column of an element: the engine puts the element's kind before the quantity.
+    """Name of an element's column: the engine puts the element's kind before the quantity.
 
     >>> column(landing().based_on, "cargo_deck", "gap").startswith("cargo_deck.")
     True
@@ -75,13 +75,13 @@ class _Landing:
         return -waiting - 20.0 * np.where(meets, closing * closing, 0.0) - 0.1 * lifted - 0.5 * taut
 
     def done(self, columns: Columns, goal: Goal) -> np.ndarray:
-        """The load pressed on the deck in this control step, and its rope is slack."""
+        """Whether the load pressed on the deck in this control step and its rope is slack."""
         pressed = columns[self.impulse] > columns[f"before.{self.impulse}"]
         return pressed & (columns[self.stretch] <= -FALLS * SLACK_M)
 
 
 def _goal(random: np.random.Generator, start: Mapping[str, float]) -> Sequence[float]:
-    """Heights of tip and deck in calm water, m: the sea rises from calm."""
+    """Heights of tip and deck in calm water, m: at the start the sea is calm."""
     return start[TIP], start[DECK]
 
 

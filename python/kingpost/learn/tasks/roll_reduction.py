@@ -1,4 +1,4 @@
-"""Take the roll out of a ship by the precession of two gyros."""
+"""Task: reduce the roll of a ship with two gyros."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ...scenario import load
 from ..task import Columns, Goal, Observation, Task
 
 ROLL_RAD = 0.05
-"""Roll that counts as 1."""
+"""Roll angle that scales the reward, rad."""
 
 
 def _reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarray:
@@ -17,10 +17,10 @@ def _reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarray:
 
 
 def roll_reduction(randomised: bool = True) -> Task:
-    """Take the roll out of a ship in beam seas by the drives of two gyros.
+    """Reduce the roll of a ship in beam seas with two gyros whose gimbals are driven.
 
-    The scenario is the gallery's `roll_reduction_gyros`. Two wheels spin against each other; a drive on each
-    gimbal pushes its precession. A control step of 0.1 s gives ``-0.05 (roll / 0.05 rad)^2``.
+    The scenario is the gallery's `roll_reduction_gyros`. The two wheels spin in opposite directions; a drive
+    on each gimbal turns it. The reward of a control step of 0.1 s is ``-0.05 (roll / 0.05 rad)^2``.
 
     Parameters
     ----------

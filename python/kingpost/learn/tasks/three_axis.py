@@ -1,4 +1,4 @@
-"""Hold a load at a point of the world from a ship in her sea."""
+"""Task: hold a load at a point fixed in the world, from a ship in waves."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _along(columns: Columns, vector: Vector) -> np.ndarray:
 
 
 def _across(columns: Columns, vector: Vector) -> np.ndarray:
-    """The part to the left of the boom, seen from above."""
+    """Component of a vector to the left of the boom, seen from above."""
     (x, y), _ = _outwards(columns)
     return x * vector[1] - y * vector[0]
 
@@ -58,22 +58,22 @@ def _reward(columns: Columns, goal: Goal, actions: np.ndarray) -> np.ndarray:
 
 
 def _goal(random: np.random.Generator, start: Mapping[str, float]) -> Sequence[float]:
-    """Place of the tip over the ground and of the load at the start, m."""
+    """Horizontal position of the tip and position of the load at the start, m."""
     return [start[name] for name in (*TIP[:2], *LOAD)]
 
 
 def three_axis(randomised: bool = True) -> Task:
-    """Hold a load at a point of the world by slewing, luffing and hoisting, on a ship in her sea.
+    """Hold a load at a point fixed in the world by slewing, luffing and hoisting, on a ship in waves.
 
-    The scenario is the gallery's `three_axis_compensation` without its controller. A control step of 0.1 s
-    gives ``-0.05 d / 1 m``: the distance d of the load from where it was at the start.
+    The scenario is the gallery's `three_axis_compensation` without its controller. The reward of a control
+    step of 0.1 s is ``-0.05 d / 1 m``, with the load's distance d from its position at the start.
 
     Parameters
     ----------
     randomised
         Whether each episode draws the significant wave height, 1 to 2.5 m, the peak period, 8 to 12 s, and
-        the direction of the sea, 150 to 210 degrees: seas that the drives can follow. In higher seas nearer
-        to the beam luffing is at the limit of its speed. The seed of the sea is drawn in any case.
+        the direction of the sea, 150 to 210 degrees: seas that the drives can follow. In higher seas from
+        nearer to the beam luffing reaches its speed limit. The seed of the sea is drawn in any case.
 
     Returns
     -------

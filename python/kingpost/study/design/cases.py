@@ -21,12 +21,12 @@ class Cases:
     Attributes
     ----------
     names
-        Of the axes, in their order.
+        Names of the axes, in their order.
     values
-        Of each axis, one value a case.
+        Values of each axis, one value for each case.
     drawn
-        For axes that are drawn together, which draw a case has: ``sample`` of a Latin hypercube, ``cell`` of
-        a scatter table.
+        For axes that are drawn together, the number of the draw of each case: ``sample`` of a Latin
+        hypercube, ``cell`` of a scatter table.
     """
 
     names: tuple[str, ...]
@@ -34,10 +34,10 @@ class Cases:
     drawn: dict[str, list[int]]
     count: int
     sizes: tuple[int, ...] = ()
-    """How many points each axis has; axes that are drawn together count as one."""
+    """Number of points of each axis; axes that are drawn together count as one."""
 
     def corners(self) -> Iterator[int]:
-        """The cases of the first and last points of all axes."""
+        """Cases at the first and last points of all axes."""
         for ends in product(*(sorted({0, size - 1}) for size in self.sizes)):
             case = 0
             for end, size in zip(ends, self.sizes, strict=True):
@@ -45,12 +45,12 @@ class Cases:
             yield case
 
     def overrides(self, case: int) -> list[tuple[str, ParameterValue]]:
-        """Return the names and values that a case sets over the scenario."""
+        """Return the overrides of the scenario in a case."""
         return [(name, self.values[name][case]) for name in self.names]
 
 
 def values_of(axis: Axis) -> list[ParameterValue]:
-    """The values of an axis that stands by itself.
+    """Return the values of an axis that is not drawn together with others.
 
     >>> values_of({"range": {"from": 6.0, "to": 8.0, "count": 3}})
     [6.0, 7.0, 8.0]
@@ -64,8 +64,9 @@ def values_of(axis: Axis) -> list[ParameterValue]:
 
 
 def latin_hypercube(axes: Mapping[str, Interval], count: int, seed: int) -> list[tuple[float, ...]]:
-    """Samples of several axes: each axis is cut into as many strips as there are samples, and each strip has
-    one (McKay, Beckman & Conover, *Technometrics* 21(2), 1979), by `scipy.stats.qmc.LatinHypercube`.
+    """Draw samples of several axes: each axis is divided into as many strips as there are samples, and each
+    strip contains one (McKay, Beckman & Conover, *Technometrics* 21(2), 1979), by
+    `scipy.stats.qmc.LatinHypercube`.
 
     >>> found = latin_hypercube({"x": {"from": 0.0, "to": 4.0}, "y": {"from": 1.0, "to": 2.0}}, 4, seed=1)
     >>> sorted(int(x) for x, _ in found)
@@ -84,16 +85,17 @@ def cases(
     samples: Samples | None = None,
     cells: Callable[[], Sequence[tuple[float, float]]] | None = None,
 ) -> Cases:
-    """The cases of a study.
+    """Build the cases of a study.
 
     Parameters
     ----------
     axes
-        As the file has them, by name.
+        Axes by name, in the form of the study file.
     samples
         ``count`` and ``seed`` of the Latin hypercube.
     cells
-        Returns significant height and peak period of each sea of a scatter table that occurs.
+        Function that returns significant height and peak period of each sea with occurrences in a scatter
+        table.
 
     >>> found = cases({"x": {"values": [1, 2]}, "y": {"values": ["a", "b"]}})
     >>> [found.overrides(case) for case in range(found.count)][:2]

@@ -11,7 +11,7 @@ EvenRange = TypedDict("EvenRange", {"from": float, "to": float, "count": int})
 
 
 class Axis(TypedDict, total=False):
-    """Values of an axis, by one of these."""
+    """Values of an axis, given in one of these forms."""
 
     values: list[ParameterValue]
     range: EvenRange
@@ -34,14 +34,14 @@ class Seeds(TypedDict):
 
 
 class Rainflow(TypedDict):
-    """Columns whose cycles are counted, and powers of the ranges that are summed."""
+    """Columns whose cycles are counted, and exponents of the damage sums."""
 
     columns: list[str]
     slopes: list[float]
 
 
 class Peaks(TypedDict):
-    """Columns whose largest peaks are kept, and how many."""
+    """Columns whose largest peaks are kept, and the number of peaks."""
 
     columns: list[str]
     keep: int

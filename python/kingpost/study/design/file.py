@@ -1,4 +1,4 @@
-"""The file of a study: read by the engine, its scenario found and loaded."""
+"""Reading of a study file by the engine, and loading of its scenario."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from ...scenario import Json, Scenario, load
 from .content import Content
 
 SET = "--set "
-"""How the engine names the place of a value that is set over a scenario."""
+"""Prefix with which the engine names an override in an error."""
 UNKNOWN = "an unknown name"
-"""Text that the engine reports as found where a scenario has no such parameter."""
+"""Text of the engine's error for an unknown parameter."""
 
 
 @dataclass(frozen=True)
 class StudyFile:
-    """Content of a study file, as it is written.
+    """Content of a study file.
 
     Attributes
     ----------
     text
-        Of the file.
+        Text of the file.
     file
-        Its name; empty where there is none.
+        Name of the file; empty if there is none.
     content
         All fields, with defaults.
     places
@@ -41,7 +41,7 @@ class StudyFile:
     places: dict[str, list[int]] = field(default_factory=dict)
 
     def error(self, path: str, found: str, allowed: str) -> ScenarioError:
-        """An error of a value of the study, with its place.
+        """Make the error for a value of the study, with its place.
 
         >>> str(StudyFile("", "lift.yaml", {}, {"axes": [4, 7]}).error("axes.x", "nothing", "a number"))
         'lift.yaml:4:7: axes.x: found nothing, allowed: a number'
@@ -52,7 +52,7 @@ class StudyFile:
     def error_of(
         self, path: str, words: str, found: str | None = None, allowed: str | None = None
     ) -> ScenarioError:
-        """An error in these words of a value of the study, with its place."""
+        """Make an error with a given text for a value of the study, with its place."""
         place = self._place(path)
         at = f"{self.file}:{place[0]}:{place[1]}: " if self.file and place else ""
         line, column = place if self.file and place else (None, None)
@@ -60,14 +60,14 @@ class StudyFile:
         return ScenarioError(message, self.file or None, line, column, path, found, allowed)
 
     def _place(self, path: str) -> list[int] | None:
-        """The place of a path, or of what is nearest above it."""
+        """Return the place of a path, or of its nearest parent with a known place."""
         while path and path not in self.places:
             path = path.rpartition(".")[0]
         return self.places.get(path)
 
     def placed(self, error: ScenarioError, where: Mapping[str, str]) -> ScenarioError:
-        """An error of the engine in a value that the study sets; `where` has its path in the study by the
-        name that it is set under. Any other error stays as it is."""
+        """Add the place in the study file to an engine error on an override. `where` maps the name of each
+        override to its path in the study. Other errors are unchanged."""
         file = error.file or ""
         name = file.removeprefix(SET)
         if name == file or error.found is None or error.allowed is None:
@@ -78,23 +78,22 @@ class StudyFile:
             return error
         path = where[name]
         if error.found == UNKNOWN:
-            # The name is wrong, not its value.
+            # The name of the override is wrong, not its value.
             path = path[: path.index(name) + len(name)]
         return self.error(path, error.found, error.allowed)
 
     def beside(self, name: str) -> Path:
-        """The path of a file that the study names."""
+        """Path of a file that the study names."""
         return Path(self.file).parent / name if self.file else Path(name)
 
     def scenario(self) -> Scenario:
-        """The scenario with what the study sets over it in all runs, and its limits.
-
-        Limits count from `after_s` on, or from later where they say so.
+        """Load the scenario with the overrides and limits of the study that hold for all runs. Limits count
+        from `after_s` on, or from a later `from_s`.
 
         Raises
         ------
         ScenarioError
-            When it is not there or wrong, or a value that is set is.
+            If the scenario is missing or wrong, or an override is wrong.
         """
         name, given = self.content["scenario"], self.content["set"]
         path = self.beside(name)
@@ -121,7 +120,7 @@ def read(source: str | Path | Mapping[str, object]) -> StudyFile:
     Raises
     ------
     ScenarioError
-        With file, line, column, field, what was found and what is allowed.
+        With file, line, column, field, the value found and the allowed values.
 
     >>> read({"version": 1, "title": "x", "scenario": "paper"}).content["seeds"]
     {'first': 1, 'count': 1}

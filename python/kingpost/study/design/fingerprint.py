@@ -1,4 +1,5 @@
-"""Fingerprint of a study: digests of what its numbers depend on, by part, and in words which differ."""
+"""Fingerprint of a study: digests of everything that determines its numbers, by part, and the names of parts
+that differ."""
 
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ from ...analysis.statistics import up_crossing_period
 from .. import reduce
 
 MOST_NAMED = 3
-"""Fields that differ which a message names."""
+"""Largest number of differing fields that a message names."""
 
 
 def of_value(value: object) -> str:
@@ -26,14 +27,14 @@ def of_value(value: object) -> str:
 
 
 def reduction() -> str:
-    """SHA-256 of what reduces the rows of a run: the text of all functions that decide its numbers."""
+    """SHA-256 of the source code of the functions that reduce the rows of a run."""
     # Imports are part of the text of `reduce`: if that file moves, no study can be resumed.
     parts = (reduce, peaks, up_crossing_period, fatigue)
     return hashlib.sha256("".join(inspect.getsource(part) for part in parts).encode()).hexdigest()
 
 
 def differences(before: Mapping[str, str], now: Mapping[str, str]) -> list[str]:
-    """The parts whose digests differ.
+    """List the parts whose digests differ.
 
     >>> differences({"axes": "1", "engine": "2"}, {"axes": "1", "engine": "3"})
     ['engine']
@@ -42,7 +43,7 @@ def differences(before: Mapping[str, str], now: Mapping[str, str]) -> list[str]:
 
 
 def fields(before: object, now: object, path: str = "") -> list[str]:
-    """Dotted paths at which two values differ.
+    """List the dotted paths at which two values differ.
 
     >>> fields({"sea": {"depth_m": 10}, "title": "x"}, {"sea": {"depth_m": 20}, "title": "x"})
     ['sea.depth_m']
@@ -61,7 +62,7 @@ def fields(before: object, now: object, path: str = "") -> list[str]:
 
 
 def in_words(parts: list[str], scenario_fields: list[str]) -> str:
-    """List the parts of a study that differ, as a message says it.
+    """Format the differing parts of a study for a message.
 
     >>> in_words(["scenario", "engine"], ["sea.depth_m"])
     'scenario (sea.depth_m), engine'

@@ -1,4 +1,4 @@
-"""Units of work: what a worker is handed, and what it hands back."""
+"""Units of work: the input and the result of a worker."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from ...scenario import Json
 from ..reduce import Kept
 
 LANES = 4
-"""Runs that the engine computes side by side."""
+"""Number of runs that the engine computes in SIMD lanes."""
 MOST_BYTES = 4_000_000_000
-"""Rows of one run."""
+"""Largest memory of the rows of one run, bytes."""
 
 
 @dataclass(frozen=True)
@@ -25,15 +25,15 @@ class Job:
     Attributes
     ----------
     unit
-        Its number, from 0.
+        Number of the unit, from 0.
     text, file, files
-        Of the scenario, and what it names.
+        Text and file name of the scenario, and the texts of the files that it names.
     variants
-        What is set over the scenario in each run.
+        Overrides of the scenario in each run.
     kept
-        What is kept of each run.
+        Quantities that are kept of each run.
     run_bytes
-        What the rows of one run take.
+        Memory of the rows of one run, bytes.
     """
 
     unit: int
@@ -46,7 +46,7 @@ class Job:
 
 
 class WarningCount(TypedDict):
-    """Runs with one kind of warning, and the first text: texts that differ in their numbers alone are one
+    """Number of runs with one kind of warning, and its first text; texts that differ only in numbers are one
     kind."""
 
     name: str
@@ -61,13 +61,13 @@ class Result:
     Attributes
     ----------
     arrays
-        By variable, along runs first.
+        Arrays by variable; the first dimension is the run.
     ends
-        Why a run ended early or was not built, by its place in the unit.
+        Reason why a run ended early or was not built, by its index in the unit.
     warnings
-        What the engine warned of.
+        Warnings of the engine.
     engine
-        Digest of the engine's sources that computed it.
+        Digest of the sources of the engine that computed the unit.
     """
 
     unit: int
@@ -78,13 +78,13 @@ class Result:
 
 
 def columns(channels: list[Channel]) -> dict[str, str]:
-    """The flat columns with their units, but for time."""
+    """Flat columns with their units, except time."""
     names = [name for channel in channels for name in channel["columns"]]
     units = [unit for channel in channels for unit in channel["units"]]
     return {name: unit for name, unit in zip(names, units, strict=True) if name != "time"}
 
 
 def run_bytes(settings: dict[str, float], channels: list[Channel]) -> float:
-    """Return the memory that the rows of a run take, bytes, from its simulation's settings."""
+    """Return the memory of the rows of a run, bytes, from the settings of its simulation."""
     rows = settings["duration_s"] / max(settings["record_every_s"], settings["step_s"]) + 2
     return float(8 * rows * sum(channel["len"] for channel in channels))

@@ -1,4 +1,4 @@
-"""Plan of a study: its scenario, cases, columns, units and what they depend on."""
+"""Plan of a study: its scenario, cases, columns, units of work and fingerprint."""
 
 from __future__ import annotations
 
@@ -25,30 +25,30 @@ from .job import LANES, MOST_BYTES, Job, columns, run_bytes
 from .trials import check_axes, check_corners
 
 MOST_RUNS = 1_000_000
-"""Runs of one study."""
+"""Largest number of runs of a study."""
 MOST_UNITS, MOST_RUNS_OF_UNIT = 64, 32
 
 
 @dataclass(frozen=True)
 class Plan:
-    """A study made ready to run.
+    """A study that is checked and ready to run.
 
     Attributes
     ----------
     file
-        What the study says.
+        Content of the study file.
     scenario
-        What all runs start from.
+        Scenario that all runs are based on.
     cases
         The points of the axes.
     columns
         Columns that have statistics, with their units.
     limits
-        Those that count: name, column, unit, at_least, at_most.
+        Limits that are evaluated: name, column, unit, at_least, at_most.
     kept
-        What is kept of each run.
+        Quantities that are kept of each run.
     run_bytes
-        What the rows of a run take.
+        Memory of the rows of a run, bytes.
     """
 
     file: StudyFile
@@ -67,19 +67,19 @@ class Plan:
 
     @property
     def runs(self) -> int:
-        """How many runs there are."""
+        """Number of runs."""
         return self.cases.count * len(self.seeds)
 
     @cached_property
     def runs_of_unit(self) -> int:
-        """How many runs are computed, written and resumed together: whole groups of lanes, and so few that
-        there is work for many workers. It follows from the number of runs alone."""
+        """Number of runs of a unit, which are computed, written and resumed together: a multiple of the
+        number of SIMD lanes, small enough for many workers. It depends only on the number of runs."""
         wanted = -(-self.runs // MOST_UNITS)
         return min(MOST_RUNS_OF_UNIT, max(1, -(-wanted // LANES)) * LANES)
 
     @property
     def units(self) -> int:
-        """How many units there are."""
+        """Number of units."""
         return -(-self.runs // self.runs_of_unit)
 
     def runs_in(self, unit: int) -> range:
@@ -88,20 +88,20 @@ class Plan:
         return range(first, min(first + self.runs_of_unit, self.runs))
 
     def job(self, unit: int) -> Job:
-        """Return the job that a worker is handed for a unit."""
+        """Return the job of a worker for a unit."""
         base = list(self.scenario.overrides)
         variants = [[*base, *self.overrides(run)] for run in self.runs_in(unit)]
         scenario = self.scenario
         return Job(unit, scenario.text, scenario.file, scenario.files, variants, self.kept, self.run_bytes)
 
     def overrides(self, run: int) -> list[tuple[str, ParameterValue]]:
-        """Return the names and values that a run sets over the scenario."""
+        """Return the overrides of the scenario in a run."""
         case, seed = divmod(run, len(self.seeds))
         return [*self.cases.overrides(case), (SEED, self.seeds[seed])]
 
     @cached_property
     def depends_on(self) -> dict[str, str]:
-        """Digests of all that decides the numbers, by part."""
+        """Digests of everything that determines the numbers, by part."""
         kept = self.kept
         recorded = [kept.columns, kept.peaks, kept.keep, kept.cycles, kept.slopes, kept.after_s]
         parts = {
@@ -117,26 +117,26 @@ class Plan:
 
     @cached_property
     def fingerprint(self) -> str:
-        """SHA-256 of all that decides the numbers."""
+        """SHA-256 of everything that determines the numbers."""
         return fingerprint.of_value(self.depends_on)
 
     @cached_property
     def sea(self) -> dict[str, str]:
-        """The axis of each quantity of the sea: as the study says, else by the fields that the axes write."""
+        """Axis of each quantity of the sea: as stated by the study, otherwise by the fields that the axes
+        set."""
         writes = {one["name"]: one["writes"] for one in self.scenario.resolved.get("parameters", [])}
         found = quantities({name: writes.get(name, [name]) for name in self.cases.names})
         return found | self.file.content["sea"]
 
 
 def plan(file: StudyFile) -> Plan:
-    """Make a study ready, with every value of its axes and the corners of all of them tried.
-
-    A case in between that is no scenario has the status ``not_built``; the others run.
+    """Check a study and plan its runs. The scenario is built with every value of each axis and at the corners
+    of all axes. A case in between that gives no valid scenario gets the status ``not_built``; the others run.
 
     Raises
     ------
     ScenarioError
-        With the place of what is wrong in the study.
+        With the place of the wrong value in the study.
     """
     scenario = file.scenario()
     simulation = Simulation(scenario)
@@ -153,7 +153,7 @@ def plan(file: StudyFile) -> Plan:
         raise file.error("axes", f"{found.runs} runs", f"from 1 to {MOST_RUNS} runs")
     check_corners(file, scenario, found.cases)
     if name := file.content.get("scatter"):
-        # Before hours of runs, not behind them.
+        # Check before hours of runs, not after them.
         scatter.read(file.beside(name))
     return found
 

@@ -1,4 +1,4 @@
-"""Trials before the first run: the values of each axis, and the corners of all axes."""
+"""Trial builds before the first run: the values of each axis, and the corners of all axes."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from .content import Axis
 from .file import StudyFile
 
 MOST_CHECKED = 100
-"""Values of an axis, and corners of all axes, that are tried before the first run."""
+"""Largest number of values of an axis, and of corners of all axes, that are tried before the first run."""
 MOST_NAMED = 3
-"""Values of an axis that an error names as those that build."""
+"""Largest number of valid values of an axis that an error names."""
 TAKEN = {
     *("run", "case", "seed", "sample", "cell", "status", "statistic", "statistics"),
     *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most", "limit_from_s"),
     *("limit_held", "limit_worst", "limit_time"),
     *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
 }
-"""Names of the results, which no axis can have."""
+"""Names of the results, which are not allowed for an axis."""
 
 
 def _tried(axis: Axis) -> list[tuple[str, ParameterValue]]:
-    """Values of an axis with their places in the file."""
+    """Tried values of an axis, with their places in the file."""
     if "latin_hypercube" in axis:
         interval = axis["latin_hypercube"]
         return [("latin_hypercube.from", interval["from"]), ("latin_hypercube.to", interval["to"])]
@@ -39,7 +39,7 @@ def _tried(axis: Axis) -> list[tuple[str, ParameterValue]]:
 
 
 def check_axes(file: StudyFile, scenario: Scenario) -> None:
-    """Every axis has a name of its own that the scenario knows, and values that are allowed there."""
+    """Check that every axis has a unique name, known to the scenario, and allowed values."""
     writes = {one["name"]: one["writes"] for one in scenario.resolved.get("parameters", [])}
     written: dict[str, str] = {}
     for name, axis in file.content["axes"].items():
@@ -61,7 +61,7 @@ def check_axes(file: StudyFile, scenario: Scenario) -> None:
 
 
 def check_corners(file: StudyFile, scenario: Scenario, found: Cases) -> None:
-    """The combinations of the axes' first and last points build."""
+    """Check that the scenario builds at all combinations of the axes' first and last points."""
     where = {name: f"axes.{name}" for name in found.names}
     for case in islice(found.corners(), MOST_CHECKED if found.names else 0):
         _try(file, scenario, found.overrides(case), where)
@@ -80,7 +80,7 @@ def _try(
         placed = file.placed(error, where)
         if placed is not error:
             raise placed from None
-        # It stands in the scenario: which case led to it is in the study.
+        # The error has a place in the scenario; add the case of the study that led to it.
         values = ", ".join(f"{name}: {value}" for name, value in pairs)
         if len(pairs) > 1:
             raise file.error_of("axes", f"with {values}: {error}") from None
@@ -91,7 +91,7 @@ def _try(
 
 
 def _that_build(scenario: Scenario, name: str, values: Sequence[ParameterValue]) -> str:
-    """The values of an axis, at most three, with which the scenario builds."""
+    """List at most three values of an axis with which the scenario builds."""
     found: list[str] = []
     for value in values:
         try:

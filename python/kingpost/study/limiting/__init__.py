@@ -1,1 +1,1 @@
-"""Limiting sea states by runs in time, and the operability that follows from limiting heights."""
+"""Limiting sea states by time-domain runs, and the operability by limiting heights."""

@@ -1,4 +1,4 @@
-"""Operability: the share of the seas of a place in which work can go on."""
+"""Operability: the share of a site's sea states in which work is possible."""
 
 from __future__ import annotations
 
@@ -22,19 +22,21 @@ class Operability:
     Attributes
     ----------
     share
-        Of all occurrences.
+        Operable share of all occurrences.
     outside
-        What of them has a period or a direction outside of what was studied: it counts as not operable.
+        Share of occurrences whose period or direction is outside the studied range; they count as not
+        operable.
     by_month
-        The share of each month's own occurrences, by number; empty where the table has no months.
+        Operable share of each month's occurrences, by the month's number; empty if the table has no months.
     by_direction_deg
-        The same by the direction that waves go to, in whole degrees.
+        Operable share by the direction that the waves travel towards, in whole degrees.
     by_limit
-        What of all occurrences each limit takes: the share of seas above its height where it governs.
+        Share of all occurrences that each limit excludes: seas above its limiting height where this limit
+        governs.
     total
-        The sum of the table's occurrences.
+        Sum of the table's occurrences.
     outside_periods_s
-        Peak periods of the table that are outside, s, from low to high.
+        Peak periods of the table outside the studied range, s, from low to high.
     """
 
     share: float
@@ -56,20 +58,20 @@ def operability(
     direction_rad: float | None = None,
     peak_enhancement: float = 3.3,
 ) -> Operability:
-    """The share of a scatter table's occurrences with a significant height of at most the limiting one.
+    """Compute the share of a scatter table's occurrences with a significant height up to the limiting one.
 
-    Within a class the heights are spread evenly between its edges; its period is that of its middle. A class
-    whose period or direction was not studied is not operable.
+    Within a class the heights are uniformly distributed between its edges; its period is that of its centre.
+    A class whose period or direction was not studied is not operable.
 
     Parameters
     ----------
     table
-        Of the place.
+        Scatter table of the site.
     limiting_height
-        By peak period (s) and direction (rad): the height and the limit that governs, such as a
-        `LimitingSea`.
+        Function of peak period (s) and direction (rad) that returns the limiting height and the governing
+        limit, such as a `LimitingSea`.
     direction_rad
-        That all waves go to, in the scenario's axes, where the table has no directions.
+        Direction that all waves travel towards, in the scenario's axes, if the table has no directions.
     peak_enhancement
         gamma of JONSWAP, by which mean periods of the table become peak periods.
 
@@ -81,7 +83,7 @@ def operability(
     Raises
     ------
     KingpostError
-        When there is a direction neither in the table nor given.
+        If there is no direction, neither in the table nor given.
 
     >>> from kingpost.study.sea_states.scatter import parse
     >>> table = parse("Hs/Tp,4-6,6-8\\n0-1,30,20\\n1-2,10,40")
@@ -128,7 +130,7 @@ def operability(
 
 
 def _below(table: ScatterTable, heights: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The share of each class that is not above the height; 0 where that is NaN."""
+    """Share of each class up to the limiting height; 0 where that height is NaN."""
     width = table.height_to_m - table.height_from_m
     is_point = width == 0
     with np.errstate(invalid="ignore", divide="ignore"):

@@ -18,15 +18,14 @@ if TYPE_CHECKING:
 
 
 def of_plan(plan: Plan, found: xarray.Dataset) -> Iterator[tuple[str, Operability]]:
-    """The share for the scatter table of a study; nothing where it names none, or has no axis of the period.
-
-    A table without directions is counted once for each studied direction, as if all waves came so: the text
-    then names the direction, else it is empty.
+    """Compute the operable share for the scatter table of a study; empty without a scatter table or an axis
+    of the period. A table without directions is counted once for each studied direction, as if all waves had
+    this direction; the text then names the direction, otherwise it is empty.
 
     Parameters
     ----------
     plan
-        Of the study.
+        Plan of the study.
     found
         Limiting heights, by runs or by linear response.
     """

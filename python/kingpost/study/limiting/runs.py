@@ -1,4 +1,5 @@
-"""The limiting sea by runs in time: the significant height at which a limit is exceeded as accepted."""
+"""Limiting sea by time-domain runs: the significant height at which a limit is exceeded with the accepted
+probability."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 FEWEST_SEEDS = 5
 CERTAIN, NEVER = -3.4, 30.0
-"""Reduced variates -ln(-ln(1 - P)) of a probability that is 1, and of one that is 1e-13."""
+"""Reduced variates -ln(-ln(1 - P)) that represent P = 1 and P = 1e-13."""
 FOUND, ABOVE, BELOW, NOT_KNOWN = "found", "above", "below", "not known"
 
 
@@ -33,14 +34,14 @@ def limiting_heights(
     operation_s: float | None = None,
     confidence: float = 0.9,
 ) -> xarray.Dataset:
-    """The largest significant height at which each limit is exceeded with the accepted probability.
+    """Find the largest significant height at which each limit is exceeded with the accepted probability.
 
-    At each height a Gumbel distribution is fitted over the seeds to how far the worst value of a run is
-    beyond its bound, and moved to the operation's length: P is the probability that this is above 0
-    (`extreme`). Between two heights the reduced variate -ln(-ln(1 - P)) goes along a straight line over 1 /
-    Hs. That is exact where the response is in proportion to the height: there it is (L / Hs - mu) / beta. P
-    does not fall with the height: where sampling makes it, the largest P of lower heights counts. Nothing
-    is extrapolated.
+    At each height a Gumbel distribution is fitted over the seeds to the excess of a run's worst value over
+    its bound, and extrapolated to the operation's duration: P is the probability that the excess is above 0
+    (`extreme`). Between two heights the reduced variate -ln(-ln(1 - P)) is interpolated linearly over 1 / Hs.
+    This is exact if the response is proportional to the height: the variate is then (L / Hs - mu) / beta. If
+    sampling makes P fall with the height, the largest P of lower heights counts. Heights are not
+    extrapolated.
 
     A run that ended early (a divergence, say) counts as one in which every limit without a value was
     exceeded: P of its case is 1.
@@ -48,30 +49,32 @@ def limiting_heights(
     Parameters
     ----------
     results
-        Of a study whose axes are a grid: `limit_worst` and `status` along ``run``, the axes,
+        Results of a study whose axes are a grid: `limit_worst` and `status` along ``run``, the axes,
         ``at_least`` and ``at_most`` as coordinates, the attributes ``axes``, ``sea``, ``duration_s`` and
         ``after_s``; the coordinate ``limit_from_s`` of limits that begin later.
     acceptance
-        The probability; that of the study unless given.
+        Accepted probability; default: that of the study.
     operation_s
-        How long the operation lasts, s; as in the study unless given.
+        Duration of the operation, s; default: that of the study.
     confidence
-        Of the intervals.
+        Confidence of the intervals.
 
     Returns
     -------
     xarray.Dataset
-        Along ``limit`` and the axes but the height: ``limiting_height`` (m), ``limiting_height_low`` and
-        ``limiting_height_high``, its interval over seeds, from those of P at each height, and
-        ``limiting_height_state``: ``found``; ``above``, where the largest height of the study does not
-        reach it, which the height then is; ``below``, where the smallest one exceeds it: the height is then
-        0; ``not known``. ``limiting_height_of_all`` is the smallest over the limits and ``governs`` which.
-        ``probability`` is P, along ``limit`` and all axes, ``ended_early`` counts runs.
+        Along ``limit`` and the axes without the height: ``limiting_height`` (m); ``limiting_height_low`` and
+        ``limiting_height_high``, its interval over seeds, from the intervals of P at each height; and
+        ``limiting_height_state``: ``found``; ``above``: the accepted probability is not reached at the
+        largest height of the study, which is then the limiting height; ``below``: it is exceeded at the
+        smallest height, and the limiting height is then 0; ``not known``. ``limiting_height_of_all`` is the
+        smallest over the limits, and ``governs`` names the limit. ``probability`` is P, along ``limit`` and
+        all axes, ``ended_early`` counts runs.
 
     Raises
     ------
     KingpostError
-        When runs are missing, there are less than five seeds, no limits, no axis of the height, or no grid.
+        If runs are missing, there are fewer than five seeds, no limits or no axis of the height, or the axes
+        are not a grid.
     """
     import xarray
 
@@ -87,7 +90,7 @@ def limiting_heights(
     if missing:
         raise KingpostError(f"runs: found {missing} that have not run, allowed: all, as with --resume")
     reduced = _reduced(beyond, status, record_s, operation_s, confidence)
-    # Height last, from low to high.
+    # The height is the last axis, in increasing order.
     at = axes.index(height)
     order = np.argsort(values[height])
     heights = np.asarray(values[height], float)[order]
@@ -117,7 +120,7 @@ def limiting_heights(
 
 
 def _coordinates(results: xarray.Dataset, names: list[str], values: Values) -> dict[Hashable, object]:
-    """Those of the axes, and what is known of each limit."""
+    """Coordinates of the axes, and the properties of each limit."""
     found: dict[Hashable, object] = {
         name: (name, np.asarray(values[name]), results[name].attrs) for name in names
     }
@@ -136,7 +139,7 @@ def _axes(results: xarray.Dataset) -> tuple[list[str], str]:
 
 
 def _grid(results: xarray.Dataset, axes: list[str]) -> tuple[NDArray[np.intp], Values]:
-    """Places of the runs, along the axes and then the seeds; and the values of each axis."""
+    """Indices of the runs along the axes and then the seeds, and the values of each axis."""
     values = {name: list(dict.fromkeys(results[name].values.tolist())) for name in axes}
     shape = [len(values[name]) for name in axes]
     seeds = list(dict.fromkeys(results["seed"].values.tolist()))
@@ -154,14 +157,14 @@ def _grid(results: xarray.Dataset, axes: list[str]) -> tuple[NDArray[np.intp], V
 
 
 def _beyond(results: xarray.Dataset) -> Numbers:
-    """How far the worst value is beyond its bound, of each run and limit; negative inside."""
+    """Excess of the worst value over its bound for each run and limit; negative inside the bounds."""
     worst = results["limit_worst"].transpose("run", "limit").values
     least, most = results["at_least"].values, results["at_most"].values
     return np.fmax(worst - most, least - worst)
 
 
 def _records_s(results: xarray.Dataset) -> Numbers:
-    """How long each limit is looked at in a run, s."""
+    """Time for which each limit is evaluated in a run, s."""
     duration_s, after_s = (float(results.attrs[name]) for name in ("duration_s", "after_s"))
     if "limit_from_s" not in results.coords:
         return np.full(results.sizes["limit"], duration_s - after_s)
@@ -176,7 +179,7 @@ def _reduced(
     operation_s: float,
     confidence: float,
 ) -> Numbers:
-    """Reduced variates of P, of its upper and of its lower end, along limits and axes.
+    """Reduced variates of P and of the upper and lower end of its interval, along limits and axes.
 
     `beyond` is along axes, seeds and limits, `record_s` along limits.
     """
@@ -210,7 +213,7 @@ def _of_one(found: Extreme, confidence: float) -> tuple[float, float, float]:
 
 
 def _passes(heights: Numbers, reduced: Numbers, wanted: float) -> Numbers:
-    """The height at which a variate that falls passes the one wanted, linear over 1 / height."""
+    """Height at which a falling variate passes the wanted value, interpolated linearly over 1 / height."""
     found = np.where(reduced[..., 0] < wanted, 0.0, np.where(reduced[..., -1] >= wanted, heights[-1], np.nan))
     for k in range(len(heights) - 1):
         first, second = reduced[..., k], reduced[..., k + 1]

@@ -1,4 +1,4 @@
-"""The limiting sea at any period and direction between those that were studied."""
+"""Limiting sea at any period and direction within the studied ones."""
 
 from __future__ import annotations
 
@@ -21,18 +21,17 @@ OUTSIDE = "outside the study"
 NO_LIMIT = "no limit"
 
 LimitingHeight = Callable[[float, float], tuple[float, str]]
-"""By peak period (s) and direction that waves go to in the scenario's axes (rad): the limiting significant
-height (m) and the limit that governs. The height is NaN where nothing is known, infinite where no limit is
-reached."""
+"""Function of peak period (s) and of the direction that the waves travel towards in the scenario's axes
+(rad). It returns the limiting significant height (m) and the governing limit. The height is NaN if it is
+unknown, and infinite if no limit is reached."""
 
 
 @dataclass(frozen=True)
 class LimitingSea:
-    """Limiting heights over peak period and direction, linear between what was studied.
-
-    Called with a peak period (s) and the direction that waves go to (rad, in the scenario's axes) it gives
-    the smallest of the limits' heights (m) and the limit that has it; outside of what was studied NaN and
-    `OUTSIDE`.
+    """Limiting heights over peak period and direction, interpolated linearly between the studied values.
+    Called with a peak period (s) and the direction that the waves travel towards (rad, in the scenario's
+    axes), it returns the smallest limiting height (m) and the governing limit; outside the studied range NaN
+    and `OUTSIDE`.
 
     Attributes
     ----------
@@ -65,22 +64,22 @@ class LimitingSea:
         at: Mapping[str, ParameterValue] | None = None,
         sea: Mapping[str, str] | None = None,
     ) -> LimitingSea:
-        """That of limiting heights by runs (`limiting_heights`) or by the screen.
+        """Make the limiting sea from limiting heights by runs (`limiting_heights`) or by the screen.
 
         Parameters
         ----------
         found
             ``limiting_height`` along ``limit`` and axes.
         at
-            Values of the axes that are neither the peak period nor the direction, by name; those with one
-            value need none.
+            Values of the axes other than peak period and direction, by name; axes with one value may be
+            omitted.
         sea
-            Which axis is the ``peak_period`` and which the ``direction``; the attribute ``sea`` unless given.
+            Names of the axes of ``peak_period`` and ``direction``; default: the attribute ``sea``.
 
         Raises
         ------
         KingpostError
-            When there is no axis of the peak period, or one of several values is left.
+            If there is no axis of the peak period, or the value of another axis is missing.
         """
         names = sea_of(found.attrs) | dict(sea or {})
         period, direction = names.get("peak_period"), names.get("direction")
@@ -145,7 +144,7 @@ def _at(heights: xarray.DataArray, name: str, value: ParameterValue | None) -> x
 
 
 def _place(values: NDArray[np.float64], value: float) -> tuple[int, int, float] | None:
-    """The values on both sides, and the share of the second; `None` outside."""
+    """Indices of the values on both sides, and the weight of the second; `None` outside."""
     tolerance = 1e-9 * max(abs(values[0]), abs(values[-1]), 1.0)
     if not values[0] - tolerance <= value <= values[-1] + tolerance:
         return None
@@ -158,7 +157,7 @@ def _place(values: NDArray[np.float64], value: float) -> tuple[int, int, float] 
 def _between(heights: NDArray[np.float64], place: tuple[int, int, float], axis: int) -> NDArray[np.float64]:
     first, second, share = place
     low, high = np.take(heights, first, axis), np.take(heights, second, axis)
-    # At a value that was studied its neighbour does not matter, which may be infinite or NaN.
+    # At a studied value the neighbour, which may be infinite or NaN, must not contribute.
     if share in (0.0, 1.0):
         return high if share else low
     with np.errstate(invalid="ignore"):
@@ -168,7 +167,7 @@ def _between(heights: NDArray[np.float64], place: tuple[int, int, float], axis: 
 def _round(
     directions: NDArray[np.float64], heights: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The first direction a second time one turn on, where they go all around."""
+    """Append the first direction one turn later if the directions cover the whole circle."""
     if len(directions) < 3:
         return directions, heights
     gap = directions[0] + 2 * np.pi - directions[-1]

@@ -1,1 +1,1 @@
-"""Running a study: units computed by worker processes, locks of the folder."""
+"""Execution of a study: units computed by worker processes, and locks of the folder."""

@@ -1,4 +1,5 @@
-"""Work of a worker process: the runs of a unit, reduced. Nothing here knows where results go."""
+"""Work of a worker process: computes and reduces the runs of a unit, independent of the storage of
+results."""
 
 from __future__ import annotations
 
@@ -15,9 +16,9 @@ from .. import reduce
 from ..design.job import LANES, MOST_BYTES, Job, Result, WarningCount
 
 TOGETHER_BYTES = 200_000_000
-"""Rows that a worker has in memory at a time."""
+"""Largest memory of the rows that a worker holds at a time, bytes."""
 MOST_WARNINGS = 50
-"""Kinds of warnings that are kept of a unit."""
+"""Largest number of kinds of warnings that are kept of a unit."""
 
 
 def compute(job: Job) -> Result:
@@ -40,7 +41,7 @@ def _some(
     ends: dict[int, str],
     warned: dict[tuple[str, str], WarningCount],
 ) -> None:
-    """Runs side by side; each alone where one of them is no scenario or has other bodies."""
+    """Compute runs together, or each alone if one of them is not a valid scenario or has other bodies."""
     variants = json.dumps([job.variants[run] for run in runs])
     try:
         rows, errors, published = engine.batch(job.text, job.file, job.files, variants, (1, MOST_BYTES), None)
@@ -78,5 +79,5 @@ def _count(warnings: list[tuple[str, str]], warned: dict[tuple[str, str], Warnin
 
 
 def _places(channels: list[Channel]) -> dict[str, int]:
-    """Where each flat column is in a row."""
+    """Index of each flat column in a row."""
     return {name: channel["offset"] + k for channel in channels for k, name in enumerate(channel["columns"])}

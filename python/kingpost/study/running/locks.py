@@ -1,4 +1,4 @@
-"""Who may work in a study's folder: one process, or the parts of an array side by side, each once."""
+"""Locks of a study's folder: for one process, or for the parts of a job array, each part once."""
 
 from __future__ import annotations
 
@@ -14,19 +14,18 @@ FOLDER, WHOLE = "locks", "study.lock"
 Part = tuple[int, int]
 """Number of a part, from 1, and number of all parts."""
 WAIT_S = 60.0
-"""Parts that begin together lay out the folder one after another."""
+"""Time that a part waits for another one to lay out the folder, s."""
 
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """Hold a folder against everybody else.
-
-    The system lets go of a lock when its process ends, however it ends.
+    """Lock a folder for one process. The system releases the lock when the process ends, even if it is
+    killed.
 
     Raises
     ------
     KingpostError
-        When another process works there.
+        If another process works in the folder.
     """
     with ExitStack() as held:
         held.enter_context(_held(folder, WHOLE, 0.0))
@@ -37,10 +36,10 @@ def alone(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def beside_other_parts(folder: Path, part: Part) -> Iterator[None]:
-    """Hold one part of a folder: others may hold other parts, nobody the whole."""
+    """Lock one part of a folder: other processes may lock other parts, but not the whole folder."""
     with ExitStack() as held:
         held.enter_context(_held(folder, f"part-{part[0]}-of-{part[1]}.lock", 0.0))
-        # Who holds the whole does so to its end.
+        # A process that locks the whole folder keeps the lock to its end.
         with first_of_parts(folder):
             pass
         yield
@@ -48,7 +47,7 @@ def beside_other_parts(folder: Path, part: Part) -> Iterator[None]:
 
 @contextmanager
 def first_of_parts(folder: Path) -> Iterator[None]:
-    """Hold the whole for a short while, between parts."""
+    """Lock the whole folder for a short time, between parts."""
     with _held(folder, WHOLE, WAIT_S):
         yield
 

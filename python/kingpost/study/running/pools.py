@@ -1,4 +1,4 @@
-"""Where units are computed: here, in worker processes, or by any executor that one hands over."""
+"""Computation of units: in this process, in worker processes, or by a given executor."""
 
 from __future__ import annotations
 
@@ -25,17 +25,17 @@ from ..design.job import Job, Result
 from .compute import compute
 
 TRIES = 4
-"""How often a unit is begun whose worker dies."""
+"""Largest number of attempts for a unit whose worker dies."""
 LOOK_EVERY_S = 0.2
-"""Time between two looks for Ctrl-C."""
+"""Time between two checks for Ctrl-C, s."""
 END_S = 10.0
-"""Time that a worker has to end."""
+"""Time that a worker has to end, s."""
 AHEAD = 2
-"""Units that each worker has before it, so that it never waits."""
+"""Number of units queued for each worker, so that it never waits."""
 
 
 def processors() -> int:
-    """How many processors this process may use."""
+    """Number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
@@ -45,7 +45,7 @@ def here(jobs: Iterable[Job]) -> Iterator[Result]:
 
 
 def processes(jobs: Iterable[Job], workers: int) -> Iterator[Result]:
-    """Compute in worker processes. Where one dies, others take its place and its unit runs again."""
+    """Compute in worker processes. If a worker dies, a new one replaces it and its unit runs again."""
     pool = _pool(workers)
 
     def another() -> Executor:
@@ -61,13 +61,13 @@ def processes(jobs: Iterable[Job], workers: int) -> Iterator[Result]:
 
 
 def executor(jobs: Iterable[Job], given: Executor, at_once: int) -> Iterator[Result]:
-    """Compute by an executor, of which so many units are asked at a time."""
+    """Compute by an executor, with a given number of units submitted at a time."""
     return _Spread(jobs, given, at_once, None).results()
 
 
 class _Spread:
-    """Units over an executor; one whose worker dies is asked for again, of another executor where this one is
-    broken by it and there is `another`."""
+    """Distribution of units over an executor. A unit whose worker dies is submitted again, to another
+    executor if this one is broken and `another` can make one."""
 
     def __init__(
         self, jobs: Iterable[Job], pool: Executor, at_once: int, another: Callable[[], Executor] | None
@@ -78,7 +78,7 @@ class _Spread:
         self.tries: dict[int, int] = {}
 
     def results(self) -> Iterator[Result]:
-        """Results as they come."""
+        """Yield results as they are completed."""
         try:
             self._ask()
             while self.waiting:
@@ -103,10 +103,10 @@ class _Spread:
         return self.again.pop() if self.again else next(self.left, None)
 
     def _result(self, future: Future[Result]) -> Result | None:
-        """The result of a unit; None if the unit runs again."""
+        """Return the result of a unit; None if the unit runs again."""
         job = self.waiting.pop(future, None)
         if job is None:
-            # It was asked for again with all others.
+            # The unit was already submitted again with all others.
             return None
         try:
             result = future.result()
@@ -117,7 +117,7 @@ class _Spread:
         except (Exception, CancelledError) as error:
             if self.another is not None:
                 raise
-            # A cluster says in its own way that a worker is gone.
+            # A cluster raises its own exception for a lost worker.
             self._try_again(job, error)
         else:
             self.tries.pop(job.unit, None)
@@ -125,9 +125,9 @@ class _Spread:
         return None
 
     def _begin_again(self, jobs: list[Job], error: BaseException) -> None:
-        """Take another executor, since all that was asked of this one is lost."""
+        """Replace a broken executor and submit its units again."""
         if self.another is None:
-            raise RunError(f"executor: found {error}, allowed: an executor that goes on") from error
+            raise RunError(f"executor: found {error}, allowed: a working executor") from error
         for job in [*jobs, *self.waiting.values()]:
             self._try_again(job, error)
         self.waiting.clear()
@@ -137,21 +137,21 @@ class _Spread:
         if self.tries[job.unit] >= TRIES:
             hint = f": {error}" if str(error) else ""
             raise RunError(
-                f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that go on. "
+                f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that keep running. "
                 'A script that starts a study needs the line `if __name__ == "__main__":` above it'
             ) from error
         self.again.append(job)
 
 
 class _Worker(SpawnProcess):
-    """A worker that ends with the process that started it, which would else wait for it at its own end."""
+    """Worker process that ends with its parent, which would otherwise wait for the worker at exit."""
 
     def __init__(self, *arguments: Any, **named: Any) -> None:
         super().__init__(*arguments, **{**named, "daemon": True})
 
 
 class _Spawned(SpawnContext):
-    # Spawned, not forked: what has threads may not be forked.
+    # Spawned, not forked: a process with threads must not be forked.
     Process = _Worker
 
 
@@ -160,7 +160,7 @@ def _pool(workers: int) -> ProcessPoolExecutor:
 
 
 def _stop(pool: ProcessPoolExecutor) -> None:
-    """End the workers at once: what they compute is not wanted."""
+    """End the workers at once and discard their results."""
     started = list((pool._processes or {}).values())
     pool.shutdown(wait=False, cancel_futures=True)
     for process in started:
@@ -170,7 +170,7 @@ def _stop(pool: ProcessPoolExecutor) -> None:
 
 
 def _begin() -> None:
-    """Prepare a worker: it leaves Ctrl-C to the process that started it, and ends when that ends."""
+    """Prepare a worker: it ignores Ctrl-C, which its parent handles, and ends with its parent."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     if parent is not None:

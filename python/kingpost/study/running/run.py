@@ -1,4 +1,4 @@
-"""Running a study: the units that are missing, over workers, into its folder."""
+"""Execution of a study: distributes its missing units over workers and writes their results to its folder."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ Progress = Callable[[float], None]
 
 @dataclass(frozen=True)
 class Done:
-    """Numbers of runs that a call of `run` computed, found and left.
+    """Numbers of runs in a call of `run`: computed, found finished, and left to other parts.
 
     Attributes
     ----------
     computed
-        Runs that it computed.
+        Number of runs that the call computed.
     kept
-        Runs that were there already.
+        Number of runs that were already finished.
     left
-        Runs of other parts that are not there yet.
+        Number of unfinished runs of other parts.
     """
 
     computed: int
@@ -46,14 +46,14 @@ def run(
     part: locks.Part | None = None,
     progress: Callable[[int], Progress] | None = None,
 ) -> Done:
-    """Run what is missing. `progress` is called with the number of runs to compute, and returns what is
-    called with the number of those that are done.
+    """Run the missing units. `progress` is called with the number of runs to compute, and returns a function
+    that is called with the number of finished runs.
 
     Raises
     ------
     KingpostError
-        When the folder has another study, or another process is at work in it; `OutputError` when it
-        cannot be written. What is finished is kept.
+        If the folder holds another study, or another process works in it; `OutputError` if it cannot be
+        written. Finished units are kept.
     """
     _check(workers, part)
     store = Store(folder, plan)
@@ -83,7 +83,7 @@ def run(
 
 
 def _units(plan: Plan, part: locks.Part | None) -> tuple[list[int], list[int]]:
-    """The units of this part, and those of the others."""
+    """Units of this part, and units of the other parts."""
     which, of = part or (1, 1)
     every = range(plan.units)
     return [unit for unit in every if unit % of == which - 1], [

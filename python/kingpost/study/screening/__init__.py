@@ -1,1 +1,1 @@
-"""Screening by linear response: limits in every case without a run."""
+"""Screening by linear response: evaluation of limits in every case without time-domain runs."""

@@ -1,4 +1,4 @@
-"""The screen of a study: its limits in every case by linear response, and the limiting sea."""
+"""Screening of a study: its limits in every case by linear response, and the limiting sea."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ if TYPE_CHECKING:
 
 
 def of_plan(plan: Plan) -> xarray.Dataset:
-    """The cases of a study by linear response about rest, without a run.
+    """Screen the cases of a study by linear response about rest, without time-domain runs.
 
-    The axes are those of the study; axes that are drawn together, of a Latin hypercube or of a scatter table,
-    are one. The operation's length and the accepted probability are the study's.
+    The axes are those of the study; axes that are drawn together, from a Latin hypercube or a scatter table,
+    form one axis. The operation's duration and the accepted probability are those of the study.
 
     Parameters
     ----------
     plan
-        Of the study.
+        Plan of the study.
 
     Returns
     -------
     xarray.Dataset
-        That of `screen`, with the attribute ``sea`` that says which axis is which quantity of the sea.
+        Result of `screen`, with the attribute ``sea``: the axis of each quantity of the sea.
 
     Raises
     ------
     KingpostError
-        When a case has no waves, or nothing comes to rest.
+        If a case has no waves, or there is no equilibrium.
     """
     content, settings = plan.file.content, plan.scenario.resolved["simulation"]
     operation_s = content.get("operation_s") or settings["duration_s"] - content["after_s"]
@@ -48,7 +48,8 @@ def of_plan(plan: Plan) -> xarray.Dataset:
 
 
 def _axes(plan: Plan) -> dict[str, list[object]]:
-    """The values of each axis; of those drawn together lists of values, under their names with commas."""
+    """Values of each axis; for axes drawn together, lists of values under their names, separated by
+    commas."""
     kinds = {name: next(iter(axis)) for name, axis in plan.file.content["axes"].items()}
     values = plan.cases.values
     axes: dict[str, list[object]] = {}

@@ -1,4 +1,5 @@
-"""The limiting sea by variances: the significant height at which a limit is exceeded as accepted."""
+"""Limiting sea by variances: the significant height at which a limit is exceeded with the accepted
+probability."""
 
 from __future__ import annotations
 
@@ -14,11 +15,11 @@ if TYPE_CHECKING:
     Numbers = NDArray[np.float64]
 
 STRAIGHT = 1e-9
-"""Share by which a moment may be off a sum of what goes with the height squared and what stays."""
+"""Largest relative deviation of a moment from the form a Hs^2 + b."""
 HEIGHTS_M = (1e-6, 1e6)
-"""Between these a height is looked for."""
+"""Range in which the limiting height is sought, m."""
 HALVINGS = 60
-"""Bisections of `HEIGHTS_M`, whose ratio is 1e12: down to rounding."""
+"""Number of bisections of `HEIGHTS_M`, whose ratio is 1e12: enough to reach rounding error."""
 
 
 def limiting_height(
@@ -30,26 +31,26 @@ def limiting_height(
     operation_s: float,
     acceptance: float,
 ) -> Numbers:
-    """The significant height at which a limit is exceeded with the probability that is accepted.
+    """Find the significant height at which a limit is exceeded with the accepted probability.
 
     Parameters
     ----------
     heights_m
-        Of the cases, m.
+        Significant heights of the cases, m.
     bounds
-        The smallest and the largest value that the limit allows.
+        Smallest and largest allowed value of the limit.
     mean, m0, m2
-        Of its column: heights first, then whatever else.
+        Mean and spectral moments of the limit's column; the first dimension is the height, others may follow.
     operation_s
-        How long the operation lasts, s.
+        Duration of the operation, s.
     acceptance
-        The probability.
+        Accepted probability.
 
     Returns
     -------
     numpy.ndarray
-        m; infinite where no height reaches it, 0 where it is reached without waves, and NaN where the
-        heights would have to reach farther, or the column has no response.
+        Limiting heights, m: infinite if no height reaches the probability, 0 if it is reached without waves,
+        and NaN if the height is outside the range of the cases or the column has no linear response.
 
     >>> m0 = (0.25 * np.array([1.0, 2.0])) ** 2
     >>> found = limiting_height(np.array([1.0, 2.0]), (None, 3.0), 0 * m0, m0, m0, 1800.0, 0.1)
@@ -81,7 +82,8 @@ def limiting_height(
 
 
 def _by_height(heights: Numbers, moment: Numbers) -> tuple[Numbers, Numbers] | None:
-    """Split a moment into what goes with the height squared and what stays; None where it is no such sum."""
+    """Split a moment into a part proportional to the height squared and a constant part; None if it does not
+    have this form."""
     squares = heights**2
     if len(heights) == 1:
         return moment[0] / squares[0], np.zeros(moment.shape[1:])
@@ -95,7 +97,7 @@ def _by_height(heights: Numbers, moment: Numbers) -> tuple[Numbers, Numbers] | N
 
 
 def _between(heights: Numbers, probability: Numbers, acceptance: float) -> Numbers:
-    """Where a probability passes what is accepted, linear in its logarithm between two heights."""
+    """Height at which the probability passes the accepted one, interpolated linearly in its logarithm."""
     order = np.argsort(heights)
     heights, p = heights[order], np.log(np.clip(probability[order], 1e-300, 1.0))
     wanted = np.log(acceptance)

@@ -1,7 +1,5 @@
-"""The screen of a study: its limits in every case by linear response in the frequency domain, without a run.
-
-One solution of the linear equations serves all cases that differ in their sea alone: their spectra are
-summed over it.
+"""Screening of a study: its limits in every case by linear response in the frequency domain. Cases that
+differ only in their sea share one solution of the linear equations, over which their spectra are integrated.
 """
 
 from __future__ import annotations
@@ -31,9 +29,9 @@ if TYPE_CHECKING:
     Numbers = NDArray[np.float64]
 
 ACCEPTANCE = 0.1
-"""Probability that a limit may be exceeded in the operation, unless another is given."""
+"""Default of the accepted probability that a limit is exceeded in the operation."""
 NOTHING = 1e-6
-"""Variances below this share of the largest of their column do not count among errors."""
+"""Variances below this share of the column's largest are left out of the interpolation error."""
 
 
 def screen(
@@ -46,49 +44,49 @@ def screen(
     height: str | None = None,
     overrides: Overrides | None = None,
 ) -> xarray.Dataset:
-    """Standard deviations and limits of every case of some axes by linear response, and the limiting sea.
+    """Compute standard deviations and limits by linear response in every case of some axes, and the limiting
+    sea.
 
     The largest significant height at which a limit is exceeded in the operation with a probability of at
     most `acceptance` is where ``1 - exp(-(T / Tz) exp(-(L - mean)^2 / (2 sigma^2)))`` (Rice, *Bell Syst.
-    Tech. J.* 24, 1945) is that probability; the limit that governs has the smallest such height. The
-    variance of a column is a sum of what goes with the height squared and what stays, as a swell beside the
-    wind sea: where the spectra of the cases are of that form the height is solved for, whatever heights the
-    axis has; else it is found between two of these, and is NaN beyond them.
+    Tech. J.* 24, 1945) is that probability; the limit that governs has the smallest such height. The variance
+    of a column may have a part proportional to the height squared and a constant part, such as a swell beside
+    the wind sea. If the spectra of the cases have this form, the height is solved for, independent of the
+    heights on the axis; otherwise it is interpolated between two of these, and NaN outside them.
 
     Parameters
     ----------
     scenario
-        With waves; it stands as a run of it begins.
+        Scenario with waves, in its state at the start of a run.
     axes
-        By the name of a parameter or path of the scenario its values: the cases are their product. A name
-        may be several, with commas between: their values are lists, of values drawn together.
+        Values by the name of a parameter or the path of a field: the cases are all combinations. Several
+        names, separated by commas, form one axis whose values are lists: values drawn together.
     columns
-        Names of columns, with ``*`` for any letters, beside those of the limits.
+        Names or patterns (with ``*``) of columns, in addition to those of the limits.
     limits
-        Over those of the scenario, in the same form.
+        Limits that replace or extend those of the scenario, in the same form.
     operation_s
-        How long the operation lasts, s.
+        Duration of the operation, s.
     acceptance
-        Probability that a limit may be exceeded in it.
+        Accepted probability that a limit is exceeded in the operation.
     height
-        The axis of the significant height; unless given one whose name or whose field is
-        ``significant_height_m``.
+        Axis of the significant height; default: the axis whose name or field is ``significant_height_m``.
     overrides
-        Set over the scenario in all cases.
+        Overrides of the scenario in all cases.
 
     Returns
     -------
     xarray.Dataset
         Along the axes: ``mean``, ``standard_deviation`` and ``zero_up_crossing_period`` (s) by ``column``,
-        and the ``probability`` by ``limit``. Along the axes but that of the height: ``limiting_height`` (m)
-        by ``limit``, and over all limits ``limiting_height_of_all`` with the limit that ``governs``.
-        ``reason`` says why a column has no response; a limit of it is not screened. ``interpolation_error``
-        is the largest of all cases.
+        and the ``probability`` by ``limit``. Along the axes without that of the height: ``limiting_height``
+        (m) by ``limit``, and over all limits ``limiting_height_of_all`` with the limit that ``governs``.
+        ``reason`` is the reason why a column has no linear response; limits of such a column are not
+        screened. ``interpolation_error`` is the largest of all cases.
 
     Raises
     ------
     KingpostError
-        When no case has waves and comes to rest, or an axis or a number is not allowed.
+        If no case has waves and an equilibrium, or an axis or a number is not allowed.
 
     >>> axes = {"significant_height_m": [1.0, 2.0], "peak_period_s": [8.0, 9.0]}
     >>> limits = {"pitch": {"column": "hull.pitch", "within": 1, "unit": "deg"}}
@@ -159,14 +157,14 @@ def _statistics(base: Scenario, axes: Sequence[Axis], columns: Sequence[str]) ->
     mean, m0, m2, halved = parts
     with np.errstate(invalid="ignore", divide="ignore"):
         off = np.abs(np.sqrt(halved / m0) - 1)
-        # Of what symmetry keeps still there is rounding alone.
+        # For motions that are zero by symmetry there is only rounding error.
         counts = m0 > NOTHING * np.nanmax(m0, axis=tuple(range(len(axes))), initial=0.0)
     worst = float(np.max(off, initial=0.0, where=np.isfinite(off) & counts))
     return Statistics(first.columns, first.units, not_linear, bounds, mean, m0, m2, worst, list(warnings))
 
 
 def _cases_by_model(axes: Sequence[Axis]) -> Iterator[tuple[dict[str, object], list[tuple[int, ...]]]]:
-    """Yield the overrides of each model, with its cases by the number of each axis' value."""
+    """Yield the overrides of each model, with its cases as indices of the values along each axis."""
     of_model = [axis for axis in axes if not axis.is_of_the_sea]
     for chosen in product(*(range(len(axis.values)) for axis in of_model)):
         fixed = dict(zip((axis.name for axis in of_model), chosen, strict=True))
@@ -260,5 +258,5 @@ def _dataset(
 
 
 def _labels(axis: Axis) -> NDArray[np.generic]:
-    """Values of an axis as a coordinate; of several drawn together their number."""
+    """Values of an axis as a coordinate; for axes drawn together, the number of the draw."""
     return np.arange(len(axis.values)) if "," in axis.name else np.asarray(axis.values)

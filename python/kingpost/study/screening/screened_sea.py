@@ -1,4 +1,4 @@
-"""The limiting sea by the screen, at the periods and directions of a series alone."""
+"""Limiting sea by linear response, only at the periods and directions of a series."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 REFUSED = "not in the scenario"
-"""Where there is no height: the scenario cannot have the sea, or it was not asked for."""
+"""Reason for a missing height: the scenario refuses the sea, or the sea was not given."""
 DIGITS = 3
-"""Decimal places of periods, s, and directions, deg, by which seas are told apart."""
+"""Decimal places of periods, s, and directions, deg, by which seas are distinguished."""
 
 
 def sea_names(scenario: Scenario) -> dict[str, str]:
-    """The parameters of a scenario that write height, peak period and direction of its waves.
+    """Find the parameters of a scenario that set height, peak period and direction of its waves.
 
     >>> from kingpost import load
     >>> sea_names(load("offshore_vessel"))["peak_period"]
@@ -33,14 +33,14 @@ def sea_names(scenario: Scenario) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class ScreenedSea:
-    """Limiting heights at the seas that were asked for, called with peak period (s) and direction (rad).
+    """Limiting heights at given seas; called with peak period (s) and direction (rad).
 
     Attributes
     ----------
     known
-        By period, s, and direction, deg.
+        Limiting height and governing limit by period, s, and direction, deg.
     refused
-        Why the scenario cannot have some of the seas; empty where it can have all.
+        Reason why the scenario refuses some of the seas; empty if it accepts all.
     """
 
     known: dict[tuple[float, float], tuple[float, str]]
@@ -58,33 +58,33 @@ def of_screen(
     acceptance: float,
     names: dict[str, str] | None = None,
 ) -> ScreenedSea:
-    """Limiting heights by linear response at given peak periods and directions.
+    """Compute limiting heights by linear response at given peak periods and directions.
 
     Parameters
     ----------
     scenario
-        With waves and limits.
+        Scenario with waves and limits.
     periods_s, directions_rad
-        Of each sea; those with a NaN are left out.
+        Peak period and direction of each sea; seas with a NaN are left out.
     operation_s
-        How long the operation lasts, s.
+        Duration of the operation, s.
     acceptance
-        Probability that a limit may be exceeded in it.
+        Accepted probability that a limit is exceeded in the operation.
     names
-        Parameters of the scenario, by ``significant_height``, ``peak_period``, ``direction``; as `sea_names`
-        finds them unless given.
+        Parameters of the scenario by ``significant_height``, ``peak_period``, ``direction``; default: result
+        of `sea_names`.
 
     Returns
     -------
     ScreenedSea
-        Called with a period and a direction it gives the height and the limit. Seas that were not given are
-        not known, nor are those that the scenario cannot have: its hull's data may not cover their
-        frequencies.
+        Function of period and direction that returns the height and the governing limit. The height is
+        unknown for seas that were not given or that the scenario refuses, for example because its hull's data
+        do not cover their frequencies.
 
     Raises
     ------
     KingpostError
-        When the scenario has no such parameters, no limits, or can have none of the seas.
+        If the scenario has no such parameters or no limits, or refuses all seas.
     """
     from .screen import screen
 
@@ -113,7 +113,7 @@ def of_screen(
 
 
 def _refused(scenario: Scenario, name: str, periods: list[float]) -> dict[float, ScenarioError]:
-    """Periods that the scenario cannot have, with what it says of them."""
+    """Periods that the scenario refuses, with the error of each."""
     found = {}
     for period in dict.fromkeys(periods):
         try:
@@ -130,5 +130,5 @@ def _in_words(refused: dict[float, ScenarioError]) -> str:
 
 
 def _key(period_s: float, direction_deg: float) -> tuple[float, float]:
-    # From -180 to 180, which parameters have.
+    # From -180 to 180 deg, the range of the parameters.
     return round(period_s, DIGITS), round((direction_deg + 180) % 360 - 180, DIGITS) or 0.0

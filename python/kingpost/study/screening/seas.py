@@ -1,4 +1,4 @@
-"""Cases that differ in their sea alone, whose moments are sums over one response."""
+"""Moments of cases that differ only in their sea, as sums over one common response."""
 
 from __future__ import annotations
 
@@ -22,12 +22,13 @@ if TYPE_CHECKING:
 
 HEIGHT = "significant_height_m"
 NOT_DRAWN = ("parameters",)
-"""Fields of a resolved scenario that say how it was made, not what it is."""
+"""Fields of a resolved scenario that describe its origin, not its model."""
 
 
 @dataclass(frozen=True)
 class Sea:
-    """A sea of some cases: its systems as if they went to 0, and where each goes to."""
+    """Sea common to several cases: its wave systems turned to direction 0, and the direction of each
+    system."""
 
     key: str
     directions_rad: tuple[float, ...]
@@ -35,18 +36,18 @@ class Sea:
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis of a study, by what each of its values changes of the resolved scenario.
+    """An axis of a study, with the changes of the resolved scenario by each of its values.
 
     Attributes
     ----------
     name
-        Of the axis.
+        Name of the axis.
     values
-        Along it.
+        Values along the axis.
     overrides
-        Of each value.
+        Overrides for each value.
     changes
-        Of each value: by path of a field what it becomes.
+        Changes for each value: the new value by the path of a field.
     """
 
     name: str
@@ -56,26 +57,27 @@ class Axis:
 
     @classmethod
     def of(cls, base: Scenario, name: str, values: Sequence[object]) -> Axis:
-        """An axis of a scenario."""
+        """Make an axis of a scenario."""
         names = [part.strip() for part in name.split(",")]
         are_drawn = len(names) > 1
         each = (value if are_drawn and isinstance(value, Iterable) else [value] for value in values)
         overrides = [dict(zip(names, one, strict=True)) for one in each]
         flat = _flat(base.resolved)
         resolved = [_flat(base.with_overrides(one).resolved) for one in overrides]
-        # What a value makes the same as the base is changed by it too, where another value changes it.
+        # If one value of the axis changes a field, all values have it among their changes, also those equal
+        # to the base.
         touched = {path for one in resolved for path in one | flat if one.get(path) != flat.get(path)}
         changes = [{path: one.get(path) for path in sorted(touched)} for one in resolved]
         return cls(name, list(values), overrides, changes)
 
     @property
     def is_of_the_sea(self) -> bool:
-        """Whether it changes nothing but waves."""
+        """Whether the axis changes only waves."""
         return all(path[:2] == ("sea", "waves") for change in self.changes for path in change)
 
     @property
     def is_of_the_height(self) -> bool:
-        """Whether it changes the significant height of waves and nothing else."""
+        """Whether the axis changes only the significant height of waves."""
         paths = [path for change in self.changes for path in change]
         return self.is_of_the_sea and bool(paths) and all(path[-1] == HEIGHT for path in paths)
 
@@ -89,7 +91,7 @@ def _flat(tree: object, path: tuple[str, ...] = ()) -> dict[tuple[str, ...], obj
 
 
 def sea_of(resolved: Mapping[str, Any], axes: Sequence[Axis], case: tuple[int, ...]) -> Sea:
-    """The sea of a case: what its values change of the waves, the directions apart."""
+    """Return the sea of a case: the changes of the waves by its values, with directions separated."""
     waves = {name: dict(one) for name, one in (resolved.get("sea") or {}).get("waves", {}).items()}
     flat = _flat(waves)
     for axis, k in zip(axes, case, strict=True):
@@ -113,13 +115,13 @@ def sea_of(resolved: Mapping[str, Any], axes: Sequence[Axis], case: tuple[int, .
 def moments(
     simulation: Simulation, columns: list[str], seas: Sequence[Sea]
 ) -> tuple[spectral.Transfer, Numbers, list[str]]:
-    """m0, m2 and m0 of the halved response, for each sea and column."""
+    """Compute m0, m2 and m0 of the halved response for each sea and column."""
     keys = {key: k for k, key in enumerate(dict.fromkeys(sea.key for sea in seas))}
     trees = [json.loads(key) for key in keys]
     shapes = simulation.sea_spectra([], spectral.SPREAD, trees)
     if not all(shapes):
         raise KingpostError("sea.waves: found a case without any, allowed: a wave system with enabled: true")
-    # By key the number of each of its systems that run among those of its sea.
+    # By key: the index of each enabled system among those of the sea.
     running = [
         [list(tree).index(one["name"]) for one in one_sea]
         for tree, one_sea in zip(trees, shapes, strict=True)
@@ -130,7 +132,7 @@ def moments(
     lines = np.unique(np.concatenate([spectral.lines_of(one) for one in shapes]))
     found = spectral.transfer(simulation, columns, directions, nodes, lines)
     densities = simulation.sea_spectra(found.omega_rad_s, spectral.SPREAD, trees)
-    # By key and system: by direction and column, whatever direction a case takes.
+    # By key and system: moments by direction and column, for all directions.
     every = [[_weighted(found, one) for one in one_sea] for one_sea in densities]
     sums = np.zeros((3, len(seas), len(found.columns)))
     for case, (sea, systems) in enumerate(zip(seas, turned, strict=True)):
@@ -153,7 +155,7 @@ def _weighted(found: spectral.Transfer, system: WaveSystem) -> Numbers | None:
 
 
 def _turned(systems: Sequence[WaveSystem], numbers: Sequence[int], sea: Sea) -> list[WaveSystem]:
-    """Systems as they go in a sea, of those that go to 0."""
+    """Turn wave systems from direction 0 to their directions in a sea."""
 
     def turn(one: WaveSystem, direction: float) -> WaveSystem:
         lines = [(omega, direction, variance) for omega, _, variance in one["lines"]]

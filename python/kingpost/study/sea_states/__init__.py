@@ -1,1 +1,1 @@
-"""Sea states of a place: scatter tables, series over time, periods."""
+"""Sea states of a site: scatter tables, time series, periods."""

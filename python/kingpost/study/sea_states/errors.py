@@ -6,14 +6,14 @@ from ...errors import KingpostError
 
 
 class SeaFileError(KingpostError):
-    """A file with sea states that is wrong.
+    """An error in a file with sea states.
 
     Attributes
     ----------
     file, line
-        Where; `None` where there is no such place.
+        Place of the error; `None` if it has none.
     field, found, allowed
-        What is wrong, what stands there and what may stand there.
+        Wrong field, the value found and the allowed values.
     """
 
     def __init__(

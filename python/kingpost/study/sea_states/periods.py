@@ -1,4 +1,4 @@
-"""Mean periods of a sea, against its peak period."""
+"""Ratios of mean periods of a sea to its peak period."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ NAMES = {
     "mean zero crossing period": ZERO_UP_CROSSING,
     "energy period": ENERGY,
 }
-"""Kind of a period by its name in tables and series: names of ERA5 among them, whose mwp is T(-1, 0), and
-words in full, hyphens and underscores taken as blanks."""
+"""Kind of a period by its name in tables and series, including names of ERA5 (mwp is T(-1, 0)) and names in
+full; hyphens and underscores count as blanks."""
 
 
 def kind_of(name: str) -> str | None:
@@ -52,7 +52,7 @@ def kind_of(name: str) -> str | None:
 
 @lru_cache(maxsize=64)
 def ratio(kind: str, peak_enhancement: float = 3.3) -> float:
-    """A mean period over the peak period, of a JONSWAP spectrum.
+    """Compute the ratio of a mean period to the peak period of a JONSWAP spectrum.
 
     S(w) ~ w^-5 exp(-5/4 w^-4) gamma^exp(-(w - 1)^2 / (2 s^2)), s = 0.07 up to the peak and 0.09 above
     (Hasselmann et al. 1973; DNV-RP-C205, 3.5.5), integrated to w = 100.
@@ -67,12 +67,12 @@ def ratio(kind: str, peak_enhancement: float = 3.3) -> float:
     Returns
     -------
     float
-        Below 1, but for the peak period itself.
+        Ratio, 1; below 1 except for the peak period itself.
 
     Raises
     ------
     KingpostError
-        When the kind is unknown or gamma out of its range.
+        If the kind is unknown or gamma is out of its range.
 
     >>> round(ratio("zero_up_crossing", 1.0), 3), round(ratio("energy"), 3)
     (0.71, 0.903)

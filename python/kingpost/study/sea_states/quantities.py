@@ -1,4 +1,4 @@
-"""Names of a scenario that set quantities of the sea."""
+"""Parameters and fields of a scenario that set quantities of the sea."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ QUANTITIES = {
     "peak_period": "peak_period_s",
     "direction": "direction_",
 }
-"""How the last name of a field begins that has a quantity of the sea."""
+"""Prefix of the last name in the path of a field with a quantity of the sea."""
 
 
 def quantities(writes: Mapping[str, Sequence[str]]) -> dict[str, str]:
-    """The first name that writes each quantity of the sea, by quantity.
+    """Find the first name that sets each quantity of the sea.
 
     Parameters
     ----------
     writes
-        By name the paths of the fields that it sets.
+        Paths of the fields that each name sets.
 
     >>> quantities({"tp_s": ["sea.waves.wind_sea.jonswap.peak_period_s"], "load_t": ["bodies.load.mass_t"]})
     {'peak_period': 'tp_s'}

@@ -1,22 +1,22 @@
-"""Scatter tables of a place: how often each significant height comes with each period.
+"""Scatter tables of a site: occurrences by significant height and period.
 
 A file is CSV, with commas, semicolons or tabs, in one of two forms.
 
 A matrix has a row for each class of Hs and a column for each class of the period. The first cell of the
-header says which period it is: ``Hs\\Tp``, ``Hs/Tz``. The labels are ranges, ``0.5-1.0``, or numbers; then
-a line ``# classes: centres`` above the table says what these are, or ``lower edges``, ``upper edges``. Among
-ranges the first may be ``<6`` and the last ``>14``: such a class is as wide as its neighbour. A line
-``# entries: per cent`` says that the entries add up to 100; else they are occurrences. A last row or column
-``total`` or ``sum`` is left out, and so are lines above the header, such as a title::
+header gives the kind of the period: ``Hs\\Tp``, ``Hs/Tz``. The labels are ranges, ``0.5-1.0``, or numbers;
+for numbers, a line above the table gives their meaning: ``# classes: centres``, ``lower edges`` or ``upper
+edges``. The first range may be ``<6`` and the last ``>14``: such a class is as wide as its neighbour. With a
+line ``# entries: per cent`` the entries add up to 100; otherwise they are occurrences. A last row or column
+``total`` or ``sum`` and lines above the header, such as a title, are ignored::
 
     # classes: centres
     Hs\\Tp, 6, 8, 10
     0.5,   10, 20,  5
     1.5,    2, 15, 10
 
-The long form has a line for each class or sea, under names: ``hs``, ``tp`` (or ``tz``), ``occurrences``,
-and if wanted ``month`` (1 to 12) and ``direction_to_deg`` (that waves go to) or ``direction_from_deg``. Its
-Hs and periods are points: the whole of the entry has them.
+The long form has a line for each class or sea, with the columns ``hs``, ``tp`` (or ``tz``), ``occurrences``,
+and optionally ``month`` (1 to 12) and ``direction_to_deg`` (that waves travel towards) or
+``direction_from_deg``. Its Hs and periods are points: all occurrences of the entry have exactly these values.
 """
 
 from __future__ import annotations
@@ -41,30 +41,30 @@ HEIGHTS = ("hs", "hm0", "swh", "significant_height_m")
 COUNTS = (OCCURRENCES, "occurrence", "count", "frequency", PER_CENT, "percent", "probability")
 TOTALS = ("total", "totals", "sum", "all")
 UNITS = re.compile(r"\s*(?:[\[(](?:m|s|%|-)[\])])$")
-"""At the end of a column's name."""
+"""Unit at the end of a column's name."""
 MONTHS, FROM, TO = ("month",), ("direction_from_deg", "mwd"), ("direction_to_deg",)
 SUM_OFF = 1.0
-"""Difference that the sum of entries in per cent may have from 100, from rounding."""
+"""Largest rounding difference of the sum of entries in per cent from 100."""
 
 
 @dataclass(frozen=True)
 class ScatterTable:
-    """Classes of sea states with how often each occurs, one after the other.
+    """Classes of sea states with the occurrences of each.
 
     Attributes
     ----------
     height_m, height_from_m, height_to_m
-        Hs of each class: its middle and its edges, which are the same for a point.
+        Hs of each class: its centre and its edges, which are equal for a point.
     period_s
-        The middle of its period.
+        Period of each class at its centre.
     occurrences
-        How often it occurs, in any unit; all are there, those of 0 too.
+        Occurrences of each class, in any unit; classes with 0 are included.
     period
-        ``peak``, or which mean period: see `kingpost.study.sea_states.periods`.
+        ``peak`` or the kind of a mean period: see `kingpost.study.sea_states.periods`.
     month
-        1 to 12 of each class, or `None`.
+        Month of each class, 1 to 12, or `None`.
     direction_rad
-        That waves go to, of each class, or `None`.
+        Direction of each class that waves travel towards, or `None`.
     """
 
     height_m: NDArray[np.float64]
@@ -78,11 +78,11 @@ class ScatterTable:
 
     @property
     def total(self) -> float:
-        """The sum of all occurrences."""
+        """Sum of all occurrences."""
         return float(self.occurrences.sum())
 
     def with_peak_periods(self, peak_enhancement: float = 3.3) -> ScatterTable:
-        """Return the table over the peak period, by the ratio of a JONSWAP spectrum.
+        """Convert the table to peak periods, by the ratio of a JONSWAP spectrum.
 
         >>> table = ScatterTable(*np.ones((5, 1)), period="zero_up_crossing")
         >>> round(table.with_peak_periods().period_s.item(), 2)
@@ -92,24 +92,25 @@ class ScatterTable:
         return replace(self, period_s=peak_s, period=PEAK)
 
     def cells(self) -> list[tuple[float, float]]:
-        """Hs (m) and peak period (s) of each class that occurs, each once, in the table's order."""
+        """Hs (m) and peak period (s) of the classes with occurrences, without repetitions, in the table's
+        order."""
         of_peak = self.with_peak_periods()
         found = zip(of_peak.height_m.tolist(), of_peak.period_s.tolist(), self.occurrences, strict=True)
         return list({(height, period): None for height, period, count in found if count > 0})
 
 
 def read(path: str | Path, classes: str | None = None, entries: str | None = None) -> ScatterTable:
-    """A scatter table from a CSV file.
+    """Read a scatter table from a CSV file.
 
     Parameters
     ----------
     path
         The file.
     classes
-        What numbers beside a matrix are, if the file does not say: ``centres``, ``lower edges``, ``upper
-        edges``.
+        Meaning of the numbers beside a matrix, if the file does not state it: ``centres``, ``lower edges``,
+        ``upper edges``.
     entries
-        ``occurrences`` or ``per cent``, if the file does not say.
+        ``occurrences`` or ``per cent``, if the file does not state it.
 
     Returns
     -------
@@ -119,7 +120,7 @@ def read(path: str | Path, classes: str | None = None, entries: str | None = Non
     Raises
     ------
     ScatterError
-        When the file cannot be read or is no such table; with its line.
+        If the file cannot be read or is not a scatter table; the error names the line.
     """
     try:
         text = text_of(path)
@@ -133,7 +134,7 @@ def read(path: str | Path, classes: str | None = None, entries: str | None = Non
 def parse(
     text: str, file: str | None = None, classes: str | None = None, entries: str | None = None
 ) -> ScatterTable:
-    """A scatter table from the text of a file: see `read`.
+    """Parse a scatter table from the text of a file: see `read`.
 
     Parameters
     ----------
@@ -152,7 +153,7 @@ def parse(
     Raises
     ------
     ScatterError
-        When it is no such table; with its line.
+        If the text is not a scatter table; the error names the line.
 
     >>> table = parse("Hs/Tz,4-6,6-8\\n0-1,30,20\\n1-2,10,40")
     >>> table.period, table.height_m.tolist(), table.total
@@ -178,7 +179,7 @@ def _parts(first_cell: str) -> list[str]:
 
 
 def _is_header(cells: Sequence[str]) -> bool:
-    """Whether names or the first cell are those of a table; a title may stand in a line of its own above."""
+    """Whether a line is the header of a table, by its names or its first cell; titles may stand above it."""
     if sum(bool(cell) for cell in cells) < 2:
         return False
     return any(name in HEIGHTS for name in _names(cells)) or any(map(kind_of, _parts(cells[0])))

@@ -37,7 +37,7 @@ def edges(sheet: Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDArra
 
 
 def _from_ranges(labels: Sequence[str]) -> NDArray[np.float64] | None:
-    """Edges of classes that are ranges; the first may have no lower and the last no upper edge."""
+    """Edges of classes given as ranges; the first may lack a lower edge, the last an upper edge."""
     below, above = BELOW.fullmatch(labels[0]), ABOVE.fullmatch(labels[-1])
     closed = labels[1 if below else 0 : len(labels) - (1 if above else 0)]
     ranges = [RANGE.fullmatch(label) for label in closed]
@@ -67,7 +67,8 @@ def _from_numbers(sheet: Sheet, field: str, labels: Sequence[tuple[int, str]]) -
     if sheet.classes == UPPER:
         first = max(2 * values[0] - values[1], 0.0)
         return np.column_stack([np.insert(values[:-1], 0, first), values])
-    # Edges half way between centres; the first and the last class are as wide to both sides, not below 0.
+    # Edges half way between centres; the first and the last class are symmetric about their centres, not
+    # below 0.
     between = (values[1:] + values[:-1]) / 2
     first, last = 2 * values[0] - between[0], 2 * values[-1] - between[-1]
     return np.column_stack([np.insert(between, 0, max(first, 0.0)), np.append(between, last)])

@@ -1,4 +1,4 @@
-"""The file of a scatter table: rows with their lines, and what the lines above them say."""
+"""File of a scatter table: rows with their line numbers, and the settings in the lines above them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SPELLED = {
     **dict.fromkeys(("lower", "lower edge"), LOWER),
     **dict.fromkeys(("upper", "upper edge"), UPPER),
 }
-"""Other spellings of these."""
+"""Other spellings of the settings' values."""
 
 
 HEADER = (
@@ -31,12 +31,12 @@ HEADER = (
 
 
 class ScatterError(SeaFileError):
-    """A scatter table that is wrong."""
+    """An error in a scatter table."""
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """Rows of a file with their lines, and what the lines above them say."""
+    """Rows of a file with their line numbers, and the settings in the lines above them."""
 
     file: str | None
     header: list[str]
@@ -55,7 +55,7 @@ class Sheet:
         entries: str | None,
         is_header: Callable[[Sequence[str]], bool],
     ) -> Sheet:
-        """The sheet of a text. Lines above its header are titles, and left out."""
+        """Parse the sheet of a text. Lines above the header are titles and are ignored."""
         said = {"classes": classes, "entries": entries}
         allowed = {"classes": CLASSES, "entries": (OCCURRENCES, PER_CENT)}
         lines = []
@@ -93,7 +93,7 @@ class Sheet:
         return ScatterError(field, found, allowed, self.file, line)
 
     def number(self, cell: str, field: str, line: int, least: float = 0.0) -> float:
-        """A number that is finite and not less than `least`."""
+        """Parse a finite number not less than `least`."""
         try:
             value = decimal(cell, self.separator)
         except ValueError:

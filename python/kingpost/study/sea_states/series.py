@@ -1,4 +1,4 @@
-"""Sea states one after the other: a hindcast or a forecast at a place."""
+"""Time series of sea states: a hindcast or a forecast at a site."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ if TYPE_CHECKING:
 
 
 class SeriesError(SeaFileError):
-    """A series that is wrong."""
+    """An error in a series of sea states."""
 
 
 @dataclass(frozen=True)
 class Series:
-    """Sea states one after the other.
+    """Time series of sea states.
 
     Attributes
     ----------
     time
-        UTC, ``datetime64[s]``, rising; steps may be uneven.
+        Times in UTC, ``datetime64[s]``, increasing; steps may be uneven.
     height_m
         Hs; NaN in a gap.
     period_s
         NaN in a gap.
     period
-        ``peak``, or which mean period: see `kingpost.study.sea_states.periods`.
+        ``peak`` or the kind of a mean period: see `kingpost.study.sea_states.periods`.
     direction_from_deg
-        Waves come from, clockwise from north; `None` where there are none.
+        Direction that the waves come from, clockwise from north; `None` if unknown.
     place
-        What is known of where it is.
+        Description of the site.
     """
 
     time: NDArray[np.datetime64]
@@ -58,21 +58,22 @@ class Series:
 
     @property
     def step_hours(self) -> float:
-        """The usual step, h: the median."""
+        """Median time step, h."""
         return float(np.median(np.diff(self.hours))) if len(self.time) > 1 else 0.0
 
     def with_peak_periods(self, peak_enhancement: float = 3.3) -> Series:
-        """Return the series over the peak period, by the ratio of a JONSWAP spectrum."""
+        """Convert the series to peak periods, by the ratio of a JONSWAP spectrum."""
         return replace(self, period_s=self.period_s / ratio(self.period, peak_enhancement), period=PEAK)
 
     def directions_rad(self, x_axis_deg: float) -> NDArray[np.float64]:
-        """That waves go to, from the x axis of a scenario towards port; it points to `x_axis_deg`, clockwise
-        from north. Waves from ahead go to pi, from starboard to pi / 2.
+        """Directions that the waves travel towards, counted from the x axis of a scenario towards port.
+        `x_axis_deg` is the direction of this axis, clockwise from north. Waves from ahead travel towards pi,
+        from starboard towards pi / 2.
 
         Raises
         ------
         KingpostError
-            When the series has no directions.
+            If the series has no directions.
 
         >>> time = np.array(["2026-05-01T00", "2026-05-01T03"], "datetime64[s]")
         >>> series = Series(time, np.ones(2), np.ones(2), direction_from_deg=np.array([45.0, 135.0]))
@@ -88,7 +89,7 @@ class Series:
 
 
 def moment(cell: str, field: str, file: str | None = None, line: int | None = None) -> np.datetime64:
-    """A time in UTC from its text.
+    """Parse a time in UTC.
 
     >>> str(moment("2026-05-01T08:00+02:00", "time"))
     '2026-05-01T06:00:00'

@@ -1,4 +1,4 @@
-"""Columns of a file with a series of sea states: names, units, and what names do not say."""
+"""Columns of a file with a series of sea states: names, units, and the meaning of unknown names."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ KINDS = (PEAK, *MOMENTS)
 
 @dataclass(frozen=True)
 class Said:
-    """Meanings that the caller gives, where the file does not have them."""
+    """Meanings of columns given by the caller, for those that the file does not define."""
 
     direction: str | None = None
     period: str | None = None
@@ -63,7 +63,7 @@ class Columns:
         file: str,
         line: int | None = None,
     ) -> Columns:
-        """Find the columns by the names that the caller gives, else by known ones."""
+        """Find the columns by the names that the caller gives, otherwise by known names."""
         for name in given.values():
             if name not in names:
                 raise SeriesError("columns", repr(name), ", ".join(names), file, line)
@@ -114,6 +114,6 @@ class Columns:
 
 
 def plain(name: str) -> tuple[str, str]:
-    """A name in small letters without its unit, and the unit."""
+    """Split a column's name into the lower-case name and the unit."""
     found = UNIT.match(name.strip())
     return (found[1].strip().lower(), found[2]) if found else (name.strip().lower(), "")

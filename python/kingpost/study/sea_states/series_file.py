@@ -1,16 +1,14 @@
-"""Series of sea states over time: hindcasts and forecasts, from CSV and NetCDF.
+"""Reading of time series of sea states, hindcasts and forecasts, from CSV and NetCDF.
 
-Known names, in any letters, with a unit behind them if wanted, as ``Hs (m)``:
+Known names, in upper or lower case, optionally followed by a unit, such as ``Hs (m)``:
 
-- time: ``time``, ``valid_time``, ``datetime``, ``date``, ``timestamp``, in ISO 8601; UTC where nothing
-  else is said;
+- time: ``time``, ``valid_time``, ``datetime``, ``date``, ``timestamp``, in ISO 8601; UTC if no zone is given;
 - significant height: ``hs``, ``hm0``, ``swh``, ``VHM0``, ``significant_height_m``;
 - period: ``tp``, ``pp1d``, ``VTPK``, ``peak_period_s``, or a mean one: ``tz``, ``tm02``, ``mp2``,
   ``VTM02`` (zero up-crossing), ``mwp``, ``te``, ``tm10``, ``VTM10`` (energy, T(-1, 0)), ``tm01``,
   ``mp1``; the peak period counts if there are both;
 - direction that waves come from, in degrees clockwise from north: ``mwd``, ``dp``, ``VMDR``,
-  ``direction_from_deg``; that they go to: ``direction_to_deg``. Another name has to be given with what it
-  means.
+  ``direction_from_deg``; that they go to: ``direction_to_deg``. For any other name the meaning must be given.
 
 ERA5 has swh, pp1d, mwp and mwd (ECMWF parameters 140229, 140231, 140232, 140230), mwd as waves come from.
 """
@@ -40,8 +38,8 @@ NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 DIRECTION_UNIT_IS = f"{flag('direction_unit')} deg or rad, direction_unit= in Python"
 QUANTITIES = ("time", "height", "period", "direction")
 MOST_HEIGHT_M, MOST_PERIOD_S = 30.0, 40.0
-"""No sea has more: the highest significant height that was measured is 19 m (WMO, North Atlantic, 4 February
-2013), and swell is shorter than 30 s. More is centimetres, feet or milliseconds."""
+"""Upper bounds of a sea: the highest measured significant height is 19 m (WMO, North Atlantic, 4 February
+2013), and swell is shorter than 30 s. Larger values are in centimetres, feet or milliseconds."""
 
 
 def read(
@@ -53,32 +51,33 @@ def read(
     period: str | None = None,
     direction_unit: str | None = None,
 ) -> Series:
-    """A series from a CSV or a NetCDF file.
+    """Read a series from a CSV or a NetCDF file.
 
     Parameters
     ----------
     path
-        ``.nc`` and the like is NetCDF, all else CSV, with commas, semicolons or tabs.
+        File: NetCDF with an ending such as ``.nc``, otherwise CSV with commas, semicolons or tabs.
     columns
-        Names in the file of ``time``, ``height``, ``period``, ``direction``, where they are not known ones.
+        Names in the file of ``time``, ``height``, ``period``, ``direction``, if they are not among the known
+        names.
     direction
-        ``from`` or ``to``: what a direction under another name means.
+        ``from`` or ``to``: meaning of a direction under an unknown name.
     at
-        Latitude and longitude, degrees: of a file with several points the nearest one counts.
+        Latitude and longitude, degrees: the nearest point is taken from a file with several points.
     period
-        ``peak``, ``zero_up_crossing``, ``energy`` or ``mean``: what a period under another name is.
+        ``peak``, ``zero_up_crossing``, ``energy`` or ``mean``: kind of a period under an unknown name.
     direction_unit
-        ``deg`` or ``rad``, where the file has no unit and all its directions lie between 0 and 2 pi.
+        ``deg`` or ``rad``, if the file has no unit and all its directions are between 0 and 2 pi.
 
     Returns
     -------
     Series
-        As the file has it.
+        The series in the file.
 
     Raises
     ------
     SeriesError
-        When the file cannot be read or is no such series; with its line if it is text.
+        If the file cannot be read or is not a series of sea states; for a text file the error names the line.
     """
     path = Path(path)
     given = dict(columns or {})
@@ -133,7 +132,7 @@ def _of_csv(path: Path, given: Mapping[str, str], said: Said) -> Series:
 
 
 def _number(cell: str, name: str, sign: str, file: str, line: int) -> float:
-    """A number; NaN of an empty cell."""
+    """Parse a number; an empty cell is NaN."""
     if cell.lower() in ("", "nan", "na", "null", "none", "-"):
         return np.nan
     try:
@@ -176,7 +175,7 @@ def _of_netcdf(path: Path, given: Mapping[str, str], said: Said, at: tuple[float
 
 
 def _at_point(data: xarray.Dataset, at: tuple[float, float] | None, file: str) -> tuple[xarray.Dataset, str]:
-    """The nearest point; what has one value only is left out."""
+    """Select the nearest point; drop dimensions with a single value."""
     said: list[str] = []
     for k, (what, names) in enumerate(PLACES.items()):
         name = next((name for name in names if name in data.dims), None)
@@ -230,7 +229,8 @@ def _checked(
 
 
 def _in_degrees(direction: NDArray[np.float64], columns: Columns, file: str) -> NDArray[np.float64]:
-    """Directions in degrees. Without a unit, those that all lie between 0 and 2 pi may be radians."""
+    """Convert directions to degrees. Without a unit, directions that are all between 0 and 2 pi may be in
+    radians."""
     known = direction[np.isfinite(direction)]
     if not columns.direction_unit and known.size and known.min() >= 0 and known.max() <= 2 * np.pi:
         found = f"no unit, and all values from {known.min():g} to {known.max():g}"

@@ -1,1 +1,2 @@
-"""Folder of a study: names of its files, the frame of the results, digests, writing and reading."""
+"""Folder of a study: names of its files, coordinates and attributes of the results, digests, writing and
+reading."""

@@ -1,4 +1,4 @@
-"""Digests by which the numbers of a study, and the frame that they stand in, are verified."""
+"""Digests that verify the numbers of a study and their frame (coordinates and attributes)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def digest(arrays: Mapping[str, NDArray[np.generic]]) -> str:
 
 
 def frame_digest(coordinates: Mapping[str, NDArray[np.generic]], attributes: Mapping[str, object]) -> str:
-    """SHA-256 of coordinates and attributes: what the numbers of a study stand for."""
+    """SHA-256 of the coordinates and attributes, which give the numbers of a study their meaning."""
     texts = {name: np.array(values.tolist(), str) if values.dtype.kind == "T" else values
              for name, values in coordinates.items()}  # fmt: skip
     said = np.array(json.dumps(dict(attributes), sort_keys=True))

@@ -76,7 +76,7 @@ def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[np.generic], dict[st
         found["limit"] = ("limit", np.array([one.name for one in plan.limits], texts), {})
         found["limit_column"] = ("limit", np.array([one.column for one in plan.limits], texts), {})
         found["limit_unit"] = ("limit", np.array([one.unit for one in plan.limits], texts), {})
-        # No bound is NaN.
+        # A missing bound is NaN.
         found["at_least"] = ("limit", np.array([one.at_least for one in plan.limits], float), {})
         found["at_most"] = ("limit", np.array([one.at_most for one in plan.limits], float), {})
         of_scenario = plan.scenario.resolved["limits"]

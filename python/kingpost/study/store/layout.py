@@ -1,4 +1,4 @@
-"""Layout of a study's folder: the names of its files, its description, and the markers of its units."""
+"""Layout of a study's folder: names of its files, the description, and the markers of finished units."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class About(TypedDict):
 
 
 class Marker(TypedDict):
-    """Marker of a unit that is done; `ends` says by the number of a run why it ended early."""
+    """Marker of a finished unit; `ends` gives, by the number of a run, the reason why it ended early."""
 
     unit: int
     runs: list[int]
@@ -45,12 +45,12 @@ class Marker(TypedDict):
 
 
 def about_of(folder: Path) -> About | None:
-    """Read the description of the study in a folder; None where there is none.
+    """Read the description of the study in a folder; None if there is none.
 
     Raises
     ------
     KingpostError
-        When its description is damaged, or of a later version.
+        If the description is damaged, or of a later version.
     """
     path = folder / ABOUT
     try:
@@ -65,7 +65,7 @@ def about_of(folder: Path) -> About | None:
 
 
 def markers(folder: Path) -> Iterator[Marker]:
-    """Yield the content of the markers of units that are done, in order."""
+    """Yield the content of the markers of finished units, in order."""
     for path in sorted((folder / UNITS).glob("[0-9]*.json")):
         try:
             yield json.loads(path.read_text(encoding="utf-8"))

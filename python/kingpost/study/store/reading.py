@@ -1,7 +1,6 @@
-"""The results of a study as they are read: whole, or an error that names what is damaged.
-
-The digest of each unit stands in its marker, that of the frame (coordinates and attributes) in the study's
-description. A unit without a marker has not run to its end, and its numbers do not count.
+"""Reading of a study's results, with an error that names damaged parts. The marker of each unit holds the
+digest of the unit's numbers; the study's description holds the digest of the frame (coordinates and
+attributes). A unit without a marker is not finished, and its numbers do not count.
 """
 
 from __future__ import annotations
@@ -24,17 +23,18 @@ if TYPE_CHECKING:
     import xarray
 
 MOST_NAMED = 5
-"""The most damaged units that an error names."""
-AGAIN = "`kingpost study FILE --resume` computes what is damaged anew"
+"""Largest number of damaged units that an error names."""
+AGAIN = "`kingpost study FILE --resume` computes the damaged parts again"
 
 
 def open_results(folder: Path) -> xarray.Dataset:
-    """The results of a study, in memory, each number verified.
+    """Read the results of a study into memory and verify every number by its digest.
 
     Raises
     ------
     KingpostError
-        If there is no study, or a part of it is damaged: the description, the frame or the numbers of a unit.
+        If there is no study, or its description, its coordinates or attributes, or the numbers of a unit are
+        damaged.
     """
     import xarray
     import zarr
@@ -51,23 +51,26 @@ def open_results(folder: Path) -> xarray.Dataset:
         fills = {name: raw[name].fill_value for name in arrays}
         frame = frame_digest({str(name): raw[str(name)][...] for name in found.coords}, dict(group.attrs))
     if about.get("frame", frame) != frame:
-        raise KingpostError(f"{path}: found a damaged frame of the results, allowed: whole; {AGAIN}")
+        raise KingpostError(
+            f"{path}: found coordinates or attributes that do not match their digest, "
+            f"allowed: unchanged ones; {AGAIN}"
+        )
     for runs in _not_done(folder, about, arrays):
         for name in arrays:
             found[name].values[runs] = fills[name]
-    # Texts as other data sets have them.
+    # Texts in the form of other data sets.
     texts = {name: (one.dims, np.array(one.values.tolist(), str), one.attrs)
              for name, one in found.coords.items() if one.dtype.kind == "T"}  # fmt: skip
     return found.assign_coords(texts)
 
 
 def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generic]]) -> list[slice]:
-    """The runs of the units without a marker.
+    """Return the runs of the units without a marker.
 
     Raises
     ------
     KingpostError
-        If a marker cannot be read, or the numbers of a unit are not those that it was written with.
+        If a marker cannot be read, or the numbers of a unit do not match the digest in its marker.
     """
     size, damaged, missing = int(about["runs_of_unit"]), [], []
     for unit, first in enumerate(range(0, int(about["runs"]), size)):
@@ -81,7 +84,7 @@ def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generi
         named = ", ".join(str(unit) for unit in damaged[:MOST_NAMED])
         more = f" and {len(damaged) - MOST_NAMED} more" if len(damaged) > MOST_NAMED else ""
         raise KingpostError(
-            f"{folder}: found damaged numbers in unit {named}{more}, allowed: those written; {AGAIN}"
+            f"{folder}: found damaged numbers in unit {named}{more}, allowed: the written numbers; {AGAIN}"
         )
     return missing
 
@@ -98,11 +101,13 @@ def _is_whole(marker: Path, about: About, arrays: Mapping[str, NDArray[np.generi
 
 @contextmanager
 def _named(path: Path) -> Iterator[None]:
-    """Whatever a damaged chunk leads to, in the library or its codecs, as one error in words."""
+    """Convert any exception of the library or its codecs on a damaged chunk into one `KingpostError`."""
     try:
-        # Of parts that the library does not know it warns: the digests say more.
+        # The library's warnings about unknown parts are suppressed: the digests are checked anyway.
         with warnings.catch_warnings(action="ignore"):
             yield
     except Exception as error:
         reason = shortened(" ".join(str(error).split()) or type(error).__name__)
-        raise KingpostError(f"{path}: found damaged results ({reason}), allowed: whole; {AGAIN}") from None
+        raise KingpostError(
+            f"{path}: found damaged results ({reason}), allowed: undamaged ones; {AGAIN}"
+        ) from None

@@ -1,7 +1,6 @@
-"""The folder of a study: a Zarr group of results, and a marker for each unit that is whole.
-
-A unit is done when its marker is there and the hash in it is that of the numbers in the arrays; whatever else
-stands there, after a power cut or on a full disk, is computed again.
+"""Writing of a study's folder: a Zarr group of results, and a marker for each finished unit. A unit is
+finished if it has a marker whose digest matches the numbers in the arrays. All other units, for example after
+a power cut or on a full disk, are computed again.
 """
 
 from __future__ import annotations
@@ -34,20 +33,20 @@ if TYPE_CHECKING:
     import zarr
 
 BEGINNING = ".beginning-"
-"""How the name of a folder begins that is gone once a study has begun."""
+"""Prefix of a temporary folder that exists only while a study is laid out."""
 PARTIAL = ".partial"
-"""How the name of a file ends, here and in Zarr, that is not yet in its place."""
+"""Suffix of a temporary file, here and in Zarr, before it is renamed."""
 
 
 class Store:
-    """The folder of a study that runs.
+    """Folder of a running study.
 
     Parameters
     ----------
     folder
-        Where.
+        Path of the folder.
     plan
-        What runs.
+        Plan of the study.
     """
 
     def __init__(self, folder: Path, plan: Plan) -> None:
@@ -57,17 +56,16 @@ class Store:
         self._arrays: dict[str, zarr.Array] = {}
 
     def begin(self, resume: bool, alone: bool = False) -> None:
-        """Lay out the folder, or find the same study in it; what of its frame is damaged is written anew.
-
-        Where nobody else is at work, `alone`, what a process that was killed left half written is removed.
+        """Lay out the folder, or find the same study in it and rewrite damaged parts of its frame. If no
+        other process works there (`alone`), remove the temporary files of killed processes.
 
         Raises
         ------
         KingpostError
-            When there is a study and `resume` is not given, another study, or a file of another with the
-            name of a study's.
+            If the folder holds a study and `resume` is not given, another study, or a foreign file with the
+            name of a study's file.
         OutputError
-            When the folder cannot be written.
+            If the folder cannot be written.
         """
         about = self._about()
         found = about_of(self.folder)
@@ -86,16 +84,16 @@ class Store:
             _replace(self.folder / STUDY, self.plan.file.text.encode())
             _replace(self.folder / SCENARIO, self.plan.scenario.json.encode())
             if found != about:
-                # The one file without which a study is lost.
+                # A study cannot be resumed without this file.
                 write_text(self.folder / ABOUT, json.dumps(about, indent=1))
             self._lay_out()
 
     def _check_foreign(self) -> None:
-        """Refuse to write over files of others that have the names of a study's."""
+        """Refuse to overwrite foreign files that have the names of a study's files."""
         own = {STUDY: self.plan.file.text.encode(), SCENARIO: self.plan.scenario.json.encode()}
         for name, content in own.items():
             path = self.folder / name
-            # The same content is that of a study that was stopped while it began.
+            # A file of equal content comes from a study that was stopped at its beginning.
             if path.exists() and not (path.is_file() and path.read_bytes() == content):
                 raise KingpostError(
                     f"{path}: found a file of something else, allowed: a folder without {name}, as the "
@@ -148,7 +146,7 @@ class Store:
         )
 
     def _lay_out(self) -> None:
-        """Write the frame of the results beside them, and what of it differs into its place."""
+        """Write the frame of the results to a temporary folder, and replace the parts that differ."""
         with tempfile.TemporaryDirectory(dir=self.folder, prefix=BEGINNING) as beside:
             frame = Path(beside) / RESULTS
             write_frame(frame, self.plan)
@@ -164,7 +162,7 @@ class Store:
         Raises
         ------
         OutputError
-            When the disk is full, or takes it not for another reason.
+            If the unit cannot be written, for example on a full disk.
         """
         runs = self.plan.runs_in(result.unit)
         with _written(self.folder / RESULTS):
@@ -182,11 +180,11 @@ class Store:
             _replace(self.marker(result.unit), json.dumps(marker, indent=1).encode())
 
     def marker(self, unit: int) -> Path:
-        """The file that says that a unit is done."""
+        """Path of the marker of a finished unit."""
         return self.folder / UNITS / f"{unit:06d}.json"
 
     def done(self, unit: int) -> bool:
-        """Whether a unit is whole: its marker, and numbers with the hash that the marker has."""
+        """Whether a unit is finished: it has a marker, and its numbers match the digest in the marker."""
         runs = self.plan.runs_in(unit)
         try:
             marker = json.loads(self.marker(unit).read_text(encoding="utf-8"))
@@ -198,7 +196,7 @@ class Store:
         try:
             arrays = {name: np.asarray(self._array(name)[runs.start : runs.stop]) for name in self.variables}
         except Exception:
-            # Whatever a damaged chunk leads to, in the library or its codecs: the unit runs again.
+            # After any exception of the library or its codecs on a damaged chunk the unit runs again.
             return False
         return digest(arrays) == expected[2]
 
@@ -211,9 +209,8 @@ class Store:
 
 
 def _replace(path: Path, content: bytes) -> None:
-    """Put a file in its place in one step, unless that stands there already.
-
-    It does not wait for the disk, which may take a second: what a power cut damages is found and made anew.
+    """Replace a file in one step, unless it already has this content. It does not wait for the disk, which
+    may take a second: damage by a power cut is found later and repaired.
     """
     try:
         if path.read_bytes() == content:
@@ -230,7 +227,7 @@ def _replace(path: Path, content: bytes) -> None:
 
 @contextmanager
 def _written(path: Path) -> Iterator[None]:
-    """Writing below a path: what the system refuses is one error."""
+    """Convert an error of the system on writing below a path into an `OutputError`."""
     try:
         yield
     except OSError as error:

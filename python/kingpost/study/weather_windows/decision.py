@@ -1,4 +1,4 @@
-"""Go or no-go from a forecast."""
+"""Go or no-go decision from a forecast."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ class Decision:
     Attributes
     ----------
     is_go
-        Whether the reference period from now on lies in a window.
+        Whether the reference period from now on is within a window.
     now
-        The moment that it is decided at, UTC.
+        Time of the decision, UTC.
     windows
-        Those that are long enough, from now on.
+        Sufficiently long windows from now on.
     lead_h
-        Until the first of them begins, h; 0 in it, NaN without one.
+        Time until the first window begins, h; 0 inside it, NaN without a window.
     governs
-        What stands against beginning now: a limit, or another reason. Where nothing does, the limit that
-        comes nearest in the reference period.
+        Reason against beginning now: a limit or another one. If there is none, the limit with the highest
+        utilisation in the reference period.
     reference_h, alpha
-        What it was decided with.
+        Reference period, h, and alpha of the decision.
     found
-        The records from now on, with what is allowed.
+        The records from now on, with the allowed heights.
     """
 
     is_go: bool
@@ -91,34 +91,36 @@ def decide(
     ahead_h: float = AHEAD_H,
     **how: Unpack[How],
 ) -> Decision:
-    """Whether an operation of a reference period may begin now, and its windows in what is ahead.
+    """Decide whether an operation of a reference period may begin now, and find its windows in the forecast.
 
     Parameters
     ----------
     series
         A forecast.
     limiting_height
-        By peak period (s) and direction (rad): the height and the limit that governs.
+        Function of peak period (s) and direction (rad) that returns the limiting height and the governing
+        limit.
     alpha
         The factor, more than 0, at most 1.
     reference_h
         T_R, h.
     now
-        UTC; the forecast's first record unless given. It counts from the first record that is not before it.
+        Time of the decision, UTC; default: the forecast's first record. The first record not before this time
+        counts.
     ahead_h
-        How far one looks, h.
+        Time ahead in which windows are sought, h.
     how
-        As `workable` takes it: ``x_axis_deg`` or ``direction_rad``, ``peak_enhancement``, ``longest_step_h``.
+        Options of `workable`: ``x_axis_deg`` or ``direction_rad``, ``peak_enhancement``, ``longest_step_h``.
 
     Returns
     -------
     Decision
-        With the windows.
+        Decision with the windows.
 
     Raises
     ------
     KingpostError
-        When the forecast has nothing from now on, or the reference period is longer than what is looked at.
+        If the forecast has no record from now on, or the reference period is longer than `ahead_h`.
 
     >>> time = np.arange("2026-05-01T00", "2026-05-02T00", dtype="datetime64[h]").astype("datetime64[s]")
     >>> series = Series(time, np.where(np.arange(24) < 6, 3.0, 1.0), np.full(24, 8.0))
@@ -137,7 +139,7 @@ def decide(
     found = workable(_part(series, kept), limiting_height, alpha, **how)
     fitting = tuple(windows(found, reference_h))
     lead_h = _hours(now, fitting[0].start) if fitting else np.nan
-    # The first record after now stands for now, where it is not a gap away.
+    # The first record after now represents now, unless there is a gap before it.
     begins = found.series.time[0]
     is_go = bool(fitting and fitting[0].start == begins and _hours(now, begins) <= found.longest_step_h)
     return Decision(
@@ -165,7 +167,8 @@ def _part(series: Series, kept: np.ndarray) -> Series:
 
 
 def _governs(found: Workable, reference_h: float, is_go: bool) -> str:
-    """The first reason against the reference period from now on; else the limit that comes nearest."""
+    """First reason against the reference period from now on; otherwise the limit with the highest
+    utilisation."""
     hours = found.series.hours
     inside = np.flatnonzero(hours <= reference_h * (1 + 1e-9))
     if is_go:

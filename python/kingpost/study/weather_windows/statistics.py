@@ -1,4 +1,4 @@
-"""How often and how long work may go on: waiting, months, persistence, of a hindcast."""
+"""Statistics of a hindcast's weather windows: waiting time, calendar months, persistence."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def waiting_h(found: Workable, reference_h: float) -> NDArray[np.float64]:
-    """From each record the time until an operation may begin, h; NaN where none may any more.
+    """Compute the time from each record until an operation may begin, h; NaN if none may begin later.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def waiting_h(found: Workable, reference_h: float) -> NDArray[np.float64]:
     Returns
     -------
     numpy.ndarray
-        By record; 0 where it may begin there.
+        Waiting time by record; 0 if an operation may begin there.
     """
     hours = found.series.hours
     starts = [(hours[first], hours[last] - reference_h) for first, last in found.runs()
@@ -41,7 +41,7 @@ def waiting_h(found: Workable, reference_h: float) -> NDArray[np.float64]:
 
 
 def by_month(found: Workable, reference_h: float) -> pandas.DataFrame:
-    """How it is in each calendar month, over all years: a row for each.
+    """Tabulate workability in each calendar month over all years, a row for each month.
 
     Parameters
     ----------
@@ -92,16 +92,16 @@ def by_month(found: Workable, reference_h: float) -> pandas.DataFrame:
 
 @dataclass(frozen=True)
 class Persistence:
-    """How long the sea stays below what is allowed.
+    """Statistics of the time for which the sea stays below the allowed height.
 
     Attributes
     ----------
     periods
-        How many there are.
+        Number of periods.
     mean_h, longest_h
-        Their durations, h.
+        Mean and longest duration, h.
     lasting
-        By hours: the share of the periods that last as long or longer.
+        Share of the periods that last at least a number of hours, by hours.
     """
 
     periods: int
@@ -111,7 +111,7 @@ class Persistence:
 
 
 def persistence(found: Workable, hours: tuple[float, ...] = (6.0, 12.0, 24.0, 48.0, 72.0)) -> Persistence:
-    """Statistics of all periods that may be worked in, however short.
+    """Compute statistics of all workable periods of any length.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def persistence(found: Workable, hours: tuple[float, ...] = (6.0, 12.0, 24.0, 48
     Returns
     -------
     Persistence
-        NaN for durations where there is no period.
+        The statistics; durations are NaN if there is no period.
     """
     lasts = np.array([window.duration_h for window in windows(found, 0.0)])
     if not len(lasts):

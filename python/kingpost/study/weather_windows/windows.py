@@ -1,19 +1,18 @@
-"""Weather windows: periods in which work may go on, and whether it may begin now.
-
-Words, as in DNV-OS-H101 (2011), sec. 4, and before it DNV's Rules for Planning and Execution of Marine
-Operations (1996), pt. 1 ch. 2:
+"""Weather windows: periods in which an operation may proceed. Terms, from DNV-OS-H101 (2011), sec. 4, and
+before it DNV's Rules for Planning and Execution of Marine Operations (1996), pt. 1 ch. 2:
 
 - **reference period** T_R = T_POP + T_C: the planned operation period and the estimated time for
-  contingencies. Where nothing is known of the latter it is as long as the former;
-- **alpha**: the forecast may show at most alpha times the limiting height, as forecasts err. It depends
-  on the reference period, the height, the forecast and the site; the tables are in those standards and in
-  DNV-ST-N001, and a number from them is the user's to give;
+  contingencies. If the latter is unknown, it is as long as the former;
+- **alpha**: the forecast height may be at most alpha times the limiting height, because forecasts are
+uncertain. Alpha depends on the reference period, the height, the forecast and the site; the tables are in
+those standards and in
+  DNV-ST-N001, and the user must take alpha from them;
 - **weather-restricted**: an operation with a reference period of at most 96 h and a planned one of at
   most 72 h.
 
-A record may be worked in when Hs <= alpha * limiting height at its own period and direction. A window goes
-from the first to the last of records in a row that may be worked in: between two such records the sea is
-taken as lying between them. A gap, a NaN, a period or a direction that was not studied ends it.
+A record is workable if Hs <= alpha * limiting height at the record's period and direction. A window extends
+from the first to the last of consecutive workable records: between two records the sea is assumed to be
+between theirs. A gap, a NaN, or a period or direction that was not studied ends it.
 """
 
 from __future__ import annotations
@@ -32,18 +31,19 @@ PLANNED_H, REFERENCE_H = 72.0, 96.0
 
 @dataclass(frozen=True)
 class Window:
-    """A period that may be worked in.
+    """A workable period.
 
     Attributes
     ----------
     start, end
         UTC.
     duration_h
-        Between them.
+        Duration, h.
     governs, utilisation
-        The limit that comes nearest, and the largest Hs over what alpha times the limit allows.
+        Limit with the highest utilisation, and the utilisation: the largest Hs over alpha times the limiting
+        height.
     ended_by
-        The limit of the record after it, or what else ends it.
+        Limit that ends the window at the next record, or another reason for its end.
     """
 
     start: np.datetime64
@@ -54,17 +54,17 @@ class Window:
     ended_by: str
 
     def last_start(self, reference_h: float) -> np.datetime64:
-        """The last moment at which the reference period still fits in."""
+        """Last time at which the reference period still fits into the window."""
         return self.end - np.timedelta64(round(reference_h * 3600), "s")
 
 
 def reference_period_h(planned_h: float, contingency_h: float | None = None) -> float:
-    """T_R = T_POP + T_C, h; without T_C twice T_POP.
+    """Compute T_R = T_POP + T_C, h; without T_C twice T_POP.
 
     Raises
     ------
     KingpostError
-        When they are not times of a weather-restricted operation.
+        If the times are not those of a weather-restricted operation.
 
     >>> reference_period_h(6.0), reference_period_h(6.0, 4.0)
     (12.0, 10.0)
@@ -80,7 +80,7 @@ def reference_period_h(planned_h: float, contingency_h: float | None = None) -> 
 
 
 def windows(found: Workable, reference_h: float) -> list[Window]:
-    """The weather windows: periods that may be worked in, as long as the reference period or longer.
+    """Find the weather windows: workable periods at least as long as the reference period.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def windows(found: Workable, reference_h: float) -> list[Window]:
     Returns
     -------
     list of Window
-        In the order of time.
+        Windows in the order of time.
     """
     series, hours = found.series, found.series.hours
     kept = []

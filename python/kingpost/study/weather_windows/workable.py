@@ -1,7 +1,5 @@
-"""Records of a series that may be worked in: Hs is at most alpha times the limiting height.
-
-Period and direction are the record's own. A record with a NaN, or with a period or a direction that was not
-studied, may not be worked in.
+"""Workable records of a series: Hs is at most alpha times the limiting height at the record's period and
+direction. A record with a NaN, or with a period or direction that was not studied, is not workable.
 """
 
 from __future__ import annotations
@@ -20,28 +18,28 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 EQUAL = 1e-9
-"""Share of the limit up to which a height is equal to it: rounding of alpha times the limit."""
+"""Relative tolerance for a height equal to the limit: rounding error of alpha times the limit."""
 STEPS_OF_A_GAP = 1.5
-"""A step longer than this many usual ones is a gap, unless it is said how long one is."""
+"""Default length of a gap in median time steps."""
 NO_DATA, NOT_STUDIED = "no data", "not studied"
 
 
 @dataclass(frozen=True)
 class Workable:
-    """A series with what may be worked in.
+    """A series with its allowed heights.
 
     Attributes
     ----------
     series
-        Over the peak period.
+        Sea states with peak periods.
     allowed_m
-        alpha times the limiting height, by record.
+        Allowed height, alpha times the limiting height, by record.
     governs
-        The limit that has it, or why there is none.
+        Governing limit by record, or the reason why there is no height.
     alpha
         The factor.
     longest_step_h
-        A longer step is a gap.
+        Longest time step; a longer one is a gap.
     """
 
     series: Series
@@ -52,12 +50,12 @@ class Workable:
 
     @property
     def holds(self) -> NDArray[np.bool_]:
-        """Mask of the records that may be worked in."""
+        """Mask of the workable records."""
         with np.errstate(invalid="ignore"):
             return self.series.height_m <= self.allowed_m * (1 + EQUAL)
 
     def runs(self) -> Iterator[tuple[int, int]]:
-        """First and last record of each row of records that may be worked in, without a gap."""
+        """First and last record of each sequence of workable records without a gap."""
         holds, hours = self.holds, self.series.hours
         first = None
         for k, good in enumerate(holds):
@@ -70,7 +68,7 @@ class Workable:
             yield first, len(holds) - 1
 
     def why_not(self, record: int) -> str:
-        """Name the reason why a record may not be worked in."""
+        """Name the reason why a record is not workable."""
         if np.isnan(self.series.height_m[record]) or np.isnan(self.series.period_s[record]):
             return NO_DATA
         return NOT_STUDIED if np.isnan(self.allowed_m[record]) else self.governs[record]
@@ -94,24 +92,26 @@ def workable(
     peak_enhancement: float = 3.3,
     longest_step_h: float | None = None,
 ) -> Workable:
-    """Find the records of a series that may be worked in: Hs <= alpha * limiting height.
+    """Find the workable records of a series: Hs <= alpha * limiting height.
 
     Parameters
     ----------
     series
         Sea states.
     limiting_height
-        By peak period (s) and direction (rad, in the scenario's axes): the height and the limit that governs.
+        Function of peak period (s) and direction (rad, in the scenario's axes) that returns the limiting
+        height and the governing limit.
     alpha
         The factor, more than 0, at most 1.
     x_axis_deg
-        Where the scenario's x axis points, clockwise from north: the heading of a ship that lies at 0 in it.
+        Direction of the scenario's x axis, clockwise from north: the heading of a ship with heading 0 in the
+        scenario.
     direction_rad
-        That all waves go to, instead of the series' directions.
+        Direction that all waves travel towards, instead of the series' directions.
     peak_enhancement
         gamma of JONSWAP, by which mean periods become peak periods.
     longest_step_h
-        A longer step is a gap, h; one and a half usual steps unless given.
+        Longest time step, h; a longer one is a gap. Default: one and a half median steps.
 
     Returns
     -------
@@ -121,7 +121,7 @@ def workable(
     Raises
     ------
     KingpostError
-        When alpha is out of its range, or directions are neither in the series nor given.
+        If alpha is out of its range, or directions are neither in the series nor given.
 
     >>> time = np.arange("2026-05-01T00", "2026-05-01T06", dtype="datetime64[h]").astype("datetime64[s]")
     >>> series = Series(time, np.array([3.0, 1, 1, 1, 3, 3]), np.full(6, 8.0))

@@ -1,7 +1,6 @@
-"""`kingpost verify --control`: every controller on its standard seas, with and without.
-
-Each controller is one module of this folder; a new one is a line in `CONTROLLERS`. Two modules look at them
-from other sides: `frequency` over the period of the waves, `sweep` in seas beyond the limits of the drives.
+"""`kingpost verify --control`: performance of every controller on its standard seas, compared with the
+uncontrolled motion. Each controller is one module of this folder and one line in `CONTROLLERS`. Two further
+modules measure the frequency response (`frequency`) and seas beyond the limits of the drives (`sweep`).
 """
 
 from __future__ import annotations
@@ -15,20 +14,20 @@ from .standard import AT_A_LIMIT
 
 
 class Controller(Protocol):
-    """Functions that the module of a controller offers."""
+    """Functions of a controller's module."""
 
     def cases(self) -> Iterator[Any]:
-        """Its runs."""
+        """Cases of the runs."""
 
     def measured(self, update: Callable[[float], None]) -> Sequence[Any]:
-        """Every run as a row, which has a `verdict`; `update` is called with the number of runs done."""
+        """Every run as a row with a `verdict`; `update` is called with the number of finished runs."""
 
     def text(self, rows: Sequence[Any]) -> str:
-        """Its table."""
+        """Table of the rows."""
 
 
 CONTROLLERS: tuple[Controller, ...] = (heave, cylinder, frequency, roll, three_axis, platform, sweep)
-"""In the order in which they are measured and printed."""
+"""Controllers in the order of measurement and print."""
 
 
 def count() -> int:
@@ -37,7 +36,8 @@ def count() -> int:
 
 
 def tables(update: Callable[[float], None]) -> Iterator[tuple[str, bool]]:
-    """Each controller's table, and whether a run of it fails; `update` gets the number of runs done."""
+    """Table of each controller, and whether one of its runs fails; `update` is called with the number of
+    finished runs."""
     before = 0
     for controller in CONTROLLERS:
         done = before

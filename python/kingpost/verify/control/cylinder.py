@@ -1,7 +1,8 @@
-"""Heave compensation by a cylinder in the hoist rope, on its standard seas: by gas, by a drive, by both.
+"""Performance of heave compensation by a cylinder in the hoist rope, on its standard seas: by gas, a drive,
+or both.
 
-It is measured on the gallery's scenario `hybrid_compensation`, with the load at 30 m: what is left at the
-hook, the carriage's stroke, and what the drive gives beside the gas and without it.
+It is measured on the gallery's scenario `hybrid_compensation`, with the load at 30 m: the residual at the
+hook, the carriage's stroke, and force and power of the drive with and without gas.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ ALLOWED = {
     "gas and drive, sensor": 5.0,
     "gas and drive, sensor and satellites": 5.0,
 }
-"""Residual at the hook that is asked for, % of the heave of the tip."""
+"""Allowed residual at the hook, % of the heave of the tip."""
 
 
 @dataclass(frozen=True)
@@ -54,19 +55,19 @@ class ByCylinder:
     tip_m: float
     """Standard deviation of the height of the crane's tip, m."""
     hook: float
-    """That of the height of the hook over it, %."""
+    """Standard deviation of the hook's height over that of the tip, %."""
     stroke_m: float
     """The carriage's largest distance from its middle, m."""
     force_kn: float
     """The drive's largest force, kN."""
     power_kw: float
-    """Mean power that the drive delivers while it drives, kW."""
+    """Mean power while the drive delivers power, kW."""
     utilisation: dict[str, float]
     """The largest share of the drive's limits: speed, force, power."""
 
     @property
     def verdict(self) -> str:
-        """Whether the residual is within what is asked for, and the drive within its limits."""
+        """Verdict: whether the residual is within the allowed one, and the drive within its limits."""
         return judged({"hook": self.hook}, ALLOWED.get(self.control), self.utilisation)
 
 
@@ -80,7 +81,7 @@ def cases() -> Iterator[tuple[str, str]]:
 
 
 def measure(sea: str, control: str, length_s: float = LENGTH_S) -> ByCylinder:
-    """Run one case, and measure it once it has settled."""
+    """Run one case, and measure it after the start-up."""
     found = settled(SCENARIO, in_sea(CONTROLLER, sea, CONTROLS[control]), length_s)
     tip = float(found.column("boom.tip.point_position.z").std())
     drives = () if control == GAS_ALONE else DRIVES
@@ -111,7 +112,7 @@ HEAD = ("sea", "carriage", "tip, m", "hook, %", "stroke, m", "force, kN", "mean,
 
 
 def text(rows: Sequence[ByCylinder]) -> str:
-    """The table: residual over the heave of the tip, stroke, force and power."""
+    """Table: residual over the heave of the tip, stroke, force and power."""
     cells = [
         (
             row.sea,

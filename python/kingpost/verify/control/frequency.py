@@ -1,10 +1,10 @@
-"""Residual of heave compensation over the tip's heave, by the frequency of the waves.
+"""Frequency response of heave compensation: amplitude of the residual over that of the tip.
 
 Regular waves of several periods run at once (a multisine: Pintelon & Schoukens, *System Identification*, 2nd
-ed., 2012, ch. 5), each of which fits a whole number of times into the window that is measured. The lines of
+ed., 2012, ch. 5), each with a whole number of periods in the measured window. The lines of
 the Fourier transform of residual and tip are then those of the waves alone, without leakage, and the ratio of
-two lines is the response at that frequency. What is not linear is left out: the noise of the sensor, which
-does not depend on the waves, and the friction of the sheave, which the closed form has not.
+two lines is the response at that frequency. Two effects are left out: the sensor's noise, which does not
+depend on the waves, and the friction of the sheave, which the closed form does not contain.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ from .standard import UNIT
 
 WINDOW_S = 80.0
 SETTLED_S = 300.0
-"""The ship's own roll, which is damped least, has faded then to e^-7."""
+"""Start-up time, s: the ship's natural roll, the least damped motion, has then decayed to e^-7."""
 LINES = (4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 16, 18)
-"""Waves in the window: periods from 20 s to 4.4 s."""
+"""Numbers of waves in the window: periods from 20 s to 4.4 s."""
 OMEGA = 2 * np.pi * np.array(LINES) / WINDOW_S
 RECORDED_S = 0.1
 
@@ -50,8 +50,8 @@ CONTROLS: dict[str, dict[str, Any]] = {
 
 IN_CLOSED_FORM = ("ideal, no prediction", "delay alone, no prediction")
 ALLOWED = 0.002
-"""Distance from the closed form: the drum on its drive's spring yields to its inertia by w^2 I / k, 0.0017 of
-its motion at 4.4 s."""
+"""Allowed difference from the closed form: the inertia of the drum on its drive's spring causes w^2 I / k,
+0.0017 of its motion at 4.4 s."""
 
 
 @dataclass(frozen=True)
@@ -62,18 +62,18 @@ class OverFrequency:
     tip_m: np.ndarray
     """Amplitude of the tip at each of `OMEGA`, m."""
     ratio: np.ndarray
-    """Amplitude of the residual over it."""
+    """Amplitude of the residual over that of the tip."""
     formula: np.ndarray | None
     """The closed form, if there is one."""
 
     @property
     def distance(self) -> float | None:
-        """The largest distance from the closed form."""
+        """Largest difference between the measured ratio and the closed form."""
         return None if self.formula is None else float(np.abs(self.ratio - self.formula).max())
 
     @property
     def verdict(self) -> str:
-        """Whether it is the closed form."""
+        """Whether the measured ratio agrees with the closed form within `ALLOWED`; `-` if there is none."""
         if self.distance is None:
             return "-"
         return PASSED if self.distance <= ALLOWED else FAILED
@@ -82,10 +82,10 @@ class OverFrequency:
 def left_by_delay(
     omega: np.ndarray, delay_s: float, period_s: float, lag_s: float, gain_per_s: float
 ) -> np.ndarray:
-    """The share of a sinusoid that is left without prediction, when z and v come late.
+    """Residual of a sinusoid as a share of its amplitude, without prediction, if z and v are delayed.
 
     With D = e^(-s tau) of the sensor, P = e^(-s T_s/2) sinh(s T_s/2) / (s T_s/2) / (1 + s T) of hold and
-    drive, and the rope L paid out, which the feedback knows without delay,
+    drive, and the rope L paid out, which the feedback measures without delay,
 
         s L = P (D (s + g) z - g L)
 
@@ -104,7 +104,7 @@ def left_by_delay(
 
 
 def closed_form(control: str, omega: np.ndarray = OMEGA) -> np.ndarray | None:
-    """The share that is left by the numbers of the scenario, if there is a closed form."""
+    """Residual by the closed form with the numbers of the scenario, if there is one."""
     if control not in IN_CLOSED_FORM:
         return None
     given = load(SCENARIO).resolved
@@ -116,10 +116,11 @@ def closed_form(control: str, omega: np.ndarray = OMEGA) -> np.ndarray | None:
 
 
 def _waves() -> dict[str, Any]:
-    """Regular waves from ahead instead of the sea; short ones are higher, as they move the ship less."""
+    """Regular waves from ahead that replace the sea; short ones are higher, because they move the ship
+    less."""
     waves: dict[str, Any] = {"sea.waves.wind_sea.jonswap.enabled": False}
     for i, line in enumerate(LINES):
-        # Phases that grow with the square keep the highest crest low (Schroeder 1970).
+        # Phases that grow quadratically give a low crest factor (Schroeder 1970).
         wave = {
             "height_m": 0.3 if line < 12 else 0.6 if line < 17 else 1.0,
             "period_s": WINDOW_S / line,
@@ -164,7 +165,7 @@ def measured(update: Callable[[float], None]) -> list[OverFrequency]:
 
 
 def text(rows: Sequence[OverFrequency]) -> str:
-    """The table over the periods, with the closed form beside what has one."""
+    """Table over the periods, with the closed form if there is one."""
     columns: dict[str, np.ndarray] = {}
     for row in rows:
         columns[row.control] = row.ratio
@@ -197,7 +198,7 @@ PANELS = {
 
 
 def picture(pyplot: Any) -> Any:
-    """Draw the residual over the period of the waves: beside closed forms, and with prediction."""
+    """Draw the residual over the wave period: compared with closed forms, and with prediction."""
     figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.2), sharey=True)
     periods = 2 * np.pi / OMEGA
     fine = np.linspace(OMEGA[0], OMEGA[-1], 200)

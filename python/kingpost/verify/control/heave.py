@@ -1,8 +1,8 @@
-"""Heave compensation on its standard seas, with and without.
+"""Performance of heave compensation on its standard seas, with and without control.
 
-It is measured on the gallery's scenario of it: the residual at the winch, which is what the
-controller leaves of the tip's heave, and at the hook, each over the heave of the tip; a load far below the
-ship hangs on a long elastic rope, which adds its own stretch and resonance.
+It is measured on the gallery's scenario: the residual of the tip's heave at the winch and at the hook, each
+over the heave of the tip. A load far below the ship hangs on a long elastic rope, which adds stretch and
+resonance.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ DEPTHS: dict[str, dict[str, Any]] = {"30 m": {}, "1000 m": {"load_height_m": -10
 ALLOWED = {"ideal": 2.0} | dict.fromkeys(
     ("sensor", "sensor and satellites", "inertial unit", "inertial unit and satellites"), 5.0
 )
-"""Residual at the winch and at the hook that is asked for, % of the heave of the tip."""
+"""Allowed residual at the winch and at the hook, % of the heave of the tip."""
 
 
 @dataclass(frozen=True)
@@ -50,17 +50,17 @@ class Compensated:
     tip_m: float
     """Standard deviation of the height of the crane's tip, m."""
     winch: float
-    """That of the residual at the winch over it, %."""
+    """Standard deviation of the residual at the winch over that of the tip, %."""
     hook: float
-    """That of the height of the hook over it, %."""
+    """Standard deviation of the hook's height over that of the tip, %."""
     utilisation: dict[str, float]
     """The largest share of the drive's limits: speed, torque, power."""
     power_kw: float
-    """Mean power that the drive delivers while it drives, kW."""
+    """Mean power while the drive delivers power, kW."""
 
     @property
     def verdict(self) -> str:
-        """Whether the residuals are within what is asked for, and the drive within its limits."""
+        """Verdict: whether the residuals are within the allowed ones, and the drive within its limits."""
         return judged({"winch": self.winch, "hook": self.hook}, ALLOWED.get(self.control), self.utilisation)
 
 
@@ -74,7 +74,7 @@ def cases() -> Iterator[tuple[str, str, str]]:
 
 
 def measure(sea: str, depth: str, control: str, length_s: float = LENGTH_S) -> Compensated:
-    """Run one case, and measure it once it has settled."""
+    """Run one case, and measure it after the start-up."""
     found = settled(SCENARIO, in_sea(CONTROLLER, sea, CONTROLS[control]) | DEPTHS[depth], length_s)
     tip = float(found.column("boom.tip.point_position.z").std())
     return Compensated(
@@ -103,7 +103,7 @@ HEAD = ("sea", "load at", "compensation", "tip, m", "winch, %", "hook, %",
 
 
 def text(rows: Sequence[Compensated]) -> str:
-    """The table: residuals over the heave of the tip, largest shares of the drive's limits, mean power."""
+    """Table: residuals over the heave of the tip, largest shares of the drive's limits, mean power."""
     cells = [
         (
             row.sea,

@@ -1,6 +1,6 @@
-"""The platform that keeps a crane level, on its standard seas, with and without.
+"""Performance of the platform that keeps a crane level, on its standard seas, with and without control.
 
-It is measured on the gallery's scenario of it: tilt and height of the platform, each over those without
+It is measured on the gallery's scenario: tilt and height of the platform, each over those without
 compensation in the same sea.
 """
 
@@ -36,15 +36,15 @@ class LevelPlatform:
     tilt: float
     """Standard deviation of the tilt, about both axes together, rad."""
     height_m: float
-    """That of the height of the crane's foot, m."""
+    """Standard deviation of the height of the crane's foot, m."""
     utilisation: dict[str, float]
     """The largest share of all drives' limits: speed, force or torque."""
     power_kw: float
-    """Mean power that the drives deliver while they drive, kW."""
+    """Mean power while the drives deliver power, kW."""
 
     @property
     def verdict(self) -> str:
-        """Whether the drives are within their limits."""
+        """Verdict: whether the drives are within their limits."""
         return AT_A_LIMIT if max(self.utilisation.values()) > 1.0 else "-"
 
 
@@ -58,7 +58,7 @@ def cases() -> Iterator[tuple[str, str]]:
 
 
 def measure(sea: str, control: str, length_s: float = LENGTH_S) -> LevelPlatform:
-    """Run one case, and measure it once it has settled."""
+    """Run one case, and measure it after the start-up."""
     found = settled(SCENARIO, in_sea(CONTROLLER, sea, CONTROLS[control]), length_s)
     about_x, about_y, height = (found.column(f"compensation.platform_offset.{axis}").std() for axis in "xyz")
     return LevelPlatform(
@@ -85,7 +85,8 @@ HEAD = ("sea, 30 deg off the bow", "platform", "tilt, deg", "height, m", "tilt, 
 
 
 def text(rows: Sequence[LevelPlatform]) -> str:
-    """The table: deviations, their shares of those without compensation, drives' largest shares, power."""
+    """Table: deviations, their ratios to those without compensation, largest shares of the drives' limits,
+    power."""
     still = {row.sea: row for row in rows if row.control == "off"}
     cells = [
         (

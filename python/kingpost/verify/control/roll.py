@@ -1,7 +1,6 @@
-"""Roll reduction in beam seas, with and without: a U-tank, tanks open to the sea, and two gyros.
-
-Each is measured on its scenario of the gallery. Without it the ship is the same, with the liquid frozen, the
-openings closed or the wheels at rest: the mass stays.
+"""Performance of roll reduction in beam seas, with and without control: a U-tank, tanks open to the sea, and
+two gyros. Each is measured on its scenario of the gallery. The comparison has the same mass, with the liquid
+frozen, the openings closed or the wheels at rest.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ SEAS: dict[str, dict[str, Any]] = {
     "Hs 2.5 m, Tp 9 s": {"significant_height_m": 2.5, "peak_period_s": 9.0},
     "Hs 2.0 m, Tp 14 s": {"significant_height_m": 2.0, "peak_period_s": 14.0},
 }
-"""JONSWAP, gamma 3.3, from the side; the first has its peak at the ship's period of roll."""
+"""Beam seas: JONSWAP, gamma 3.3; the first has its peak at the ship's natural roll period."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +35,7 @@ class Device:
     scenario: str
     given: dict[str, Any]
     without: str | None
-    """The device whose roll it is compared with."""
+    """State of the device with which the roll is compared."""
 
 
 DEVICES: dict[str, Device] = {
@@ -51,7 +50,7 @@ DEVICES: dict[str, Device] = {
 }
 
 ALLOWED = 0.5
-"""Share of the roll that may be left, of standard deviations."""
+"""Allowed ratio of the standard deviation of roll to that without the device."""
 
 
 @dataclass(frozen=True)
@@ -64,17 +63,17 @@ class Rolled:
     """Standard deviation of roll, degrees."""
     largest_deg: float
     left: float | None
-    """The share of the roll without the device that is left."""
+    """Standard deviation of roll over that without the device."""
     utilisation: float | None
-    """Largest share of the travel: of the level's room, or of the gimbal's angle."""
+    """Largest share of the travel: of the liquid level's range, or of the gimbal's angle."""
     effort: float | None
     """Largest share of the drive's torque, or of the pumps' flow."""
     power_kw: float | None
-    """Mean power that the drives deliver while they drive, or least power of the pumps, kW."""
+    """Mean power while the drives deliver power, or least power of the pumps, kW."""
 
     @property
     def verdict(self) -> str:
-        """Whether the roll is within what is asked for, and the device within its travel."""
+        """Verdict: whether the roll is within the allowed ratio, and the device within its travel."""
         if self.left is None:
             return "-"
         reached = "reached" if self.left <= ALLOWED else f"misses by {100 * (self.left - ALLOWED):.0f} %"
@@ -144,7 +143,7 @@ def cases() -> Iterator[tuple[str, str]]:
 
 
 def measure(sea: str, device: str, without_deg: float | None = None, length_s: float = LENGTH_S) -> Rolled:
-    """Run one case, and measure it once it has settled; `without_deg` is the roll without the device."""
+    """Run one case, and measure it after the start-up; `without_deg` is the roll without the device."""
     case = DEVICES[device]
     column = settled(case.scenario, SEAS[sea] | case.given, length_s).column
     roll = np.degrees(column("hull.roll"))
@@ -168,7 +167,8 @@ HEAD = ("sea", "device", "roll, deg", "largest, deg", "left, %", "travel", "effo
 
 
 def text(rows: Sequence[Rolled]) -> str:
-    """The table: roll, the share that is left, largest shares of the limits, mean power of the drives."""
+    """Table: roll, its ratio to that without the device, largest shares of the limits, mean power of the
+    drives."""
 
     def number(value: float | None, form: str) -> str:
         return "-" if value is None else format(value, form)

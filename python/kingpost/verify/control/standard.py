@@ -1,4 +1,4 @@
-"""The standard seas of compensations, and a run after its start, by which all controllers are measured."""
+"""Standard seas of compensations, and evaluation of runs after the start-up, common to all controllers."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ SEAS: dict[str, dict[str, Any]] = {
 """JONSWAP, gamma 1."""
 
 LONGEST = 1.75
-"""The longest period that a prediction is made for, over the peak period: an operator knows the sea."""
+"""Longest period of the prediction over the peak period, which an operator knows."""
 
 SETTLED_S = 100.0
-"""The ramp of the sea and the slow states of ship, sensor and prediction are over then, s."""
+"""Start-up time, s: the ramp of the sea and the slow transients of ship, sensor and prediction have then
+ended."""
 
 UNIT = "sensors.mru.motion_reference_unit"
 """The motion reference unit of the scenarios of compensations."""
@@ -34,7 +35,7 @@ INERTIAL = "sensors.inertial.inertial_unit"
 """The inertial unit of the scenario of heave compensation."""
 
 AT_A_LIMIT = "at a limit"
-"""The verdict on a run whose drive exceeds a limit: the command fails."""
+"""Verdict on a run whose drive exceeds a limit; the command then fails."""
 
 
 @dataclass(frozen=True)
@@ -44,16 +45,16 @@ class Settled:
     results: xarray.Dataset
 
     def column(self, name: str) -> np.ndarray:
-        """A column by its name."""
+        """Return a column by its name."""
         return np.asarray(self.results.kingpost[name].values)
 
     def largest_share(self, drives: Sequence[str], limit: str) -> float:
-        """The largest share of a limit of the drives: speed, effort or power."""
+        """Largest share of the drives' limits of speed, effort or power."""
         shares = (self.column(f"{drive}.drive_{limit}_utilisation") for drive in drives)
         return max(float(np.abs(share).max()) for share in shares)
 
     def driving_kw(self, drives: Sequence[str]) -> float:
-        """Mean power that the drives deliver while they drive, kW."""
+        """Mean power while the drives deliver power, kW."""
         powers = (np.maximum(self.column(f"{drive}.drive_power"), 0.0).mean() for drive in drives)
         return float(sum(powers)) / 1e3
 
@@ -70,9 +71,9 @@ def in_sea(controller: str, sea: str, control: dict[str, Any]) -> dict[str, Any]
 
 
 def settled(scenario: str, given: dict[str, Any], length_s: float) -> Settled:
-    """Run a scenario of the gallery; of a short run the second half counts."""
+    """Run a scenario of the gallery; in a short run the second half counts."""
     with warnings.catch_warnings(action="ignore", category=KingpostWarning):
-        # Decks go under in the higher seas, and stops are met: the tables show the result.
+        # Ignore warnings of submerged decks and of stops in the higher seas: the tables show the result.
         found = run(scenario, given | {"simulation.duration_s": length_s})
     return Settled(found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None)))
 
@@ -88,7 +89,8 @@ RECEIVER = {
 
 
 def with_satellites(controller: str) -> dict[str, Any]:
-    """Return overrides that give the unit a satellite receiver, and the controller the short waves it leaves.
+    """Return overrides that add a satellite receiver to the unit, and extend the controller's prediction to
+    short waves.
 
     >>> list(with_satellites("controllers.c"))[-1]
     'controllers.c.prediction.shortest_period_s'
@@ -98,7 +100,7 @@ def with_satellites(controller: str) -> dict[str, Any]:
 
 
 def with_inertial_unit(controller: str, *, satellites: bool = False) -> dict[str, Any]:
-    """Return overrides to measure by the inertial unit, which a satellite receiver may help.
+    """Return overrides to measure by the inertial unit, optionally with a satellite receiver.
 
     >>> list(with_inertial_unit("controllers.c"))
     ['controllers.c.sensor', 'controllers.c.prediction.shortest_period_s']
@@ -109,7 +111,7 @@ def with_inertial_unit(controller: str, *, satellites: bool = False) -> dict[str
 
 
 def short_waves(controller: str) -> dict[str, Any]:
-    """A prediction down to 3 s, which sensors without a high-pass filter leave.
+    """Return overrides for a prediction down to 3 s, possible with sensors without a high-pass filter.
 
     A rope of 1,000 m with its load has a period of 3 to 4 s, which waves of 8 s still reach.
 
@@ -120,7 +122,7 @@ def short_waves(controller: str) -> dict[str, Any]:
 
 
 def judged(ends: dict[str, float], allowed: float | None, utilisation: dict[str, float]) -> str:
-    """The verdict on residuals, %, at the ends of a rope, and on the largest shares of the drive's limits.
+    """Verdict on residuals, %, at the ends of a rope, and on the largest shares of the drive's limits.
 
     >>> judged({"winch": 1.5, "hook": 2.5}, 2.0, {"speed": 0.4})
     'misses at hook by 0.5 %'

@@ -1,8 +1,8 @@
-"""Every controller and device in seas from small to well beyond the limits of its drives.
-
-Beyond a limit more of the motion must be left. What must not happen is instability: that a drive at its
-limit makes the motion larger than it is without, or that a little more sea makes much more of it. Each
-quantity below is over the same seas without the controller: the realisation is the same, only higher.
+"""Performance of every controller and device in seas from small to well beyond the limits of its drives.
+Beyond a limit the residual must grow. Instability must not occur: a drive at its limit must not increase the
+motion above the uncontrolled one, and a small increase of the sea must not cause a large increase of the
+motion. Each quantity is compared with that in the same sea without the controller; all heights have the same
+realisation, scaled.
 """
 
 from __future__ import annotations
@@ -24,12 +24,14 @@ from .standard import SETTLED_S
 from .sweep_cases import SWEEPS, Sweep
 
 LARGEST_SHARE = 1.0
-"""Allowed for the motion that is left over that without, of standard deviations and of largest values."""
+"""Limit of the remaining motion over the motion without the controller: of standard deviations and of
+maxima."""
 LARGEST_GROWTH = 1.0
-"""Allowed for the most that a metre of Hs adds to what is left, over the most that it adds without.
+"""Limit of the growth: the largest increase of the remaining motion per metre of Hs, over the largest
+increase without the controller.
 
-A limit lets through what exceeds it: u - clip(u) never grows faster than u. A jump between two states, or the
-onset of an oscillation of the controller's own, would grow faster.
+A saturated input leaves the excess: u - clip(u) never grows faster than u. A jump between two states, or the
+onset of an oscillation that the controller causes, would grow faster.
 """
 ROUNDING = 1e-12
 
@@ -41,38 +43,41 @@ class Degraded:
     name: str
     heights_m: np.ndarray
     without: np.ndarray
-    """Standard deviation of the motion without, in `unit`."""
+    """Standard deviation of the motion without the controller or device, in `unit`."""
     left: np.ndarray
-    """That with the controller or device."""
+    """Standard deviation of the motion with the controller or device, in `unit`."""
     largest: np.ndarray
-    """The largest motion with over the largest without."""
+    """Largest motion with the controller or device over the largest motion without it."""
     at_a_limit: np.ndarray
-    """Share of the time in which a limit is reached."""
+    """Share of the time at a limit."""
     finished: bool
-    """Whether all runs went to their end."""
+    """Whether all runs reached their end."""
     unit: str = "m"
 
     @property
     def share(self) -> np.ndarray:
-        """Share of the motion that is left, 1."""
+        """Remaining motion over the motion without the controller or device, 1."""
         return self.left / self.without
 
     @property
     def growth(self) -> float:
-        """The most that a metre of Hs adds to what is left, over the most that it adds without."""
+        """Largest increase of the remaining motion per metre of Hs, over the largest increase without the
+        controller."""
         steps = np.diff(self.heights_m, prepend=0.0)
         with_it, without = (np.diff(one, prepend=0.0) / steps for one in (self.left, self.without))
         return float(with_it.max() / without.max())
 
     @property
     def shortfalls(self) -> list[str]:
-        """Violations of the claim that saturation degrades smoothly, never to instability."""
+        """Violations of the claim that performance degrades smoothly under saturation, never to
+        instability."""
         statements = {
             "a run ended early": self.finished,
-            f"leaves {self.share.max():.2f} of the motion": self.share.max() <= LARGEST_SHARE,
-            f"the largest is {self.largest.max():.2f} of that without": self.largest.max() <= LARGEST_SHARE,
+            f"the residual is {self.share.max():.2f} of the motion": self.share.max() <= LARGEST_SHARE,
+            f"the largest motion is {self.largest.max():.2f} times the uncontrolled one": self.largest.max()
+            <= LARGEST_SHARE,
             f"grows {self.growth:.2f} times as fast": self.growth <= LARGEST_GROWTH,
-            "what is left falls with Hs": bool((np.diff(self.left) >= 0).all()),
+            "the residual falls with Hs": bool((np.diff(self.left) >= 0).all()),
             "the time at a limit falls with Hs": bool((np.diff(self.at_a_limit) >= -ROUNDING).all()),
         }
         return [what for what, holds in statements.items() if not holds]
@@ -100,16 +105,17 @@ def _runs(
     heights_m: tuple[float, ...],
     length_s: float,
 ) -> xarray.Dataset:
-    """The runs of all heights once they have settled; two are kept, since sweeps follow that share them."""
+    """Runs of all heights after the start-up; the last two are cached, because consecutive sweeps share
+    them."""
     settings = dict(given) | {"simulation.duration_s": length_s}
     with warnings.catch_warnings(action="ignore", category=KingpostWarning):
-        # Decks go under in the higher seas, and stops are met: the table shows the result.
+        # Ignore warnings of submerged decks and of stops in the higher seas: the table shows the result.
         found = Batch(scenario, {height: list(heights_m)}, settings).run()
     return found.sel(time=slice(min(SETTLED_S, 0.5 * length_s), None))
 
 
 def _motion(runs: xarray.Dataset, sweep: Sweep) -> tuple[np.ndarray, np.ndarray]:
-    """Standard deviations and largest motions from the mean, of all columns together, for each run."""
+    """Standard deviation and largest distance from the mean, over all columns together, for each run."""
     columns = np.stack([runs.kingpost[name].values for name in sweep.moves])
     off = columns - columns.mean(axis=-1, keepdims=True)
     squares = sweep.factor**2 * (off**2).sum(axis=0)
@@ -117,7 +123,7 @@ def _motion(runs: xarray.Dataset, sweep: Sweep) -> tuple[np.ndarray, np.ndarray]
 
 
 def measure(name: str, length_s: float | None = None, heights_m: Sequence[float] | None = None) -> Degraded:
-    """Run one of `SWEEPS`, in fewer seas or shorter if given."""
+    """Run one of `SWEEPS`, optionally with other heights or a shorter length."""
     sweep = SWEEPS[name]
     heights = tuple(sweep.heights_m if heights_m is None else heights_m)
     sizes = (sweep.height, heights, sweep.length_s if length_s is None else length_s)
@@ -153,7 +159,7 @@ STATEMENTS = ("degrades smoothly", "left, at most", "largest, at most", "growth,
 
 
 def text(rows: Sequence[Degraded]) -> str:
-    """The table of all seas, and that of the statements with their limits."""
+    """Table of all seas, and table of the statements with their limits."""
     seas = [
         (
             row.name,

@@ -1,4 +1,4 @@
-"""The controllers and devices that are swept over the significant height, and the limits of each."""
+"""Controllers and devices that are swept over the significant height, with their limits."""
 
 from __future__ import annotations
 
@@ -15,34 +15,34 @@ from .standard import LENGTH_S, LONGEST
 HEIGHTS_M = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
 PEAK_PERIOD_S = 8.0
 SLOW_WINCH_RAD_S = 1.0
-"""A quarter of the scenario's limit, which 6 m at 8 s does not reach."""
+"""Speed limit of the slow winch: a quarter of the scenario's limit, which is not reached at 6 m and 8 s."""
 
 Limits = dict[str, tuple[float, float]]
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """A controller or device on its scenario, over the significant height."""
+    """A sweep of a controller or device in its scenario over the significant height."""
 
     scenario: str
     height: str
-    """The field of the significant height."""
+    """Field of the significant height."""
     without: tuple[tuple[str, Any], ...]
     """Overrides that switch the controller or device off."""
     moves: tuple[str, ...]
-    """The columns of the motion: the root of the sum of their variances is measured."""
+    """Columns of the motion, whose root of the sum of variances is measured."""
     limits: Callable[[], Limits]
-    """Columns with the values from which on a limit is reached, below and above."""
+    """Columns of limits, each with the lower and upper value at which its limit is reached."""
     unit: str = "m"
     factor: float = 1.0
-    """This unit in SI's, inverse."""
+    """Factor from SI to the unit of the motion."""
     given: tuple[tuple[str, Any], ...] = ()
     length_s: float = LENGTH_S
     heights_m: tuple[float, ...] = HEIGHTS_M
 
 
 def _drives(*names: str) -> Callable[[], Limits]:
-    """The speed that a compensation needs, and what its drives give, over their limits."""
+    """Required speed of a compensation, and speed, effort and power of its drives, over their limits."""
     columns = [
         "compensation.compensation_utilisation",
         *(f"{name}.drive_effort_utilisation" for name in names),
@@ -107,7 +107,7 @@ HALF_PLATFORM = {
     "drives.rolling.controlled_drive.speed_limit_rad_s": 0.1,
     "drives.pitching.controlled_drive.speed_limit_rad_s": 0.1,
 }
-"""Half of the scenario's speed limits, which 6 m at 8 s does not reach."""
+"""Half of the scenario's speed limits, which are not reached at 6 m and 8 s."""
 SLOW_WINCH = {"drives.hoist.controlled_drive.speed_limit_rad_s": SLOW_WINCH_RAD_S}
 LONG_WAVES = {"peak_period_s": 12.0, "wave_direction_deg": 110.0}
 
@@ -131,6 +131,6 @@ SWEEPS: dict[str, Sweep] = {
     "gyros, dampers, Tp 11.5 s": _roll("gyros, dampers", _gyros),
     "gyros, driven, Tp 11.5 s": _roll("gyros, driven", lambda: _gyros(driven=True)),
 }
-"""Compensations with the sensor of their scenario, at Tp 8 s unless it is said; devices against roll in beam
-seas at the ship's own period. At 6 m the ship of the third lies so far over without compensation that its
-motion is no measure."""
+"""Compensations with the sensor of their scenario, at Tp 8 s unless stated; anti-roll devices in beam seas at
+the ship's natural roll period. In the third sweep the uncompensated ship heels so far at 6 m that its motion
+is not a useful reference."""

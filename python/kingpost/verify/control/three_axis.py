@@ -1,7 +1,6 @@
-"""Compensation in three axes on its standard seas, with and without.
-
-It is measured on the gallery's scenario of it: the crane's tip in the horizontal and the load's height,
-together as one standard deviation, over the same without compensation in the same sea.
+"""Performance of compensation in three axes on its standard seas, with and without control. It is measured on
+the gallery's scenario: the standard deviation of the tip's horizontal position and the load's height
+together, over that without compensation in the same sea.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ CONTROLS: dict[str, dict[str, Any]] = {
 """`sensor`: noise, bias, high-pass filter of displacements with 20 s, 0.1 s of delay."""
 
 ALLOWED = {"ideal": 8.0}
-"""Residual in three axes that is asked for, % of the motion without compensation."""
+"""Allowed residual in three axes, % of the motion without compensation."""
 
 
 @dataclass(frozen=True)
@@ -39,20 +38,20 @@ class HeldInThreeAxes:
     deviations_m: tuple[float, float, float]
     """Standard deviations of x and y of the tip and of the load's height, m."""
     still_m: float
-    """Their root of the sum of squares without compensation, m."""
+    """Root of the sum of squares of the deviations without compensation, m."""
     utilisation: dict[str, float]
     """The largest share of all drives' limits: speed, torque, power."""
     power_kw: float
-    """Mean power that the drives deliver while they drive, kW."""
+    """Mean power while the drives deliver power, kW."""
 
     @property
     def residual(self) -> float:
-        """The motion in three axes over that without compensation, %."""
+        """Motion in three axes over that without compensation, %."""
         return 100 * math.hypot(*self.deviations_m) / self.still_m
 
     @property
     def verdict(self) -> str:
-        """Whether the residual is within what is asked for, and the drives within their limits."""
+        """Verdict: whether the residual is within the allowed one, and the drives within their limits."""
         if self.utilisation["speed"] > 1.0:
             return AT_A_LIMIT
         allowed = ALLOWED.get(self.control)
@@ -71,7 +70,7 @@ def cases() -> Iterator[tuple[str, str]]:
 
 
 def measure(sea: str, control: str, still_m: float = math.nan, length_s: float = LENGTH_S) -> HeldInThreeAxes:
-    """Run one case, and measure it once it has settled; without compensation, `still_m` is measured."""
+    """Run one case, and measure it after the start-up; without compensation, `still_m` is measured."""
     found = settled(SCENARIO, in_sea(CONTROLLER, sea, CONTROLS[control]), length_s)
     places = ("boom.tip.point_position.x", "boom.tip.point_position.y", "lift.hook.point_position.z")
     x, y, z = (float(found.column(place).std()) for place in places)
@@ -102,7 +101,8 @@ HEAD = ("sea, 30 deg off the bow", "compensation", "x, m", "y, m", "z, m", "resi
 
 
 def text(rows: Sequence[HeldInThreeAxes]) -> str:
-    """The table: deviations, residual over that without compensation, drives' largest shares, power."""
+    """Table: deviations, residual over that without compensation, largest shares of the drives' limits,
+    power."""
     cells = [
         (
             row.sea,

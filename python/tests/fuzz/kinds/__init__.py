@@ -1,1 +1,1 @@
-"""The kinds of input, a file each: `drawn` makes a case, `use` does with it what a user would."""
+"""Kinds of input, one file each: `drawn` makes a case, `use` processes it as a user would."""

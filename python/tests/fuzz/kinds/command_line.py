@@ -1,4 +1,4 @@
-"""Words of the command line: `--set` of every form, and numbers and names of the other options."""
+"""Arguments of the command line: `--set` in every form, and numbers and names of the other options."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ LINES = [
     ("serve", "--port", "99999", "--host", "127.0.0.1"),
     ("list", "--json"), ("statistics", "x.nc", "--after-s", "3"), ("plot", "x.nc", "-o", "x.png"),
 ]  # fmt: skip
-"""Lines that end soon, also where what is changed in them is right."""
-# What would compute for long, or serve, where it is right.
+"""Command lines that end soon, even if the changed argument is valid."""
+# Arguments that would start a long computation or a server if valid.
 OWN_WORDS = {
     "--anew",
     "--seeds",
@@ -82,7 +82,7 @@ def paths(scenario: str) -> list[str]:
 
 
 def assignment(draw: random.Random, scenario: str) -> str:
-    """``name=value``, nearly."""
+    """Draw an assignment ``name=value``, possibly malformed."""
     name = draw.choice(paths(scenario))
     value = weird_number(draw) if draw.random() < 0.6 else draw.choice(VALUES)
     text = f"{name}={value}"
@@ -90,7 +90,7 @@ def assignment(draw: random.Random, scenario: str) -> str:
 
 
 def drawn(draw: random.Random) -> Case:
-    """Assignments to a scenario, or a line with a word changed."""
+    """Draw assignments to a scenario, or a command line with one changed argument."""
     way = draw.random()
     if way < 0.9:
         scenario = draw.choice(SCENARIOS)
@@ -114,12 +114,12 @@ def drawn(draw: random.Random) -> Case:
 
 
 def _plain(word: str) -> str:
-    """A word as a shell can hand it over, and that a corpus can hold."""
+    """Make an argument that a shell can pass and a corpus file can store."""
     return word.replace("\x00", "").encode("utf-8", "replace").decode()
 
 
 def use(case: Case, folder: Path) -> str:
-    """Read the scenario with what is set, or do the line."""
+    """Read the scenario with the assignments, or run the command line."""
     how, *words = case.arguments
     if how == "set":
         return _set(words[0], words[1:])

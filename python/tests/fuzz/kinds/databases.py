@@ -17,7 +17,8 @@ from ..mutations import damaged, damaged_tree, encoded
 
 NAME = "hull.hydro.json"
 FREQUENCIES, DIRECTIONS = 5, 4
-"""Kept of the gallery's: reading is then a matter of milliseconds."""
+"""Numbers of frequencies and directions kept from the gallery's databases, so that reading takes
+milliseconds."""
 LARGE = ("added_mass", "radiation_damping", "froude_krylov", "diffraction")
 SCENARIO = """version: 1
 title: Afloat
@@ -70,10 +71,11 @@ def rest(k: int, names: tuple[str, ...] | None = LARGE) -> str:
 
 
 def drawn(draw: random.Random) -> Case:
-    """A database with values changed, or its text damaged; half of them go to the engine."""
+    """Draw a database with changed values or damaged text; half of them are read by the engine."""
     k = draw.randrange(len(trees()))
     if draw.random() < 0.75:
-        # Most values are of a few large tables: the others would hardly be met. The rest stays as text.
+        # Most values belong to a few large tables, which stay text: otherwise other values would hardly be
+        # drawn.
         small = draw.random() < 0.7
         names = [name for name in trees()[k] if not small or name not in LARGE]
         part = damaged_tree(draw, {name: copy.deepcopy(trees()[k][name]) for name in names})
@@ -87,7 +89,7 @@ def drawn(draw: random.Random) -> Case:
 
 
 def use(case: Case, folder: Path) -> str:
-    """Read it; where a hull floats on it, make steps."""
+    """Read the database; if a hull floats with it, make steps."""
     if case.arguments[0] == "python":
         database = database_file.read(folder / NAME)
         database_file.write(database, folder / f"again.{NAME}")

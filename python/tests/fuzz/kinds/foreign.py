@@ -39,7 +39,7 @@ GIVEN = {
 
 @dataclass(frozen=True)
 class Sample:
-    """Files of one program's, and the one that is named."""
+    """Files of one program, and the one to open."""
 
     files: dict[str, bytes]
     named: str
@@ -47,7 +47,7 @@ class Sample:
 
 @cache
 def samples() -> dict[str, Sample]:
-    """What the tests' writers write of a small database."""
+    """Files that the tests' writers make from a small database."""
     base = writers.database(count=5)
     found = {}
     for kind in GIVEN:
@@ -86,7 +86,7 @@ def _written(kind: str, folder: Path, base) -> Path:
 
 
 def drawn(draw: random.Random) -> Case:
-    """One of a program's files with something wrong, seldom one that is missing."""
+    """Draw a wrong file of a program, rarely a missing one."""
     kind = draw.choice(sorted(samples()))
     sample = samples()[kind]
     files = dict(sample.files)
@@ -111,7 +111,7 @@ def _damaged(draw: random.Random, content: bytes) -> bytes:
 
 
 def use(case: Case, folder: Path) -> str:
-    """Read it; without the fit of the memory, which takes long, unless by the command line."""
+    """Read the file, without the slow fit of the memory unless by the command line."""
     kind, named, how = case.arguments
     if how == "load":
         with quick_probe():

@@ -1,4 +1,4 @@
-"""Lifts with something wrong: `test_fuzz_lifts` draws them, `lift_outcomes` says what they come to."""
+"""Wrong scenarios of lifts: `test_fuzz_lifts` draws them, `lift_outcomes` judges them."""
 
 from __future__ import annotations
 
@@ -10,6 +10,6 @@ from ..contract import Case
 
 
 def use(case: Case, folder: Path) -> str:
-    """What the text of a scenario comes to, as if it stood in the file that the second word names."""
+    """Judge the text of a scenario as if it were in the file named by the second argument."""
     how, file = case.arguments
     return outcome(case.files["case.yaml"].decode(), file, thorough=how == "thorough")

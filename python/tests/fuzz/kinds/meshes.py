@@ -1,4 +1,4 @@
-"""Meshes of hulls: what meshio reads, and WAMIT's GDF."""
+"""Meshes of hulls: formats of meshio, and WAMIT's GDF."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ WRITTEN = {".stl": False, ".obj": False, ".ply": False, ".off": False, ".vtk": F
            ".inp": False, ".nas": False, ".vtu": False, ".su2": False, ".ugrid": False, ".avs": False,
            ".tec": False,
            ".f3grid": False, ".xml": False, ".wkt": False}  # fmt: skip
-"""Endings that are tried; those that meshio cannot write are left out."""
+"""Tried endings; those that meshio cannot write are left out."""
 
 
 @cache
@@ -61,7 +61,7 @@ def _obj() -> str:
 
 
 def drawn(draw: random.Random) -> Case:
-    """A mesh with something wrong in it, seldom with another ending."""
+    """Draw a wrong mesh, rarely with another ending."""
     likely = [".gdf", ".gdf", ".stl", ".stl", ".obj", "by_hand.obj", "binary.stl"]
     name = draw.choice(likely if draw.random() < 0.7 else sorted(samples()))
     content = samples()[name]
@@ -78,7 +78,7 @@ def drawn(draw: random.Random) -> Case:
 
 
 def use(case: Case, folder: Path) -> str:
-    """Panels, or the sections of roll damping."""
+    """Make panels, or sections for roll damping."""
     (name,) = case.files
     if case.arguments[0] == "sections":
         with quick_probe():

@@ -1,4 +1,4 @@
-"""Results in NetCDF, given to statistics and to pictures."""
+"""Results in NetCDF, as input of statistics and pictures."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def samples() -> list[bytes]:
 
 @cache
 def data_sets() -> list[xarray.Dataset]:
-    """The same as data sets."""
+    """The samples as data sets."""
     found = []
     with tempfile.TemporaryDirectory() as folder:
         for content in samples():
@@ -53,7 +53,7 @@ def data_sets() -> list[xarray.Dataset]:
 
 
 def drawn(draw: random.Random) -> Case:
-    """Bytes damaged, or attributes, dimensions and values that no run has."""
+    """Draw a file with damaged bytes, or with attributes, dimensions and values that no run has."""
     if draw.random() < 0.6:
         content = damaged_bytes(draw, draw.choice(samples()))
     else:
@@ -70,7 +70,7 @@ def _changed(draw: random.Random, run: xarray.Dataset) -> bytes:
     try:
         return bytes(run.to_netcdf(engine="h5netcdf"))
     except Exception:
-        # What cannot be written is in no file.
+        # A data set that cannot be written gives no case.
         return samples()[0]
 
 
@@ -141,7 +141,7 @@ def _of_variable(draw: random.Random, run: xarray.Dataset) -> xarray.Dataset:
 
 @contextmanager
 def quick_probe() -> Iterator[None]:
-    """Files are tried in a copy of this process, where the system can make one."""
+    """Test files in a fork of this process, if the system supports it."""
     before = files._probe
     files._probe = _probe_in_a_child if hasattr(os, "fork") else before
     try:
@@ -151,7 +151,7 @@ def quick_probe() -> Iterator[None]:
 
 
 def _probe_in_a_child(paths: Sequence[str], time_limit_s: float) -> None:
-    """As the package reads files first in a process of its own: here a copy of this one, at once at work."""
+    """Replace the package's separate process for reading files by a fork, which starts at once."""
     for path in paths:
         child = os.fork()
         if child == 0:
@@ -164,7 +164,7 @@ def _probe_in_a_child(paths: Sequence[str], time_limit_s: float) -> None:
 def _read_and_leave(path: str) -> None:
     import signal
 
-    # A copy has no timer of the one it copies.
+    # A fork does not inherit the timer.
     signal.setitimer(signal.ITIMER_PROF, 3.0)
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     code = 1
@@ -176,7 +176,7 @@ def _read_and_leave(path: str) -> None:
 
 
 def use(case: Case, folder: Path) -> str:
-    """Statistics, a picture, or the data set itself."""
+    """Compute statistics, draw a picture, or read the data set."""
     with quick_probe():
         if case.arguments[0] == "read":
             with files.open_all([folder / "run.nc"])[0] as found:

@@ -71,7 +71,7 @@ def tables() -> dict[str, str]:
 
 
 def drawn(draw: random.Random) -> Case:
-    """A table with something wrong; the joint's own fields seldom too."""
+    """Draw a wrong table, rarely with wrong fields of the joint."""
     name = draw.choice(["ship.raos.csv", "ship.raos.csv", "period.csv", "ship.yml"])
     content = encoded(draw, damaged(draw, tables()[name], TABLE_WAYS))
     scenario = SCENARIO.replace("RAOS", name)
@@ -81,7 +81,7 @@ def drawn(draw: random.Random) -> Case:
 
 
 def use(case: Case, folder: Path) -> str:
-    """A ship moves by it for a few steps."""
+    """Move a ship by the table for a few steps."""
     simulation = kingpost.Simulation(kingpost.load(folder / "case.yaml"))
     try:
         simulation.step(3)

@@ -40,7 +40,7 @@ def tables() -> dict[str, str]:
 
 
 def drawn(draw: random.Random) -> Case:
-    """A table with something wrong."""
+    """Draw a wrong table."""
     kind = draw.choice(["waves", "waves", "decay", "decay", "sections"])
     files = {"record.csv": encoded(draw, damaged(draw, tables()[kind], TABLE_WAYS))}
     if kind == "waves":
@@ -51,7 +51,7 @@ def drawn(draw: random.Random) -> Case:
 
 
 def use(case: Case, folder: Path) -> str:
-    """Waves from it, or damping."""
+    """Make waves or roll damping from the table."""
     kind, how = case.arguments
     path = folder / "record.csv"
     if how == "command":

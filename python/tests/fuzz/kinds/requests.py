@@ -63,7 +63,7 @@ def port() -> int:
 
 
 def drawn(draw: random.Random) -> Case:
-    """A request with something wrong in its line, its head or its body."""
+    """Draw a request with an error in its line, its head or its body."""
     text = draw.choice(HEADS)
     way = draw.random()
     if way < 0.35:
@@ -84,7 +84,7 @@ def drawn(draw: random.Random) -> Case:
 
 
 def use(case: Case, folder: Path) -> str:
-    """Send it, say that no more comes, and read the answers to their end."""
+    """Send the request, close the sending side, and read the answers to their end."""
     content = case.files["request"]
     with socket.create_connection(("127.0.0.1", port()), timeout=PATIENCE_S) as connection:
         answers = bytearray()

@@ -1,4 +1,4 @@
-"""Scenarios: the gallery's, the tests', and parts that nobody wrote, damaged as texts and as trees."""
+"""Scenarios of the gallery and of tests, and random parts, damaged as texts and as trees."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ SMALL = ("paper", "chain", "tennis_racket", "flexible_boom", "knuckle_boom_crane
 """Scenarios that are built and stepped in milliseconds."""
 LEAVES = Path(__file__).resolve().parents[4] / "crates" / "kingpost" / "tests"
 RUN_S = 0.03
-"""Of the processor: then a run is stopped as by Ctrl-C."""
+"""Processor time after which a run is stopped as by Ctrl-C, s."""
 
 
 @cache
 def texts() -> dict[str, str]:
-    """Texts by name; those of the small scenarios are most of what is drawn."""
+    """Texts by name; most draws are from the small scenarios."""
     gallery = {entry.name: kingpost.gallery.read_text(entry.path) for entry in kingpost.gallery.entries()}
     tests = [*LEAVES.glob("leaves/*.yaml"), *LEAVES.glob("common/*.yaml")]
     yard = Path(__file__).resolve().parents[2] / "lift_yard.yaml"
@@ -38,7 +38,7 @@ def texts() -> dict[str, str]:
 
 @cache
 def documents() -> dict[str, dict[str, Any]]:
-    """Their trees, parts mounted and parameters applied; their runs short."""
+    """Trees of the scenarios, with parts mounted, parameters applied and short runs."""
     found = {}
     for name, text in texts().items():
         with contextlib.suppress(kingpost.ScenarioError):
@@ -47,7 +47,7 @@ def documents() -> dict[str, dict[str, Any]]:
 
 
 def drawn(draw: random.Random) -> Case:
-    """A text or a tree with something wrong."""
+    """Draw a wrong text or a wrong tree."""
     way = draw.random()
     if way < 0.45:
         text = damaged(draw, texts()[_name(draw, texts())])
@@ -67,7 +67,7 @@ def _name(draw: random.Random, of: dict[str, Any]) -> str:
 
 
 def use(case: Case, folder: Path) -> str:
-    """Read it; where it is a scenario, take steps and run; sometimes by the command line."""
+    """Read the text; if it is a scenario, step and run it, sometimes by the command line."""
     how, path = case.arguments[0], folder / "case.yaml"
     if how in ("check", "run", "modes"):
         return _by_command(how, path)
