@@ -118,7 +118,8 @@ def table(shown: Gallery) -> list[str]:
         "| --- | --- | --- | --- | --- | --- |",
     ]
     for channel in channels:
-        at = {dim: labels.get(dim, f"NAME_OF_{dim.partition('_with_')[0].upper()}") for dim in channel["dims"]}
+        kinds = {dim: dim.partition("_with_")[0].upper() for dim in channel["dims"]}
+        at = {dim: labels.get(dim, f"NAME_OF_{kind}") for dim, kind in kinds.items()}
         cells = (f"`{channel['variable']}`", f"`{channel['column'].format_map(at)}`",
                  " or ".join(dict.fromkeys(channel["units"])),
                  "" if channel["frame"] == "none" else channel["frame"].replace("_", " "),

@@ -242,4 +242,6 @@ class Episodes:
     def _made(self, variants: Sequence[list[tuple[str, Any]]]) -> engine.VectorEnsemble:
         scenario, task = self.task.based_on, self.task
         asked = (list(task.action_names), list(task.read), task.limits, self.threads)
-        return engine.VectorEnsemble(scenario.text, scenario.file, scenario.files, json.dumps(variants), asked)
+        return engine.VectorEnsemble(
+            scenario.text, scenario.file, scenario.files, json.dumps(variants), asked
+        )
