@@ -1,4 +1,4 @@
-//! Submerged objects, with the coefficients that act on them as they enter the water upright.
+//! Submerged objects, with the coefficients that act on them during upright entry into the water.
 
 use crate::elements::Submerged;
 use crate::simulation::Setup;
@@ -54,12 +54,14 @@ pub struct ImmersionDescription {
     pub slamming_area_m2: f64,
 }
 
-/// Steps of the height over which the largest slope of the added mass is sought.
+/// Number of depths over the height at which the slope of the added mass is evaluated to find the largest
+/// one.
 const STEPS: usize = 200;
-/// Share of the height by which an object at the surface is in the water: its section is then that of its bottom.
+/// Immersion of an object at the surface, as a share of its height: its waterplane is then that of its
+/// bottom.
 const TOUCHES: f64 = 1e-6;
 
-/// The objects, in the order of results.
+/// Describes the objects, in the order of results.
 pub fn objects(setup: &Setup) -> Vec<ObjectInWater> {
     Submerged::among(&setup.elements).map(|object| describe(setup, object)).collect()
 }

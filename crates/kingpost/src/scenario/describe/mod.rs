@@ -1,4 +1,4 @@
-//! The description that a view needs to draw a scenario and to offer its parameters.
+//! Description of a scenario for a view, which draws it and shows its parameters.
 
 mod afloat;
 mod facts;
@@ -186,12 +186,12 @@ pub struct ParameterDescription {
 }
 
 impl Scenario {
-    /// Describes a scenario that builds; bodies that are not enabled are left out.
+    /// Describes a scenario that builds, without its disabled bodies.
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
         Ok(self.description_of(&self.setup()?))
     }
 
-    /// Describes the scenario by its setup.
+    /// Describes the scenario, with its setup.
     pub(super) fn description_of(&self, setup: &Setup) -> Description {
         let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
         let objects_in_water = in_water::objects(setup);
@@ -202,7 +202,7 @@ impl Scenario {
             modes.filter(|(_, mode)| **mode == crate::model::MotionType::Free).map(|(name, _)| name).collect();
         let body = |(index, (body, node)): (usize, (&crate::model::Body, &Node))| {
             let (owner, segment) = owner(&body.name);
-            // A body that the scenario does not list is the liquid of a tank.
+            // A body that is not in the scenario is the liquid of a tank.
             let given = self.bodies.get(owner);
             let parent = node.parent.map_or(schema::WORLD, |parent| model.bodies[parent].name.as_str());
             BodyDescription {
@@ -267,7 +267,7 @@ fn describe_loop(model: &Model, closed: &Loop) -> LoopDescription {
     }
 }
 
-/// The inertia of a body without added mass.
+/// Returns the inertia of a body without added mass.
 fn dry_inertia(model: &Model, body: usize, node: &Node) -> [[f64; 3]; 3] {
     let water = || model.added_inertias.iter().filter(|(of, _)| *of == body).map(|(_, added)| added);
     let along = |column: usize| {

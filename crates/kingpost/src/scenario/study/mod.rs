@@ -1,5 +1,6 @@
-//! The file of a study: many runs of one scenario, what they differ in and what is kept of them. The types are the one
-//! schema, as those of a scenario are; who runs a study resolves its names against the scenario.
+//! Study file: many runs of one scenario, the values in which they differ, and the results that are kept. The
+//! types of this module are its schema, as for a scenario; the program that runs a study resolves its names
+//! against the scenario.
 
 mod check;
 
@@ -14,11 +15,11 @@ use super::schema::{Limit, Name, ParameterValue, Version};
 use super::tree::{Content, ScenarioNode};
 use super::{parse, wording};
 
-/// Runs of one study: more is a mistake.
+/// Largest number of runs in one study: more are probably a mistake.
 pub const MOST_RUNS: u64 = 1_000_000;
-/// Seeds of one study.
+/// Largest number of seeds in one study.
 pub const MOST_SEEDS: u64 = 100_000;
-/// Peaks that are kept of a column in a run.
+/// Largest number of peaks that are kept of a column in a run.
 pub const MOST_PEAKS: u64 = 1_000;
 
 /// Many runs of one scenario: every case of the axes with every seed, and what is kept of each run.
@@ -186,7 +187,7 @@ const fn peaks_kept() -> u64 {
     32
 }
 
-/// Places of the values in a study's text, line and column from 1, by their dotted paths.
+/// Places of the values in a study's text, as line and column from 1, by their dotted paths.
 pub type Places = IndexMap<String, [usize; 2]>;
 
 /// Reads a study from YAML or JSON, with the places of its values. `file` is the name that errors carry.
@@ -201,8 +202,8 @@ pub type Places = IndexMap<String, [usize; 2]>;
 /// ```
 ///
 /// # Errors
-/// The first thing that is wrong, with its place: syntax, an unknown field, a wrong type, a value out of range, axes that do
-/// not fit together. Names that only the scenario knows are not looked at.
+/// The first error, with its place: syntax, an unknown field, a wrong type, a value out of range,
+/// incompatible axes. Names that refer to the scenario are not checked.
 pub fn read(text: &str, file: &str) -> Result<(Study, Places), ScenarioError> {
     let typed = || {
         let tree = parse::parse_as(text, wording::STUDY)?;
@@ -216,7 +217,7 @@ pub fn read(text: &str, file: &str) -> Result<(Study, Places), ScenarioError> {
     typed().map_err(|fault: Fault| fault.in_file(file))
 }
 
-/// Notes the place of a node and of all below it.
+/// Adds the place of a node and of all nodes below it.
 fn list_places(node: &ScenarioNode, path: &str, places: &mut Places) {
     if let SourcePlace::File { line, column } = node.place {
         places.insert(path.to_owned(), [line, column]);
