@@ -1,4 +1,4 @@
-//! The tanks of a model, and what a report says of each free surface.
+//! Tanks of a model, and the report of each free surface.
 
 use crate::dynamics::Kinematics;
 use crate::elements::{AnyElement, FreeFloodingTank, SlackTank, UTank};
@@ -42,7 +42,8 @@ impl<'a> Liquids<'a> {
         }
     }
 
-    /// The weight of these bodies with the water that has entered them beyond that at rest.
+    /// Returns the total weight of these bodies and of the water that has entered them beyond the amount at
+    /// rest.
     pub(super) fn with_flooding(&self, weight: Weight, at: &Kinematics, bodies: &[usize]) -> Weight {
         let on_them = self.flooded.iter().filter(|tank| bodies.contains(&tank.carrier));
         on_them.fold(weight, |Weight { mass, centre }, tank| {

@@ -1,5 +1,6 @@
-//! How the hulls of a scenario float with the crane in its present position: draught, heel and trim at rest, the
-//! metacentric height with hanging loads at their suspension points and free surfaces of slack tanks, righting arms.
+//! Hydrostatics of the hulls of a scenario with the crane in its present position: draught, heel and trim at
+//! rest, metacentric height (with hanging loads at their suspension points and free surfaces of slack tanks),
+//! and righting arms.
 //!
 //! ```no_run
 //! # fn of(scenario: &kingpost::Scenario) -> Result<(), kingpost::hydrostatics::HydrostaticsError> {
@@ -98,13 +99,13 @@ pub struct HullAfloat {
     pub rests_by_mesh: bool,
 }
 
-/// Why hulls cannot be described.
+/// Reason why a report is not possible.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum HydrostaticsError {
-    /// A scenario that does not build.
+    /// The scenario does not build.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
-    /// A hull that does not float.
+    /// A hull does not float.
     #[error("forces.{force}.hydrodynamics: {error}")]
     Hull {
         /// Name of the force.
@@ -115,7 +116,8 @@ pub enum HydrostaticsError {
 }
 
 impl Scenario {
-    /// How its hulls float at rest in still water, with the crane as at the start of a run.
+    /// Returns the floating position and stability of the hulls at rest in still water, with the crane in its
+    /// position at the start of a run.
     ///
     /// # Errors
     /// As [`Self::hydrostatic_report_at`].
@@ -123,9 +125,9 @@ impl Scenario {
         self.clone().build()?.hydrostatic_report()
     }
 
-    /// How its hulls float at the equilibrium of a simulation in still water, with held and prescribed coordinates at
-    /// their present values. For a scenario without equilibrium, or whose water carries nothing, the list of hulls is
-    /// empty and a warning says why.
+    /// Returns the floating position and stability of the hulls at the equilibrium of a simulation in still
+    /// water, with held and prescribed coordinates at their present values. If there is no equilibrium, or
+    /// the water carries no body, the list of hulls is empty and a warning gives the reason.
     ///
     /// # Errors
     /// A hull whose weight is more than the whole hull displaces.
@@ -133,7 +135,7 @@ impl Scenario {
         self.hydrostatic_report_of(&self.setup()?, simulation)
     }
 
-    /// Reports how the hulls float, by the setup of the scenario.
+    /// Reports the floating position and stability of the hulls for a setup of the scenario.
     fn hydrostatic_report_of(
         &self,
         setup: &Setup,
@@ -190,14 +192,14 @@ impl Scenario {
         Ok(report)
     }
 
-    /// Whether the mean drift of its database acts on a hull.
+    /// Returns whether the mean drift of the hull's database acts on it.
     fn drifts(&self, force: &str) -> bool {
         self.hydrodynamics(force).is_some_and(|given| given.wave_drift)
     }
 }
 
 impl BuiltScenario {
-    /// How its hulls float, as [`Scenario::hydrostatic_report`].
+    /// Returns the floating position and stability of the hulls, like [`Scenario::hydrostatic_report`].
     ///
     /// # Errors
     /// Fails where [`Scenario::hydrostatic_report`] does.
@@ -205,7 +207,8 @@ impl BuiltScenario {
         self.hydrostatic_report_at(&Simulation::new(self.setup().clone()))
     }
 
-    /// Reports how the hulls float with the crane as it stands in a simulation, as [`Scenario::hydrostatic_report_at`].
+    /// Returns the floating position and stability of the hulls with the crane in its position in a
+    /// simulation, like [`Scenario::hydrostatic_report_at`].
     ///
     /// # Errors
     /// Fails where [`Scenario::hydrostatic_report_at`] does.
@@ -214,7 +217,7 @@ impl BuiltScenario {
     }
 }
 
-/// The JSON Schema of [`HydrostaticReport`].
+/// Returns the JSON Schema of [`HydrostaticReport`].
 #[cfg(feature = "schema")]
 pub fn json_schema() -> serde_json::Value {
     crate::scenario::json_schema::published::<HydrostaticReport>()

@@ -1,18 +1,20 @@
-//! Righting arms of a loaded hull towards the side that it lists to.
+//! Righting arms of a loaded hull to the side of its list.
 
 use crate::sea::hull::{HullMesh, HullTank, Loading, RightingArm, StabilityError};
 use serde::Serialize;
 
-/// The curve is computed at every degree of heel up to this, deg, and given at every fifth.
+/// Largest heel of the reported curve, deg; the curve is computed at every degree, and every fifth point is
+/// kept.
 const LAST_KEPT_DEG: usize = 60;
 const KEPT_EVERY: usize = 5;
 /// Largest heel of the search for the vanishing angle, deg.
 const LAST_HEEL_DEG: usize = 90;
-/// A list below this counts as upright, rad: the curve is then that of the side with the smaller largest arm.
+/// List below which the ship counts as upright, rad: the curve is then for the side with the smaller maximum
+/// arm.
 const UPRIGHT_RAD: f64 = 1e-6;
-/// Arms below this count as 0, m.
+/// Arm below which it counts as 0, m.
 const NO_ARM_M: f64 = 1e-9;
-/// Halvings of the degree in which an arm passes through zero.
+/// Number of bisection steps in the degree of heel in which an arm passes through zero.
 const HALVINGS: usize = 30;
 
 /// A side of the ship.
@@ -72,12 +74,12 @@ pub struct LargestArm {
 }
 
 impl Side {
-    /// The side of a heel, positive to starboard.
+    /// Returns the side of a heel, which is positive to starboard.
     pub(super) fn of(heel_to_starboard_rad: f64) -> Self {
         if heel_to_starboard_rad < 0.0 { Self::Port } else { Self::Starboard }
     }
 
-    /// The side in words.
+    /// Returns the name of the side.
     pub fn name(self) -> &'static str {
         match self {
             Self::Port => "port",
@@ -85,7 +87,7 @@ impl Side {
         }
     }
 
-    /// 1 to starboard, as heel counts.
+    /// Returns the sign of a heel to this side: 1 to starboard.
     fn sign(self) -> f64 {
         match self {
             Self::Port => -1.0,
@@ -95,7 +97,7 @@ impl Side {
 }
 
 impl RightingArmCurve {
-    /// For a hull that rests at this heel to starboard, rad.
+    /// Returns the curve of a hull that rests at this heel to starboard, rad.
     ///
     /// # Errors
     /// [`StabilityError`].
@@ -130,7 +132,7 @@ impl RightingArmCurve {
             degrees.map(|degrees| (degrees as f64).to_radians()).collect()
         };
         let mut points = at(&heels(0..=LAST_KEPT_DEG))?;
-        // If no trim is found at large heel, the curve still goes to 60 deg.
+        // The curve goes to 60 deg even if no trim is found at large heel.
         points.extend(at(&heels(LAST_KEPT_DEG + 1..=LAST_HEEL_DEG)).unwrap_or_default());
         let positive = |point: &RightingArmPoint| point.arm_m > NO_ARM_M;
         let before = if positive(&points[0]) { before_upright(&at)? } else { Vec::new() };
@@ -153,8 +155,8 @@ impl RightingArmCurve {
     }
 }
 
-/// The points at every degree of heel to the other side, from the first whose arm is not positive to the last before 0; none
-/// if there is no such point.
+/// Returns the points at every degree of heel to the other side, from the first point whose arm is not
+/// positive to the last one before 0; empty if there is no such point.
 fn before_upright(
     at: &impl Fn(&[f64]) -> Result<Vec<RightingArmPoint>, StabilityError>,
 ) -> Result<Vec<RightingArmPoint>, StabilityError> {
@@ -169,7 +171,7 @@ fn before_upright(
     Ok(Vec::new())
 }
 
-/// Where an arm passes through zero between two angles of heel, rad.
+/// Returns the heel, rad, at which an arm passes through zero between two points.
 fn zero(
     arm: &impl Fn(f64) -> Result<f64, StabilityError>,
     [mut from, mut to]: [f64; 2],
@@ -186,7 +188,8 @@ fn zero(
     Ok(0.5 * (from + to))
 }
 
-/// The top of the parabola through the largest and its two neighbours; at an end of the samples, the largest.
+/// Returns the maximum of the parabola through the largest point and its two neighbours; at an end of the
+/// samples, the largest point.
 fn largest(points: &[RightingArmPoint]) -> LargestArm {
     let arm = |i: usize| points[i].arm_m;
     let top = (1..points.len()).fold(0, |top, i| if arm(i) > arm(top) { i } else { top });
