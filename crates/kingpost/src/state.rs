@@ -103,7 +103,7 @@ impl<S: Copy> State<S> {
 }
 
 impl State {
-    /// Returns the state as bytes, little endian; [`State::restore`] restores it identically to the bit.
+    /// Returns the state as bytes, little endian; [`State::restore`] restores it bitwise.
     /// `fingerprint` identifies the setup.
     pub fn snapshot(&self, fingerprint: u64) -> Vec<u8> {
         let mut bytes = Vec::from(MAGIC);

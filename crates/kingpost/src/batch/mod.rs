@@ -1,7 +1,7 @@
 //! Batches of runs: variants of one scenario, computed in lanes and on threads.
 //!
 //! Variants with the same structure are computed in the [lanes](crate::scalar::Lanes) of SIMD registers, and
-//! groups of them on threads. The result of every run is identical to the bit to that of the run alone, for
+//! groups of them on threads. The result of every run is bitwise identical to that of the run alone, for
 //! any other lanes and any number of threads.
 
 mod copies;

@@ -9,7 +9,7 @@ const SHARE: f64 = 1e-3;
 /// in the last digit. The zero of the potential energy is arbitrary, so it is used only for this share.
 const ROUNDING: f64 = 1e-12;
 /// Largest negligible energy error, as the height, m, by which it would lift all moving bodies: it matters
-/// while little has moved. For comparison: a loaded rope stretches by a centimetre.
+/// while little has moved. For comparison: a loaded rope of 1 cm stretches by this length.
 const HEIGHT_M: f64 = 1e-5;
 
 /// Compares the energy error of a run with the largest energy in play so far.

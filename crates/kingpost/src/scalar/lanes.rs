@@ -9,7 +9,7 @@ use wide::f64x4;
 pub const LANES: usize = 4;
 
 /// Independent numbers. Every operation is that of `f64` lane by lane, without fused multiplication, so each
-/// lane is identical to the bit to a run alone.
+/// lane is bitwise identical to a run alone.
 ///
 /// ```
 /// use kingpost::scalar::{Lanes, Scalar};

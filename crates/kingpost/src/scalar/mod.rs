@@ -3,7 +3,7 @@
 //! The folders from [`spatial`](crate::spatial) to [`simulation`](crate::simulation) are generic over
 //! [`Scalar`]. `f64` is the usual choice, [`Dual`] carries exact derivatives, and [`Lanes`] holds several
 //! runs. Transcendental functions are those of the pure-Rust `libm` or of this module on every target, so
-//! native and WASM runs are identical to the bit.
+//! native and WASM runs are bitwise identical.
 
 mod dual;
 mod lanes;
@@ -139,7 +139,7 @@ impl Scalar for f64 {
 
     #[inline]
     fn sqrt(self) -> Self {
-        // The instruction rounds correctly on every target, so the result is identical to the bit to that of
+        // The instruction rounds correctly on every target, so the result is bitwise identical to that of
         // libm, which computes it with integers on WASM although WASM has the instruction.
         f64::sqrt(self)
     }

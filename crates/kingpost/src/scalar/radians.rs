@@ -14,7 +14,7 @@ pub(super) const LARGEST: f64 = 1.6e6;
 /// Returns sine and cosine to a unit in the last place.
 ///
 /// With n the whole number of quarter turns nearest to the angle, the remainder is at most pi/4 and exact to
-/// rounding (Cody and Waite 1980). Only sums and products are used, so the result is identical to the bit on
+/// rounding (Cody and Waite 1980). Only sums and products are used, so the result is bitwise identical on
 /// every machine and in lanes.
 #[inline(always)]
 pub(super) fn sin_cos(angle: f64) -> (f64, f64) {

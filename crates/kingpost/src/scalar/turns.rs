@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle in turns, and powers of two, for sums of many waves.
 //!
 //! The functions have no branches, so that a loop over many waves becomes SIMD code. They use only the four
-//! basic operations, so the result is identical to the bit on every machine.
+//! basic operations, so the result is bitwise identical on every machine.
 
 use super::Scalar;
 use core::f64::consts::{PI, TAU};

@@ -9,7 +9,7 @@ const STEP: &str = "by hand";
 
 impl Scenario {
     /// Returns the user's changes of inputs in a simulation of this scenario, as an operation: a run with
-    /// this operation is identical to the bit.
+    /// this operation is bitwise identical.
     ///
     /// It contains the changes since the start or the last reset. Parameters that were set during the run are
     /// not included: see [`Simulation::parameters_set`].

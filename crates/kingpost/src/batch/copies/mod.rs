@@ -2,7 +2,7 @@
 //!
 //! Each copy has separate numbers (sea, load, delay, seed), inputs and time. Four neighbouring copies are
 //! stepped in lanes while their times are equal, and groups of four on threads. The result of every copy is
-//! identical to the bit to that of a single simulation with the same inputs.
+//! bitwise identical to that of a single simulation with the same inputs.
 
 mod group;
 
@@ -260,7 +260,7 @@ impl VectorEnsemble {
 
     /// Sets all copies to the state that was marked last, with its time and inputs. The numbers of each copy
     /// do not change: a copy with another sea meets other waves from then on. A copy with the same numbers as
-    /// the marked copy continues identically to the bit.
+    /// the marked copy continues bitwise identically.
     ///
     /// # Errors
     /// No copy was marked before.

@@ -17,7 +17,7 @@ enum GustDraw {
     Amplitude = 2,
 }
 
-/// A realisation of a gusty wind; equal seeds give realisations that are identical to the bit.
+/// A realisation of a gusty wind; equal seeds give realisations that are bitwise identical.
 ///
 /// The band is divided into bins of equal width in ln f, because f S(f) is broad as a function of ln f. Each
 /// bin gives one component with the variance of the bin, a frequency drawn uniformly in ln f from the bin, so
