@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn a_snapshot_gives_back_the_same_bits() {
+    fn a_restored_snapshot_is_bitwise_identical() {
         let mut other = state();
         (other.q[1], other.m[0]) = (9.0, 4);
         other.restore(&state().snapshot(5), 5).unwrap();

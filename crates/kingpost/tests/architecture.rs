@@ -153,7 +153,7 @@ fn kinds_of_element() -> BTreeSet<String> {
 }
 
 #[test]
-fn no_kind_of_element_is_named_behind_the_builder() {
+fn no_module_after_the_builder_names_a_kind_of_element() {
     let kinds = kinds_of_element();
     assert!(kinds.len() > 15 && kinds.contains("Motor") && kinds.contains("Hull"), "{kinds:?}");
     let source = root().join("crates/kingpost/src");
@@ -211,7 +211,7 @@ fn the_engine_has_no_clock_no_output_and_no_input() {
 
 /// A module that has a folder begins in the folder's `mod.rs`, never in a file of its name beside it.
 #[test]
-fn a_module_with_a_folder_begins_in_its_mod_rs() {
+fn a_module_with_a_folder_starts_in_its_mod_rs() {
     for path in files_below(&root().join("crates"), ".rs") {
         let folder = path.with_extension("");
         assert!(!folder.is_dir(), "{}: belongs into {}/mod.rs", path.display(), folder.display());
@@ -342,7 +342,7 @@ fn uses_beside() -> BTreeMap<ModulePath, BTreeMap<String, BTreeSet<String>>> {
 
 /// A folder's `mod.rs` is left out: it names the files beside it, and they may use what it holds.
 #[test]
-fn no_files_of_a_folder_use_each_other_in_a_circle() {
+fn files_of_a_folder_have_no_circular_dependencies() {
     let found = uses_beside();
     assert!(found[&vec!["dynamics".to_owned()]]["loads"].contains("unilateral_constraint"), "{found:?}");
     assert!(found[&vec!["scenario".to_owned()]]["assembly"].contains("error"), "by way of what mod.rs takes");
@@ -388,7 +388,7 @@ fn has_small_literal(code: &str) -> bool {
 
 /// A tolerance without a scale or a reason is the kind of number that fails far from where it was chosen.
 #[test]
-fn each_small_constant_has_its_scale_or_reason_beside_it() {
+fn each_small_constant_has_a_comment_with_its_scale_or_reason() {
     let folder = root().join("crates/kingpost/src");
     let mut bare = Vec::new();
     for path in files_below(&folder, ".rs") {

@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn a_singular_system_gives_what_is_not_finite() {
+    fn a_singular_system_gives_a_solution_that_is_not_finite() {
         let mut factors = Factors::new(2);
         factors.entries = vec![1.0, 2.0, 2.0, 4.0];
         factors.factor();

@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_force_at_the_tip_deflects_it_as_timoshenko_says_whatever_the_number_of_pieces() {
+    fn the_deflection_by_a_tip_force_is_timoshenkos_for_any_number_of_pieces() {
         for pieces in [1, 2, 5, 16] {
             let (beam, force) = (beam(pieces), 1000.0);
             let [_, shear_z, _, bending_y, _] = beam.stiffness();

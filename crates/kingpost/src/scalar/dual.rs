@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_number_stays_so_when_it_is_clipped() {
+    fn nan_stays_nan_when_clipped() {
         let nan = Dual::<1>::constant(f64::NAN);
         assert!(nan.clipped(Dual::constant(-1.0), Dual::ONE).value.is_nan());
         assert!(f64::NAN.clipped(-1.0, 1.0).is_nan());

@@ -235,7 +235,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_lane_has_the_bits_that_it_would_have_alone(x: [f64; LANES], y: [f64; LANES]) {
+        fn every_lane_is_bitwise_identical_to_a_single_run(x: [f64; LANES], y: [f64; LANES]) {
             let together = formula(Lanes::new(x), Lanes::new(y)).to_array();
             for k in 0..LANES {
                 let alone = formula(x[k], y[k]);

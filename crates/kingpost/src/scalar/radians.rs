@@ -65,7 +65,7 @@ mod tests {
     }
 
     #[test]
-    fn near_quarters_of_a_turn_what_is_left_keeps_its_digits() {
+    fn near_quarter_turns_the_remainder_keeps_its_digits() {
         for n in -2000..2000_i32 {
             let angle = core::f64::consts::FRAC_PI_2 * f64::from(n);
             let ((sin, cos), (exact_sin, exact_cos)) = (sin_cos(angle), libm::sincos(angle));
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn large_angles_and_what_is_not_finite_are_left_to_libm() {
+    fn large_and_infinite_angles_use_libm() {
         assert_eq!(sin_cos(1e9), libm::sincos(1e9));
         assert!(sin_cos(f64::NAN).0.is_nan() && sin_cos(f64::INFINITY).1.is_nan());
     }

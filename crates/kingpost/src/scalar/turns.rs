@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_has_no_sine() {
+    fn an_angle_that_is_not_finite_has_no_sine() {
         for turns in [f64::NAN, f64::INFINITY] {
             let (sin, cos) = sin_cos_of_turns(turns);
             assert!(sin.is_nan() && cos.is_nan() && cos_of_turns(turns).is_nan());

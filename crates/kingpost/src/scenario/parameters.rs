@@ -347,7 +347,7 @@ mod tests {
     use super::is_top_field;
 
     #[test]
-    fn a_field_at_the_top_is_known_and_no_other_name() {
+    fn only_fields_at_the_top_level_are_reserved_names() {
         for name in ["version", "title", "parameters", "simulation", "bodies", "forces", "operation", "limits"] {
             assert!(is_top_field(name), "{name}");
         }

@@ -104,8 +104,8 @@ impl Simulation {
         self.state.snapshot(self.fingerprint)
     }
 
-    /// Restores the state from a snapshot of a simulation with the same setup; the run continues identically
-    /// to the bit. On an error nothing changes.
+    /// Restores the state from a snapshot of a simulation with the same setup; the run continues bitwise
+    /// identically. On an error nothing changes.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
         let mut next = self.state.clone();
         next.restore(bytes, self.fingerprint)?;

@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_undoes() {
+    fn the_inverse_frame_cancels_the_frame() {
         let e = Frame { rotation: exp(Vector3::new(0.4, -0.7, 1.1)), position: Vector3::new(1.0, 2.0, -0.5) };
         let i = e.times(&e.inverse());
         assert!(i.position.norm() < 1e-15 && (i.rotation.0[0][0] - 1.0_f64).abs() < 1e-15);

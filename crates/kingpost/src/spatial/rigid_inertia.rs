@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn an_inertia_that_no_rigid_body_has_is_not_taken_for_one() {
+    fn an_inertia_that_is_not_rigid_is_not_accepted_as_rigid() {
         let mut inertia = SpatialInertia::rigid(7.0, Symmetric3::diagonal([5.0, 4.0, 3.0]));
         inertia.linear.yy = 8.0;
         assert_eq!(RigidInertia::from_spatial(&inertia), None);

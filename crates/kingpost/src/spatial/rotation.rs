@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn rotation_vector_rate_gives_back_the_body_rate_by_differences() {
+    fn the_rotation_vector_rate_agrees_with_the_body_rate_by_differences() {
         let omega = Vector3::new(0.7, -1.1, 0.4);
         for v in VECTORS {
             let (a, h) = (Vector3(v), 1e-5);

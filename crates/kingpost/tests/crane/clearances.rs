@@ -52,7 +52,7 @@ fn from_box(point: [f64; 3], half: [f64; 3]) -> f64 {
 
 /// Prescribed motions at constant rates are exact: what is left is rounding.
 #[test]
-fn two_points_are_as_far_apart_as_their_motions_say() {
+fn the_clearance_of_two_points_is_the_distance_from_their_motions() {
     let text = arm_and_cart(
         "sensors:
   by_name: {clearance: {first: {body: arm, point: hook}, second: {body: cart, point: roof}}}
@@ -73,7 +73,7 @@ fn two_points_are_as_far_apart_as_their_motions_say() {
 }
 
 #[test]
-fn a_point_is_as_far_from_a_solid_as_from_its_nearest_face_edge_or_corner() {
+fn the_clearance_to_a_solid_is_the_distance_to_its_nearest_face_edge_or_corner() {
     let text = arm_and_cart(
         "sensors:
   own: {clearance: {first: {body: arm, point: hook}, second: {body: cart, shape: own}}}
@@ -103,7 +103,7 @@ fn a_point_is_as_far_from_a_solid_as_from_its_nearest_face_edge_or_corner() {
 }
 
 #[test]
-fn a_point_inside_of_a_solid_has_a_negative_clearance() {
+fn a_point_inside_a_solid_has_a_negative_clearance() {
     // Of a box that holds the hook, the nearest face is above it.
     let text = arm_and_cart(
         "sensors:
@@ -127,7 +127,7 @@ fn over_waves(wave: &Wave, rest: &str) -> String {
 
 /// Airy's wave in deep water, eta = a cos(k x - w t + phase); phases of a few turns round by 1e-14 m.
 #[test]
-fn the_air_gap_is_the_height_over_a_regular_wave_where_the_point_is() {
+fn the_air_gap_is_the_height_over_a_regular_wave_at_the_point() {
     let wave = Wave::new(3.0, 7.0, 0.4);
     let mut run = simulation(&over_waves(&wave, ""));
     for _ in 0..8 {
@@ -162,7 +162,7 @@ fn whole_run(text: &str) -> Simulation {
 
 /// A crest passes the platform at half a period, 3.5 s, where the phase began with a trough.
 #[test]
-fn a_limit_on_an_air_gap_is_broken_where_the_crest_passes() {
+fn a_limit_on_an_air_gap_is_exceeded_when_the_crest_passes() {
     let wave = Wave::new(3.0, 7.0, std::f64::consts::PI);
     let limits = "limits:
   dry: {column: platform.air_gap, at_least: 5.4}
@@ -178,7 +178,7 @@ fn a_limit_on_an_air_gap_is_broken_where_the_crest_passes() {
 
 /// The cart comes to the quay at 0.5 m/s: its front is 4 m off where the run begins and 0 m where it ends, 8 s later.
 #[test]
-fn a_limit_on_a_clearance_says_how_near_it_came_and_when() {
+fn a_limit_on_a_clearance_reports_the_smallest_value_and_its_time() {
     let rest = "sensors:
   fender: {clearance: {first: {body: cart, position_m: [2, 0, 0]}, second: {body: world, position_m: [14, 0, 0], shape: {plane: {normal: [-1, 0, 0]}}}}}
 limits:
@@ -205,7 +205,7 @@ fn a_sensor_changes_no_number_of_the_motion() {
 }
 
 #[test]
-fn a_sensor_on_a_body_that_is_off_is_not_there() {
+fn a_sensor_on_a_disabled_body_does_not_exist() {
     let text = arm_and_cart(
         "sensors: {roof: {air_gap: {body: cart, point: roof}}, gap: {clearance: {first: {body: arm, point: hook}, second: {body: cart}}}}\n",
     );
@@ -215,7 +215,7 @@ fn a_sensor_on_a_body_that_is_off_is_not_there() {
 }
 
 #[test]
-fn a_mistake_in_a_sensor_is_told_at_its_place() {
+fn a_mistake_in_a_sensor_is_reported_at_its_place() {
     let good = "sensors:
   gap: {clearance: {first: {body: arm, point: hook}, second: {body: cart, point: roof}}}
   air: {air_gap: {body: arm, point: hook}}
@@ -289,7 +289,7 @@ fn a_mistake_in_a_sensor_is_told_at_its_place() {
 
 /// A body takes the prefix of its part and a point keeps its name; what stands on the world stands on the mounting.
 #[test]
-fn a_sensor_of_a_part_goes_where_the_part_is_mounted() {
+fn a_sensor_of_a_part_moves_to_the_mounting_of_the_part() {
     let part = arm_and_cart("sensors:\n  gap: {clearance: {first: {body: arm, point: hook}, second: {body: world, position_m: [1, 0, 0], shape: {plane: {}}}}}\n")
         .replace("simulation: {step_s: 0.05, duration_s: 8, record_every_s: 0.05}\n", "")
         .replace("forces:\n  gravity: {gravity: {}}\n", "");

@@ -43,7 +43,7 @@ fn down(run: &Simulation) -> f64 {
 
 /// x = v t + g (sin - mu cos) t^2 / 2; the bristles take mu N / k, 0.1 mm, of the way before it slides.
 #[test]
-fn a_block_slides_down_a_slope_as_coulomb_says() {
+fn a_block_slides_down_a_slope_by_coulombs_law() {
     let (sin, cos) = 20.0_f64.to_radians().sin_cos();
     let motion = format!(", velocity_m_s: [{}, 0, {}]", cos, -sin);
     let mut sliding = simulation(&slope("integrator: rk4, step_s: 0.001, duration_s: 60", "0.25", &motion));
@@ -110,7 +110,7 @@ forces:
 
 /// A pipe stands on its end, and one that leans beyond its rim falls over.
 #[test]
-fn a_pipe_stands_or_falls() {
+fn a_pipe_on_end_stands_or_falls() {
     let stands = |lean_deg: f64| {
         let text = format!(
             "version: 1
@@ -220,7 +220,7 @@ forces:
 
 /// A deck that becomes slippery during a run lets go of what stood on it: from there x = g (sin - mu cos) t^2 / 2.
 #[test]
-fn a_block_that_held_slides_when_its_friction_is_made_less_during_a_run() {
+fn a_block_at_rest_slides_when_its_friction_is_reduced_during_a_run() {
     let settings = "integrator: rk4, step_s: 0.001, duration_s: 60";
     let knob =
         "parameters:\n  - {name: mu, live: true, default: 0.4, writes: [forces.deck.contact.friction_coefficient]}\n";

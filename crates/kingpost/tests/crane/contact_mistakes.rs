@@ -35,7 +35,7 @@ fn refused(from: &str, to: &str) -> String {
 }
 
 #[test]
-fn a_contact_that_cannot_be_is_refused_at_its_place() {
+fn an_invalid_contact_is_refused_at_its_place() {
     let cases = [
         (
             "load: {body: crate",
@@ -100,7 +100,7 @@ fn a_deck_that_is_too_soft_for_its_load_is_refused() {
 
 /// Falling 0.51 m on it, 500 kg go some 10 mm into 4 MN/m: v sqrt(m / 4 k) = 35 mm without its damping.
 #[test]
-fn a_run_warns_of_a_load_that_is_pressed_in_too_deep() {
+fn a_run_warns_of_a_load_with_excessive_penetration() {
     let text = TEXT.replace("1.01]", "1.52]").replace("duration_s: 60", "duration_s: 2");
     let text = text.replace("coefficient: 0.4\n", "coefficient: 0.4\n      penetration_tolerance_m: 0.004\n");
     let run = simulation(&text).run(|_| true);
@@ -110,7 +110,7 @@ fn a_run_warns_of_a_load_that_is_pressed_in_too_deep() {
 
 /// A switch takes the contact away: nothing touches, and the load falls through.
 #[test]
-fn a_contact_that_is_off_is_not_there() {
+fn a_disabled_contact_does_not_exist() {
     let off = TEXT.replace("contact:\n", "contact:\n      enabled: false\n");
     let mut falling = simulation(&off);
     falling.step(500).expect("it falls");

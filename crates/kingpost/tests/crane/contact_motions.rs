@@ -156,7 +156,7 @@ fn a_crate_is_landed_on_a_deck_in_waves() {
 
 /// KG of barge, mast and a crate on the deck: by their weights and heights; the barge carries all.
 #[test]
-fn a_crate_on_the_deck_counts_in_the_centre_of_gravity_where_it_stands() {
+fn a_crate_on_the_deck_counts_in_the_centre_of_gravity_at_its_position() {
     let settings = "integrator: rk4, step_s: 0.01, duration_s: 100, begin_at_equilibrium: true";
     let mast: Vec<(String, Value)> = vec![("bodies.mast.joint.prismatic.position_m".to_owned(), json!([0, 0, 7]))];
     let standing = text(settings, [0.0, 0.0, 4.0], "");

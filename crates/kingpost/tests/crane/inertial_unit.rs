@@ -64,7 +64,7 @@ fn largest(rows: &[[[f64; 2]; 3]], quantity: usize) -> f64 {
 /// What passes of waves through the stationary gains is a few per cent of the displacement at most, and less of the velocity
 /// and of the tilt.
 #[test]
-fn it_finds_roll_heave_and_heave_rate_in_waves() {
+fn an_inertial_unit_estimates_roll_heave_and_heave_rate_in_waves() {
     let rows = settled(&[]);
     let [roll, heave, rate] = [0, 1, 2].map(|quantity| largest(&rows, quantity));
     assert!(roll.to_degrees() < 0.05, "roll is off by {} deg", roll.to_degrees());
@@ -74,7 +74,7 @@ fn it_finds_roll_heave_and_heave_rate_in_waves() {
 
 /// The filter of a motion reference unit with a cut-off of 20 s leads by 34 degrees there.
 #[test]
-fn a_wave_of_half_or_twice_the_assumed_period_keeps_its_phase() {
+fn the_phase_is_correct_for_waves_of_half_or_twice_the_assumed_period() {
     for period_s in [4.5, 18.0] {
         let rows = settled(&[("sensors.inertial.inertial_unit.filter.wave_period_s", json!(period_s))]);
         let rate = largest(&rows, 2);
@@ -85,7 +85,7 @@ fn a_wave_of_half_or_twice_the_assumed_period_keeps_its_phase() {
 /// A unit that was at rest before knows the errors along its vertical and of its rates; what its accelerometers err by
 /// across it tilts its horizon by bias over g.
 #[test]
-fn constant_errors_tilt_its_horizon_and_do_no_more() {
+fn constant_errors_of_an_inertial_unit_only_tilt_its_horizon() {
     let upright = [("bodies.raft.joint.revolute.mode", json!("held"))];
     let biased = [
         upright[0].clone(),
@@ -101,7 +101,7 @@ fn constant_errors_tilt_its_horizon_and_do_no_more() {
 }
 
 #[test]
-fn at_rest_it_measures_the_reaction_to_its_weight() {
+fn an_inertial_unit_at_rest_measures_the_reaction_to_its_weight() {
     let mut simulation = changed(&[
         ("bodies.stem.joint.prismatic.mode", json!("held")),
         ("bodies.raft.joint.revolute.mode", json!("held")),
@@ -127,7 +127,7 @@ fn sinking(with: &[(&str, Value)]) -> [f64; 2] {
 }
 
 #[test]
-fn a_receiver_gives_it_slow_motion_and_its_drop_out_is_survived() {
+fn an_inertial_unit_with_a_receiver_estimates_slow_motion_and_continues_after_a_drop_out() {
     let receiver = |more: Value| {
         let mut receiver = json!({"body": "raft", "position_m": [3, -2, 8], "period_s": 0.1, "delay_samples": 1});
         receiver.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
@@ -171,7 +171,7 @@ fn what_cannot_be_is_named_with_its_place() {
 
 /// The heading is that of the gyrocompass, with its constant error from the start.
 #[test]
-fn its_yaw_is_that_of_the_gyrocompass() {
+fn the_yaw_of_an_inertial_unit_is_that_of_the_gyrocompass() {
     let errors = [("sensors.inertial.inertial_unit.heading_errors", json!({"bias_rad": 0.01}))];
     let mut simulation = changed(&errors);
     for _ in 0..20 {

@@ -61,7 +61,7 @@ fn short(falls: f64) -> (String, f64) {
 
 /// Heel and slew turn the crane as a whole: its radius stays 12 m, and its rated load 3.4 t.
 #[test]
-fn the_radius_is_the_cranes_own_and_the_hook_load_counts_every_fall() {
+fn the_radius_is_relative_to_the_crane_and_the_hook_load_includes_every_fall() {
     for place in [[0.0, 0.0, 0.0], [0.0, 130.0, 0.0], [7.0, -40.0, 0.0]] {
         for (path, falls) in [(SINGLE, 1.0), (DOUBLE, 2.0), (DEAD_END_ON_THE_BOOM, 2.0)] {
             let (length, tension) = short(falls);
@@ -77,7 +77,7 @@ fn the_radius_is_the_cranes_own_and_the_hook_load_counts_every_fall() {
 }
 
 #[test]
-fn a_load_off_to_the_side_pulls_as_hard_and_leaves_the_radius_at_the_tip() {
+fn a_load_off_to_the_side_has_its_full_hook_load_and_the_radius_of_the_tip() {
     let mut found = simulation(&crane([0.0, 20.0, 4.0], SINGLE, "      unstretched_length_m: 21.7\n"));
     let tension = 1e6 * (11.0 + 116.0_f64.sqrt() - 21.7) / 21.7;
     assert!((values(&mut found, "hook_load")[0] * G / tension - 1.0).abs() < 1e-9);
@@ -104,7 +104,7 @@ fn a_load_at_rest_on_a_heavy_rope_or_an_inextensible_one_shows_its_mass() {
 
 /// Linear between 10 m and 20 m, and held at 5 m and at 20 m, with a warning there.
 #[test]
-fn the_rated_load_is_linear_between_radii_and_held_at_the_ends_of_the_chart_with_a_warning() {
+fn the_rated_load_is_linear_between_radii_and_constant_beyond_the_chart_with_a_warning() {
     for (tip, rated_t, outside) in [(5.0, 8.0, false), (7.5, 6.0, false), (15.0, 2.5, false), (20.0, 1.0, false)]
         .into_iter()
         .chain([(3.0, 8.0, true), (24.0, 1.0, true)])
@@ -121,7 +121,7 @@ fn the_rated_load_is_linear_between_radii_and_held_at_the_ends_of_the_chart_with
 
 /// A mass on a spring that is let go pulls with twice its weight: 2 t at 12 m, of 3.4 t, and of 1.7 t.
 #[test]
-fn a_load_beyond_the_chart_is_warned_of_with_the_worst_utilisation() {
+fn a_load_beyond_the_chart_gives_a_warning_with_the_largest_utilisation() {
     let let_go = |rated: &str| {
         let text = crane([0.0; 3], SINGLE, "").replace("rated_loads_t: [8, 4, 1]", rated);
         let mut found = simulation(&text);
@@ -133,7 +133,7 @@ fn a_load_beyond_the_chart_is_warned_of_with_the_worst_utilisation() {
 }
 
 #[test]
-fn a_chart_that_is_none_is_refused_where_it_is_written() {
+fn an_invalid_chart_is_refused_at_its_place() {
     let whole = "{joint: slew, radii_m: [5, 10, 20], rated_loads_t: [8, 4, 1]}";
     for (chart, wording) in [
         (

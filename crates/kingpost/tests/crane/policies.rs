@@ -53,7 +53,7 @@ fn law(position: f64, velocity: f64) -> f64 {
 }
 
 #[test]
-fn a_policy_is_its_law_at_its_samples_and_adds_its_command() {
+fn a_policy_evaluates_its_law_at_its_samples_and_adds_its_command() {
     let mut found = simulation(&cage(LEARNED));
     let (mut added, mut clipped) = (0.0, 0);
     for step in 0..300 {
@@ -74,7 +74,7 @@ fn a_policy_is_its_law_at_its_samples_and_adds_its_command() {
 }
 
 #[test]
-fn a_policy_that_is_off_passes_its_command() {
+fn a_disabled_policy_passes_its_command() {
     let mut found = simulation(&cage(&LEARNED.replace("reads:", "enabled: false\n      reads:")));
     found.set_input("learned", 0.25).expect("its command");
     found.step(3).expect("it runs");
@@ -114,7 +114,7 @@ fn a_selector_passes_one_branch_and_no_other() {
 
 /// The feedback of the selected branch alone grows, as it does without a selector between it and the drive.
 #[test]
-fn the_linear_check_looks_through_a_selector() {
+fn the_linear_check_includes_feedback_through_a_selector() {
     let growing = |controllers: &str| simulation(&cage(controllers)).growing_with_feedback();
     assert_eq!(growing(&choice("good")), None);
     let behind = growing(&choice("bad")).expect("it grows");

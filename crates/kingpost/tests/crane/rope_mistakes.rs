@@ -43,7 +43,7 @@ fn refused(from: &str, to: &str) -> String {
 }
 
 #[test]
-fn a_rope_that_holds_nothing_is_refused() {
+fn a_rope_without_a_load_is_refused() {
     let path = "- drum: {joint: winch, radius_m: 0.5}
         - sheave: {body: world, radius_m: 0.3, axis: [0, 1, 0]}
         - point: {body: load}";
@@ -63,7 +63,7 @@ fn falls_are_a_whole_number() {
 }
 
 #[test]
-fn a_path_that_is_none_is_refused_at_its_place() {
+fn an_invalid_path_is_refused_at_its_place() {
     let cases = [
         (
             "- drum: {joint: winch, radius_m: 0.5}\n",
@@ -169,7 +169,7 @@ fn a_rope_that_cannot_carry_its_load_at_rest_is_refused() {
 
 /// The damper's pull at 2 m/s is k tau v = 20 kN as the rope comes taut.
 #[test]
-fn a_rope_parts_where_its_damper_pulls_too_hard_as_it_comes_taut() {
+fn a_rope_parts_when_its_damper_exceeds_the_breaking_load_as_it_becomes_taut() {
     let drop = |load: &str| {
         let text = hanging(&format!("\n      damping_time_s: 0.1\n      breaking_load_kN: {load}"));
         let text = text.replace("begin_at_equilibrium: true", "begin_at_equilibrium: false");

@@ -87,7 +87,7 @@ fn every_rope_is_drawn_from_end_to_end() {
 
 /// Source: the line's length; the chords of 48 arcs fall short of it by their square, a ten-thousandth here.
 #[test]
-fn a_mooring_line_is_as_long_as_it_is_but_for_its_stretch_and_stays_above_the_seabed() {
+fn a_drawn_mooring_line_has_its_length_except_for_stretch_and_stays_above_the_seabed() {
     for z_m in [0.0, 3.0, -10.0] {
         let mut simulation = with_lines(z_m).simulation().expect("it builds");
         let mut row = Vec::new();
@@ -160,7 +160,7 @@ fn the_inertia_of_solids_is_described() {
 
 /// Source: what hangs together with the world does not fall.
 #[test]
-fn a_body_that_nothing_carries_is_warned_of() {
+fn a_body_without_support_gives_a_warning() {
     let solid = |joint: Value| json!({"mass_kg": 12, "shape": {"sphere": {"radius_m": 1}}, "joint": joint});
     let rope = |first: &str, second: &str| {
         let end = |body: &str| json!({"body": body, "position_m": [0, 0, 0]});

@@ -86,7 +86,7 @@ fn frequencies(segments: u32) -> Vec<f64> {
 }
 
 #[test]
-fn a_weight_at_the_tip_or_at_a_segments_middle_deflects_it_exactly() {
+fn the_deflection_by_a_weight_at_the_tip_or_in_the_middle_of_a_segment_is_exact() {
     // The compliance about the middle of a piece is exact; rounding and the cube of the deflection
     // (1e-7 of the length, squared) are left. A weight at a: w(l) = F a^2 (3 l - a) / 6 E I.
     let exact = slender();
@@ -105,7 +105,7 @@ fn a_weight_at_the_tip_or_at_a_segments_middle_deflects_it_exactly() {
 }
 
 #[test]
-fn its_own_weight_deflects_it_as_euler_and_bernoulli_say() {
+fn the_deflection_by_self_weight_is_that_of_euler_and_bernoulli() {
     let expected = slender().deflection_by_distributed_force(MASS / LENGTH * GRAVITY);
     let errors = [8, 16, 32].map(|n| 1.0 + tip_at_rest(&clamped(n, SLENDER, "")) / expected);
     assert!(errors[1].abs() < 0.005, "{errors:?}");
@@ -117,7 +117,7 @@ fn its_own_weight_deflects_it_as_euler_and_bernoulli_say() {
 }
 
 #[test]
-fn a_stubby_tube_shears_as_timoshenko_says() {
+fn the_shear_deflection_of_a_short_tube_is_that_of_timoshenko() {
     // A round tube with the wall of a bar, 20 m long and 6 m across: shear adds a twentieth.
     let section = "{circular_tube: {outer_diameter_m: 6, wall_m: 0.1}}";
     let (outer, inner): (f64, f64) = (3.0, 2.9);
@@ -139,7 +139,7 @@ fn a_stubby_tube_shears_as_timoshenko_says() {
 }
 
 #[test]
-fn its_first_frequencies_are_those_of_euler_and_bernoulli() {
+fn the_first_frequencies_of_a_beam_are_those_of_euler_and_bernoulli() {
     let exact = [1, 2, 3].map(|mode| slender().frequency(mode));
     let errors = [8, 16, 32].map(|n| {
         let found = frequencies(n);
@@ -174,7 +174,7 @@ fn a_tube_twists_by_its_torsion_constant() {
 }
 
 #[test]
-fn damping_is_in_proportion_to_stiffness() {
+fn damping_is_proportional_to_stiffness() {
     let with = |damping: &str| clamped(4, SLENDER, "").replace("section:", &format!("damping: {damping}, section:"));
     let (_, _, by_position, by_rate) = linear(&with("{stiffness_time: {time_s: 0.01}}"));
     assert!((&by_rate - &by_position * 0.01).amax() < 1e-12 * by_position.amax());
@@ -187,7 +187,7 @@ fn damping_is_in_proportion_to_stiffness() {
 }
 
 #[test]
-fn what_hangs_on_it_hangs_on_the_segment_at_its_place() {
+fn a_load_on_a_flexible_body_hangs_on_the_segment_at_its_position() {
     let more = "  mast: {parent: beam, mass_kg: 10, shape: {point: {}}, joint: {revolute: {axis: [0, 1, 0], position_m: [2.4, 0, 0.5], child_position_m: [0, 0, -1]}}}";
     let mut simulation = simulation(&clamped(4, SLENDER, more));
     let names: Vec<&str> = simulation.model().bodies.iter().map(|body| body.name.as_str()).collect();
@@ -228,7 +228,7 @@ fn refuses(old: &str, new: &str, error: &str) {
 }
 
 #[test]
-fn a_beam_that_is_none_is_refused() {
+fn an_invalid_beam_is_refused() {
     let segments = "bodies.beam.flexible.segments: found 0, allowed: a whole number from 1 to 64";
     refuses("segments: 4", "segments: 0", segments);
     refuses("segments: 4", "segments: 65", &segments.replace("found 0", "found 65"));
@@ -245,7 +245,7 @@ fn a_beam_that_is_none_is_refused() {
 }
 
 #[test]
-fn a_section_that_is_none_is_refused() {
+fn an_invalid_section_is_refused() {
     let kinds = "found \"square_tube\", allowed: one of circular_tube, rectangular_tube, general";
     refuses("circular_tube:", "square_tube:", kinds);
     let wall = "section.circular_tube.wall_m: found 0.3, allowed: at most half of the outer diameter";
@@ -256,7 +256,7 @@ fn a_section_that_is_none_is_refused() {
 }
 
 #[test]
-fn a_beam_with_what_it_cannot_have_is_refused() {
+fn a_beam_with_unsupported_fields_is_refused() {
     let inertia =
         "bodies.beam.inertia: found an inertia of a flexible body, allowed: none: its section and length give it";
     refuses("mass_kg: 500", "mass_kg: 500\n    inertia: {radii_of_gyration: {radii_m: [1, 1, 1]}}", inertia);

@@ -156,7 +156,7 @@ const SCHEMES: [SchemeName; 8] = [
 /// The time of the event under every scheme is that of a fine run, to a share that the coarsest scheme allows: of order 1
 /// in steps of 2 ms, errors of some 2 % of half a second.
 #[test]
-fn it_runs_under_every_scheme_and_its_event_is_in_the_table() {
+fn a_new_element_runs_under_every_scheme_and_its_event_is_in_the_table() {
     let event = |scheme, step_s: f64| {
         let mut setup = governed(LIMIT, scheme);
         setup.settings.step_s = step_s;
@@ -214,7 +214,7 @@ fn its_table_of_channels_is_the_one_that_the_views_are_tested_with() {
 
 /// Checks that it warns of the rows that are written: the largest of its column, and the time of that row.
 #[test]
-fn its_warnings_are_those_of_the_run_and_begin_anew_with_it() {
+fn the_warnings_of_a_new_element_belong_to_the_run_and_restart_with_it() {
     let mut simulation = Simulation::new(governed(LIMIT, SchemeName::RungeKutta4));
     assert!(simulation.warnings().is_empty());
     let run = simulation.run(|_| true);
@@ -307,7 +307,7 @@ fn bits(run: &Run) -> Vec<u64> {
 
 /// In lanes as long as nothing happens, and alone from the step that an event is in: some of these never latch.
 #[test]
-fn it_runs_in_lanes_and_in_a_batch_with_the_bits_that_it_has_alone() {
+fn a_new_element_in_lanes_and_in_a_batch_is_bitwise_identical_to_a_single_run() {
     for limits in [vec![2.0, 2.5, 3.0, 90.0, 91.0, 92.0, 93.0], vec![80.0, 90.0, 91.0, 92.0]] {
         let setups = limits.iter().map(|limit| governed(*limit, SchemeName::RungeKutta4)).collect();
         let built = Limits { scenario: scenario(), setups, limits };

@@ -70,7 +70,7 @@ fn check_words(error: &str) {
 }
 
 #[test]
-fn every_flipped_bit_of_a_snapshot_is_seen() {
+fn every_flipped_bit_of_a_snapshot_is_detected() {
     for integrator in ["rk4", "dormand_prince"] {
         let mut simulation = run(integrator);
         let (bytes, state) = (simulation.snapshot(), simulation.state().clone());
@@ -86,7 +86,7 @@ fn every_flipped_bit_of_a_snapshot_is_seen() {
 
 proptest! {
     #[test]
-    fn no_bytes_restore_but_those_of_a_snapshot(
+    fn only_the_bytes_of_a_snapshot_restore(
         start in 0..4_000_usize, length in 0..40_usize, new in prop::collection::vec(any::<u8>(), 0..40),
     ) {
         static RUN: LazyLock<(Simulation, Vec<u8>)> = LazyLock::new(|| {
@@ -129,7 +129,7 @@ proptest! {
     }
 
     #[test]
-    fn a_long_text_makes_no_long_error(letter in "[a-z\\[{é]", count in 1_000..20_000_usize) {
+    fn the_error_of_a_long_text_is_short(letter in "[a-z\\[{é]", count in 1_000..20_000_usize) {
         let long = letter.repeat(count);
         let files = Files::new([("long.csv".to_owned(), long.clone())]);
         for text in [

@@ -11,7 +11,7 @@ fn gallery() -> Vec<(String, Scenario)> {
 }
 
 #[test]
-fn every_scenario_says_what_it_is() {
+fn every_scenario_has_a_title_and_a_description() {
     for (name, scenario) in gallery() {
         assert!(!scenario.title.is_empty() && scenario.title.len() <= 60, "{name}: a title of one short line");
         assert!(scenario.description.len() >= 80, "{name}: a description that says what to look at");

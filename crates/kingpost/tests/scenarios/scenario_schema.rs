@@ -89,7 +89,7 @@ fn every_field_is_described() {
 }
 
 #[test]
-fn every_unit_alias_stands_beside_its_si_name() {
+fn every_unit_alias_is_next_to_its_si_name() {
     let mut all = Vec::new();
     properties(&json_schema(), &mut all);
     let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();

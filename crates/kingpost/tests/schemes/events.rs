@@ -94,7 +94,7 @@ fn ball<S: Scalar>(height: S, restitution: S, scheme: SchemeName) -> Simulation<
 }
 
 #[test]
-fn a_ball_on_a_stop_hits_it_when_the_closed_form_says() {
+fn a_ball_hits_a_stop_at_the_time_of_the_closed_form() {
     let (height, restitution): (f64, f64) = (1.3, 0.7);
     for scheme in [SchemeName::RungeKutta4, DORMAND_PRINCE] {
         let mut simulation = ball(height, restitution, scheme);
@@ -315,7 +315,7 @@ fn a_sampled_controller_with_two_ticks_delay_is_its_recursion() {
 
 /// Between two restarts the scheme goes on where it was, whatever the step of the display.
 #[test]
-fn dormand_prince_does_not_begin_anew_at_every_step() {
+fn dormand_prince_does_not_restart_at_every_step() {
     let evaluations = |step_s: f64| {
         let mut simulation = pendulum(DORMAND_PRINCE, step_s);
         simulation.step((1.0 / step_s).round() as usize).unwrap();
@@ -327,7 +327,7 @@ fn dormand_prince_does_not_begin_anew_at_every_step() {
 }
 
 #[test]
-fn what_answers_itself_without_end_stops_the_run() {
+fn an_element_that_responds_to_itself_without_end_stops_the_run() {
     #[derive(Clone, Debug)]
     struct Chatter;
     impl<S: Scalar> Element<S> for Chatter {

@@ -38,7 +38,7 @@ fn until_its_surface_meets_top_or_bottom_the_liquid_moves_as_between_upright_wal
 
 /// On a side the liquid is a box against that side, from end to end the other ways.
 #[test]
-fn on_its_side_and_upside_down_the_liquid_lies_as_by_hand() {
+fn on_its_side_and_upside_down_the_liquid_has_the_position_of_a_hand_calculation() {
     for filling in [0.1, 0.5, 0.8] {
         let (volume, air) = (filling * whole(), 1.0 - filling);
         let [length, breadth, height] = EDGES;
@@ -77,7 +77,7 @@ fn in_a_corner_and_along_an_edge_the_liquid_is_a_tetrahedron_and_a_prism() {
 }
 
 #[test]
-fn an_empty_and_a_full_tank_have_nothing_that_moves() {
+fn an_empty_and_a_full_tank_have_no_free_surface() {
     for filling in [0.0, 1.0] {
         for vertical in [Vector3::new(0.0, 0.0, 1.0), Vector3::new(0.3, -0.4, 0.2), Vector3::new(-1.0, 1.0, -1.0)] {
             let vertical = vertical.direction();
@@ -88,7 +88,7 @@ fn an_empty_and_a_full_tank_have_nothing_that_moves() {
 }
 
 #[test]
-fn what_is_no_number_stays_none_and_ends() {
+fn nan_stays_nan_and_the_search_ends() {
     assert!(tank(0.5).shift(Vector3::new(f64::NAN, 0.0, 1.0)).norm().is_nan());
 }
 
@@ -174,7 +174,7 @@ proptest! {
     }
 
     #[test]
-    fn a_lane_has_the_bits_that_it_has_alone(all in prop::array::uniform4(any_tank())) {
+    fn a_lane_is_bitwise_identical_to_a_single_tank(all in prop::array::uniform4(any_tank())) {
         let lanes = |of: &dyn Fn(&(BoxTank, Vector3)) -> f64| Lanes::new([0, 1, 2, 3].map(|k| of(&all[k])));
         let together = BoxTank {
             edges: Vector3([0, 1, 2].map(|axis| lanes(&|(tank, _)| tank.edges[axis]))),

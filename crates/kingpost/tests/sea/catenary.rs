@@ -41,7 +41,7 @@ fn an_inextensible_line_is_the_textbook_catenary() {
 }
 
 #[test]
-fn the_force_that_is_found_puts_the_ends_where_they_are() {
+fn the_computed_force_places_the_ends_at_their_positions() {
     for stiffness in [3e4, 1e6, 1e9] {
         for (span, on_seabed) in spans().flat_map(|span| [(span, true), (span, false)]) {
             let line = line(stiffness, on_seabed);
@@ -157,7 +157,7 @@ fn nothing_jumps_where_the_line_lifts_off_or_goes_slack() {
 
 /// Each lane has the bits that it has alone, whatever the others do.
 #[test]
-fn lanes_of_slack_and_taut_lines_have_the_bits_that_they_have_alone() {
+fn lanes_of_slack_and_taut_lines_are_bitwise_identical_to_single_lines() {
     let all: Vec<Span> = spans().collect();
     for four in all.chunks_exact(LANES) {
         let c = Lanes::constant;

@@ -80,7 +80,7 @@ fn aranha(velocity: [f64; 2], current: [f64; 2]) -> [f64; 3] {
 /// The engine has it to first order: the difference of two velocities, against that of the formula, whose terms of third order
 /// are left at 1 cm/s, (w V / g)^2 of them.
 #[test]
-fn the_drift_changes_with_the_velocity_as_aranhas_formula_has_it() {
+fn the_drift_changes_with_the_velocity_by_aranhas_formula() {
     let at_rest = drift([0.0; 2], [0.0; 2]);
     for (found, expected) in at_rest.iter().zip(aranha([0.0; 2], [0.0; 2])) {
         assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
@@ -148,7 +148,7 @@ fn the_drift_of_a_moving_hull_acts_on_it() {
 }
 
 #[test]
-fn it_needs_a_drift_to_change() {
+fn drift_damping_without_mean_drift_is_refused() {
     let error = read(&[(&format!("{WATER}.wave_drift"), json!(false))]).and_then(|scenario| scenario.setup().map(drop));
     let words = error.expect_err("it is refused").to_string();
     assert!(words.contains("wave_drift_damping: found true, without wave_drift"), "{words}");
@@ -162,7 +162,7 @@ fn warnings(more: &[(&str, Value)]) -> Vec<String> {
 
 /// 2 U w cos / g of the lengths, 4 (w / g) U cos of the drift and what the turned direction does: the sizes of the formulas.
 #[test]
-fn check_says_how_much_a_current_would_change() {
+fn the_check_reports_the_change_of_wave_length_and_drift_by_a_current() {
     let current = 0.6;
     let with_waves = json!([current * libm::cos(DIRECTION_RAD), current * libm::sin(DIRECTION_RAD)]);
     assert!(warnings(&[]).is_empty());

@@ -70,7 +70,7 @@ fn gains(m: f64, period: f64, damping: f64) -> [f64; 2] {
 /// Surge, sway and yaw of a free ship are the linear system of its mass, its gains and the thrusters' time constant; with
 /// fast thrusters the oscillator of the given period and damping.
 #[test]
-fn a_free_ship_returns_as_its_period_and_damping_say() {
+fn a_free_ship_returns_with_its_period_and_damping() {
     let target = ", target: {x_m: 100, y_m: 50, heading_deg: 30}";
     let (sin, cos) = libm::sincos(PI / 6.0);
     let sway_first =
@@ -107,7 +107,7 @@ fn a_free_ship_returns_as_its_period_and_damping_say() {
 /// With gains that are alike in surge and sway a ship goes straight to its target however it turns meanwhile, and it turns
 /// the short way over pi.
 #[test]
-fn a_turning_ship_goes_straight_and_turns_the_short_way() {
+fn a_ship_moves_straight_to_its_target_and_turns_by_the_smaller_angle() {
     let quick = STRONG.replace("time_constant_s: 2", "time_constant_s: 0.01");
     let initial = "position_m: [4, -3, 0], orientation_deg: [0, 0, -170]";
     let dp = positioning(GAINS, &quick, ", target: {heading_deg: 170}");
@@ -168,7 +168,7 @@ const WEAK: &str = "bow: {tunnel: {position_m: [30, 0, 0], max_thrust_kN: 50, ti
 
 /// Far from its target a ship gets what its thrusters have, along the way there, and no thruster more than it has.
 #[test]
-fn beyond_its_limits_a_ship_is_pushed_straight_by_all_that_a_thruster_has() {
+fn beyond_its_limits_the_thrust_keeps_its_direction_at_the_largest_magnitude() {
     let initial = "position_m: [300, 400, 0]";
     let mut ship = simulation(&ship(initial, &positioning(GAINS, WEAK, ""), ""));
     let (command, force) = (values(&mut ship, "station_command"), values(&mut ship, "station_force"));
@@ -279,7 +279,7 @@ fn a_ship_holds_its_station_in_current_and_waves() {
 
 /// Checks that the bits are the same after a snapshot, and those of each run in a batch of several.
 #[test]
-fn snapshots_and_batches_give_the_same_bits() {
+fn snapshots_and_batches_are_bitwise_identical() {
     let mut ship = at_sea(&station(""), &[]);
     ship.step(700).unwrap();
     let bytes = ship.snapshot();
@@ -384,7 +384,7 @@ fn equilibria_have_their_derivatives() {
 }
 
 #[test]
-fn what_cannot_hold_a_ship_is_refused() {
+fn a_positioning_that_cannot_hold_a_ship_is_refused() {
     let refused = |gains: &str, thrusters: &str, more: &str, message: &str| {
         let text = ship("", &positioning(gains, thrusters, more), "");
         let error = read(&text, "test.yaml", &[]).and_then(|s| s.setup().map(drop)).unwrap_err().to_string();

@@ -49,7 +49,7 @@ fn the_npd_spectrum_is_that_of_the_standard() {
 /// ISO 19901-1, A.7.3, gives the turbulence intensity besides: 0.06 (1 + 0.043 U_10) (z / 10)^-0.22. The two fits to the same
 /// measurements agree within 4 % from ten minutes to two seconds.
 #[test]
-fn the_npd_spectrum_has_about_the_turbulence_that_the_standard_gives_besides() {
+fn the_npd_spectrum_has_about_the_turbulence_intensity_of_the_standard() {
     for (u, z) in [(10.0, 10.0), (20.0, 10.0), (30.0, 10.0), (20.0, 30.0), (25.0, 50.0)] {
         let speed = u * (1.0 + 0.0573 * f64::sqrt(1.0 + 0.15 * u) * f64::ln(z / 10.0));
         let intensity = 0.06 * (1.0 + 0.043 * u) * f64::powf(z / 10.0, -0.22);
@@ -192,7 +192,7 @@ fn an_equilibrium_is_that_of_the_mean_wind() {
 }
 
 #[test]
-fn gusts_that_cannot_be_are_refused() {
+fn invalid_gusts_are_refused() {
     let refused = |gusts: &str, message: &str| {
         let error = read(&ship(gusts), "test.yaml", &[]).expect_err("it is refused").to_string();
         assert!(error.contains(message), "{error}");

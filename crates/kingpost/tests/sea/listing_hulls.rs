@@ -95,7 +95,7 @@ fn a_run_of_a_barge_that_lists_has_its_response() {
 /// Where a hull lies in the attitude that its coefficients were computed in, they act as those of an upright hull that lies
 /// even: on a body whose inertia is the same about all axes across its length, a turn about that makes no difference.
 #[test]
-fn coefficients_of_an_attitude_are_those_of_the_hull_as_it_lies_there() {
+fn coefficients_of_an_attitude_are_those_of_the_hull_at_this_attitude() {
     let sea = json!({"waves": {"swell": {"regular": {"height_m": 1.0, "period_s": 5.0, "direction_rad": 2.0}}}});
     let roll: f64 = 0.1;
     let more = [
@@ -128,7 +128,7 @@ fn coefficients_of_an_attitude_are_those_of_the_hull_as_it_lies_there() {
 }
 
 #[test]
-fn an_attitude_that_no_hull_can_have_is_refused() {
+fn an_invalid_attitude_is_refused() {
     let mut database: Value = serde_json::from_str(BARGE).expect("it is JSON");
     database["hull"]["attitude"] = json!({"roll_rad": 0.0, "pitch_rad": 2.0, "height_m": 0.0});
     let files = Files::new([("hull.hydro.json".to_owned(), database.to_string())]);

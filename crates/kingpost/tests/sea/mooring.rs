@@ -18,7 +18,7 @@ fn afloat(initial: &str, more: &str) -> String {
 
 /// `m v' = -c |v| v` has the solution `v = v0 / (1 + c |v0| t / m)`.
 #[test]
-fn quadratic_damping_lets_a_rate_decay_as_one_over_time() {
+fn a_rate_with_quadratic_damping_decays_as_one_over_time() {
     let exact = |start: f64, c: f64, mass: f64, time_s: f64| start / (1.0 + c * start.abs() * time_s / mass);
     let drag =
         "forces: {drag: {quadratic_damping: {body: ship, linear_N_s2_m2: [0, 300, 0], angular_N_m_s2: [400, 0, 0]}}}";
@@ -74,7 +74,7 @@ fn linear_damping_at_a_point_is_relative_to_the_stream() {
 
 /// In the water's own frame the body is slowed as above; the ledger books the current's work.
 #[test]
-fn a_current_takes_a_body_along() {
+fn a_current_carries_a_body_along() {
     let drag =
         "sea: {current_m_s: [1.5, 0]}\nforces: {drag: {quadratic_damping: {body: ship, linear_N_s2_m2: [300, 0, 0]}}}";
     let mut drifting = simulation(&afloat("velocity_m_s: [0, 0, 0]", drag));
@@ -166,7 +166,7 @@ fn lines_and_drag_are_linearised_exactly() {
 /// Lines that hang, and lift off and lie down on the seabed, keep the energy that they are given. A step over the
 /// hawser's coming taut with the speed v errs by a share of k (v h)^2, 10 J here, of which RK4 leaves a hundredth.
 #[test]
-fn what_is_moored_keeps_its_energy() {
+fn a_moored_body_conserves_its_energy() {
     let mut simulation = simulation(&moored());
     let mut grounded = Vec::new();
     for _ in 0..30 {
@@ -185,7 +185,7 @@ fn what_is_moored_keeps_its_energy() {
 
 /// T at the fairlead and H at an anchor with line on the seabed, by the catenary alone; a spring has one tension.
 #[test]
-fn the_results_hold_what_a_line_carries() {
+fn the_results_contain_the_tension_of_a_line() {
     let mut simulation = simulation(&moored());
     let [tension, end, grounded] =
         ["line_tension", "line_end_tension", "line_grounded_length"].map(|channel| values(&mut simulation, channel));
@@ -204,7 +204,7 @@ fn mooring_lines_are_linearised_exactly() {
 }
 
 #[test]
-fn lines_that_cannot_be_are_refused() {
+fn invalid_lines_are_refused() {
     let refused = |from: &str, to: &str, message: &str| {
         let text = moored();
         assert!(text.contains(from));

@@ -66,7 +66,7 @@ fn moored() -> Vec<(&'static str, Value)> {
 /// Galilei: seen from the water, a vessel that drifts with the current is at rest in still water; and one that has a
 /// velocity against it moves as one with that velocity in still water.
 #[test]
-fn a_ship_that_drifts_with_the_current_moves_as_one_in_still_water() {
+fn a_ship_drifting_with_the_current_moves_like_one_in_still_water() {
     let (cx, cy) = (1.0, 0.7);
     let mut adrift = simulation(&[(CURRENT, json!([cx, cy])), (VELOCITY, json!([cx, cy, 0.0]))]);
     adrift.step(1200).expect("it runs");
@@ -103,7 +103,7 @@ fn a_run_that_begins_at_equilibrium_in_a_current_stays_there() {
 /// Munk's moment -(A22 - A11) u v turns a ship that moves obliquely, with the added mass of slow motions; a table of current
 /// coefficients has it in its own yaw moment (Faltinsen 1990, ch. 6), so that beside one, even of zeros, there is none.
 #[test]
-fn munks_moment_comes_once_and_by_the_added_mass_at_frequency_zero() {
+fn munks_moment_occurs_once_with_the_added_mass_at_zero_frequency() {
     let obliquely = (VELOCITY, json!([0.8, 0.5, 0.0]));
     let database = Database::read(vessel::DATABASE).expect("it reads");
     let remembered = Radiation::new(database.radiation.as_ref().expect("it has a memory")).added_mass();
@@ -332,7 +332,7 @@ fn motions_grow_with_the_waves() {
 }
 
 #[test]
-fn drift_and_the_waves_pressure_do_not_act_together() {
+fn drift_together_with_wave_pressure_is_refused() {
     let both = [
         regular(8.0, PI),
         ("forces.water.hydrodynamics.hydrostatics", json!("mesh")),

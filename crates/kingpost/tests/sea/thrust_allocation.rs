@@ -37,7 +37,7 @@ fn utilisation(allocation: &Allocation, demand: [f64; 3]) -> Vec<f64> {
 /// (1, -1) of the propellers and -+2b / (x1 - x2) of the tunnels, and of that least sum of squared utilisations takes its
 /// part.
 #[test]
-fn two_tunnels_and_two_propellers_share_as_a_hand_calculation_does() {
+fn the_allocation_to_two_tunnels_and_two_propellers_is_that_of_a_hand_calculation() {
     let ([x1, x2, b], [t, p]) = ([30.0, -25.0, 4.0], [1.2e5, 4e5]);
     let thrusters = vec![
         fixed(x1, 0.0, FRAC_PI_2, [t, t]),
@@ -75,7 +75,7 @@ fn random_allocation(rng: &mut StdRng, heading_first: bool) -> Allocation {
 /// B P tau = tau; no other thrusts that give tau use less; a demand beyond the limits is met along its own direction by the
 /// largest share at which one thruster is at its limit, or its moment first and then its force.
 #[test]
-fn random_thrusters_give_what_is_asked_and_keep_their_limits() {
+fn random_thrusters_provide_the_demand_within_their_limits() {
     let mut rng = StdRng::seed_from_u64(5);
     for case in 0..200 {
         let heading_first = case % 2 == 0;

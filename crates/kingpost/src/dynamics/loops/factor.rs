@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dependent_row_is_named_with_those_that_make_it_and_carries_nothing() {
+    fn a_dependent_row_is_named_with_the_rows_it_depends_on_and_carries_no_load() {
         // Rows J = (1, 0), (1, 1e-3), (0, 2): the third is 2000 times the second less the first.
         let rows = [[1.0, 1.0, 0.0], [1.0, 1.0 + 1e-6, 2e-3], [0.0, 2e-3, 4.0]];
         let factor = factor(&rows);

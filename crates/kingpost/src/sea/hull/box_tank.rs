@@ -190,7 +190,7 @@ mod tests {
 
         /// The volume of the box cut by a plane agrees with the closed form of the wedges, to rounding.
         #[test]
-        fn a_surface_between_walls_is_cut_out_of_the_box_as_its_closed_form_says(
+        fn a_surface_between_walls_cuts_the_volume_of_the_closed_form(
             edges in prop::array::uniform3(0.1..10.0_f64),
             filling in 0.001..0.999_f64,
             slopes in prop::array::uniform2(-1.0..1.0_f64),

@@ -93,7 +93,7 @@ mod tests {
 
     /// From x tanh x = x^2 - x^4 / 3 + ...: with a = x tanh x, x = sqrt(a) (1 + a / 6 + O(a^2)).
     #[test]
-    fn long_waves_run_at_the_root_of_g_h() {
+    fn long_waves_propagate_at_the_root_of_g_h() {
         let (h, w) = (10.0, 0.01);
         let x = wave_number(w, &water(h)) * h;
         let first_order = w * libm::sqrt(h / G);
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn frequencies_that_are_no_waves_do_not_hang() {
+    fn invalid_frequencies_do_not_cause_an_endless_search() {
         assert_eq!(wave_number(0.0, &water(10.0)), 0.0);
         assert!(wave_number(f64::NAN, &water(10.0)).is_nan());
         assert_eq!(wave_number(1e200, &water(10.0)), f64::INFINITY);

@@ -230,7 +230,7 @@ mod tests {
 
         /// Checks that the parts below a plane and below the reversed plane add up to the whole solid.
         #[test]
-        fn both_sides_of_a_plane_make_the_whole(
+        fn both_sides_of_a_plane_add_up_to_the_whole_solid(
             which in 0..5_usize,
             normal in prop::array::uniform3(-1.0..1.0_f64),
             share in -1.2..1.2_f64,
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lying_cylinder_holds_the_segment_of_its_circle() {
+    fn the_volume_of_a_lying_cylinder_is_the_segment_of_its_circle() {
         let (radius, length) = (1.3_f64, 4.1);
         let cylinder = Solid::Cylinder { radius, length, axis: 0 };
         for level in [-1.1, -0.4, 0.0, 0.7, 1.2_f64] {
