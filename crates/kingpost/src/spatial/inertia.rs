@@ -29,8 +29,7 @@ impl<S: Scalar> SpatialInertia<S> {
         Self { angular: moments, coupling: Matrix3::zero(), linear: Symmetric3::diagonal([mass; 3]) }
     }
 
-    /// Creates the inertia from a full 6x6 matrix by rows, angular part first; only the symmetric part is
-    /// used.
+    /// Creates the inertia from a symmetric 6x6 matrix by rows, angular part first; only its upper triangle is read.
     pub fn from_rows(rows: &[[S; 6]; 6]) -> Self {
         let block = |r: usize, c: usize| Matrix3::from_fn(|i, j| rows[r + i][c + j]);
         Self {
